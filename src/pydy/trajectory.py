@@ -335,7 +335,8 @@ class Trajectory:
         self.outputs = checked_table("outputs", outputs, m, widths[1])
         self.specifieds = checked_table("specifieds", specifieds, m, widths[2])
         self.constants = {
-            symbol: number(value, f"`constants[{symbol}]`")
+            # Names are printed where they are needed: that takes longer than short runs.
+            symbol: value if type(value) is float else number(value, f"`constants[{symbol}]`")
             for symbol, value in check_mapping("constants", constants).items()
         }
         self.events = tuple(listed("events", events, "EventRecord"))

@@ -189,3 +189,13 @@ def test_a_long_motion_that_an_event_ends_is_known_to_its_end(solver):
     assert motion.events[-1].time == pytest.approx(end, abs=1e-9)
     times = np.linspace(0.0, motion.times[-1], num=4001)
     np.testing.assert_allclose(motion.at(times)[q], np.cos(times), rtol=0.0, atol=1e-7)
+
+
+def test_states_at_the_ends_of_steps_take_no_step_again():
+    system = oscillator(dop853, MANY)
+    dense = system.simulate()._dense
+    states = dense(dense.starts)
+    assert "_workspace" not in vars(dense)
+    np.testing.assert_allclose(states[:, 0], np.cos(dense.starts), atol=1e-6)
+    between = dense(np.append(dense.starts, 2.0) - 1e-9 * np.append(dense.starts > 0.0, True))
+    np.testing.assert_allclose(between[1:-1], states[1:], atol=1e-8)

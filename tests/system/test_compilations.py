@@ -179,6 +179,6 @@ def test_events_take_as_many_programs_however_many_there_are(compiled, number):
     q, u = system.states
     events = [Event(q - 5.0 - k, reset={u: -u}, name=f"event {k}") for k in range(number)]
     system.integrate(events=events)
-    assert len(compiled) == 4  # the events' rates, rounding bounds and slopes are one
-    expected = ["bounds", "rates", "rates", "resets", "slopes", "the events"]
+    assert len(compiled) == 5  # the events' rates and rounding bounds are one
+    expected = ["bounds", "rates", "rates", "reach", "resets", "the events", "values"]
     assert sorted(blocks(compiled)) == expected

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -10,14 +10,15 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
-from pydy._graph.derivative import dense, dense_jacobian, dense_rows, directional, jacobian
+from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.operations import FLAT
 from pydy._graph.program import Program
+from pydy._graph.reach import reach
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
-from pydy.solvers.events import CompiledEvents, Event
+from pydy.solvers.events import CompiledEvents, Event, Turn
 from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import SOLVERS, Solver
@@ -83,7 +84,7 @@ def with_residuals_held(
 def compile_events(
     model: CompiledModel, definition: Definition, events: tuple[Event, ...]
 ) -> CompiledEvents:
-    """Compile events, their rates and their resets."""
+    """Compile events, their rates, how far a step may bring them, and their resets."""
     expressions = tuple(event.expression for event in events)
     states = definition.states
     assembly = model.assembly.fork()
@@ -91,9 +92,10 @@ def compile_events(
     nodes = assembly.read(expressions, "the events")
 
     groups = [graph.inputs_of([node]) for node in nodes]
+    moving = [*(graph.input("x", k) for k in range(assembly.sizes[0])), graph.input("t", 0)]
     linear = [
         "r" not in own and graph.inputs_of(row.values()) <= {"p"}
-        for own, row in zip(groups, _slopes(assembly, graph, nodes), strict=True)
+        for own, row in zip(groups, jacobian(graph, nodes, moving), strict=True)
     ]
 
     def resets() -> Program:
@@ -104,6 +106,9 @@ def compile_events(
         return own.lowered({"resets": after}, {"resets": (len(events), len(states))})
 
     resetting = tuple(bool(event.reset) for event in events)
+    turns = tuple(isinstance(event, Turn) for event in events)
+    looked_for = tuple(expressions[k - turn] for k, turn in enumerate(turns))
+    far = event_reach(model.assembly, looked_for)
     key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
     return CompiledEvents(
         names=tuple(event.name for event in events),
@@ -114,8 +119,10 @@ def compile_events(
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates and bounds of the events", *expressions),
-            lambda: event_rates_program(model.assembly, expressions, all(linear)),
+            lambda: event_rates_program(model.assembly, expressions, bounds=True),
         ),
+        turns=turns,
+        reach=None if far is None else model.compiled_by(("reach", *looked_for), far),
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
@@ -127,28 +134,37 @@ def compile_events(
     )
 
 
-def _slopes(assembly: Assembly, graph: Graph, nodes: Sequence[int]) -> list[dict[int, int]]:
-    """Return the derivatives of events by the states and, last, the time."""
-    moving = [graph.input("x", k) for k in range(assembly.sizes[0])]
-    return jacobian(graph, nodes, [*moving, graph.input("t", 0)])
-
-
 def event_rates_program(
-    assembly: Assembly, expressions: Sequence[Any], linear: bool | None = None
+    assembly: Assembly, expressions: Sequence[Any], bounds: bool = False
 ) -> Program:
-    """Return the Program of the events' rates; of bounds and slopes too if `linear` is told."""
+    """Return the Program of the events' rates, and of bounds on their roundings."""
     own = assembly.fork()
     graph = own.graph
     nodes = own.read(expressions, "the events")
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(own.rates)}
     rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
-    if linear is None:
+    if not bounds:
         return own.lowered({"rates": totals})
-    parts, width = {"rates": totals, "bounds": rounding_bounds(graph, nodes)}, own.sizes[0] + 1
-    if linear:
-        parts["slopes"] = dense(graph, _slopes(own, graph, nodes), width)
-    return own.lowered(parts, {"slopes": (len(nodes), width)}, as_is=True)
+    return own.lowered({"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
+
+
+def event_reach(assembly: Assembly, expressions: Sequence[Any]) -> Callable[[], Program] | None:
+    """Return what makes the Program of events and of how far they may come from there in a step.
+
+    How far each state may, and the time, stands in r after the specifieds. It is None where that
+    bounds not every event.
+    """
+    own = assembly.fork()
+    graph, (n, s, k) = own.graph, own.sizes
+    nodes = own.read(expressions, "the events")
+    inputs = [*(graph.input("x", i) for i in range(n)), graph.input("t", 0)]
+    bounds = reach(graph, nodes, {x: graph.input("r", s + i) for i, x in enumerate(inputs)})
+    known = [bound for bound in bounds if bound is not None]
+    if len(known) < len(bounds):
+        return None
+    parts, sizes = {"values": nodes, "reach": known}, (n, s + n + 1, k)
+    return lambda: own.lowered(parts, sizes=sizes, as_is=True)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:

@@ -231,6 +231,13 @@ class Solution:
     null: np.ndarray
 
 
+def opened(contacts: int, rows: int) -> Solution:
+    """Return the solution where all contacts are open, of which accelerations are not asked."""
+    nothing, sizes, margins = np.zeros(rows), np.zeros(contacts), np.full(contacts, np.inf)
+    modes = (OPEN,) * contacts
+    return Solution(modes, nothing, nothing, margins, True, sizes, {}, None, np.zeros((0, 0)))
+
+
 def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
     """Return the rows that a combination holds."""
     found = []

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy.contact.decide import OPEN, SLIDES, STICKS
-from pydy.contact.modes import margin_symbol, output_symbols
+from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
 
 
@@ -27,14 +27,26 @@ def missed(
     `told` by the events at the end, where a load may jump, is not missed there.
     """
     atol = float(np.max(run.atol))
-    symbols = output_symbols(run.contacts)
-    few = np.append(np.linspace(part.times[0], end, CHECKED), end)
-    few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
+    symbols = run.kept.symbols
+    starts, few = part._dense.starts, np.linspace(part.times[0], end, CHECKED)
+    if len(starts) > CHECKED:  # states between steps take these again
+        few = starts[np.linspace(0, len(starts) - 1, CHECKED).astype(int)]
+    few = np.append(few[few < end], end)
     states = part._dense(few)[:, : run.n]
     if last is not None:  # the state that is kept there is the one after the event
         states[-1] = last[: run.n]
-    model = part._model
+    model, known = part._model, part.times < end
     table = model.outputs(few, np.ascontiguousarray(states))
+    few, states, table = (
+        np.concatenate(two)
+        for two in (
+            (part.times[known], few),
+            (part.states[known], states),
+            (part.outputs[known], table),
+        )
+    )
+    order = np.argsort(few, kind="stable")
+    few, states, table = few[order], states[order], table[order]
     names = list(model.definition.outputs_symbols)
     broken = []
     for i, c in enumerate(run.contacts):

@@ -31,8 +31,9 @@ from pydy.contact.decide import (
 )
 from pydy.contact.rows import ContactRows
 from pydy.contact.tuning import TURNED
-from pydy.solvers.events import Event
+from pydy.solvers.events import Event, Turn
 from pydy.system import System
+from pydy.trajectory import Columns
 
 _WATCHED = {
     "closes": "gap",
@@ -99,6 +100,7 @@ class Mode:
         self, rows: ContactRows, modes: tuple[str, ...], held: Sequence[int], every: Sequence[int]
     ) -> None:
         self.rows, self.modes = rows, modes
+        self.columns: list[int] = []  # the outputs of its System that are those of the trajectory
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
         self._solve(g, held, every)
@@ -313,7 +315,7 @@ class Mode:
             if mode in SLIDES and i in self.pivots:
                 watch(self.pivots[i], "jams", i)
         found = [
-            Event(
+            (Turn if what == "nears" else Event)(
                 self._expression(node, what),
                 direction=-1,
                 terminal=what != "nears",
@@ -364,7 +366,9 @@ class Compiled:
         kinds = now.definition.symbols_by_kind
         others = (s for kind, symbols in kinds.items() if kind != "output" for s in symbols)
         check_names(self.rows, kinds["output"], (*others, *now.definition.constants))
-        self.stated = list(output_symbols(contacts).values())
+        self.symbols = output_symbols(contacts)
+        self.stated = list(self.symbols.values())
+        self.named = Columns({**kinds, "output": (*kinds["output"], *self.stated)})
         self.constants = (*self.definition.constants, *self.rows.hidden)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
         self._users = system._define.users(system._outputs, system._forces)
@@ -404,12 +408,13 @@ class Compiled:
                 constants_symbols=self.constants,
                 specifieds_symbols=self.definition.specifieds,
             )
-            system._now()  # copies share what has been compiled from here on
+            # Copies share what has been compiled from here on.
+            made.columns = self._columns(system._now().definition)
             with self._lock:
                 known = self.modes.setdefault(key, (made, system))
         return known[0], copy(known[1])  # it is changed by one simulation, of several at a time
 
-    def columns(self, definition: Any) -> list[int]:
+    def _columns(self, definition: Any) -> list[int]:
         """Return which outputs of a mode are those of the trajectory."""
         own = list(definition.outputs_symbols)
         base = self.definition

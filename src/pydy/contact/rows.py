@@ -6,7 +6,7 @@ contact forces, the accelerations of the rows are J a + b + J W λ.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,7 +18,7 @@ from pydy._checks import describe
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian, dense_rows, jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
+from pydy._graph.interpret import evaluator, evaluator_of_groups
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
@@ -42,22 +42,29 @@ Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by
 
 @dataclass(frozen=True)
 class Numbers:
-    """The rows at one state."""
+    """The rows at one state; `dynamic` returns what takes M⁻¹, which open contacts do without."""
 
     gap: np.ndarray  # (contacts,); zero without one
     near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
     speed: np.ndarray  # (rows,), J u + …
     slow: np.ndarray  # (rows,), bounds on the rounding errors of the speeds
-    free: np.ndarray  # (rows,), J a + b
-    terms: np.ndarray  # (rows,), how large that would be if none of its terms cancelled
-    square: np.ndarray  # (rows, rows), J W
-    moves: np.ndarray  # (speeds, rows), W
     kinematics: np.ndarray  # (coordinates, speeds), ∂q'/∂u
     gradient: np.ndarray  # (contacts, coordinates), of the gaps
     normal: np.ndarray  # (contacts,), known normal forces
     restitution: np.ndarray
     mu: np.ndarray
     mu_static: np.ndarray
+    dynamic: Callable[[], Mapping[str, np.ndarray]]
+
+    @cached_property
+    def _dynamic(self) -> Mapping[str, np.ndarray]:
+        return self.dynamic()
+
+    free = property(lambda self: self._dynamic["free"])  # (rows,), J a + b
+    # (rows,), how large that would be if none of its terms cancelled
+    terms = property(lambda self: self._dynamic["terms"])
+    square = property(lambda self: self._dynamic["square"])  # (rows, rows), J W
+    moves = property(lambda self: self._dynamic["moves"])  # (speeds, rows), W
 
     def is_closed(self, i: int) -> bool:
         """Whether a gap is zero beside its rounding errors."""
@@ -272,8 +279,12 @@ class ContactRows:
         }
 
     @cached_property
-    def _values(self) -> Any:
-        return evaluator(self.graph, [n for _, nodes in self.parts.values() for n in nodes])
+    def _groups(self) -> tuple[Parts, Parts, Any]:
+        """The parts that hold no M⁻¹, the others, and what evaluates these when they are wanted."""
+        late = {name: self.parts[name] for name in ("free", "terms", "square", "moves")}
+        early = {name: part for name, part in self.parts.items() if name not in late}
+        groups = ([n for _, nodes in own.values() for n in nodes] for own in (early, late))
+        return early, late, evaluator_of_groups(self.graph, *groups)
 
     @cached_property
     def _ways(self) -> dict[int, Any]:
@@ -311,7 +322,11 @@ class ContactRows:
     def numbers(self, values: dict[Any, float]) -> Numbers:
         """Return the rows, given a number for each symbol."""
         inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
-        return Numbers(**by_name(self.parts, self._values(inputs, 1)[0]))
+        early, late, values_at = self._groups
+        values_of = values_at(inputs, 1)
+        return Numbers(
+            **by_name(early, values_of(0)[0]), dynamic=lambda: by_name(late, values_of(1)[0])
+        )
 
     def owners_of(self, held: Sequence[int]) -> dict[int, int]:
         """Return the contacts of the normal rows among those that are held, in their order."""

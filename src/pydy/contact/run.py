@@ -29,6 +29,7 @@ from pydy.contact.decide import (
     held_rows,
     independent,
     leaps,
+    opened,
     solved,
     within,
 )
@@ -189,8 +190,8 @@ class Run:
                 state.touching.add(i)
                 continue
             nothing = WITHIN * np.finfo(float).eps * p.near[i]
-            moved = p.square[normal, normal]
-            if not (moved > 0.0 or (moved == 0.0 and p.gap[i] > nothing)):  # open, it may be widest
+            # Open, it may be widest.
+            if not (p.gap[i] > nothing or p.square[normal, normal] > 0.0):
                 raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
             if -p.gap[i] > max(nothing, self.unresolved_gap(i, p, x)):
                 why = (
@@ -234,6 +235,8 @@ class Run:
     ) -> Solution:
         """Return the modes from here on, by the complementarity of the accelerations."""
         self.bias = None
+        if not state.touching:
+            return opened(len(self.contacts), len(self.rows.speeds))
         p = self.numbers(state.t, state.x)
         still = [row for i in sorted(state.resting) for row in self.rows.tangent[i]]
         if len(held := independent(p.square, still)) < len(still):
@@ -467,14 +470,16 @@ class Run:
         state.directions.update(solution.directions)
         self.bias = solution.bias
         p = self.numbers(state.t, state.x)
-        problem = self.problem(p, state)
         # An impact elsewhere may have turned round what was on its way up.
         normals = self.rows.normal
         state.rising = {i for i in state.rising if p.speed[normals[i]] > 0.0 or p.is_closed(i)}
-        every = held_rows(problem, solution.modes)
-        held = tuple(independent(p.square, every))
+        every, held, self.sizes = list[int](), tuple[int, ...](), solution.sizes
+        if state.touching:
+            problem = self.problem(p, state)
+            every = held_rows(problem, solution.modes)
+            held = tuple(independent(p.square, every))
+            self.sizes = solved(problem, solution.modes).sizes
         self.redundant = len(held) < len(every)
-        self.sizes = solved(problem, solution.modes).sizes
         for i, mode_of in enumerate(solution.modes):
             if mode_of in SLIDES:
                 speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
@@ -496,7 +501,8 @@ class Run:
         if not later.any():
             return True, []
         system.constants = dict(self._numbers_of) | self.references(p, state, solution)
-        system.specifieds = dict(self.users._specifieds)
+        # They are checked, and what is told of them is told once.
+        system._specifieds, system._told = dict(self.users._specifieds), self.users._told
         system.ode_solver = self.users.ode_solver
         system.times = np.concatenate([[state.t], self.times[later]])
         system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
@@ -538,6 +544,8 @@ class Run:
         turns. Where sliding begins without an acceleration, as with μ = μ_static, slopes hide more:
         explicit methods have to do it; but several contacts that turn each other are stiff then.
         """
+        if STARTING not in solution.modes:
+            return
         at_once = leaps(solution, p.free, self.rows.tangent)
         several = solution.modes.count(STARTING) > 1
         if (at_once or several) and "step" not in options:
@@ -545,7 +553,7 @@ class Run:
             system.ode_solver = "radau"
             if at_once or self.carried is not None:
                 system.ode_solver, options["atol"] = "dop853", RESOLVED**2 * self.atol
-        elif self.carried is not None and STARTING in solution.modes:
+        elif self.carried is not None:
             raise NotImplementedError(
                 "`sensitivities` where a body begins to slide in a plane without an acceleration, "
                 "as under a pull that grows until `mu` = `mu_static` is reached, or in steps of a "
@@ -560,7 +568,7 @@ class Run:
         resolves: below it the direction is that of the acceleration. They have begun at a part of
         the speed that they would gain without contacts.
         """
-        bias = np.zeros(len(p.free)) if self.bias is None else self.bias
+        bias = np.zeros(len(p.speed)) if self.bias is None else self.bias
         found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
         found.update(dict.fromkeys(self.rows.rising, 0.0))
@@ -575,6 +583,8 @@ class Run:
                 terms = max(float(p.slow[row]), float(p.terms[row]) * self.span)
                 found[self.rows.rising[i]] = WITHIN * eps * terms
         for i, symbols in self.rows.references.items():
+            if solution.modes[i] not in (STARTING, SLIDING):
+                continue
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
             least = eps * max(float(np.linalg.norm(p.slow[rows])), gained)
@@ -628,10 +638,9 @@ class Run:
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
-        columns = self.kept.columns(system._now().definition)
         self.pieces.append(
             Piece(
-                state.t, end, mode.modes, part._model, columns, part._dense,
+                state.t, end, mode.modes, part._model, mode.columns, part._dense,
                 part._sensitivity_model,
             )
         )  # fmt: skip
@@ -749,8 +758,6 @@ class Run:
     def result(self) -> ContactTrajectory:
         """Return the parts of the motion as one."""
         times, states = self.times[self.reached], self.states[self.reached]
-        kinds = dict(self.now.definition.symbols_by_kind)
-        kinds["output"] = (*kinds["output"], *self.kept.stated)
         model, last = Pieces(self.pieces, self.now), self.pieces[-1].end
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
         carried = self.carried
@@ -758,7 +765,7 @@ class Run:
         return ContactTrajectory(
             times,
             states,
-            kinds,
+            self.kept.named,
             outputs=model.outputs(times, states),
             specifieds=model.specifieds(times, states),
             constants=self.now.constants,

@@ -99,6 +99,10 @@ class Event:
             object.__setattr__(self, "name", str(expression))
 
 
+class Turn(Event):
+    """Where the expression of the event listed before it is lowest: looked for near its zeros."""
+
+
 def _check_expression(value: Any, what: str) -> None:
     """Raise unless it is a scalar expression, judged by attributes: solvers never import SymPy."""
     number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
@@ -120,7 +124,7 @@ def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
     None where that cannot be told without taking them out of what they are given in.
     """
     several = [events] if isinstance(events, Event) else events
-    if type(several) not in (list, tuple) or {*map(type, several)} - {Event}:
+    if type(several) not in (list, tuple) or {*map(type, several)} - {Event, Turn}:
         return None
     return [(event, dict(event.reset)) for event in several]
 
@@ -135,9 +139,11 @@ class CompiledEvents:
     constant: tuple[bool, ...]  # whether it depends on neither state nor time nor specifieds
     linear: tuple[bool, ...]  # whether it is linear in states and time, and holds no specifieds
     values: Kernel  # the expressions
-    # Their time derivatives along the motion, bounds on their roundings, and, if all are linear,
-    # their slopes by states and time.
-    rates: Kernel
+    rates: Kernel  # their time derivatives along the motion, and bounds on their roundings
+    turns: tuple[bool, ...]  # whether it is a Turn
+    # Expressions, and how far they may come from these in a step (`Watch.reach`); of a Turn, those
+    # of the event before it. None where that is not known of all.
+    reach: Kernel | None
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from

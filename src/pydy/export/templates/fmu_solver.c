@@ -26,7 +26,7 @@ static int32_t call_events(const double *t, const double *x, const double *u, co
 static int integrate(Model *m, double goal)
 {
     int64_t problem[] = {ADDRESS(call_rates), NX, NX, NX, NX}, held[ACTIVE + 1] = {0};
-    int64_t watched[] = {ADDRESS(call_events), NE, ADDRESS(scan_events)}, linear[NE + 1] = {0};
+    int64_t watched[MOVING + 1] = {ADDRESS(call_events), NE, ADDRESS(scan_events)}, kinds[NE + 1] = {0};
     int64_t kept[ROOM + 1] = {0};
     double clock[1], step[1], theta[1], zero[NX + 1] = {0}, row[NX + 1], tolerance[NX + 1];
     const Run run = {
@@ -41,7 +41,7 @@ static int integrate(Model *m, double goal)
         .progress = {AT(m->state), AT(m->counts), {&goal, 1, 1}},
         .constraints = {.words = AT(held)},
         .watch = {.words = AT(watched), .c = AT(m->prepared), .directions = AT(EVENT_DIRECTIONS),
-            .acting = AT(EVENT_ACTING), .linear = AT(linear), .sides = AT(m->sides),
+            .acting = AT(EVENT_ACTING), .kinds = AT(kinds), .sides = AT(m->sides),
             .fired = AT(m->fired),
             .values = AT(m->probes), .trial = AT(m->probe)},
         .steps = {.words = AT(kept)},

@@ -18,44 +18,22 @@ INLINE double guess_first_size(const Run *run, double t)
     return first_size(m, run->method.control.at[EXPONENT], controlled, t, largest, trial, slope);
 }
 
-/* Tell whether events that are linear stay away from zero in the step just taken: even if the states
-   moved CLEAR times as fast as at the fastest of its stages. Most do in most steps, which then need no
-   interpolant. Their values at the end are kept for the next step. */
-INLINE int stays_clear(const Run *run, double t, double h, double after)
+/* Tell whether events stay away from zero in the step just taken, in which states do not move CLEAR
+   times as fast as at the fastest of its stages. */
+INLINE int stays_clear(const Run *run, double t, double h)
 {
-    const Watch *w = &run->watch;
     const Memory *m = &run->memory;
-    const Problem *p = &run->problem;
-    const int64_t number = w->words.at[EVENTS], n = w->slopes.columns - 1;
-    double *start = w->values.at + ENDS * number, *known = w->values.at + PROBES * number;
-    const double *end = w->values.at + LOCATED * number;
-    if (w->slopes.size == 0 || *known != t)
+    const int64_t *words = run->watch.words.at, length = m->x.size;
+    double *moved = run->watch.reach.at + words[MOVES];
+    if (words[REACHER] == 0)
         return 0;
-    for (int64_t k = 0; k < number; k++) {
-        const double *slopes = w->slopes.at + k * (n + 1);
-        double speed = absolute(slopes[n]);
-        for (int64_t i = 0; i < n; i++) {
-            if (slopes[i] == 0.0)
-                continue;
-            double fastest = 0.0;
-            for (int64_t stage = 0; stage <= run->method.shape.at[STAGES]; stage++)
-                fastest = maximum(fastest, absolute(m->stages.at[stage * m->x.size + i]));
-            speed += absolute(slopes[i]) * fastest;
-        }
-        if (!(absolute(start[k]) > CLEAR * speed * h))
-            return 0;
+    for (int64_t i = 0; i < words[MOVING]; i += BLOCK) {
+        Block far = sizes(load_block(m->new.at + i) - load_block(m->x.at + i));
+        for (int64_t stage = 0; stage <= run->method.shape.at[STAGES]; stage++)
+            far = larger(far, h * sizes(load_block(m->stages.at + stage * length + i)));
+        store_block(moved + i, CLEAR * far);
     }
-    set_inputs(p, after);
-    if (call_kernel(w->words.at[WATCHER], p->clock.at, m->new.at, p->r.at, w->c.at,
-        w->values.at + LOCATED * number) < 0)
-        return 0;
-    for (int64_t k = 0; k < number; k++)
-        if (!(end[k] * (double)w->sides.at[k] > 0.0))
-            return 0;
-    for (int64_t k = 0; k < number; k++)
-        start[k] = end[k];
-    *known = after;
-    return 1;
+    return are_clear(run, t, h);
 }
 
 /* Step until the end, or until BUDGET steps are taken, or something else happens. Where `fresh` is 1
@@ -161,7 +139,7 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
         count[STEPS] += 1;
         state[TIME] = after, state[LAST_SIZE] = size;
         keep_step(run, 0, t, size, after);
-        const int look = watched && !stays_clear(run, t, size, after);
+        const int look = watched && !stays_clear(run, t, size);
         if (!look && times[count[NEXT]] >= after)
             write_reached(run, new, flat);
         else {

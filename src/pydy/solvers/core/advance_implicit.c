@@ -57,6 +57,23 @@ INLINE void set_interpolant(const Run *run)
     }
 }
 
+/* Tell whether events stay away from zero in the step just taken, in which states do not move CLEAR
+   times as far as at the farthest of its stages. */
+INLINE int stays_clear(const Run *run, double t, double h)
+{
+    const int64_t *words = run->watch.words.at, all = run->problem.words.at[STATES];
+    double *moved = run->watch.reach.at + words[MOVES];
+    const double *z = run->newton.stages.at;
+    if (words[REACHER] == 0)
+        return 0;
+    for (int64_t i = 0; i < words[MOVING]; i++) {
+        const double end = absolute(run->memory.new.at[i] - run->memory.x.at[i]);
+        const double first = maximum(absolute(z[i]), absolute(z[all + i]));
+        moved[i] = CLEAR * maximum(maximum(first, absolute(z[2 * all + i])), end);
+    }
+    return are_clear(run, t, h);
+}
+
 /* Step until the end, or until BUDGET steps are taken, or something else happens. Where `fresh` is 1
    an integration begins here. */
 int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
@@ -192,8 +209,9 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
         set_interpolant(run);
         sizes[PREDICTING] = size;
         keep_step(run, run->method.shape.at[DEPTH], t, size, after);
-        if (watched || times[count[NEXT]] <= after) {
-            code = finish_step(run, s, t, size, watched, flat);
+        const int look = watched && !stays_clear(run, t, size);
+        if (look || times[count[NEXT]] <= after) {
+            code = finish_step(run, s, t, size, look, flat);
             if (code == UNRESOLVED || (code == CONSTRAINTS_NOT_MET && !watched)) {
                 count[STEPS] -= 1;
                 run->steps.words.at[KEPT] -= 1;

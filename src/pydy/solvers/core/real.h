@@ -64,6 +64,8 @@ typedef double Block, Loose;
 
 INLINE Block load_block(const double *p) { return *(const Loose *)p; }
 INLINE void store_block(double *p, Block v) { *(Loose *)p = v; }
+INLINE Block larger(Block a, Block b) { return a > b ? a : b; }
+INLINE Block sizes(Block a) { return larger(a, -a); }
 
 #if W > 1
 typedef Block Real;

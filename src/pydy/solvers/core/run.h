@@ -101,6 +101,22 @@ INLINE int64_t interpolate_outputs(const Run *run, const Stepper *s, double t, d
     return 0;
 }
 
+/* Tell whether events stay away from zero in a step in which states move by what `watch.reach` says. */
+INLINE int are_clear(const Run *run, double t, double h)
+{
+    const Watch *w = &run->watch;
+    const double *clock = run->problem.clock.at;
+    const int64_t number = w->words.at[EVENTS];
+    double *values = w->values.at + DIVIDED * number; /* and the row behind it */
+    w->reach.at[w->words.at[MOVES] + w->words.at[MOVING]] = h, run->problem.clock.at[0] = t;
+    if (call_kernel(w->words.at[REACHER], clock, run->memory.x.at, w->reach.at, w->reach_c.at, values) != 0)
+        return 0;
+    for (int64_t k = 0; k < number; k++)
+        if (!(w->kinds.at[k] & TURNS) && !(values[k] * (double)w->sides.at[k] > values[number + k]))
+            return 0;
+    return 1;
+}
+
 /* `Look` for events, then write the outputs due, up to the event that ends the step if one does.
 
    Not zero: why the integration stops here, or the step is too long. It is ready to start again, at the event if it was

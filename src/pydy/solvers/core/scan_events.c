@@ -191,7 +191,7 @@ APART int64_t resolve(const Run *run, const Stepper *s, double t, double h)
         return 0;
     for (int64_t k = 0; k < number; k++) {
         const double *ends = w->values.at + ENDS * number + k, *middles = ends + (PARTS + 1) * number;
-        if (w->linear.at[k] == 1 || !is_near(ends, number))
+        if (w->kinds.at[k] & LINEAR || !is_near(ends, number))
             continue;
         for (; sampled < PARTS; sampled++)
             if (probe(run, s, t, h, 0.5 * (PLACES[sampled] + PLACES[sampled + 1]), MIDDLES + sampled) < 0)
@@ -306,6 +306,9 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     for (int part = *known == t; part <= PARTS; part++)
         if (probe(run, s, t, h, PLACES[part], ENDS + part) < 0)
             return called_back(run, logged);
+    for (int64_t k = 0; k < number && *known != t; k++) /* what turns is not looked at everywhere */
+        if (w->kinds.at[k] & TURNS && ends[k] != 0.0)
+            sides[k] = ends[k] > 0.0 ? 1 : -1;
     const int64_t code = resolve(run, s, t, h);
     if (code != 0)
         return code == CALLBACK ? called_back(run, logged) : code;

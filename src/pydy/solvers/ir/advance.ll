@@ -1,4 +1,4 @@
-; sources 83a95e624712bc53d2888bab34ca475a5780e7200c9e7e6238c0189896e8813c
+; sources 18285d6bdc2a0b10c3c67f15d9d44a97c2c5f466cd6924f144aabc8d9dc16bf7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -28,7 +28,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 20:                                               ; preds = %16
   %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 1056
+  %22 = getelementptr inbounds i8, ptr %0, i64 1080
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -53,7 +53,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1080
+  %40 = getelementptr inbounds i8, ptr %0, i64 1104
   br label %57
 
 41:                                               ; preds = %20, %41
@@ -91,7 +91,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %66, label %57, label %51, !llvm.loop !7
 
 67:                                               ; preds = %51
-  %68 = getelementptr inbounds i8, ptr %0, i64 912
+  %68 = getelementptr inbounds i8, ptr %0, i64 936
   %69 = load ptr, ptr %68, align 8
   %70 = mul i64 %55, 88
   %71 = getelementptr inbounds i8, ptr %69, i64 %70
@@ -110,7 +110,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %81 = getelementptr inbounds i8, ptr %80, i64 56
   %82 = load i64, ptr %81, align 8
   %83 = icmp eq i64 %82, 0
-  br i1 %83, label %1636, label %84
+  br i1 %83, label %1624, label %84
 
 84:                                               ; preds = %72
   %85 = getelementptr inbounds i8, ptr %0, i64 624
@@ -189,7 +189,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %146, align 8
   %147 = icmp slt i32 %143, 0
   %148 = select i1 %147, i64 -4, i64 2
-  br label %1636
+  br label %1624
 
 149:                                              ; preds = %134
   store i64 1, ptr %80, align 8
@@ -253,7 +253,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %190 = getelementptr inbounds i8, ptr %189, i64 48
   store i64 %188, ptr %190, align 8
   %191 = icmp eq i64 %188, %158
-  br i1 %191, label %1636, label %192
+  br i1 %191, label %1624, label %192
 
 192:                                              ; preds = %187
   %193 = fcmp oeq double %119, 0.000000e+00
@@ -447,10 +447,10 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %346 = phi double [ %341, %340 ], [ %341, %343 ], [ %119, %192 ], [ %119, %84 ]
   %347 = load i64, ptr %81, align 8
   %348 = icmp eq i64 %347, 0
-  br i1 %348, label %445, label %349
+  br i1 %348, label %441, label %349
 
 349:                                              ; preds = %345
-  %350 = getelementptr inbounds i8, ptr %0, i64 1104
+  %350 = getelementptr inbounds i8, ptr %0, i64 1128
   %351 = getelementptr inbounds i8, ptr %80, i64 8
   %352 = getelementptr inbounds i8, ptr %80, i64 16
   %353 = getelementptr inbounds i8, ptr %80, i64 64
@@ -496,1658 +496,1627 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %393 = getelementptr inbounds i8, ptr %0, i64 192
   %394 = getelementptr inbounds i8, ptr %0, i64 216
   %395 = getelementptr inbounds i8, ptr %76, i64 32
-  %396 = getelementptr inbounds i8, ptr %0, i64 1128
-  %397 = getelementptr inbounds i8, ptr %0, i64 1144
+  %396 = getelementptr inbounds i8, ptr %0, i64 1152
+  %397 = getelementptr inbounds i8, ptr %0, i64 1168
   %398 = getelementptr inbounds i8, ptr %0, i64 840
-  %399 = getelementptr inbounds i8, ptr %0, i64 856
-  %400 = getelementptr inbounds i8, ptr %0, i64 912
-  %401 = getelementptr inbounds i8, ptr %0, i64 848
-  %402 = getelementptr inbounds i8, ptr %0, i64 168
-  %403 = getelementptr inbounds i8, ptr %0, i64 248
-  %404 = getelementptr inbounds i8, ptr %0, i64 168
-  %405 = getelementptr inbounds i8, ptr %0, i64 192
-  %406 = getelementptr inbounds i8, ptr %0, i64 744
-  %407 = getelementptr inbounds i8, ptr %0, i64 864
-  %408 = getelementptr inbounds i8, ptr %80, i64 48
-  %409 = getelementptr inbounds i8, ptr %0, i64 320
-  %410 = getelementptr inbounds i8, ptr %0, i64 480
-  %411 = getelementptr inbounds i8, ptr %0, i64 504
-  %412 = getelementptr inbounds i8, ptr %0, i64 360
-  %413 = getelementptr inbounds i8, ptr %0, i64 24
-  %414 = getelementptr inbounds i8, ptr %0, i64 48
-  %415 = getelementptr inbounds i8, ptr %0, i64 72
-  %416 = getelementptr inbounds i8, ptr %0, i64 96
-  %417 = getelementptr inbounds i8, ptr %0, i64 168
-  %418 = getelementptr inbounds i8, ptr %0, i64 248
-  %419 = getelementptr inbounds i8, ptr %0, i64 192
-  %420 = getelementptr inbounds i8, ptr %0, i64 216
-  %421 = getelementptr inbounds i8, ptr %0, i64 336
-  %422 = getelementptr inbounds i8, ptr %0, i64 432
-  %423 = getelementptr inbounds i8, ptr %0, i64 24
-  %424 = getelementptr inbounds i8, ptr %0, i64 48
-  %425 = getelementptr inbounds i8, ptr %0, i64 72
-  %426 = getelementptr inbounds i8, ptr %80, i64 72
-  %427 = getelementptr inbounds i8, ptr %0, i64 408
-  %428 = getelementptr inbounds i8, ptr %0, i64 360
-  %429 = getelementptr inbounds i8, ptr %0, i64 408
-  %430 = getelementptr inbounds i8, ptr %76, i64 24
-  %431 = getelementptr inbounds i8, ptr %76, i64 40
-  %432 = getelementptr inbounds i8, ptr %88, i64 24
-  %433 = getelementptr inbounds i8, ptr %88, i64 8
-  %434 = getelementptr inbounds i8, ptr %88, i64 16
-  %435 = getelementptr inbounds i8, ptr %88, i64 32
-  %436 = getelementptr inbounds i8, ptr %88, i64 40
-  %437 = icmp sgt i64 %91, 0
-  %438 = getelementptr inbounds i8, ptr %80, i64 48
-  %439 = getelementptr inbounds i8, ptr %80, i64 72
+  %399 = getelementptr inbounds i8, ptr %0, i64 168
+  %400 = getelementptr inbounds i8, ptr %0, i64 936
+  %401 = getelementptr inbounds i8, ptr %0, i64 864
+  %402 = getelementptr inbounds i8, ptr %0, i64 816
+  %403 = getelementptr inbounds i8, ptr %0, i64 888
+  %404 = getelementptr inbounds i8, ptr %80, i64 48
+  %405 = getelementptr inbounds i8, ptr %0, i64 320
+  %406 = getelementptr inbounds i8, ptr %0, i64 480
+  %407 = getelementptr inbounds i8, ptr %0, i64 504
+  %408 = getelementptr inbounds i8, ptr %0, i64 360
+  %409 = getelementptr inbounds i8, ptr %0, i64 24
+  %410 = getelementptr inbounds i8, ptr %0, i64 48
+  %411 = getelementptr inbounds i8, ptr %0, i64 72
+  %412 = getelementptr inbounds i8, ptr %0, i64 96
+  %413 = getelementptr inbounds i8, ptr %0, i64 168
+  %414 = getelementptr inbounds i8, ptr %0, i64 248
+  %415 = getelementptr inbounds i8, ptr %0, i64 192
+  %416 = getelementptr inbounds i8, ptr %0, i64 216
+  %417 = getelementptr inbounds i8, ptr %0, i64 336
+  %418 = getelementptr inbounds i8, ptr %0, i64 432
+  %419 = getelementptr inbounds i8, ptr %0, i64 24
+  %420 = getelementptr inbounds i8, ptr %0, i64 48
+  %421 = getelementptr inbounds i8, ptr %0, i64 72
+  %422 = getelementptr inbounds i8, ptr %80, i64 72
+  %423 = getelementptr inbounds i8, ptr %0, i64 408
+  %424 = getelementptr inbounds i8, ptr %0, i64 360
+  %425 = getelementptr inbounds i8, ptr %0, i64 408
+  %426 = getelementptr inbounds i8, ptr %76, i64 24
+  %427 = getelementptr inbounds i8, ptr %76, i64 40
+  %428 = getelementptr inbounds i8, ptr %88, i64 24
+  %429 = getelementptr inbounds i8, ptr %88, i64 8
+  %430 = getelementptr inbounds i8, ptr %88, i64 16
+  %431 = getelementptr inbounds i8, ptr %88, i64 32
+  %432 = getelementptr inbounds i8, ptr %88, i64 40
+  %433 = icmp sgt i64 %91, 0
+  %434 = getelementptr inbounds i8, ptr %80, i64 48
+  %435 = getelementptr inbounds i8, ptr %80, i64 72
+  %436 = getelementptr inbounds i8, ptr %76, i64 40
+  %437 = getelementptr inbounds i8, ptr %80, i64 72
+  %438 = getelementptr inbounds i8, ptr %88, i64 24
+  %439 = getelementptr inbounds i8, ptr %88, i64 32
   %440 = getelementptr inbounds i8, ptr %76, i64 40
-  %441 = getelementptr inbounds i8, ptr %80, i64 72
-  %442 = getelementptr inbounds i8, ptr %88, i64 24
-  %443 = getelementptr inbounds i8, ptr %88, i64 32
-  %444 = getelementptr inbounds i8, ptr %76, i64 40
-  br label %447
+  br label %443
 
-445:                                              ; preds = %1633, %345
-  %446 = phi double [ %346, %345 ], [ %1629, %1633 ]
-  store double %446, ptr %118, align 8
-  br label %1636
+441:                                              ; preds = %1621, %345
+  %442 = phi double [ %346, %345 ], [ %1617, %1621 ]
+  store double %442, ptr %118, align 8
+  br label %1624
 
-447:                                              ; preds = %349, %1633
-  %448 = phi i64 [ %347, %349 ], [ %1634, %1633 ]
-  %449 = phi i64 [ undef, %349 ], [ %1632, %1633 ]
-  %450 = phi double [ %117, %349 ], [ %1630, %1633 ]
-  %451 = phi double [ %346, %349 ], [ %1629, %1633 ]
-  %452 = load ptr, ptr %350, align 8
-  %453 = getelementptr inbounds i8, ptr %452, i64 8
-  %454 = load i64, ptr %453, align 8
-  %455 = icmp sgt i64 %454, 0
-  br i1 %455, label %456, label %461
+443:                                              ; preds = %349, %1621
+  %444 = phi i64 [ %347, %349 ], [ %1622, %1621 ]
+  %445 = phi i64 [ undef, %349 ], [ %1620, %1621 ]
+  %446 = phi double [ %117, %349 ], [ %1618, %1621 ]
+  %447 = phi double [ %346, %349 ], [ %1617, %1621 ]
+  %448 = load ptr, ptr %350, align 8
+  %449 = getelementptr inbounds i8, ptr %448, i64 8
+  %450 = load i64, ptr %449, align 8
+  %451 = icmp sgt i64 %450, 0
+  br i1 %451, label %452, label %457
 
-456:                                              ; preds = %447
-  %457 = load i64, ptr %452, align 8
-  %458 = add nsw i64 %457, 3
-  %459 = icmp slt i64 %454, %458
-  %460 = zext i1 %459 to i32
-  br label %461
+452:                                              ; preds = %443
+  %453 = load i64, ptr %448, align 8
+  %454 = add nsw i64 %453, 3
+  %455 = icmp slt i64 %450, %454
+  %456 = zext i1 %455 to i32
+  br label %457
 
-461:                                              ; preds = %447, %456
-  %462 = phi i32 [ 0, %447 ], [ %460, %456 ]
-  %463 = icmp eq i32 %462, 0
-  br i1 %463, label %465, label %464
+457:                                              ; preds = %443, %452
+  %458 = phi i32 [ 0, %443 ], [ %456, %452 ]
+  %459 = icmp eq i32 %458, 0
+  br i1 %459, label %461, label %460
 
-464:                                              ; preds = %461
-  store double %451, ptr %118, align 8
-  br label %1636
+460:                                              ; preds = %457
+  store double %447, ptr %118, align 8
+  br label %1624
 
-465:                                              ; preds = %461
-  %466 = add nsw i64 %448, -1
-  store i64 %466, ptr %81, align 8
-  %467 = load i64, ptr %351, align 8
-  %468 = load i64, ptr %352, align 8
-  %469 = add nsw i64 %468, %467
-  %470 = load i64, ptr %353, align 8
-  %471 = icmp slt i64 %469, %470
-  br i1 %471, label %473, label %472
+461:                                              ; preds = %457
+  %462 = add nsw i64 %444, -1
+  store i64 %462, ptr %81, align 8
+  %463 = load i64, ptr %351, align 8
+  %464 = load i64, ptr %352, align 8
+  %465 = add nsw i64 %464, %463
+  %466 = load i64, ptr %353, align 8
+  %467 = icmp slt i64 %465, %466
+  br i1 %467, label %469, label %468
 
-472:                                              ; preds = %465
-  store double %451, ptr %118, align 8
-  br label %1636
+468:                                              ; preds = %461
+  store double %447, ptr %118, align 8
+  br label %1624
 
-473:                                              ; preds = %465
-  br i1 %98, label %474, label %478
+469:                                              ; preds = %461
+  br i1 %98, label %470, label %474
 
-474:                                              ; preds = %473
-  %475 = load i64, ptr %354, align 8
-  %476 = getelementptr inbounds double, ptr %86, i64 %475
-  %477 = load double, ptr %476, align 8
-  br label %478
+470:                                              ; preds = %469
+  %471 = load i64, ptr %354, align 8
+  %472 = getelementptr inbounds double, ptr %86, i64 %471
+  %473 = load double, ptr %472, align 8
+  br label %474
 
-478:                                              ; preds = %473, %474
-  %479 = phi double [ %477, %474 ], [ %111, %473 ]
-  br i1 %98, label %484, label %480
+474:                                              ; preds = %469, %470
+  %475 = phi double [ %473, %470 ], [ %111, %469 ]
+  br i1 %98, label %480, label %476
 
-480:                                              ; preds = %478
-  %481 = load double, ptr %355, align 8
-  %482 = fcmp olt double %451, %481
-  %483 = select i1 %482, double %451, double %481
-  br label %490
+476:                                              ; preds = %474
+  %477 = load double, ptr %355, align 8
+  %478 = fcmp olt double %447, %477
+  %479 = select i1 %478, double %447, double %477
+  br label %486
 
-484:                                              ; preds = %478
-  %485 = fsub double %479, %450
-  %486 = fdiv double %485, %451
-  %487 = fmul double %486, 0x3FEFFFFFFFFFDCD1
-  %488 = tail call double @llvm.ceil.f64(double %487)
-  %489 = fdiv double %485, %488
-  br label %490
+480:                                              ; preds = %474
+  %481 = fsub double %475, %446
+  %482 = fdiv double %481, %447
+  %483 = fmul double %482, 0x3FEFFFFFFFFFDCD1
+  %484 = tail call double @llvm.ceil.f64(double %483)
+  %485 = fdiv double %481, %484
+  br label %486
 
-490:                                              ; preds = %484, %480
-  %491 = phi double [ %483, %480 ], [ %489, %484 ]
-  %492 = fadd double %450, %491
-  %493 = fmul double %491, 1.000000e-03
-  %494 = fsub double %479, %493
-  %495 = fcmp ule double %492, %494
-  %496 = fsub double %479, %450
-  %497 = select i1 %495, double %491, double %496
-  %498 = select i1 %495, double %492, double %479
-  %499 = fmul double %497, 6.250000e-02
-  %500 = fadd double %450, %499
-  %501 = fcmp ule double %500, %450
-  %502 = fcmp une double %498, %479
-  %503 = and i1 %502, %501
-  br i1 %503, label %504, label %505
+486:                                              ; preds = %480, %476
+  %487 = phi double [ %479, %476 ], [ %485, %480 ]
+  %488 = fadd double %446, %487
+  %489 = fmul double %487, 1.000000e-03
+  %490 = fsub double %475, %489
+  %491 = fcmp ule double %488, %490
+  %492 = fsub double %475, %446
+  %493 = select i1 %491, double %487, double %492
+  %494 = select i1 %491, double %488, double %475
+  %495 = fmul double %493, 6.250000e-02
+  %496 = fadd double %446, %495
+  %497 = fcmp ule double %496, %446
+  %498 = fcmp une double %494, %475
+  %499 = and i1 %498, %497
+  br i1 %499, label %500, label %501
 
-504:                                              ; preds = %490
-  store double %497, ptr %118, align 8
-  br label %1628
+500:                                              ; preds = %486
+  store double %493, ptr %118, align 8
+  br label %1616
 
-505:                                              ; preds = %490
-  %506 = load ptr, ptr %0, align 8
-  %507 = load i64, ptr %506, align 8
-  %508 = load ptr, ptr %357, align 8
-  %509 = insertelement <8 x double> poison, double %497, i64 0
-  %510 = shufflevector <8 x double> %509, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %510, ptr %508, align 8
-  %511 = icmp sgt i64 %507, 1
-  br i1 %511, label %516, label %600
+501:                                              ; preds = %486
+  %502 = load ptr, ptr %0, align 8
+  %503 = load i64, ptr %502, align 8
+  %504 = load ptr, ptr %357, align 8
+  %505 = insertelement <8 x double> poison, double %493, i64 0
+  %506 = shufflevector <8 x double> %505, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %506, ptr %504, align 8
+  %507 = icmp sgt i64 %503, 1
+  br i1 %507, label %512, label %596
 
-512:                                              ; preds = %589
-  %513 = add nuw nsw i64 %519, 1
-  %514 = icmp slt i64 %513, %507
-  %515 = icmp eq i64 %513, %507
-  br i1 %515, label %600, label %516, !llvm.loop !12
+508:                                              ; preds = %585
+  %509 = add nuw nsw i64 %515, 1
+  %510 = icmp slt i64 %509, %503
+  %511 = icmp eq i64 %509, %503
+  br i1 %511, label %596, label %512, !llvm.loop !12
 
-516:                                              ; preds = %505, %512
-  %517 = phi i1 [ %514, %512 ], [ %511, %505 ]
-  %518 = phi i64 [ %599, %512 ], [ undef, %505 ]
-  %519 = phi i64 [ %513, %512 ], [ 1, %505 ]
-  %520 = load ptr, ptr %358, align 8
-  %521 = load ptr, ptr %74, align 8
-  %522 = load ptr, ptr %73, align 8
-  %523 = getelementptr inbounds i8, ptr %522, i64 16
-  %524 = load i64, ptr %523, align 8
-  %525 = icmp sgt i64 %524, 1
-  %526 = zext i1 %525 to i64
-  %527 = load ptr, ptr %359, align 8
-  %528 = getelementptr inbounds i64, ptr %527, i64 %519
-  %529 = load i64, ptr %528, align 8
-  %530 = getelementptr i8, ptr %528, i64 8
-  %531 = load i64, ptr %530, align 8
-  %532 = xor i64 %529, -1
-  %533 = add i64 %531, %532
-  %534 = load ptr, ptr %357, align 8
-  %535 = load ptr, ptr %360, align 8
-  %536 = load ptr, ptr %361, align 8
-  %537 = getelementptr inbounds i64, ptr %536, i64 %529
-  %538 = load ptr, ptr %362, align 8
-  %539 = getelementptr inbounds double, ptr %538, i64 %529
-  tail call fastcc void @combine(ptr noundef %520, ptr noundef %521, ptr noundef %534, ptr noundef %535, ptr noundef %537, ptr noundef %539, i64 noundef %533, i64 noundef %526, i64 noundef %524) #8
-  %540 = icmp eq i64 %524, 1
-  br i1 %540, label %541, label %572
+512:                                              ; preds = %501, %508
+  %513 = phi i1 [ %510, %508 ], [ %507, %501 ]
+  %514 = phi i64 [ %595, %508 ], [ undef, %501 ]
+  %515 = phi i64 [ %509, %508 ], [ 1, %501 ]
+  %516 = load ptr, ptr %358, align 8
+  %517 = load ptr, ptr %74, align 8
+  %518 = load ptr, ptr %73, align 8
+  %519 = getelementptr inbounds i8, ptr %518, i64 16
+  %520 = load i64, ptr %519, align 8
+  %521 = icmp sgt i64 %520, 1
+  %522 = zext i1 %521 to i64
+  %523 = load ptr, ptr %359, align 8
+  %524 = getelementptr inbounds i64, ptr %523, i64 %515
+  %525 = load i64, ptr %524, align 8
+  %526 = getelementptr i8, ptr %524, i64 8
+  %527 = load i64, ptr %526, align 8
+  %528 = xor i64 %525, -1
+  %529 = add i64 %527, %528
+  %530 = load ptr, ptr %357, align 8
+  %531 = load ptr, ptr %360, align 8
+  %532 = load ptr, ptr %361, align 8
+  %533 = getelementptr inbounds i64, ptr %532, i64 %525
+  %534 = load ptr, ptr %362, align 8
+  %535 = getelementptr inbounds double, ptr %534, i64 %525
+  tail call fastcc void @combine(ptr noundef %516, ptr noundef %517, ptr noundef %530, ptr noundef %531, ptr noundef %533, ptr noundef %535, i64 noundef %529, i64 noundef %522, i64 noundef %520) #8
+  %536 = icmp eq i64 %520, 1
+  br i1 %536, label %537, label %568
 
-541:                                              ; preds = %516
-  %542 = load ptr, ptr %359, align 8
-  %543 = getelementptr i64, ptr %542, i64 %519
-  %544 = getelementptr i8, ptr %543, i64 8
-  %545 = load i64, ptr %544, align 8
-  %546 = add nsw i64 %545, -1
-  %547 = load ptr, ptr %362, align 8
-  %548 = getelementptr inbounds double, ptr %547, i64 %546
-  %549 = load double, ptr %548, align 8
-  %550 = fmul double %497, %549
-  %551 = load ptr, ptr %360, align 8
-  %552 = load ptr, ptr %361, align 8
-  %553 = getelementptr inbounds i64, ptr %552, i64 %546
+537:                                              ; preds = %512
+  %538 = load ptr, ptr %359, align 8
+  %539 = getelementptr i64, ptr %538, i64 %515
+  %540 = getelementptr i8, ptr %539, i64 8
+  %541 = load i64, ptr %540, align 8
+  %542 = add nsw i64 %541, -1
+  %543 = load ptr, ptr %362, align 8
+  %544 = getelementptr inbounds double, ptr %543, i64 %542
+  %545 = load double, ptr %544, align 8
+  %546 = fmul double %493, %545
+  %547 = load ptr, ptr %360, align 8
+  %548 = load ptr, ptr %361, align 8
+  %549 = getelementptr inbounds i64, ptr %548, i64 %542
+  %550 = load i64, ptr %549, align 8
+  %551 = getelementptr inbounds double, ptr %547, i64 %550
+  %552 = load ptr, ptr %73, align 8
+  %553 = getelementptr inbounds i8, ptr %552, i64 8
   %554 = load i64, ptr %553, align 8
-  %555 = getelementptr inbounds double, ptr %551, i64 %554
-  %556 = load ptr, ptr %73, align 8
-  %557 = getelementptr inbounds i8, ptr %556, i64 8
-  %558 = load i64, ptr %557, align 8
-  %559 = icmp sgt i64 %558, 0
-  br i1 %559, label %560, label %572
+  %555 = icmp sgt i64 %554, 0
+  br i1 %555, label %556, label %568
 
-560:                                              ; preds = %541, %560
-  %561 = phi i64 [ %567, %560 ], [ 0, %541 ]
-  %562 = getelementptr inbounds double, ptr %555, i64 %561
-  %563 = load double, ptr %562, align 8
-  %564 = getelementptr inbounds double, ptr %520, i64 %561
-  %565 = load double, ptr %564, align 8
-  %566 = tail call double @llvm.fma.f64(double %550, double %563, double %565)
-  store double %566, ptr %564, align 8
-  %567 = add nuw nsw i64 %561, 1
-  %568 = load ptr, ptr %73, align 8
-  %569 = getelementptr inbounds i8, ptr %568, i64 8
-  %570 = load i64, ptr %569, align 8
-  %571 = icmp slt i64 %567, %570
-  br i1 %571, label %560, label %572, !llvm.loop !13
+556:                                              ; preds = %537, %556
+  %557 = phi i64 [ %563, %556 ], [ 0, %537 ]
+  %558 = getelementptr inbounds double, ptr %551, i64 %557
+  %559 = load double, ptr %558, align 8
+  %560 = getelementptr inbounds double, ptr %516, i64 %557
+  %561 = load double, ptr %560, align 8
+  %562 = tail call double @llvm.fma.f64(double %546, double %559, double %561)
+  store double %562, ptr %560, align 8
+  %563 = add nuw nsw i64 %557, 1
+  %564 = load ptr, ptr %73, align 8
+  %565 = getelementptr inbounds i8, ptr %564, i64 8
+  %566 = load i64, ptr %565, align 8
+  %567 = icmp slt i64 %563, %566
+  br i1 %567, label %556, label %568, !llvm.loop !13
 
-572:                                              ; preds = %560, %541, %516
-  %573 = load ptr, ptr %360, align 8
-  %574 = load i64, ptr %363, align 8
-  %575 = mul nsw i64 %574, %519
-  %576 = getelementptr inbounds double, ptr %573, i64 %575
-  %577 = load i64, ptr %356, align 8
-  %578 = add nsw i64 %577, 1
-  store i64 %578, ptr %356, align 8
-  %579 = load ptr, ptr %364, align 8
-  %580 = getelementptr inbounds double, ptr %579, i64 %519
-  %581 = load double, ptr %580, align 8
-  %582 = fmul double %497, %581
-  %583 = fadd double %450, %582
-  %584 = load ptr, ptr %358, align 8
-  %585 = load ptr, ptr %365, align 8
-  store double %583, ptr %585, align 8
-  %586 = load i64, ptr %366, align 8
-  %587 = icmp sgt i64 %586, 0
-  br i1 %587, label %588, label %589
+568:                                              ; preds = %556, %537, %512
+  %569 = load ptr, ptr %360, align 8
+  %570 = load i64, ptr %363, align 8
+  %571 = mul nsw i64 %570, %515
+  %572 = getelementptr inbounds double, ptr %569, i64 %571
+  %573 = load i64, ptr %356, align 8
+  %574 = add nsw i64 %573, 1
+  store i64 %574, ptr %356, align 8
+  %575 = load ptr, ptr %364, align 8
+  %576 = getelementptr inbounds double, ptr %575, i64 %515
+  %577 = load double, ptr %576, align 8
+  %578 = fmul double %493, %577
+  %579 = fadd double %446, %578
+  %580 = load ptr, ptr %358, align 8
+  %581 = load ptr, ptr %365, align 8
+  store double %579, ptr %581, align 8
+  %582 = load i64, ptr %366, align 8
+  %583 = icmp sgt i64 %582, 0
+  br i1 %583, label %584, label %585
 
-588:                                              ; preds = %572
+584:                                              ; preds = %568
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %589
+  br label %585
 
-589:                                              ; preds = %572, %588
-  %590 = load ptr, ptr %73, align 8
-  %591 = load i64, ptr %590, align 8
-  %592 = load ptr, ptr %365, align 8
-  %593 = load ptr, ptr %367, align 8
-  %594 = load ptr, ptr %368, align 8
-  %595 = inttoptr i64 %591 to ptr
-  %596 = tail call i32 %595(ptr noundef %592, ptr noundef %584, ptr noundef %593, ptr noundef %594, ptr noundef %576) #9
-  %597 = sext i32 %596 to i64
-  %598 = icmp eq i32 %596, 0
-  %599 = select i1 %598, i64 %518, i64 %597
-  br i1 %598, label %512, label %600
+585:                                              ; preds = %568, %584
+  %586 = load ptr, ptr %73, align 8
+  %587 = load i64, ptr %586, align 8
+  %588 = load ptr, ptr %365, align 8
+  %589 = load ptr, ptr %367, align 8
+  %590 = load ptr, ptr %368, align 8
+  %591 = inttoptr i64 %587 to ptr
+  %592 = tail call i32 %591(ptr noundef %588, ptr noundef %580, ptr noundef %589, ptr noundef %590, ptr noundef %572) #9
+  %593 = sext i32 %592 to i64
+  %594 = icmp eq i32 %592, 0
+  %595 = select i1 %594, i64 %514, i64 %593
+  br i1 %594, label %508, label %596
 
-600:                                              ; preds = %512, %589, %505
-  %601 = phi i1 [ %511, %505 ], [ %514, %512 ], [ %517, %589 ]
-  %602 = phi i64 [ 0, %505 ], [ %597, %589 ], [ %597, %512 ]
-  %603 = phi i64 [ undef, %505 ], [ %599, %589 ], [ %599, %512 ]
-  br i1 %601, label %657, label %604
+596:                                              ; preds = %508, %585, %501
+  %597 = phi i1 [ %507, %501 ], [ %510, %508 ], [ %513, %585 ]
+  %598 = phi i64 [ 0, %501 ], [ %593, %585 ], [ %593, %508 ]
+  %599 = phi i64 [ undef, %501 ], [ %595, %585 ], [ %595, %508 ]
+  br i1 %597, label %653, label %600
 
-604:                                              ; preds = %600
-  %605 = load ptr, ptr %369, align 8
-  %606 = load ptr, ptr %74, align 8
-  %607 = load ptr, ptr %73, align 8
-  %608 = getelementptr inbounds i8, ptr %607, i64 16
-  %609 = load i64, ptr %608, align 8
-  %610 = icmp sgt i64 %609, 1
-  %611 = zext i1 %610 to i64
-  %612 = load ptr, ptr %370, align 8
-  %613 = getelementptr inbounds i64, ptr %612, i64 %507
-  %614 = load i64, ptr %613, align 8
-  %615 = getelementptr i8, ptr %613, i64 8
-  %616 = load i64, ptr %615, align 8
-  %617 = xor i64 %614, -1
-  %618 = add i64 %616, %617
-  %619 = load ptr, ptr %357, align 8
-  %620 = load ptr, ptr %371, align 8
-  %621 = load ptr, ptr %372, align 8
-  %622 = getelementptr inbounds i64, ptr %621, i64 %614
-  %623 = load ptr, ptr %373, align 8
-  %624 = getelementptr inbounds double, ptr %623, i64 %614
-  tail call fastcc void @combine(ptr noundef %605, ptr noundef %606, ptr noundef %619, ptr noundef %620, ptr noundef %622, ptr noundef %624, i64 noundef %618, i64 noundef %611, i64 noundef %609) #8
-  %625 = icmp eq i64 %609, 1
-  br i1 %625, label %626, label %657
+600:                                              ; preds = %596
+  %601 = load ptr, ptr %369, align 8
+  %602 = load ptr, ptr %74, align 8
+  %603 = load ptr, ptr %73, align 8
+  %604 = getelementptr inbounds i8, ptr %603, i64 16
+  %605 = load i64, ptr %604, align 8
+  %606 = icmp sgt i64 %605, 1
+  %607 = zext i1 %606 to i64
+  %608 = load ptr, ptr %370, align 8
+  %609 = getelementptr inbounds i64, ptr %608, i64 %503
+  %610 = load i64, ptr %609, align 8
+  %611 = getelementptr i8, ptr %609, i64 8
+  %612 = load i64, ptr %611, align 8
+  %613 = xor i64 %610, -1
+  %614 = add i64 %612, %613
+  %615 = load ptr, ptr %357, align 8
+  %616 = load ptr, ptr %371, align 8
+  %617 = load ptr, ptr %372, align 8
+  %618 = getelementptr inbounds i64, ptr %617, i64 %610
+  %619 = load ptr, ptr %373, align 8
+  %620 = getelementptr inbounds double, ptr %619, i64 %610
+  tail call fastcc void @combine(ptr noundef %601, ptr noundef %602, ptr noundef %615, ptr noundef %616, ptr noundef %618, ptr noundef %620, i64 noundef %614, i64 noundef %607, i64 noundef %605) #8
+  %621 = icmp eq i64 %605, 1
+  br i1 %621, label %622, label %653
 
-626:                                              ; preds = %604
-  %627 = load ptr, ptr %370, align 8
-  %628 = getelementptr i64, ptr %627, i64 %507
-  %629 = getelementptr i8, ptr %628, i64 8
-  %630 = load i64, ptr %629, align 8
-  %631 = add nsw i64 %630, -1
-  %632 = load ptr, ptr %373, align 8
-  %633 = getelementptr inbounds double, ptr %632, i64 %631
-  %634 = load double, ptr %633, align 8
-  %635 = fmul double %497, %634
-  %636 = load ptr, ptr %371, align 8
-  %637 = load ptr, ptr %372, align 8
-  %638 = getelementptr inbounds i64, ptr %637, i64 %631
+622:                                              ; preds = %600
+  %623 = load ptr, ptr %370, align 8
+  %624 = getelementptr i64, ptr %623, i64 %503
+  %625 = getelementptr i8, ptr %624, i64 8
+  %626 = load i64, ptr %625, align 8
+  %627 = add nsw i64 %626, -1
+  %628 = load ptr, ptr %373, align 8
+  %629 = getelementptr inbounds double, ptr %628, i64 %627
+  %630 = load double, ptr %629, align 8
+  %631 = fmul double %493, %630
+  %632 = load ptr, ptr %371, align 8
+  %633 = load ptr, ptr %372, align 8
+  %634 = getelementptr inbounds i64, ptr %633, i64 %627
+  %635 = load i64, ptr %634, align 8
+  %636 = getelementptr inbounds double, ptr %632, i64 %635
+  %637 = load ptr, ptr %73, align 8
+  %638 = getelementptr inbounds i8, ptr %637, i64 8
   %639 = load i64, ptr %638, align 8
-  %640 = getelementptr inbounds double, ptr %636, i64 %639
-  %641 = load ptr, ptr %73, align 8
-  %642 = getelementptr inbounds i8, ptr %641, i64 8
-  %643 = load i64, ptr %642, align 8
-  %644 = icmp sgt i64 %643, 0
-  br i1 %644, label %645, label %657
+  %640 = icmp sgt i64 %639, 0
+  br i1 %640, label %641, label %653
 
-645:                                              ; preds = %626, %645
-  %646 = phi i64 [ %652, %645 ], [ 0, %626 ]
-  %647 = getelementptr inbounds double, ptr %640, i64 %646
-  %648 = load double, ptr %647, align 8
-  %649 = getelementptr inbounds double, ptr %605, i64 %646
-  %650 = load double, ptr %649, align 8
-  %651 = tail call double @llvm.fma.f64(double %635, double %648, double %650)
-  store double %651, ptr %649, align 8
-  %652 = add nuw nsw i64 %646, 1
-  %653 = load ptr, ptr %73, align 8
-  %654 = getelementptr inbounds i8, ptr %653, i64 8
-  %655 = load i64, ptr %654, align 8
-  %656 = icmp slt i64 %652, %655
-  br i1 %656, label %645, label %657, !llvm.loop !13
+641:                                              ; preds = %622, %641
+  %642 = phi i64 [ %648, %641 ], [ 0, %622 ]
+  %643 = getelementptr inbounds double, ptr %636, i64 %642
+  %644 = load double, ptr %643, align 8
+  %645 = getelementptr inbounds double, ptr %601, i64 %642
+  %646 = load double, ptr %645, align 8
+  %647 = tail call double @llvm.fma.f64(double %631, double %644, double %646)
+  store double %647, ptr %645, align 8
+  %648 = add nuw nsw i64 %642, 1
+  %649 = load ptr, ptr %73, align 8
+  %650 = getelementptr inbounds i8, ptr %649, i64 8
+  %651 = load i64, ptr %650, align 8
+  %652 = icmp slt i64 %648, %651
+  br i1 %652, label %641, label %653, !llvm.loop !13
 
-657:                                              ; preds = %645, %626, %604, %600
-  %658 = phi i64 [ %603, %600 ], [ %602, %604 ], [ %602, %626 ], [ %602, %645 ]
-  %659 = icmp eq i64 %658, 0
-  %660 = select i1 %659, i1 %101, i1 false
-  br i1 %660, label %661, label %677
+653:                                              ; preds = %641, %622, %600, %596
+  %654 = phi i64 [ %599, %596 ], [ %598, %600 ], [ %598, %622 ], [ %598, %641 ]
+  %655 = icmp eq i64 %654, 0
+  %656 = select i1 %655, i1 %101, i1 false
+  br i1 %656, label %657, label %673
 
-661:                                              ; preds = %657
-  %662 = load i64, ptr %356, align 8
-  %663 = add nsw i64 %662, 1
-  store i64 %663, ptr %356, align 8
-  %664 = load ptr, ptr %374, align 8
-  store double %498, ptr %664, align 8
-  %665 = load i64, ptr %375, align 8
-  %666 = icmp sgt i64 %665, 0
-  br i1 %666, label %667, label %668
+657:                                              ; preds = %653
+  %658 = load i64, ptr %356, align 8
+  %659 = add nsw i64 %658, 1
+  store i64 %659, ptr %356, align 8
+  %660 = load ptr, ptr %374, align 8
+  store double %494, ptr %660, align 8
+  %661 = load i64, ptr %375, align 8
+  %662 = icmp sgt i64 %661, 0
+  br i1 %662, label %663, label %664
 
-667:                                              ; preds = %661
+663:                                              ; preds = %657
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %668
+  br label %664
 
-668:                                              ; preds = %661, %667
-  %669 = load ptr, ptr %73, align 8
-  %670 = load i64, ptr %669, align 8
-  %671 = load ptr, ptr %374, align 8
-  %672 = load ptr, ptr %376, align 8
-  %673 = load ptr, ptr %377, align 8
-  %674 = inttoptr i64 %670 to ptr
-  %675 = tail call i32 %674(ptr noundef %671, ptr noundef %78, ptr noundef %672, ptr noundef %673, ptr noundef %116) #9
-  %676 = sext i32 %675 to i64
-  br label %677
+664:                                              ; preds = %657, %663
+  %665 = load ptr, ptr %73, align 8
+  %666 = load i64, ptr %665, align 8
+  %667 = load ptr, ptr %374, align 8
+  %668 = load ptr, ptr %376, align 8
+  %669 = load ptr, ptr %377, align 8
+  %670 = inttoptr i64 %666 to ptr
+  %671 = tail call i32 %670(ptr noundef %667, ptr noundef %78, ptr noundef %668, ptr noundef %669, ptr noundef %116) #9
+  %672 = sext i32 %671 to i64
+  br label %673
 
-677:                                              ; preds = %668, %657
-  %678 = phi i64 [ %676, %668 ], [ %658, %657 ]
-  %679 = icmp slt i64 %678, 0
-  br i1 %679, label %1628, label %680
+673:                                              ; preds = %664, %653
+  %674 = phi i64 [ %672, %664 ], [ %654, %653 ]
+  %675 = icmp slt i64 %674, 0
+  br i1 %675, label %1616, label %676
 
-680:                                              ; preds = %677
-  %681 = icmp eq i64 %678, 0
-  br i1 %681, label %682, label %877
+676:                                              ; preds = %673
+  %677 = icmp eq i64 %674, 0
+  br i1 %677, label %678, label %873
 
-682:                                              ; preds = %680
-  br i1 %98, label %683, label %684
+678:                                              ; preds = %676
+  br i1 %98, label %679, label %680
 
-683:                                              ; preds = %682
-  br i1 %389, label %833, label %842
+679:                                              ; preds = %678
+  br i1 %389, label %829, label %838
 
-684:                                              ; preds = %682
-  %685 = load ptr, ptr %73, align 8
-  %686 = load ptr, ptr %0, align 8
-  %687 = getelementptr inbounds i8, ptr %685, i64 24
-  %688 = load i64, ptr %687, align 8
-  %689 = getelementptr inbounds i8, ptr %686, i64 8
-  %690 = load i64, ptr %689, align 8
-  %691 = load ptr, ptr %378, align 8
-  %692 = load i64, ptr %379, align 8
-  %693 = getelementptr inbounds double, ptr %691, i64 %692
-  %694 = icmp sgt i64 %690, 0
-  br i1 %694, label %695, label %697
+680:                                              ; preds = %678
+  %681 = load ptr, ptr %73, align 8
+  %682 = load ptr, ptr %0, align 8
+  %683 = getelementptr inbounds i8, ptr %681, i64 24
+  %684 = load i64, ptr %683, align 8
+  %685 = getelementptr inbounds i8, ptr %682, i64 8
+  %686 = load i64, ptr %685, align 8
+  %687 = load ptr, ptr %378, align 8
+  %688 = load i64, ptr %379, align 8
+  %689 = getelementptr inbounds double, ptr %687, i64 %688
+  %690 = icmp sgt i64 %686, 0
+  br i1 %690, label %691, label %693
 
-695:                                              ; preds = %684
-  %696 = getelementptr inbounds i8, ptr %685, i64 32
-  br label %705
+691:                                              ; preds = %680
+  %692 = getelementptr inbounds i8, ptr %681, i64 32
+  br label %701
 
-697:                                              ; preds = %705, %684
-  %698 = icmp sgt i64 %688, 0
-  br i1 %698, label %699, label %731
+693:                                              ; preds = %701, %680
+  %694 = icmp sgt i64 %684, 0
+  br i1 %694, label %695, label %727
 
-699:                                              ; preds = %697
-  %700 = load ptr, ptr %74, align 8
-  %701 = load ptr, ptr %385, align 8
-  %702 = load ptr, ptr %386, align 8
-  %703 = load ptr, ptr %387, align 8
-  %704 = load ptr, ptr %378, align 8
-  br label %789
+695:                                              ; preds = %693
+  %696 = load ptr, ptr %74, align 8
+  %697 = load ptr, ptr %385, align 8
+  %698 = load ptr, ptr %386, align 8
+  %699 = load ptr, ptr %387, align 8
+  %700 = load ptr, ptr %378, align 8
+  br label %785
 
-705:                                              ; preds = %695, %705
-  %706 = phi i64 [ 0, %695 ], [ %729, %705 ]
-  %707 = load i64, ptr %686, align 8
-  %708 = load i64, ptr %696, align 8
-  %709 = load ptr, ptr %378, align 8
-  %710 = load i64, ptr %379, align 8
-  %711 = mul nsw i64 %710, %706
-  %712 = getelementptr inbounds double, ptr %709, i64 %711
-  %713 = load ptr, ptr %380, align 8
-  %714 = load ptr, ptr %381, align 8
-  %715 = getelementptr i64, ptr %714, i64 %707
-  %716 = getelementptr i8, ptr %715, i64 8
-  %717 = getelementptr i64, ptr %716, i64 %706
-  %718 = load i64, ptr %717, align 8
-  %719 = getelementptr i8, ptr %717, i64 8
-  %720 = load i64, ptr %719, align 8
-  %721 = xor i64 %718, -1
-  %722 = add i64 %720, %721
-  %723 = load ptr, ptr %357, align 8
-  %724 = load ptr, ptr %382, align 8
-  %725 = load ptr, ptr %383, align 8
-  %726 = getelementptr inbounds i64, ptr %725, i64 %718
-  %727 = load ptr, ptr %384, align 8
-  %728 = getelementptr inbounds double, ptr %727, i64 %718
-  tail call fastcc void @combine(ptr noundef %712, ptr noundef %713, ptr noundef %723, ptr noundef %724, ptr noundef %726, ptr noundef %728, i64 noundef %722, i64 noundef 1, i64 noundef %708) #8
-  %729 = add nuw nsw i64 %706, 1
-  %730 = icmp eq i64 %729, %690
-  br i1 %730, label %697, label %705, !llvm.loop !14
+701:                                              ; preds = %691, %701
+  %702 = phi i64 [ 0, %691 ], [ %725, %701 ]
+  %703 = load i64, ptr %682, align 8
+  %704 = load i64, ptr %692, align 8
+  %705 = load ptr, ptr %378, align 8
+  %706 = load i64, ptr %379, align 8
+  %707 = mul nsw i64 %706, %702
+  %708 = getelementptr inbounds double, ptr %705, i64 %707
+  %709 = load ptr, ptr %380, align 8
+  %710 = load ptr, ptr %381, align 8
+  %711 = getelementptr i64, ptr %710, i64 %703
+  %712 = getelementptr i8, ptr %711, i64 8
+  %713 = getelementptr i64, ptr %712, i64 %702
+  %714 = load i64, ptr %713, align 8
+  %715 = getelementptr i8, ptr %713, i64 8
+  %716 = load i64, ptr %715, align 8
+  %717 = xor i64 %714, -1
+  %718 = add i64 %716, %717
+  %719 = load ptr, ptr %357, align 8
+  %720 = load ptr, ptr %382, align 8
+  %721 = load ptr, ptr %383, align 8
+  %722 = getelementptr inbounds i64, ptr %721, i64 %714
+  %723 = load ptr, ptr %384, align 8
+  %724 = getelementptr inbounds double, ptr %723, i64 %714
+  tail call fastcc void @combine(ptr noundef %708, ptr noundef %709, ptr noundef %719, ptr noundef %720, ptr noundef %722, ptr noundef %724, i64 noundef %718, i64 noundef 1, i64 noundef %704) #8
+  %725 = add nuw nsw i64 %702, 1
+  %726 = icmp eq i64 %725, %686
+  br i1 %726, label %693, label %701, !llvm.loop !14
 
-731:                                              ; preds = %789, %697
-  %732 = phi double [ 0.000000e+00, %697 ], [ %817, %789 ]
-  %733 = phi double [ 0.000000e+00, %697 ], [ %815, %789 ]
-  %734 = load ptr, ptr %388, align 8
-  %735 = getelementptr inbounds i8, ptr %685, i64 8
-  %736 = load i64, ptr %735, align 8
-  %737 = add nsw i64 %736, -3
-  %738 = getelementptr i8, ptr %734, i64 8
-  %739 = getelementptr i8, ptr %734, i64 16
-  %740 = getelementptr i8, ptr %734, i64 24
-  %741 = icmp slt i64 %688, %737
-  br i1 %741, label %749, label %742
+727:                                              ; preds = %785, %693
+  %728 = phi double [ 0.000000e+00, %693 ], [ %813, %785 ]
+  %729 = phi double [ 0.000000e+00, %693 ], [ %811, %785 ]
+  %730 = load ptr, ptr %388, align 8
+  %731 = getelementptr inbounds i8, ptr %681, i64 8
+  %732 = load i64, ptr %731, align 8
+  %733 = add nsw i64 %732, -3
+  %734 = getelementptr i8, ptr %730, i64 8
+  %735 = getelementptr i8, ptr %730, i64 16
+  %736 = getelementptr i8, ptr %730, i64 24
+  %737 = icmp slt i64 %684, %733
+  br i1 %737, label %745, label %738
 
-742:                                              ; preds = %749, %731
-  %743 = phi double [ 0.000000e+00, %731 ], [ %758, %749 ]
-  %744 = phi double [ 0.000000e+00, %731 ], [ %762, %749 ]
-  %745 = phi double [ 0.000000e+00, %731 ], [ %766, %749 ]
-  %746 = phi double [ 0.000000e+00, %731 ], [ %770, %749 ]
-  %747 = phi i64 [ %688, %731 ], [ %771, %749 ]
-  %748 = icmp slt i64 %747, %736
-  br i1 %748, label %773, label %782
+738:                                              ; preds = %745, %727
+  %739 = phi double [ 0.000000e+00, %727 ], [ %754, %745 ]
+  %740 = phi double [ 0.000000e+00, %727 ], [ %758, %745 ]
+  %741 = phi double [ 0.000000e+00, %727 ], [ %762, %745 ]
+  %742 = phi double [ 0.000000e+00, %727 ], [ %766, %745 ]
+  %743 = phi i64 [ %684, %727 ], [ %767, %745 ]
+  %744 = icmp slt i64 %743, %732
+  br i1 %744, label %769, label %778
 
-749:                                              ; preds = %731, %749
-  %750 = phi i64 [ %771, %749 ], [ %688, %731 ]
-  %751 = phi double [ %770, %749 ], [ 0.000000e+00, %731 ]
-  %752 = phi double [ %766, %749 ], [ 0.000000e+00, %731 ]
-  %753 = phi double [ %762, %749 ], [ 0.000000e+00, %731 ]
-  %754 = phi double [ %758, %749 ], [ 0.000000e+00, %731 ]
-  %755 = getelementptr inbounds double, ptr %734, i64 %750
+745:                                              ; preds = %727, %745
+  %746 = phi i64 [ %767, %745 ], [ %684, %727 ]
+  %747 = phi double [ %766, %745 ], [ 0.000000e+00, %727 ]
+  %748 = phi double [ %762, %745 ], [ 0.000000e+00, %727 ]
+  %749 = phi double [ %758, %745 ], [ 0.000000e+00, %727 ]
+  %750 = phi double [ %754, %745 ], [ 0.000000e+00, %727 ]
+  %751 = getelementptr inbounds double, ptr %730, i64 %746
+  %752 = load double, ptr %751, align 8
+  %753 = fmul double %752, 0.000000e+00
+  %754 = fadd double %750, %753
+  %755 = getelementptr double, ptr %734, i64 %746
   %756 = load double, ptr %755, align 8
   %757 = fmul double %756, 0.000000e+00
-  %758 = fadd double %754, %757
-  %759 = getelementptr double, ptr %738, i64 %750
+  %758 = fadd double %749, %757
+  %759 = getelementptr double, ptr %735, i64 %746
   %760 = load double, ptr %759, align 8
   %761 = fmul double %760, 0.000000e+00
-  %762 = fadd double %753, %761
-  %763 = getelementptr double, ptr %739, i64 %750
+  %762 = fadd double %748, %761
+  %763 = getelementptr double, ptr %736, i64 %746
   %764 = load double, ptr %763, align 8
   %765 = fmul double %764, 0.000000e+00
-  %766 = fadd double %752, %765
-  %767 = getelementptr double, ptr %740, i64 %750
-  %768 = load double, ptr %767, align 8
-  %769 = fmul double %768, 0.000000e+00
-  %770 = fadd double %751, %769
-  %771 = add nsw i64 %750, 4
-  %772 = icmp slt i64 %771, %737
-  br i1 %772, label %749, label %742, !llvm.loop !15
+  %766 = fadd double %747, %765
+  %767 = add nsw i64 %746, 4
+  %768 = icmp slt i64 %767, %733
+  br i1 %768, label %745, label %738, !llvm.loop !15
 
-773:                                              ; preds = %742, %773
-  %774 = phi i64 [ %780, %773 ], [ %747, %742 ]
-  %775 = phi double [ %779, %773 ], [ %743, %742 ]
-  %776 = getelementptr inbounds double, ptr %734, i64 %774
-  %777 = load double, ptr %776, align 8
-  %778 = fmul double %777, 0.000000e+00
-  %779 = fadd double %775, %778
-  %780 = add nsw i64 %774, 1
-  %781 = icmp eq i64 %780, %736
-  br i1 %781, label %782, label %773, !llvm.loop !16
+769:                                              ; preds = %738, %769
+  %770 = phi i64 [ %776, %769 ], [ %743, %738 ]
+  %771 = phi double [ %775, %769 ], [ %739, %738 ]
+  %772 = getelementptr inbounds double, ptr %730, i64 %770
+  %773 = load double, ptr %772, align 8
+  %774 = fmul double %773, 0.000000e+00
+  %775 = fadd double %771, %774
+  %776 = add nsw i64 %770, 1
+  %777 = icmp eq i64 %776, %732
+  br i1 %777, label %778, label %769, !llvm.loop !16
 
-782:                                              ; preds = %773, %742
-  %783 = phi double [ %743, %742 ], [ %779, %773 ]
-  %784 = fadd double %744, %783
-  %785 = fadd double %745, %746
-  %786 = fadd double %785, %784
-  %787 = fadd double %733, %786
-  %788 = icmp eq i64 %690, 2
-  br i1 %788, label %820, label %829
+778:                                              ; preds = %769, %738
+  %779 = phi double [ %739, %738 ], [ %775, %769 ]
+  %780 = fadd double %740, %779
+  %781 = fadd double %741, %742
+  %782 = fadd double %781, %780
+  %783 = fadd double %729, %782
+  %784 = icmp eq i64 %686, 2
+  br i1 %784, label %816, label %825
 
-789:                                              ; preds = %699, %789
-  %790 = phi double [ 0.000000e+00, %699 ], [ %815, %789 ]
-  %791 = phi double [ 0.000000e+00, %699 ], [ %817, %789 ]
-  %792 = phi i64 [ 0, %699 ], [ %818, %789 ]
-  %793 = getelementptr inbounds double, ptr %700, i64 %792
+785:                                              ; preds = %695, %785
+  %786 = phi double [ 0.000000e+00, %695 ], [ %811, %785 ]
+  %787 = phi double [ 0.000000e+00, %695 ], [ %813, %785 ]
+  %788 = phi i64 [ 0, %695 ], [ %814, %785 ]
+  %789 = getelementptr inbounds double, ptr %696, i64 %788
+  %790 = load double, ptr %789, align 8
+  %791 = getelementptr inbounds double, ptr %697, i64 %788
+  %792 = load double, ptr %791, align 8
+  %793 = getelementptr inbounds double, ptr %698, i64 %788
   %794 = load double, ptr %793, align 8
-  %795 = getelementptr inbounds double, ptr %701, i64 %792
+  %795 = getelementptr inbounds double, ptr %699, i64 %788
   %796 = load double, ptr %795, align 8
-  %797 = getelementptr inbounds double, ptr %702, i64 %792
-  %798 = load double, ptr %797, align 8
-  %799 = getelementptr inbounds double, ptr %703, i64 %792
-  %800 = load double, ptr %799, align 8
-  %801 = tail call double @llvm.fabs.f64(double %794)
-  %802 = tail call double @llvm.fabs.f64(double %796)
-  %803 = fcmp ogt double %801, %802
-  %804 = select i1 %803, double %801, double %802
-  %805 = fmul double %804, %800
-  %806 = fadd double %798, %805
-  %807 = fdiv double 1.000000e+00, %806
-  %808 = getelementptr inbounds double, ptr %704, i64 %792
-  %809 = load double, ptr %808, align 8
-  %810 = fmul double %809, %807
-  %811 = getelementptr inbounds double, ptr %693, i64 %792
-  %812 = load double, ptr %811, align 8
-  %813 = fmul double %812, %807
-  %814 = fmul double %810, %810
-  %815 = fadd double %790, %814
-  %816 = fmul double %813, %813
-  %817 = fadd double %791, %816
-  %818 = add nuw nsw i64 %792, 1
-  %819 = icmp eq i64 %818, %688
-  br i1 %819, label %731, label %789, !llvm.loop !17
+  %797 = tail call double @llvm.fabs.f64(double %790)
+  %798 = tail call double @llvm.fabs.f64(double %792)
+  %799 = fcmp ogt double %797, %798
+  %800 = select i1 %799, double %797, double %798
+  %801 = fmul double %800, %796
+  %802 = fadd double %794, %801
+  %803 = fdiv double 1.000000e+00, %802
+  %804 = getelementptr inbounds double, ptr %700, i64 %788
+  %805 = load double, ptr %804, align 8
+  %806 = fmul double %805, %803
+  %807 = getelementptr inbounds double, ptr %689, i64 %788
+  %808 = load double, ptr %807, align 8
+  %809 = fmul double %808, %803
+  %810 = fmul double %806, %806
+  %811 = fadd double %786, %810
+  %812 = fmul double %809, %809
+  %813 = fadd double %787, %812
+  %814 = add nuw nsw i64 %788, 1
+  %815 = icmp eq i64 %814, %684
+  br i1 %815, label %727, label %785, !llvm.loop !17
 
-820:                                              ; preds = %782
-  %821 = fmul double %732, 1.000000e-02
-  %822 = fadd double %821, %787
-  %823 = sitofp i64 %688 to double
-  %824 = fmul double %822, %823
-  %825 = tail call double @llvm.sqrt.f64(double %824)
-  %826 = fdiv double %787, %825
-  %827 = fcmp une double %787, 0.000000e+00
-  %828 = select i1 %827, double %826, double 0.000000e+00
-  br label %842
+816:                                              ; preds = %778
+  %817 = fmul double %728, 1.000000e-02
+  %818 = fadd double %817, %783
+  %819 = sitofp i64 %684 to double
+  %820 = fmul double %818, %819
+  %821 = tail call double @llvm.sqrt.f64(double %820)
+  %822 = fdiv double %783, %821
+  %823 = fcmp une double %783, 0.000000e+00
+  %824 = select i1 %823, double %822, double 0.000000e+00
+  br label %838
 
-829:                                              ; preds = %782
-  %830 = sitofp i64 %688 to double
-  %831 = fdiv double %787, %830
-  %832 = tail call double @llvm.sqrt.f64(double %831)
-  br label %842
+825:                                              ; preds = %778
+  %826 = sitofp i64 %684 to double
+  %827 = fdiv double %783, %826
+  %828 = tail call double @llvm.sqrt.f64(double %827)
+  br label %838
 
-833:                                              ; preds = %683, %833
-  %834 = phi i64 [ %840, %833 ], [ 0, %683 ]
-  %835 = phi double [ %839, %833 ], [ 0.000000e+00, %683 ]
-  %836 = getelementptr inbounds double, ptr %78, i64 %834
-  %837 = load double, ptr %836, align 8
-  %838 = fmul double %837, 0.000000e+00
-  %839 = fadd double %835, %838
-  %840 = add nuw nsw i64 %834, 1
-  %841 = icmp eq i64 %840, %91
-  br i1 %841, label %842, label %833, !llvm.loop !18
+829:                                              ; preds = %679, %829
+  %830 = phi i64 [ %836, %829 ], [ 0, %679 ]
+  %831 = phi double [ %835, %829 ], [ 0.000000e+00, %679 ]
+  %832 = getelementptr inbounds double, ptr %78, i64 %830
+  %833 = load double, ptr %832, align 8
+  %834 = fmul double %833, 0.000000e+00
+  %835 = fadd double %831, %834
+  %836 = add nuw nsw i64 %830, 1
+  %837 = icmp eq i64 %836, %91
+  br i1 %837, label %838, label %829, !llvm.loop !18
 
-842:                                              ; preds = %833, %683, %829, %820
-  %843 = phi double [ %828, %820 ], [ %832, %829 ], [ 0.000000e+00, %683 ], [ %839, %833 ]
-  %844 = fcmp uge double %843, 1.000000e+00
-  %845 = select i1 %844, i1 true, i1 %390
-  br i1 %845, label %877, label %846
+838:                                              ; preds = %829, %679, %825, %816
+  %839 = phi double [ %824, %816 ], [ %828, %825 ], [ 0.000000e+00, %679 ], [ %835, %829 ]
+  %840 = fcmp uge double %839, 1.000000e+00
+  %841 = select i1 %840, i1 true, i1 %390
+  br i1 %841, label %873, label %842
 
-846:                                              ; preds = %842
-  br i1 %95, label %858, label %847
+842:                                              ; preds = %838
+  br i1 %95, label %854, label %843
 
-847:                                              ; preds = %846
-  br i1 %98, label %850, label %848
+843:                                              ; preds = %842
+  br i1 %98, label %846, label %844
 
-848:                                              ; preds = %847
-  %849 = load ptr, ptr %74, align 8
-  br label %850
+844:                                              ; preds = %843
+  %845 = load ptr, ptr %74, align 8
+  br label %846
 
-850:                                              ; preds = %847, %848
-  %851 = phi ptr [ %849, %848 ], [ null, %847 ]
-  %852 = load ptr, ptr %92, align 8
-  %853 = getelementptr inbounds i8, ptr %852, i64 56
-  %854 = load i64, ptr %853, align 8
-  %855 = inttoptr i64 %854 to ptr
-  %856 = tail call i64 %855(ptr noundef %0, double noundef %498, ptr noundef %78, ptr noundef %851) #9
-  %857 = icmp ne i64 %856, 0
-  br label %858
+846:                                              ; preds = %843, %844
+  %847 = phi ptr [ %845, %844 ], [ null, %843 ]
+  %848 = load ptr, ptr %92, align 8
+  %849 = getelementptr inbounds i8, ptr %848, i64 56
+  %850 = load i64, ptr %849, align 8
+  %851 = inttoptr i64 %850 to ptr
+  %852 = tail call i64 %851(ptr noundef %0, double noundef %494, ptr noundef %78, ptr noundef %847) #9
+  %853 = icmp ne i64 %852, 0
+  br label %854
 
-858:                                              ; preds = %850, %846
-  %859 = phi i1 [ false, %846 ], [ %857, %850 ]
-  br i1 %859, label %877, label %860
+854:                                              ; preds = %846, %842
+  %855 = phi i1 [ false, %842 ], [ %853, %846 ]
+  br i1 %855, label %873, label %856
 
-860:                                              ; preds = %858
-  %861 = load i64, ptr %356, align 8
-  %862 = add nsw i64 %861, 1
-  store i64 %862, ptr %356, align 8
-  %863 = load ptr, ptr %391, align 8
-  store double %498, ptr %863, align 8
-  %864 = load i64, ptr %392, align 8
-  %865 = icmp sgt i64 %864, 0
-  br i1 %865, label %866, label %867
+856:                                              ; preds = %854
+  %857 = load i64, ptr %356, align 8
+  %858 = add nsw i64 %857, 1
+  store i64 %858, ptr %356, align 8
+  %859 = load ptr, ptr %391, align 8
+  store double %494, ptr %859, align 8
+  %860 = load i64, ptr %392, align 8
+  %861 = icmp sgt i64 %860, 0
+  br i1 %861, label %862, label %863
 
-866:                                              ; preds = %860
+862:                                              ; preds = %856
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %867
-
-867:                                              ; preds = %860, %866
-  %868 = load ptr, ptr %73, align 8
-  %869 = load i64, ptr %868, align 8
-  %870 = load ptr, ptr %391, align 8
-  %871 = load ptr, ptr %393, align 8
-  %872 = load ptr, ptr %394, align 8
-  %873 = inttoptr i64 %869 to ptr
-  %874 = tail call i32 %873(ptr noundef %870, ptr noundef %78, ptr noundef %871, ptr noundef %872, ptr noundef %116) #9
-  %875 = sext i32 %874 to i64
-  %876 = icmp slt i32 %874, 0
-  br i1 %876, label %1628, label %877
-
-877:                                              ; preds = %842, %867, %858, %680
-  %878 = phi i64 [ 0, %858 ], [ %875, %867 ], [ 0, %842 ], [ %678, %680 ]
-  %879 = phi double [ %843, %858 ], [ %843, %867 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
-  %880 = phi i1 [ %859, %858 ], [ %859, %867 ], [ false, %842 ], [ false, %680 ]
-  %881 = icmp ne i64 %878, 0
-  %882 = fcmp uge double %879, 1.000000e+00
-  %883 = or i1 %881, %882
-  %884 = or i1 %880, %883
-  br i1 %884, label %885, label %948
-
-885:                                              ; preds = %877
-  %886 = load i64, ptr %352, align 8
-  %887 = add nsw i64 %886, 1
-  store i64 %887, ptr %352, align 8
-  %888 = or i1 %881, %880
-  br i1 %888, label %892, label %889
-
-889:                                              ; preds = %885
-  %890 = tail call double @llvm.fabs.f64(double %879)
-  %891 = fcmp one double %890, 0x7FF0000000000000
-  br label %892
-
-892:                                              ; preds = %889, %885
-  %893 = phi i1 [ false, %885 ], [ %891, %889 ]
-  %894 = select i1 %893, i64 2, i64 4
-  %895 = select i1 %880, i64 6, i64 %894
-  %896 = select i1 %881, i64 3, i64 %895
-  store i64 %896, ptr %441, align 8
-  %897 = fcmp ogt double %879, 1.000000e-10
-  %898 = select i1 %897, double %879, double 1.000000e-10
-  %899 = load double, ptr %442, align 8
-  %900 = load double, ptr %88, align 8
-  %901 = fneg double %900
-  %902 = bitcast double %898 to i64
-  %903 = add nsw i64 %902, -4604544271217802189
-  %904 = ashr i64 %903, 52
-  %905 = and i64 %903, -4503599627370496
-  %906 = sub nsw i64 %902, %905
-  %907 = bitcast i64 %906 to double
-  %908 = fadd double %907, -1.000000e+00
-  %909 = fadd double %907, 1.000000e+00
-  %910 = fdiv double %908, %909
-  %911 = fmul double %910, %910
-  %912 = tail call double @llvm.fma.f64(double %911, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %913 = tail call double @llvm.fma.f64(double %912, double %911, double 0x3FE2776C50EF9BFE)
-  %914 = tail call double @llvm.fma.f64(double %913, double %911, double 0x3FEEC709DC3A03FD)
-  %915 = tail call double @llvm.fma.f64(double %914, double %911, double 0x40071547652B82FE)
-  %916 = trunc nsw i64 %904 to i32
-  %917 = sitofp i32 %916 to double
-  %918 = fmul double %910, %915
-  %919 = fadd double %918, %917
-  %920 = fmul double %919, %901
-  %921 = fcmp ogt double %920, -1.000000e+03
-  %922 = select i1 %921, double %920, double -1.000000e+03
-  %923 = fcmp olt double %922, 1.000000e+03
-  %924 = select i1 %923, double %922, double 1.000000e+03
-  %925 = tail call double @llvm.rint.f64(double %924)
-  %926 = fsub double %924, %925
-  %927 = tail call double @llvm.fma.f64(double %926, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %928 = tail call double @llvm.fma.f64(double %927, double %926, double 0x3F55D87FE78A6730)
-  %929 = tail call double @llvm.fma.f64(double %928, double %926, double 0x3F83B2AB6FBA4E77)
-  %930 = tail call double @llvm.fma.f64(double %929, double %926, double 0x3FAC6B08D704A0BF)
-  %931 = tail call double @llvm.fma.f64(double %930, double %926, double 0x3FCEBFBDFF82C58E)
-  %932 = tail call double @llvm.fma.f64(double %931, double %926, double 0x3FE62E42FEFA39EF)
-  %933 = tail call double @llvm.fma.f64(double %932, double %926, double 1.000000e+00)
-  %934 = bitcast double %933 to i64
-  %935 = fptosi double %925 to i32
-  %936 = sext i32 %935 to i64
-  %937 = shl nsw i64 %936, 52
-  %938 = add nsw i64 %937, %934
-  %939 = bitcast i64 %938 to double
-  %940 = fmul double %899, %939
-  %941 = load double, ptr %443, align 8
-  %942 = fcmp ogt double %940, %941
-  %943 = select i1 %942, double %940, double %941
-  %944 = select i1 %893, double %943, double 2.500000e-01
-  %945 = fmul double %497, %944
-  br i1 %98, label %946, label %947
-
-946:                                              ; preds = %892
-  store double %497, ptr %118, align 8
-  br label %1628
-
-947:                                              ; preds = %892
-  store double 1.000000e+00, ptr %444, align 8
-  br label %1628, !llvm.loop !19
-
-948:                                              ; preds = %877
-  %949 = load i64, ptr %351, align 8
-  %950 = add nsw i64 %949, 1
-  store i64 %950, ptr %351, align 8
-  store double %498, ptr %76, align 8
-  store double %497, ptr %395, align 8
-  %951 = load ptr, ptr %350, align 8
-  %952 = getelementptr inbounds i8, ptr %951, i64 8
-  %953 = load i64, ptr %952, align 8
-  %954 = icmp eq i64 %953, 0
-  br i1 %954, label %984, label %955
-
-955:                                              ; preds = %948
-  %956 = load i64, ptr %951, align 8
-  %957 = load ptr, ptr %73, align 8
-  %958 = getelementptr inbounds i8, ptr %957, i64 8
-  %959 = load i64, ptr %958, align 8
-  %960 = load ptr, ptr %396, align 8
-  %961 = load i64, ptr %397, align 8
-  %962 = mul nsw i64 %961, %956
-  %963 = getelementptr inbounds double, ptr %960, i64 %962
-  %964 = getelementptr inbounds double, ptr %963, i64 %961
-  store double %450, ptr %963, align 8
-  %965 = getelementptr inbounds i8, ptr %963, i64 8
-  store double %497, ptr %965, align 8
-  store double %498, ptr %964, align 8
-  %966 = getelementptr inbounds i8, ptr %964, i64 8
-  store double 0.000000e+00, ptr %966, align 8
-  %967 = icmp sgt i64 %959, 0
-  br i1 %967, label %971, label %968
-
-968:                                              ; preds = %971, %955
-  %969 = add nsw i64 %956, 1
-  %970 = load ptr, ptr %350, align 8
-  store i64 %969, ptr %970, align 8
-  br label %984
-
-971:                                              ; preds = %955, %971
-  %972 = phi i64 [ %982, %971 ], [ 0, %955 ]
-  %973 = load ptr, ptr %74, align 8
-  %974 = getelementptr inbounds double, ptr %973, i64 %972
-  %975 = load double, ptr %974, align 8
-  %976 = add nuw nsw i64 %972, 2
-  %977 = getelementptr inbounds double, ptr %963, i64 %976
-  store double %975, ptr %977, align 8
-  %978 = load ptr, ptr %77, align 8
-  %979 = getelementptr inbounds double, ptr %978, i64 %972
-  %980 = load double, ptr %979, align 8
-  %981 = getelementptr inbounds double, ptr %964, i64 %976
-  store double %980, ptr %981, align 8
-  %982 = add nuw nsw i64 %972, 1
-  %983 = icmp eq i64 %982, %959
-  br i1 %983, label %968, label %971, !llvm.loop !20
-
-984:                                              ; preds = %948, %968
-  br i1 %106, label %985, label %1102
-
-985:                                              ; preds = %984
-  %986 = load ptr, ptr %102, align 8
-  %987 = getelementptr inbounds i8, ptr %986, i64 8
-  %988 = load i64, ptr %987, align 8
-  %989 = load i64, ptr %399, align 8
-  %990 = add i64 %989, -1
-  %991 = load ptr, ptr %400, align 8
-  %992 = shl nsw i64 %988, 4
-  %993 = getelementptr inbounds i8, ptr %991, i64 %992
-  %994 = mul i64 %988, 88
-  %995 = getelementptr inbounds i8, ptr %991, i64 %994
-  %996 = getelementptr inbounds double, ptr %991, i64 %988
-  %997 = load i64, ptr %401, align 8
-  %998 = icmp eq i64 %997, 0
-  br i1 %998, label %1102, label %999
-
-999:                                              ; preds = %985
-  %1000 = load double, ptr %995, align 8
-  %1001 = fcmp une double %1000, %450
-  br i1 %1001, label %1102, label %1002
-
-1002:                                             ; preds = %999
-  %1003 = icmp sgt i64 %988, 0
-  br i1 %1003, label %1004, label %1059
-
-1004:                                             ; preds = %1002
-  %1005 = load ptr, ptr %398, align 8
-  %1006 = icmp sgt i64 %989, 1
-  br label %1010
-
-1007:                                             ; preds = %1017
-  %1008 = add nuw nsw i64 %1011, 1
-  %1009 = icmp eq i64 %1008, %988
-  br i1 %1009, label %1059, label %1010, !llvm.loop !21
-
-1010:                                             ; preds = %1004, %1007
-  %1011 = phi i64 [ 0, %1004 ], [ %1008, %1007 ]
-  %1012 = mul nsw i64 %1011, %989
-  %1013 = getelementptr inbounds double, ptr %1005, i64 %1012
-  %1014 = getelementptr inbounds double, ptr %1013, i64 %990
-  %1015 = load double, ptr %1014, align 8
-  %1016 = tail call double @llvm.fabs.f64(double %1015)
-  br i1 %1006, label %1025, label %1017
-
-1017:                                             ; preds = %1055, %1010
-  %1018 = phi double [ %1016, %1010 ], [ %1056, %1055 ]
-  %1019 = getelementptr inbounds double, ptr %993, i64 %1011
-  %1020 = load double, ptr %1019, align 8
-  %1021 = tail call double @llvm.fabs.f64(double %1020)
-  %1022 = fmul double %1018, 8.000000e+00
-  %1023 = fmul double %497, %1022
-  %1024 = fcmp ogt double %1021, %1023
-  br i1 %1024, label %1007, label %1102
-
-1025:                                             ; preds = %1010, %1055
-  %1026 = phi i64 [ %1057, %1055 ], [ 0, %1010 ]
-  %1027 = phi double [ %1056, %1055 ], [ %1016, %1010 ]
-  %1028 = getelementptr inbounds double, ptr %1013, i64 %1026
-  %1029 = load double, ptr %1028, align 8
-  %1030 = fcmp oeq double %1029, 0.000000e+00
-  br i1 %1030, label %1055, label %1031
-
-1031:                                             ; preds = %1025
-  %1032 = load ptr, ptr %0, align 8
-  %1033 = load i64, ptr %1032, align 8
-  %1034 = icmp slt i64 %1033, 0
-  br i1 %1034, label %1039, label %1035
-
-1035:                                             ; preds = %1031
-  %1036 = load ptr, ptr %112, align 8
-  %1037 = load i64, ptr %90, align 8
-  %1038 = getelementptr double, ptr %1036, i64 %1026
-  br label %1044
-
-1039:                                             ; preds = %1044, %1031
-  %1040 = phi double [ 0.000000e+00, %1031 ], [ %1052, %1044 ]
-  %1041 = tail call double @llvm.fabs.f64(double %1029)
-  %1042 = fmul double %1041, %1040
-  %1043 = fadd double %1027, %1042
-  br label %1055
-
-1044:                                             ; preds = %1035, %1044
-  %1045 = phi i64 [ 0, %1035 ], [ %1053, %1044 ]
-  %1046 = phi double [ 0.000000e+00, %1035 ], [ %1052, %1044 ]
-  %1047 = mul nsw i64 %1037, %1045
-  %1048 = getelementptr double, ptr %1038, i64 %1047
-  %1049 = load double, ptr %1048, align 8
-  %1050 = tail call double @llvm.fabs.f64(double %1049)
-  %1051 = fcmp ogt double %1046, %1050
-  %1052 = select i1 %1051, double %1046, double %1050
-  %1053 = add nuw i64 %1045, 1
-  %1054 = icmp eq i64 %1045, %1033
-  br i1 %1054, label %1039, label %1044, !llvm.loop !22
-
-1055:                                             ; preds = %1039, %1025
-  %1056 = phi double [ %1027, %1025 ], [ %1043, %1039 ]
-  %1057 = add nuw nsw i64 %1026, 1
-  %1058 = icmp eq i64 %1057, %990
-  br i1 %1058, label %1017, label %1025, !llvm.loop !23
-
-1059:                                             ; preds = %1007, %1002
-  %1060 = load ptr, ptr %402, align 8
-  store double %498, ptr %1060, align 8
-  %1061 = load i64, ptr %403, align 8
-  %1062 = icmp sgt i64 %1061, 0
-  br i1 %1062, label %1063, label %1064
-
-1063:                                             ; preds = %1059
-  tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1064
-
-1064:                                             ; preds = %1059, %1063
-  %1065 = load ptr, ptr %102, align 8
-  %1066 = load i64, ptr %1065, align 8
-  %1067 = load ptr, ptr %404, align 8
-  %1068 = load ptr, ptr %77, align 8
-  %1069 = load ptr, ptr %405, align 8
-  %1070 = load ptr, ptr %406, align 8
-  %1071 = load ptr, ptr %400, align 8
-  %1072 = getelementptr inbounds double, ptr %1071, i64 %988
-  %1073 = inttoptr i64 %1066 to ptr
-  %1074 = tail call i32 %1073(ptr noundef %1067, ptr noundef %1068, ptr noundef %1069, ptr noundef %1070, ptr noundef %1072) #9
-  %1075 = icmp slt i32 %1074, 0
-  br i1 %1075, label %1102, label %1076
-
-1076:                                             ; preds = %1064
-  %1077 = icmp sgt i64 %988, 0
-  br i1 %1077, label %1078, label %1083
-
-1078:                                             ; preds = %1076
-  %1079 = load ptr, ptr %407, align 8
-  br label %1085
-
-1080:                                             ; preds = %1085
-  %1081 = add nuw nsw i64 %1086, 1
-  %1082 = icmp eq i64 %1081, %988
-  br i1 %1082, label %1083, label %1085, !llvm.loop !24
-
-1083:                                             ; preds = %1080, %1076
-  %1084 = icmp sgt i64 %988, 0
-  br i1 %1084, label %1095, label %1094
-
-1085:                                             ; preds = %1078, %1080
-  %1086 = phi i64 [ 0, %1078 ], [ %1081, %1080 ]
-  %1087 = getelementptr inbounds double, ptr %996, i64 %1086
-  %1088 = load double, ptr %1087, align 8
-  %1089 = getelementptr inbounds i64, ptr %1079, i64 %1086
-  %1090 = load i64, ptr %1089, align 8
-  %1091 = sitofp i64 %1090 to double
-  %1092 = fmul double %1088, %1091
-  %1093 = fcmp ogt double %1092, 0.000000e+00
-  br i1 %1093, label %1080, label %1102
-
-1094:                                             ; preds = %1095, %1083
-  store double %498, ptr %995, align 8
-  br label %1102
-
-1095:                                             ; preds = %1083, %1095
-  %1096 = phi i64 [ %1100, %1095 ], [ 0, %1083 ]
-  %1097 = getelementptr inbounds double, ptr %996, i64 %1096
-  %1098 = load double, ptr %1097, align 8
-  %1099 = getelementptr inbounds double, ptr %993, i64 %1096
-  store double %1098, ptr %1099, align 8
-  %1100 = add nuw nsw i64 %1096, 1
-  %1101 = icmp eq i64 %1100, %988
-  br i1 %1101, label %1094, label %1095, !llvm.loop !25
-
-1102:                                             ; preds = %1017, %1085, %1094, %1064, %999, %985, %984
-  %1103 = phi i1 [ false, %984 ], [ false, %1094 ], [ true, %999 ], [ true, %985 ], [ true, %1064 ], [ true, %1085 ], [ true, %1017 ]
-  br i1 %1103, label %1146, label %1104
-
-1104:                                             ; preds = %1102
-  %1105 = load i64, ptr %408, align 8
-  %1106 = getelementptr inbounds double, ptr %86, i64 %1105
-  %1107 = load double, ptr %1106, align 8
-  %1108 = fcmp ult double %1107, %498
-  br i1 %1108, label %1146, label %1109
-
-1109:                                             ; preds = %1104
-  %1110 = load ptr, ptr %73, align 8
-  %1111 = getelementptr inbounds i8, ptr %1110, i64 8
-  %1112 = load i64, ptr %1111, align 8
-  %1113 = load i64, ptr %107, align 8
-  %1114 = load ptr, ptr %85, align 8
-  %1115 = load ptr, ptr %79, align 8
-  %1116 = getelementptr inbounds i8, ptr %1115, i64 48
-  %1117 = load i64, ptr %1116, align 8
-  %1118 = icmp slt i64 %1117, %1113
-  br i1 %1118, label %1119, label %1142
-
-1119:                                             ; preds = %1109
-  %1120 = icmp sgt i64 %1112, 0
-  br label %1121
-
-1121:                                             ; preds = %1119, %1132
-  %1122 = phi i64 [ %1117, %1119 ], [ %1133, %1132 ]
-  %1123 = getelementptr inbounds double, ptr %1114, i64 %1122
-  %1124 = load double, ptr %1123, align 8
-  %1125 = load ptr, ptr %75, align 8
-  %1126 = load double, ptr %1125, align 8
-  %1127 = fcmp ugt double %1124, %1126
-  br i1 %1127, label %1142, label %1128
-
-1128:                                             ; preds = %1121
-  br i1 %1120, label %1129, label %1132
-
-1129:                                             ; preds = %1128
-  %1130 = mul nsw i64 %1122, %1112
-  %1131 = getelementptr double, ptr %1, i64 %1130
-  br label %1135
-
-1132:                                             ; preds = %1135, %1128
-  %1133 = add i64 %1122, 1
-  %1134 = icmp eq i64 %1133, %1113
-  br i1 %1134, label %1142, label %1121, !llvm.loop !8
-
-1135:                                             ; preds = %1129, %1135
-  %1136 = phi i64 [ 0, %1129 ], [ %1140, %1135 ]
-  %1137 = getelementptr inbounds double, ptr %78, i64 %1136
-  %1138 = load double, ptr %1137, align 8
-  %1139 = getelementptr double, ptr %1131, i64 %1136
-  store double %1138, ptr %1139, align 8
-  %1140 = add nuw nsw i64 %1136, 1
-  %1141 = icmp eq i64 %1140, %1112
-  br i1 %1141, label %1132, label %1135, !llvm.loop !9
-
-1142:                                             ; preds = %1121, %1132, %1109
-  %1143 = phi i64 [ %1117, %1109 ], [ %1122, %1121 ], [ %1113, %1132 ]
-  %1144 = load ptr, ptr %79, align 8
-  %1145 = getelementptr inbounds i8, ptr %1144, i64 48
-  store i64 %1143, ptr %1145, align 8
-  br label %1505
-
-1146:                                             ; preds = %1104, %1102
-  %1147 = load ptr, ptr %0, align 8
-  %1148 = load ptr, ptr %73, align 8
-  %1149 = getelementptr inbounds i8, ptr %1148, i64 16
-  %1150 = load i64, ptr %1149, align 8
-  %1151 = load i64, ptr %1147, align 8
-  %1152 = load i64, ptr %409, align 8
-  %1153 = load ptr, ptr %410, align 8
-  %1154 = mul nsw i64 %1152, %1151
-  %1155 = getelementptr inbounds double, ptr %1153, i64 %1154
-  %1156 = load ptr, ptr %411, align 8
-  %1157 = add nsw i64 %1151, 1
-  %1158 = getelementptr inbounds i8, ptr %1147, i64 16
-  %1159 = load i64, ptr %1158, align 8
-  %1160 = icmp sgt i64 %1159, 0
-  br i1 %1160, label %1161, label %1215
-
-1161:                                             ; preds = %1146
-  %1162 = getelementptr inbounds i8, ptr %1147, i64 8
-  br label %1168
-
-1163:                                             ; preds = %1204
-  %1164 = add nsw i64 %1171, 1
-  %1165 = load i64, ptr %1158, align 8
-  %1166 = add nsw i64 %1165, %1157
-  %1167 = icmp slt i64 %1164, %1166
-  br i1 %1167, label %1168, label %1215, !llvm.loop !26
-
-1168:                                             ; preds = %1161, %1163
-  %1169 = phi i1 [ %1160, %1161 ], [ %1167, %1163 ]
-  %1170 = phi i64 [ undef, %1161 ], [ %1214, %1163 ]
-  %1171 = phi i64 [ %1157, %1161 ], [ %1164, %1163 ]
-  %1172 = load i64, ptr %1162, align 8
-  %1173 = load ptr, ptr %412, align 8
-  %1174 = load ptr, ptr %74, align 8
-  %1175 = load ptr, ptr %413, align 8
-  %1176 = getelementptr i64, ptr %1175, i64 %1171
-  %1177 = getelementptr i64, ptr %1176, i64 %1172
-  %1178 = load i64, ptr %1177, align 8
-  %1179 = getelementptr i8, ptr %1177, i64 8
-  %1180 = load i64, ptr %1179, align 8
-  %1181 = xor i64 %1178, -1
-  %1182 = add i64 %1180, %1181
-  %1183 = load ptr, ptr %357, align 8
-  %1184 = load ptr, ptr %410, align 8
-  %1185 = load ptr, ptr %414, align 8
-  %1186 = getelementptr inbounds i64, ptr %1185, i64 %1178
-  %1187 = load ptr, ptr %415, align 8
-  %1188 = getelementptr inbounds double, ptr %1187, i64 %1178
-  tail call fastcc void @combine(ptr noundef %1173, ptr noundef %1174, ptr noundef %1183, ptr noundef %1184, ptr noundef %1186, ptr noundef %1188, i64 noundef %1182, i64 noundef 1, i64 noundef %1150) #8
-  %1189 = load ptr, ptr %410, align 8
-  %1190 = mul nsw i64 %1171, %1152
-  %1191 = getelementptr inbounds double, ptr %1189, i64 %1190
-  %1192 = load i64, ptr %356, align 8
-  %1193 = add nsw i64 %1192, 1
-  store i64 %1193, ptr %356, align 8
-  %1194 = load ptr, ptr %416, align 8
-  %1195 = getelementptr inbounds double, ptr %1194, i64 %1171
-  %1196 = load double, ptr %1195, align 8
-  %1197 = fmul double %497, %1196
-  %1198 = fadd double %450, %1197
-  %1199 = load ptr, ptr %412, align 8
-  %1200 = load ptr, ptr %417, align 8
-  store double %1198, ptr %1200, align 8
-  %1201 = load i64, ptr %418, align 8
-  %1202 = icmp sgt i64 %1201, 0
-  br i1 %1202, label %1203, label %1204
-
-1203:                                             ; preds = %1168
-  tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1204
-
-1204:                                             ; preds = %1168, %1203
-  %1205 = load ptr, ptr %73, align 8
-  %1206 = load i64, ptr %1205, align 8
-  %1207 = load ptr, ptr %417, align 8
-  %1208 = load ptr, ptr %419, align 8
-  %1209 = load ptr, ptr %420, align 8
-  %1210 = inttoptr i64 %1206 to ptr
-  %1211 = tail call i32 %1210(ptr noundef %1207, ptr noundef %1199, ptr noundef %1208, ptr noundef %1209, ptr noundef %1191) #9
-  %1212 = sext i32 %1211 to i64
-  %1213 = icmp eq i32 %1211, 0
-  %1214 = select i1 %1213, i64 %1170, i64 %1212
-  br i1 %1213, label %1163, label %1215
-
-1215:                                             ; preds = %1163, %1204, %1146
-  %1216 = phi i1 [ %1160, %1146 ], [ %1167, %1163 ], [ %1169, %1204 ]
-  %1217 = phi i64 [ 0, %1146 ], [ %1212, %1204 ], [ %1212, %1163 ]
-  %1218 = phi i64 [ undef, %1146 ], [ %1214, %1204 ], [ %1214, %1163 ]
-  %1219 = getelementptr inbounds i8, ptr %1147, i64 16
-  br i1 %1216, label %1288, label %1220
-
-1220:                                             ; preds = %1215
-  %1221 = load ptr, ptr %73, align 8
-  %1222 = getelementptr inbounds i8, ptr %1221, i64 8
-  %1223 = load i64, ptr %1222, align 8
-  %1224 = icmp sgt i64 %1223, 0
-  br i1 %1224, label %1225, label %1229
-
-1225:                                             ; preds = %1220
-  %1226 = getelementptr inbounds double, ptr %1156, i64 %1152
-  %1227 = shl nsw i64 %1152, 4
-  %1228 = getelementptr inbounds i8, ptr %1156, i64 %1227
-  br label %1236
-
-1229:                                             ; preds = %1236, %1220
-  %1230 = getelementptr inbounds i8, ptr %1147, i64 8
-  %1231 = load i64, ptr %1230, align 8
-  %1232 = load i64, ptr %1219, align 8
-  %1233 = getelementptr inbounds i8, ptr %1147, i64 24
-  %1234 = load i64, ptr %1233, align 8
-  %1235 = icmp sgt i64 %1234, 3
-  br i1 %1235, label %1263, label %1288
-
-1236:                                             ; preds = %1225, %1236
-  %1237 = phi i64 [ 0, %1225 ], [ %1258, %1236 ]
-  %1238 = load ptr, ptr %421, align 8
-  %1239 = getelementptr inbounds double, ptr %1238, i64 %1237
-  %1240 = load double, ptr %1239, align 8
-  %1241 = load ptr, ptr %74, align 8
-  %1242 = getelementptr inbounds double, ptr %1241, i64 %1237
-  %1243 = load double, ptr %1242, align 8
-  %1244 = fsub double %1240, %1243
-  %1245 = load ptr, ptr %410, align 8
-  %1246 = getelementptr inbounds double, ptr %1245, i64 %1237
-  %1247 = load double, ptr %1246, align 8
-  %1248 = fmul double %497, %1247
-  %1249 = fsub double %1248, %1244
-  %1250 = getelementptr inbounds double, ptr %1156, i64 %1237
-  store double %1244, ptr %1250, align 8
-  %1251 = getelementptr inbounds double, ptr %1226, i64 %1237
-  store double %1249, ptr %1251, align 8
-  %1252 = fsub double %1244, %1249
-  %1253 = getelementptr inbounds double, ptr %1155, i64 %1237
-  %1254 = load double, ptr %1253, align 8
-  %1255 = fmul double %497, %1254
-  %1256 = fsub double %1252, %1255
-  %1257 = getelementptr inbounds double, ptr %1228, i64 %1237
-  store double %1256, ptr %1257, align 8
-  %1258 = add nuw nsw i64 %1237, 1
-  %1259 = load ptr, ptr %73, align 8
-  %1260 = getelementptr inbounds i8, ptr %1259, i64 8
-  %1261 = load i64, ptr %1260, align 8
-  %1262 = icmp slt i64 %1258, %1261
-  br i1 %1262, label %1236, label %1229, !llvm.loop !27
-
-1263:                                             ; preds = %1229, %1263
-  %1264 = phi i64 [ %1285, %1263 ], [ 3, %1229 ]
-  %1265 = mul nsw i64 %1264, %1152
-  %1266 = getelementptr inbounds double, ptr %1156, i64 %1265
-  %1267 = load ptr, ptr %422, align 8
-  %1268 = load ptr, ptr %423, align 8
-  %1269 = getelementptr i64, ptr %1268, i64 %1157
-  %1270 = getelementptr i64, ptr %1269, i64 %1231
-  %1271 = getelementptr i64, ptr %1270, i64 %1232
-  %1272 = getelementptr i64, ptr %1271, i64 %1264
-  %1273 = getelementptr i8, ptr %1272, i64 -24
-  %1274 = load i64, ptr %1273, align 8
-  %1275 = getelementptr i8, ptr %1272, i64 -16
-  %1276 = load i64, ptr %1275, align 8
-  %1277 = xor i64 %1274, -1
-  %1278 = add i64 %1276, %1277
-  %1279 = load ptr, ptr %357, align 8
-  %1280 = load ptr, ptr %410, align 8
-  %1281 = load ptr, ptr %424, align 8
-  %1282 = getelementptr inbounds i64, ptr %1281, i64 %1274
-  %1283 = load ptr, ptr %425, align 8
-  %1284 = getelementptr inbounds double, ptr %1283, i64 %1274
-  tail call fastcc void @combine(ptr noundef %1266, ptr noundef %1267, ptr noundef %1279, ptr noundef %1280, ptr noundef %1282, ptr noundef %1284, i64 noundef %1278, i64 noundef 1, i64 noundef %1150) #8
-  %1285 = add nuw nsw i64 %1264, 1
-  %1286 = load i64, ptr %1233, align 8
-  %1287 = icmp slt i64 %1285, %1286
-  br i1 %1287, label %1263, label %1288, !llvm.loop !28
-
-1288:                                             ; preds = %1263, %1229, %1215
-  %1289 = phi i64 [ %1218, %1215 ], [ %1217, %1229 ], [ %1217, %1263 ]
-  %1290 = icmp eq i64 %1289, 0
-  br i1 %1290, label %1294, label %1291
-
-1291:                                             ; preds = %1288
-  store i64 3, ptr %426, align 8
-  store double %450, ptr %76, align 8
-  %1292 = icmp slt i64 %1289, 0
-  %1293 = select i1 %1292, i64 -4, i64 2
-  br label %1628
-
-1294:                                             ; preds = %1288
-  %1295 = load ptr, ptr %75, align 8
-  br i1 %1103, label %1296, label %1307
-
-1296:                                             ; preds = %1294
-  %1297 = load ptr, ptr %102, align 8
-  %1298 = getelementptr inbounds i8, ptr %1297, i64 16
-  %1299 = load i64, ptr %1298, align 8
-  %1300 = inttoptr i64 %1299 to ptr
-  %1301 = tail call i64 %1300(ptr noundef %0, double noundef %450, double noundef %497) #9
-  %1302 = icmp eq i64 %1301, -6
-  br i1 %1302, label %1303, label %1304
-
-1303:                                             ; preds = %1296
-  store double %450, ptr %1295, align 8
-  br label %1482
-
-1304:                                             ; preds = %1296
-  %1305 = getelementptr inbounds i8, ptr %1295, i64 48
-  %1306 = load double, ptr %1305, align 8
-  br label %1307
-
-1307:                                             ; preds = %1304, %1294
-  %1308 = phi double [ %1306, %1304 ], [ 1.000000e+00, %1294 ]
-  %1309 = phi i64 [ %1301, %1304 ], [ 0, %1294 ]
-  %1310 = fcmp oeq double %1308, 1.000000e+00
-  br i1 %1310, label %1311, label %1313
-
-1311:                                             ; preds = %1307
-  %1312 = load double, ptr %1295, align 8
-  br label %1316
-
-1313:                                             ; preds = %1307
-  %1314 = fmul double %497, %1308
-  %1315 = fadd double %450, %1314
-  br label %1316
-
-1316:                                             ; preds = %1313, %1311
-  %1317 = phi double [ %1312, %1311 ], [ %1315, %1313 ]
-  %1318 = icmp eq i64 %1309, -4
-  %1319 = select i1 %1318, i64 -4, i64 0
-  br i1 %1318, label %1377, label %1320
-
-1320:                                             ; preds = %1316
-  %1321 = fcmp olt double %1308, 1.000000e+00
-  %1322 = load ptr, ptr %73, align 8
-  %1323 = getelementptr inbounds i8, ptr %1322, i64 8
-  %1324 = load i64, ptr %1323, align 8
-  %1325 = load i64, ptr %107, align 8
-  %1326 = load ptr, ptr %85, align 8
-  %1327 = load ptr, ptr %79, align 8
-  %1328 = getelementptr inbounds i8, ptr %1327, i64 48
-  %1329 = load i64, ptr %1328, align 8
-  %1330 = icmp slt i64 %1329, %1325
-  br i1 %1330, label %1331, label %1373
-
-1331:                                             ; preds = %1320, %1369
-  %1332 = phi i64 [ %1370, %1369 ], [ undef, %1320 ]
-  %1333 = phi i64 [ %1371, %1369 ], [ %1329, %1320 ]
-  %1334 = getelementptr inbounds double, ptr %1326, i64 %1333
-  %1335 = load double, ptr %1334, align 8
-  %1336 = fcmp olt double %1335, %1317
-  %1337 = fcmp oeq double %1335, %1317
-  %1338 = and i1 %1321, %1337
-  %1339 = or i1 %1336, %1338
-  br i1 %1339, label %1340, label %1373
-
-1340:                                             ; preds = %1331
-  %1341 = fsub double %1335, %450
-  %1342 = fdiv double %1341, %497
-  %1343 = mul nsw i64 %1333, %1324
-  %1344 = getelementptr inbounds double, ptr %1, i64 %1343
-  %1345 = load ptr, ptr %427, align 8
-  %1346 = insertelement <8 x double> poison, double %1342, i64 0
-  %1347 = shufflevector <8 x double> %1346, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1347, ptr %1345, align 8
-  %1348 = load ptr, ptr %74, align 8
-  %1349 = load ptr, ptr %411, align 8
-  %1350 = load i64, ptr %409, align 8
-  %1351 = load ptr, ptr %0, align 8
-  %1352 = getelementptr inbounds i8, ptr %1351, i64 24
-  %1353 = load i64, ptr %1352, align 8
-  %1354 = load ptr, ptr %427, align 8
-  %1355 = load ptr, ptr %73, align 8
-  %1356 = getelementptr inbounds i8, ptr %1355, i64 16
-  %1357 = load i64, ptr %1356, align 8
-  tail call fastcc void @nested(ptr noundef %1344, ptr noundef %1348, ptr noundef %1349, i64 noundef %1350, i64 noundef %1353, ptr noundef %1354, i64 noundef %1357) #8
-  %1358 = load ptr, ptr %92, align 8
-  %1359 = load i64, ptr %1358, align 8
-  %1360 = icmp eq i64 %1359, 1
-  br i1 %1360, label %1361, label %1369
-
-1361:                                             ; preds = %1340
-  %1362 = load double, ptr %1334, align 8
-  %1363 = getelementptr inbounds i8, ptr %1358, i64 56
-  %1364 = load i64, ptr %1363, align 8
-  %1365 = inttoptr i64 %1364 to ptr
-  %1366 = tail call i64 %1365(ptr noundef %0, double noundef %1362, ptr noundef %1344, ptr noundef null) #9
-  %1367 = icmp eq i64 %1366, 0
-  %1368 = select i1 %1367, i64 %1332, i64 %1366
-  br i1 %1367, label %1369, label %1377
-
-1369:                                             ; preds = %1361, %1340
-  %1370 = phi i64 [ %1368, %1361 ], [ %1332, %1340 ]
-  %1371 = add i64 %1333, 1
-  %1372 = icmp eq i64 %1371, %1325
-  br i1 %1372, label %1373, label %1331, !llvm.loop !29
-
-1373:                                             ; preds = %1369, %1331, %1320
-  %1374 = phi i64 [ %1329, %1320 ], [ %1325, %1369 ], [ %1333, %1331 ]
-  %1375 = load ptr, ptr %79, align 8
-  %1376 = getelementptr inbounds i8, ptr %1375, i64 48
-  store i64 %1374, ptr %1376, align 8
-  br label %1377
-
-1377:                                             ; preds = %1361, %1373, %1316
-  %1378 = phi i64 [ %1319, %1316 ], [ 0, %1373 ], [ %1368, %1361 ]
-  %1379 = icmp eq i64 %1378, 0
-  %1380 = icmp ne i64 %1309, 0
-  %1381 = fcmp olt double %1308, 1.000000e+00
-  %1382 = and i1 %1381, %1379
-  %1383 = and i1 %1380, %1382
-  br i1 %1383, label %1384, label %1421
-
-1384:                                             ; preds = %1377
-  %1385 = load ptr, ptr %428, align 8
-  %1386 = load ptr, ptr %429, align 8
-  %1387 = insertelement <8 x double> poison, double %1308, i64 0
-  %1388 = shufflevector <8 x double> %1387, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1388, ptr %1386, align 8
-  %1389 = load ptr, ptr %74, align 8
-  %1390 = load ptr, ptr %411, align 8
-  %1391 = load i64, ptr %409, align 8
-  %1392 = load ptr, ptr %0, align 8
-  %1393 = getelementptr inbounds i8, ptr %1392, i64 24
-  %1394 = load i64, ptr %1393, align 8
-  %1395 = load ptr, ptr %429, align 8
-  %1396 = load ptr, ptr %73, align 8
-  %1397 = getelementptr inbounds i8, ptr %1396, i64 16
-  %1398 = load i64, ptr %1397, align 8
-  tail call fastcc void @nested(ptr noundef %1385, ptr noundef %1389, ptr noundef %1390, i64 noundef %1391, i64 noundef %1394, ptr noundef %1395, i64 noundef %1398) #8
-  %1399 = load i64, ptr %90, align 8
-  %1400 = icmp sgt i64 %1399, 0
-  br i1 %1400, label %1405, label %1401
-
-1401:                                             ; preds = %1405, %1384
-  %1402 = load ptr, ptr %92, align 8
-  %1403 = load i64, ptr %1402, align 8
-  %1404 = icmp eq i64 %1403, 1
-  br i1 %1404, label %1415, label %1421
-
-1405:                                             ; preds = %1384, %1405
-  %1406 = phi i64 [ %1412, %1405 ], [ 0, %1384 ]
-  %1407 = load ptr, ptr %428, align 8
-  %1408 = getelementptr inbounds double, ptr %1407, i64 %1406
-  %1409 = load double, ptr %1408, align 8
-  %1410 = load ptr, ptr %77, align 8
-  %1411 = getelementptr inbounds double, ptr %1410, i64 %1406
-  store double %1409, ptr %1411, align 8
-  %1412 = add nuw nsw i64 %1406, 1
-  %1413 = load i64, ptr %90, align 8
-  %1414 = icmp slt i64 %1412, %1413
-  br i1 %1414, label %1405, label %1401, !llvm.loop !30
-
-1415:                                             ; preds = %1401
-  %1416 = load ptr, ptr %77, align 8
-  %1417 = getelementptr inbounds i8, ptr %1402, i64 56
-  %1418 = load i64, ptr %1417, align 8
-  %1419 = inttoptr i64 %1418 to ptr
-  %1420 = tail call i64 %1419(ptr noundef %0, double noundef %1317, ptr noundef %1416, ptr noundef null) #9
-  br label %1421
-
-1421:                                             ; preds = %1415, %1401, %1377
-  %1422 = phi i64 [ %1420, %1415 ], [ 0, %1401 ], [ %1378, %1377 ]
-  %1423 = icmp eq i64 %1422, 0
-  br i1 %1423, label %1426, label %1424
-
-1424:                                             ; preds = %1421
-  store double %450, ptr %1295, align 8
-  %1425 = getelementptr inbounds i8, ptr %1295, i64 8
-  store double %497, ptr %1425, align 8
-  br label %1482
-
-1426:                                             ; preds = %1421
-  br i1 %1310, label %1427, label %1465
-
-1427:                                             ; preds = %1426
-  %1428 = load ptr, ptr %77, align 8
-  %1429 = load ptr, ptr %73, align 8
-  %1430 = getelementptr inbounds i8, ptr %1429, i64 8
-  %1431 = load i64, ptr %1430, align 8
-  %1432 = load i64, ptr %107, align 8
-  %1433 = load ptr, ptr %85, align 8
-  %1434 = load ptr, ptr %79, align 8
-  %1435 = getelementptr inbounds i8, ptr %1434, i64 48
-  %1436 = load i64, ptr %1435, align 8
-  %1437 = icmp slt i64 %1436, %1432
-  br i1 %1437, label %1438, label %1461
-
-1438:                                             ; preds = %1427
-  %1439 = icmp sgt i64 %1431, 0
-  br label %1440
-
-1440:                                             ; preds = %1438, %1451
-  %1441 = phi i64 [ %1436, %1438 ], [ %1452, %1451 ]
-  %1442 = getelementptr inbounds double, ptr %1433, i64 %1441
-  %1443 = load double, ptr %1442, align 8
-  %1444 = load ptr, ptr %75, align 8
-  %1445 = load double, ptr %1444, align 8
-  %1446 = fcmp ugt double %1443, %1445
-  br i1 %1446, label %1461, label %1447
-
-1447:                                             ; preds = %1440
-  br i1 %1439, label %1448, label %1451
-
-1448:                                             ; preds = %1447
-  %1449 = mul nsw i64 %1441, %1431
-  %1450 = getelementptr double, ptr %1, i64 %1449
-  br label %1454
-
-1451:                                             ; preds = %1454, %1447
-  %1452 = add i64 %1441, 1
-  %1453 = icmp eq i64 %1452, %1432
-  br i1 %1453, label %1461, label %1440, !llvm.loop !8
-
-1454:                                             ; preds = %1448, %1454
-  %1455 = phi i64 [ 0, %1448 ], [ %1459, %1454 ]
-  %1456 = getelementptr inbounds double, ptr %1428, i64 %1455
-  %1457 = load double, ptr %1456, align 8
-  %1458 = getelementptr double, ptr %1450, i64 %1455
-  store double %1457, ptr %1458, align 8
-  %1459 = add nuw nsw i64 %1455, 1
-  %1460 = icmp eq i64 %1459, %1431
-  br i1 %1460, label %1451, label %1454, !llvm.loop !9
-
-1461:                                             ; preds = %1451, %1440, %1427
-  %1462 = phi i64 [ %1436, %1427 ], [ %1432, %1451 ], [ %1441, %1440 ]
-  %1463 = load ptr, ptr %79, align 8
-  %1464 = getelementptr inbounds i8, ptr %1463, i64 48
-  store i64 %1462, ptr %1464, align 8
-  br label %1465
-
-1465:                                             ; preds = %1461, %1426
-  br i1 %1380, label %1466, label %1482
-
-1466:                                             ; preds = %1465
-  %1467 = load i64, ptr %90, align 8
-  %1468 = icmp sgt i64 %1467, 0
-  br i1 %1468, label %1472, label %1469
-
-1469:                                             ; preds = %1472, %1466
-  store double %1317, ptr %1295, align 8
-  %1470 = getelementptr inbounds i8, ptr %1295, i64 8
-  store double 0.000000e+00, ptr %1470, align 8
-  %1471 = load ptr, ptr %79, align 8
-  store i64 0, ptr %1471, align 8
-  br label %1482
-
-1472:                                             ; preds = %1466, %1472
-  %1473 = phi i64 [ %1479, %1472 ], [ 0, %1466 ]
-  %1474 = load ptr, ptr %77, align 8
-  %1475 = getelementptr inbounds double, ptr %1474, i64 %1473
-  %1476 = load double, ptr %1475, align 8
-  %1477 = load ptr, ptr %74, align 8
-  %1478 = getelementptr inbounds double, ptr %1477, i64 %1473
-  store double %1476, ptr %1478, align 8
-  %1479 = add nuw nsw i64 %1473, 1
-  %1480 = load i64, ptr %90, align 8
-  %1481 = icmp slt i64 %1479, %1480
-  br i1 %1481, label %1472, label %1469, !llvm.loop !31
-
-1482:                                             ; preds = %1303, %1424, %1465, %1469
-  %1483 = phi i64 [ -6, %1303 ], [ %1422, %1424 ], [ %1309, %1469 ], [ %1309, %1465 ]
-  %1484 = icmp eq i64 %1483, -6
-  br i1 %1484, label %1489, label %1485
-
-1485:                                             ; preds = %1482
-  %1486 = icmp ne i64 %1483, 6
-  %1487 = select i1 %1486, i1 true, i1 %98
-  %1488 = select i1 %1487, i1 true, i1 %106
-  br i1 %1488, label %1499, label %1489
-
-1489:                                             ; preds = %1485, %1482
-  %1490 = phi i64 [ %1483, %1485 ], [ 2, %1482 ]
-  %1491 = load i64, ptr %351, align 8
-  %1492 = add nsw i64 %1491, -1
-  store i64 %1492, ptr %351, align 8
-  %1493 = load ptr, ptr %350, align 8
-  %1494 = load i64, ptr %1493, align 8
-  %1495 = add nsw i64 %1494, -1
-  store i64 %1495, ptr %1493, align 8
-  %1496 = load i64, ptr %352, align 8
-  %1497 = add nsw i64 %1496, 1
-  store i64 %1497, ptr %352, align 8
-  store i64 %1490, ptr %439, align 8
+  br label %863
+
+863:                                              ; preds = %856, %862
+  %864 = load ptr, ptr %73, align 8
+  %865 = load i64, ptr %864, align 8
+  %866 = load ptr, ptr %391, align 8
+  %867 = load ptr, ptr %393, align 8
+  %868 = load ptr, ptr %394, align 8
+  %869 = inttoptr i64 %865 to ptr
+  %870 = tail call i32 %869(ptr noundef %866, ptr noundef %78, ptr noundef %867, ptr noundef %868, ptr noundef %116) #9
+  %871 = sext i32 %870 to i64
+  %872 = icmp slt i32 %870, 0
+  br i1 %872, label %1616, label %873
+
+873:                                              ; preds = %838, %863, %854, %676
+  %874 = phi i64 [ 0, %854 ], [ %871, %863 ], [ 0, %838 ], [ %674, %676 ]
+  %875 = phi double [ %839, %854 ], [ %839, %863 ], [ %839, %838 ], [ 0.000000e+00, %676 ]
+  %876 = phi i1 [ %855, %854 ], [ %855, %863 ], [ false, %838 ], [ false, %676 ]
+  %877 = icmp ne i64 %874, 0
+  %878 = fcmp uge double %875, 1.000000e+00
+  %879 = or i1 %877, %878
+  %880 = or i1 %876, %879
+  br i1 %880, label %881, label %944
+
+881:                                              ; preds = %873
+  %882 = load i64, ptr %352, align 8
+  %883 = add nsw i64 %882, 1
+  store i64 %883, ptr %352, align 8
+  %884 = or i1 %877, %876
+  br i1 %884, label %888, label %885
+
+885:                                              ; preds = %881
+  %886 = tail call double @llvm.fabs.f64(double %875)
+  %887 = fcmp one double %886, 0x7FF0000000000000
+  br label %888
+
+888:                                              ; preds = %885, %881
+  %889 = phi i1 [ false, %881 ], [ %887, %885 ]
+  %890 = select i1 %889, i64 2, i64 4
+  %891 = select i1 %876, i64 6, i64 %890
+  %892 = select i1 %877, i64 3, i64 %891
+  store i64 %892, ptr %437, align 8
+  %893 = fcmp ogt double %875, 1.000000e-10
+  %894 = select i1 %893, double %875, double 1.000000e-10
+  %895 = load double, ptr %438, align 8
+  %896 = load double, ptr %88, align 8
+  %897 = fneg double %896
+  %898 = bitcast double %894 to i64
+  %899 = add nsw i64 %898, -4604544271217802189
+  %900 = ashr i64 %899, 52
+  %901 = and i64 %899, -4503599627370496
+  %902 = sub nsw i64 %898, %901
+  %903 = bitcast i64 %902 to double
+  %904 = fadd double %903, -1.000000e+00
+  %905 = fadd double %903, 1.000000e+00
+  %906 = fdiv double %904, %905
+  %907 = fmul double %906, %906
+  %908 = tail call double @llvm.fma.f64(double %907, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %909 = tail call double @llvm.fma.f64(double %908, double %907, double 0x3FE2776C50EF9BFE)
+  %910 = tail call double @llvm.fma.f64(double %909, double %907, double 0x3FEEC709DC3A03FD)
+  %911 = tail call double @llvm.fma.f64(double %910, double %907, double 0x40071547652B82FE)
+  %912 = trunc nsw i64 %900 to i32
+  %913 = sitofp i32 %912 to double
+  %914 = fmul double %906, %911
+  %915 = fadd double %914, %913
+  %916 = fmul double %915, %897
+  %917 = fcmp ogt double %916, -1.000000e+03
+  %918 = select i1 %917, double %916, double -1.000000e+03
+  %919 = fcmp olt double %918, 1.000000e+03
+  %920 = select i1 %919, double %918, double 1.000000e+03
+  %921 = tail call double @llvm.rint.f64(double %920)
+  %922 = fsub double %920, %921
+  %923 = tail call double @llvm.fma.f64(double %922, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %924 = tail call double @llvm.fma.f64(double %923, double %922, double 0x3F55D87FE78A6730)
+  %925 = tail call double @llvm.fma.f64(double %924, double %922, double 0x3F83B2AB6FBA4E77)
+  %926 = tail call double @llvm.fma.f64(double %925, double %922, double 0x3FAC6B08D704A0BF)
+  %927 = tail call double @llvm.fma.f64(double %926, double %922, double 0x3FCEBFBDFF82C58E)
+  %928 = tail call double @llvm.fma.f64(double %927, double %922, double 0x3FE62E42FEFA39EF)
+  %929 = tail call double @llvm.fma.f64(double %928, double %922, double 1.000000e+00)
+  %930 = bitcast double %929 to i64
+  %931 = fptosi double %921 to i32
+  %932 = sext i32 %931 to i64
+  %933 = shl nsw i64 %932, 52
+  %934 = add nsw i64 %933, %930
+  %935 = bitcast i64 %934 to double
+  %936 = fmul double %895, %935
+  %937 = load double, ptr %439, align 8
+  %938 = fcmp ogt double %936, %937
+  %939 = select i1 %938, double %936, double %937
+  %940 = select i1 %889, double %939, double 2.500000e-01
+  %941 = fmul double %493, %940
+  br i1 %98, label %942, label %943
+
+942:                                              ; preds = %888
+  store double %493, ptr %118, align 8
+  br label %1616
+
+943:                                              ; preds = %888
   store double 1.000000e+00, ptr %440, align 8
-  %1498 = fmul double %497, 2.500000e-01
-  br label %1628, !llvm.loop !19
+  br label %1616, !llvm.loop !19
 
-1499:                                             ; preds = %1485
-  %1500 = icmp eq i64 %1483, 0
-  br i1 %1500, label %1505, label %1501
+944:                                              ; preds = %873
+  %945 = load i64, ptr %351, align 8
+  %946 = add nsw i64 %945, 1
+  store i64 %946, ptr %351, align 8
+  store double %494, ptr %76, align 8
+  store double %493, ptr %395, align 8
+  %947 = load ptr, ptr %350, align 8
+  %948 = getelementptr inbounds i8, ptr %947, i64 8
+  %949 = load i64, ptr %948, align 8
+  %950 = icmp eq i64 %949, 0
+  br i1 %950, label %980, label %951
 
-1501:                                             ; preds = %1499
-  %1502 = load ptr, ptr %350, align 8
-  %1503 = load i64, ptr %1502, align 8
-  %1504 = add nsw i64 %1503, 1
-  store i64 %1504, ptr %1502, align 8
-  br label %1628
+951:                                              ; preds = %944
+  %952 = load i64, ptr %947, align 8
+  %953 = load ptr, ptr %73, align 8
+  %954 = getelementptr inbounds i8, ptr %953, i64 8
+  %955 = load i64, ptr %954, align 8
+  %956 = load ptr, ptr %396, align 8
+  %957 = load i64, ptr %397, align 8
+  %958 = mul nsw i64 %957, %952
+  %959 = getelementptr inbounds double, ptr %956, i64 %958
+  %960 = getelementptr inbounds double, ptr %959, i64 %957
+  store double %446, ptr %959, align 8
+  %961 = getelementptr inbounds i8, ptr %959, i64 8
+  store double %493, ptr %961, align 8
+  store double %494, ptr %960, align 8
+  %962 = getelementptr inbounds i8, ptr %960, i64 8
+  store double 0.000000e+00, ptr %962, align 8
+  %963 = icmp sgt i64 %955, 0
+  br i1 %963, label %967, label %964
 
-1505:                                             ; preds = %1499, %1142
-  br i1 %98, label %1609, label %1506
+964:                                              ; preds = %967, %951
+  %965 = add nsw i64 %952, 1
+  %966 = load ptr, ptr %350, align 8
+  store i64 %965, ptr %966, align 8
+  br label %980
 
-1506:                                             ; preds = %1505
-  %1507 = load double, ptr %431, align 8
-  %1508 = fcmp ogt double %879, 1.000000e-10
-  %1509 = select i1 %1508, double %879, double 1.000000e-10
-  %1510 = load double, ptr %432, align 8
-  %1511 = load double, ptr %433, align 8
-  %1512 = fneg double %1511
-  %1513 = bitcast double %1509 to i64
-  %1514 = add nsw i64 %1513, -4604544271217802189
-  %1515 = ashr i64 %1514, 52
-  %1516 = and i64 %1514, -4503599627370496
-  %1517 = sub nsw i64 %1513, %1516
-  %1518 = bitcast i64 %1517 to double
-  %1519 = fadd double %1518, -1.000000e+00
-  %1520 = fadd double %1518, 1.000000e+00
-  %1521 = fdiv double %1519, %1520
-  %1522 = fmul double %1521, %1521
-  %1523 = tail call double @llvm.fma.f64(double %1522, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1524 = tail call double @llvm.fma.f64(double %1523, double %1522, double 0x3FE2776C50EF9BFE)
-  %1525 = tail call double @llvm.fma.f64(double %1524, double %1522, double 0x3FEEC709DC3A03FD)
-  %1526 = tail call double @llvm.fma.f64(double %1525, double %1522, double 0x40071547652B82FE)
-  %1527 = trunc nsw i64 %1515 to i32
-  %1528 = sitofp i32 %1527 to double
-  %1529 = fmul double %1521, %1526
-  %1530 = fadd double %1529, %1528
-  %1531 = fmul double %1530, %1512
-  %1532 = fcmp ogt double %1531, -1.000000e+03
-  %1533 = select i1 %1532, double %1531, double -1.000000e+03
-  %1534 = fcmp olt double %1533, 1.000000e+03
-  %1535 = select i1 %1534, double %1533, double 1.000000e+03
-  %1536 = tail call double @llvm.rint.f64(double %1535)
-  %1537 = fsub double %1535, %1536
-  %1538 = tail call double @llvm.fma.f64(double %1537, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1539 = tail call double @llvm.fma.f64(double %1538, double %1537, double 0x3F55D87FE78A6730)
-  %1540 = tail call double @llvm.fma.f64(double %1539, double %1537, double 0x3F83B2AB6FBA4E77)
-  %1541 = tail call double @llvm.fma.f64(double %1540, double %1537, double 0x3FAC6B08D704A0BF)
-  %1542 = tail call double @llvm.fma.f64(double %1541, double %1537, double 0x3FCEBFBDFF82C58E)
-  %1543 = tail call double @llvm.fma.f64(double %1542, double %1537, double 0x3FE62E42FEFA39EF)
-  %1544 = tail call double @llvm.fma.f64(double %1543, double %1537, double 1.000000e+00)
-  %1545 = bitcast double %1544 to i64
-  %1546 = fptosi double %1536 to i32
-  %1547 = sext i32 %1546 to i64
-  %1548 = shl nsw i64 %1547, 52
-  %1549 = add nsw i64 %1548, %1545
-  %1550 = bitcast i64 %1549 to double
-  %1551 = fmul double %1510, %1550
-  %1552 = load double, ptr %434, align 8
-  %1553 = fcmp une double %1552, 0.000000e+00
-  br i1 %1553, label %1554, label %1594
+967:                                              ; preds = %951, %967
+  %968 = phi i64 [ %978, %967 ], [ 0, %951 ]
+  %969 = load ptr, ptr %74, align 8
+  %970 = getelementptr inbounds double, ptr %969, i64 %968
+  %971 = load double, ptr %970, align 8
+  %972 = add nuw nsw i64 %968, 2
+  %973 = getelementptr inbounds double, ptr %959, i64 %972
+  store double %971, ptr %973, align 8
+  %974 = load ptr, ptr %77, align 8
+  %975 = getelementptr inbounds double, ptr %974, i64 %968
+  %976 = load double, ptr %975, align 8
+  %977 = getelementptr inbounds double, ptr %960, i64 %972
+  store double %976, ptr %977, align 8
+  %978 = add nuw nsw i64 %968, 1
+  %979 = icmp eq i64 %978, %955
+  br i1 %979, label %964, label %967, !llvm.loop !20
 
-1554:                                             ; preds = %1506
-  %1555 = load i64, ptr %430, align 8
-  %1556 = add nsw i64 %1555, -4604544271217802189
-  %1557 = ashr i64 %1556, 52
-  %1558 = and i64 %1556, -4503599627370496
-  %1559 = sub nsw i64 %1555, %1558
-  %1560 = bitcast i64 %1559 to double
-  %1561 = fadd double %1560, -1.000000e+00
-  %1562 = fadd double %1560, 1.000000e+00
-  %1563 = fdiv double %1561, %1562
-  %1564 = fmul double %1563, %1563
-  %1565 = tail call double @llvm.fma.f64(double %1564, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1566 = tail call double @llvm.fma.f64(double %1565, double %1564, double 0x3FE2776C50EF9BFE)
-  %1567 = tail call double @llvm.fma.f64(double %1566, double %1564, double 0x3FEEC709DC3A03FD)
-  %1568 = tail call double @llvm.fma.f64(double %1567, double %1564, double 0x40071547652B82FE)
-  %1569 = trunc nsw i64 %1557 to i32
-  %1570 = sitofp i32 %1569 to double
-  %1571 = fmul double %1563, %1568
-  %1572 = fadd double %1571, %1570
-  %1573 = fmul double %1552, %1572
-  %1574 = fcmp ogt double %1573, -1.000000e+03
-  %1575 = select i1 %1574, double %1573, double -1.000000e+03
-  %1576 = fcmp olt double %1575, 1.000000e+03
-  %1577 = select i1 %1576, double %1575, double 1.000000e+03
-  %1578 = tail call double @llvm.rint.f64(double %1577)
-  %1579 = fsub double %1577, %1578
-  %1580 = tail call double @llvm.fma.f64(double %1579, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1581 = tail call double @llvm.fma.f64(double %1580, double %1579, double 0x3F55D87FE78A6730)
-  %1582 = tail call double @llvm.fma.f64(double %1581, double %1579, double 0x3F83B2AB6FBA4E77)
-  %1583 = tail call double @llvm.fma.f64(double %1582, double %1579, double 0x3FAC6B08D704A0BF)
-  %1584 = tail call double @llvm.fma.f64(double %1583, double %1579, double 0x3FCEBFBDFF82C58E)
-  %1585 = tail call double @llvm.fma.f64(double %1584, double %1579, double 0x3FE62E42FEFA39EF)
-  %1586 = tail call double @llvm.fma.f64(double %1585, double %1579, double 1.000000e+00)
-  %1587 = bitcast double %1586 to i64
-  %1588 = fptosi double %1578 to i32
-  %1589 = sext i32 %1588 to i64
-  %1590 = shl nsw i64 %1589, 52
-  %1591 = add nsw i64 %1590, %1587
-  %1592 = bitcast i64 %1591 to double
-  %1593 = fmul double %1551, %1592
-  br label %1594
+980:                                              ; preds = %944, %964
+  br i1 %106, label %981, label %1090
 
-1594:                                             ; preds = %1506, %1554
-  %1595 = phi double [ %1593, %1554 ], [ %1551, %1506 ]
-  %1596 = load double, ptr %435, align 8
-  %1597 = fcmp ogt double %1595, %1596
-  %1598 = select i1 %1597, double %1595, double %1596
-  %1599 = fcmp olt double %1507, %1598
-  %1600 = select i1 %1599, double %1507, double %1598
-  %1601 = fmul double %497, %1600
-  %1602 = fcmp oeq double %498, %111
-  %1603 = fcmp ogt double %451, %1601
-  %1604 = select i1 %1602, i1 %1603, i1 false
-  %1605 = select i1 %1604, double %451, double %1601
-  %1606 = fcmp ogt double %879, 1.000000e-04
-  %1607 = select i1 %1606, double %879, double 1.000000e-04
-  store double %1607, ptr %430, align 8
-  %1608 = load double, ptr %436, align 8
-  store double %1608, ptr %431, align 8
-  br label %1609
+981:                                              ; preds = %980
+  %982 = load ptr, ptr %102, align 8
+  %983 = load i64, ptr %90, align 8
+  %984 = load ptr, ptr %398, align 8
+  %985 = getelementptr inbounds i8, ptr %982, i64 32
+  %986 = load i64, ptr %985, align 8
+  %987 = getelementptr inbounds double, ptr %984, i64 %986
+  %988 = getelementptr inbounds i8, ptr %982, i64 24
+  %989 = load i64, ptr %988, align 8
+  %990 = icmp eq i64 %989, 0
+  br i1 %990, label %1087, label %991
 
-1609:                                             ; preds = %1594, %1505
-  %1610 = phi double [ %1605, %1594 ], [ %451, %1505 ]
-  br i1 %437, label %1615, label %1611
+991:                                              ; preds = %981
+  %992 = getelementptr inbounds i8, ptr %982, i64 40
+  %993 = load i64, ptr %992, align 8
+  %994 = icmp sgt i64 %993, 0
+  br i1 %994, label %1048, label %995
 
-1611:                                             ; preds = %1615, %1609
-  %1612 = load i64, ptr %438, align 8
-  %1613 = load i64, ptr %107, align 8
-  %1614 = icmp eq i64 %1612, %1613
-  br i1 %1614, label %1627, label %1628
+995:                                              ; preds = %1066, %991
+  %996 = load ptr, ptr %399, align 8
+  %997 = load ptr, ptr %102, align 8
+  %998 = getelementptr inbounds i8, ptr %997, i64 8
+  %999 = load i64, ptr %998, align 8
+  %1000 = load ptr, ptr %400, align 8
+  %1001 = load ptr, ptr %398, align 8
+  %1002 = getelementptr inbounds i8, ptr %997, i64 32
+  %1003 = load i64, ptr %1002, align 8
+  %1004 = getelementptr inbounds i8, ptr %997, i64 40
+  %1005 = load i64, ptr %1004, align 8
+  %1006 = getelementptr double, ptr %1001, i64 %1003
+  %1007 = getelementptr double, ptr %1006, i64 %1005
+  store double %493, ptr %1007, align 8
+  %1008 = load ptr, ptr %399, align 8
+  store double %446, ptr %1008, align 8
+  %1009 = load ptr, ptr %102, align 8
+  %1010 = getelementptr inbounds i8, ptr %1009, i64 24
+  %1011 = load i64, ptr %1010, align 8
+  %1012 = load ptr, ptr %74, align 8
+  %1013 = load ptr, ptr %398, align 8
+  %1014 = load ptr, ptr %401, align 8
+  %1015 = inttoptr i64 %1011 to ptr
+  %1016 = tail call i32 %1015(ptr noundef %996, ptr noundef %1012, ptr noundef %1013, ptr noundef %1014, ptr noundef %1000) #9
+  %1017 = icmp eq i32 %1016, 0
+  br i1 %1017, label %1018, label %1087
 
-1615:                                             ; preds = %1609, %1615
-  %1616 = phi i64 [ %1625, %1615 ], [ 0, %1609 ]
-  %1617 = getelementptr inbounds double, ptr %78, i64 %1616
-  %1618 = load double, ptr %1617, align 8
-  %1619 = load ptr, ptr %74, align 8
-  %1620 = getelementptr inbounds double, ptr %1619, i64 %1616
-  store double %1618, ptr %1620, align 8
-  %1621 = getelementptr inbounds double, ptr %116, i64 %1616
-  %1622 = load double, ptr %1621, align 8
-  %1623 = load ptr, ptr %112, align 8
-  %1624 = getelementptr inbounds double, ptr %1623, i64 %1616
-  store double %1622, ptr %1624, align 8
-  %1625 = add nuw nsw i64 %1616, 1
-  %1626 = icmp eq i64 %1625, %91
-  br i1 %1626, label %1611, label %1615, !llvm.loop !32
+1018:                                             ; preds = %995
+  %1019 = icmp slt i64 %999, 1
+  br i1 %1019, label %1045, label %1020
 
-1627:                                             ; preds = %1611
-  store double %1610, ptr %118, align 8
-  br label %1628
+1020:                                             ; preds = %1018
+  %1021 = load ptr, ptr %402, align 8
+  %1022 = getelementptr double, ptr %1000, i64 %999
+  br label %1023
 
-1628:                                             ; preds = %867, %947, %946, %1611, %1627, %1501, %1489, %1291, %677, %504
-  %1629 = phi double [ %451, %504 ], [ %451, %677 ], [ %451, %867 ], [ %945, %947 ], [ %945, %946 ], [ %451, %1291 ], [ %1498, %1489 ], [ %451, %1501 ], [ %1610, %1627 ], [ %1610, %1611 ]
-  %1630 = phi double [ %450, %504 ], [ %450, %677 ], [ %450, %867 ], [ %450, %947 ], [ %450, %946 ], [ %450, %1291 ], [ %450, %1489 ], [ %450, %1501 ], [ %498, %1627 ], [ %498, %1611 ]
-  %1631 = phi i32 [ 1, %504 ], [ 1, %677 ], [ 1, %867 ], [ 3, %947 ], [ 1, %946 ], [ 1, %1291 ], [ 3, %1489 ], [ 1, %1501 ], [ 1, %1627 ], [ 0, %1611 ]
-  %1632 = phi i64 [ 2, %504 ], [ -4, %677 ], [ -4, %867 ], [ %449, %947 ], [ 2, %946 ], [ %1293, %1291 ], [ %449, %1489 ], [ %1483, %1501 ], [ 0, %1627 ], [ %449, %1611 ]
-  switch i32 %1631, label %1636 [
-    i32 0, label %1633
-    i32 3, label %1633
+1023:                                             ; preds = %1020, %1041
+  %1024 = phi i1 [ %1019, %1020 ], [ %1043, %1041 ]
+  %1025 = phi i64 [ 0, %1020 ], [ %1042, %1041 ]
+  %1026 = getelementptr inbounds i64, ptr %1021, i64 %1025
+  %1027 = load i64, ptr %1026, align 8
+  %1028 = and i64 %1027, 2
+  %1029 = icmp eq i64 %1028, 0
+  br i1 %1029, label %1030, label %1041
+
+1030:                                             ; preds = %1023
+  %1031 = getelementptr inbounds double, ptr %1000, i64 %1025
+  %1032 = load double, ptr %1031, align 8
+  %1033 = load ptr, ptr %403, align 8
+  %1034 = getelementptr inbounds i64, ptr %1033, i64 %1025
+  %1035 = load i64, ptr %1034, align 8
+  %1036 = sitofp i64 %1035 to double
+  %1037 = fmul double %1032, %1036
+  %1038 = getelementptr double, ptr %1022, i64 %1025
+  %1039 = load double, ptr %1038, align 8
+  %1040 = fcmp ogt double %1037, %1039
+  br i1 %1040, label %1041, label %1045
+
+1041:                                             ; preds = %1030, %1023
+  %1042 = add nuw nsw i64 %1025, 1
+  %1043 = icmp sge i64 %1042, %999
+  %1044 = icmp eq i64 %1042, %999
+  br i1 %1044, label %1045, label %1023, !llvm.loop !21
+
+1045:                                             ; preds = %1041, %1030, %1018
+  %1046 = phi i1 [ %1019, %1018 ], [ %1043, %1041 ], [ %1024, %1030 ]
+  %1047 = zext i1 %1046 to i32
+  br label %1087
+
+1048:                                             ; preds = %991, %1066
+  %1049 = phi i64 [ %1070, %1066 ], [ 0, %991 ]
+  %1050 = load ptr, ptr %77, align 8
+  %1051 = getelementptr inbounds double, ptr %1050, i64 %1049
+  %1052 = load <8 x double>, ptr %1051, align 8
+  %1053 = load ptr, ptr %74, align 8
+  %1054 = getelementptr inbounds double, ptr %1053, i64 %1049
+  %1055 = load <8 x double>, ptr %1054, align 8
+  %1056 = fsub <8 x double> %1052, %1055
+  %1057 = fneg <8 x double> %1056
+  %1058 = fcmp ogt <8 x double> %1056, zeroinitializer
+  %1059 = select <8 x i1> %1058, <8 x double> %1056, <8 x double> %1057
+  %1060 = load ptr, ptr %0, align 8
+  %1061 = load i64, ptr %1060, align 8
+  %1062 = icmp slt i64 %1061, 0
+  br i1 %1062, label %1066, label %1063
+
+1063:                                             ; preds = %1048
+  %1064 = load ptr, ptr %112, align 8
+  %1065 = getelementptr double, ptr %1064, i64 %1049
+  br label %1073
+
+1066:                                             ; preds = %1073, %1048
+  %1067 = phi <8 x double> [ %1059, %1048 ], [ %1084, %1073 ]
+  %1068 = getelementptr inbounds double, ptr %987, i64 %1049
+  %1069 = fmul <8 x double> %1067, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1069, ptr %1068, align 8
+  %1070 = add nuw nsw i64 %1049, 8
+  %1071 = load i64, ptr %992, align 8
+  %1072 = icmp slt i64 %1070, %1071
+  br i1 %1072, label %1048, label %995, !llvm.loop !22
+
+1073:                                             ; preds = %1063, %1073
+  %1074 = phi i64 [ 0, %1063 ], [ %1085, %1073 ]
+  %1075 = phi <8 x double> [ %1059, %1063 ], [ %1084, %1073 ]
+  %1076 = mul nsw i64 %1074, %983
+  %1077 = getelementptr double, ptr %1065, i64 %1076
+  %1078 = load <8 x double>, ptr %1077, align 8
+  %1079 = fneg <8 x double> %1078
+  %1080 = fcmp ogt <8 x double> %1078, zeroinitializer
+  %1081 = select <8 x i1> %1080, <8 x double> %1078, <8 x double> %1079
+  %1082 = fmul <8 x double> %506, %1081
+  %1083 = fcmp ogt <8 x double> %1075, %1082
+  %1084 = select <8 x i1> %1083, <8 x double> %1075, <8 x double> %1082
+  %1085 = add nuw i64 %1074, 1
+  %1086 = icmp eq i64 %1074, %1061
+  br i1 %1086, label %1066, label %1073, !llvm.loop !23
+
+1087:                                             ; preds = %1045, %995, %981
+  %1088 = phi i32 [ 0, %981 ], [ 0, %995 ], [ %1047, %1045 ]
+  %1089 = icmp eq i32 %1088, 0
+  br label %1090
+
+1090:                                             ; preds = %1087, %980
+  %1091 = phi i1 [ false, %980 ], [ %1089, %1087 ]
+  br i1 %1091, label %1134, label %1092
+
+1092:                                             ; preds = %1090
+  %1093 = load i64, ptr %404, align 8
+  %1094 = getelementptr inbounds double, ptr %86, i64 %1093
+  %1095 = load double, ptr %1094, align 8
+  %1096 = fcmp ult double %1095, %494
+  br i1 %1096, label %1134, label %1097
+
+1097:                                             ; preds = %1092
+  %1098 = load ptr, ptr %73, align 8
+  %1099 = getelementptr inbounds i8, ptr %1098, i64 8
+  %1100 = load i64, ptr %1099, align 8
+  %1101 = load i64, ptr %107, align 8
+  %1102 = load ptr, ptr %85, align 8
+  %1103 = load ptr, ptr %79, align 8
+  %1104 = getelementptr inbounds i8, ptr %1103, i64 48
+  %1105 = load i64, ptr %1104, align 8
+  %1106 = icmp slt i64 %1105, %1101
+  br i1 %1106, label %1107, label %1130
+
+1107:                                             ; preds = %1097
+  %1108 = icmp sgt i64 %1100, 0
+  br label %1109
+
+1109:                                             ; preds = %1107, %1120
+  %1110 = phi i64 [ %1105, %1107 ], [ %1121, %1120 ]
+  %1111 = getelementptr inbounds double, ptr %1102, i64 %1110
+  %1112 = load double, ptr %1111, align 8
+  %1113 = load ptr, ptr %75, align 8
+  %1114 = load double, ptr %1113, align 8
+  %1115 = fcmp ugt double %1112, %1114
+  br i1 %1115, label %1130, label %1116
+
+1116:                                             ; preds = %1109
+  br i1 %1108, label %1117, label %1120
+
+1117:                                             ; preds = %1116
+  %1118 = mul nsw i64 %1110, %1100
+  %1119 = getelementptr double, ptr %1, i64 %1118
+  br label %1123
+
+1120:                                             ; preds = %1123, %1116
+  %1121 = add i64 %1110, 1
+  %1122 = icmp eq i64 %1121, %1101
+  br i1 %1122, label %1130, label %1109, !llvm.loop !8
+
+1123:                                             ; preds = %1117, %1123
+  %1124 = phi i64 [ 0, %1117 ], [ %1128, %1123 ]
+  %1125 = getelementptr inbounds double, ptr %78, i64 %1124
+  %1126 = load double, ptr %1125, align 8
+  %1127 = getelementptr double, ptr %1119, i64 %1124
+  store double %1126, ptr %1127, align 8
+  %1128 = add nuw nsw i64 %1124, 1
+  %1129 = icmp eq i64 %1128, %1100
+  br i1 %1129, label %1120, label %1123, !llvm.loop !9
+
+1130:                                             ; preds = %1109, %1120, %1097
+  %1131 = phi i64 [ %1105, %1097 ], [ %1110, %1109 ], [ %1101, %1120 ]
+  %1132 = load ptr, ptr %79, align 8
+  %1133 = getelementptr inbounds i8, ptr %1132, i64 48
+  store i64 %1131, ptr %1133, align 8
+  br label %1493
+
+1134:                                             ; preds = %1092, %1090
+  %1135 = load ptr, ptr %0, align 8
+  %1136 = load ptr, ptr %73, align 8
+  %1137 = getelementptr inbounds i8, ptr %1136, i64 16
+  %1138 = load i64, ptr %1137, align 8
+  %1139 = load i64, ptr %1135, align 8
+  %1140 = load i64, ptr %405, align 8
+  %1141 = load ptr, ptr %406, align 8
+  %1142 = mul nsw i64 %1140, %1139
+  %1143 = getelementptr inbounds double, ptr %1141, i64 %1142
+  %1144 = load ptr, ptr %407, align 8
+  %1145 = add nsw i64 %1139, 1
+  %1146 = getelementptr inbounds i8, ptr %1135, i64 16
+  %1147 = load i64, ptr %1146, align 8
+  %1148 = icmp sgt i64 %1147, 0
+  br i1 %1148, label %1149, label %1203
+
+1149:                                             ; preds = %1134
+  %1150 = getelementptr inbounds i8, ptr %1135, i64 8
+  br label %1156
+
+1151:                                             ; preds = %1192
+  %1152 = add nsw i64 %1159, 1
+  %1153 = load i64, ptr %1146, align 8
+  %1154 = add nsw i64 %1153, %1145
+  %1155 = icmp slt i64 %1152, %1154
+  br i1 %1155, label %1156, label %1203, !llvm.loop !24
+
+1156:                                             ; preds = %1149, %1151
+  %1157 = phi i1 [ %1148, %1149 ], [ %1155, %1151 ]
+  %1158 = phi i64 [ undef, %1149 ], [ %1202, %1151 ]
+  %1159 = phi i64 [ %1145, %1149 ], [ %1152, %1151 ]
+  %1160 = load i64, ptr %1150, align 8
+  %1161 = load ptr, ptr %408, align 8
+  %1162 = load ptr, ptr %74, align 8
+  %1163 = load ptr, ptr %409, align 8
+  %1164 = getelementptr i64, ptr %1163, i64 %1159
+  %1165 = getelementptr i64, ptr %1164, i64 %1160
+  %1166 = load i64, ptr %1165, align 8
+  %1167 = getelementptr i8, ptr %1165, i64 8
+  %1168 = load i64, ptr %1167, align 8
+  %1169 = xor i64 %1166, -1
+  %1170 = add i64 %1168, %1169
+  %1171 = load ptr, ptr %357, align 8
+  %1172 = load ptr, ptr %406, align 8
+  %1173 = load ptr, ptr %410, align 8
+  %1174 = getelementptr inbounds i64, ptr %1173, i64 %1166
+  %1175 = load ptr, ptr %411, align 8
+  %1176 = getelementptr inbounds double, ptr %1175, i64 %1166
+  tail call fastcc void @combine(ptr noundef %1161, ptr noundef %1162, ptr noundef %1171, ptr noundef %1172, ptr noundef %1174, ptr noundef %1176, i64 noundef %1170, i64 noundef 1, i64 noundef %1138) #8
+  %1177 = load ptr, ptr %406, align 8
+  %1178 = mul nsw i64 %1159, %1140
+  %1179 = getelementptr inbounds double, ptr %1177, i64 %1178
+  %1180 = load i64, ptr %356, align 8
+  %1181 = add nsw i64 %1180, 1
+  store i64 %1181, ptr %356, align 8
+  %1182 = load ptr, ptr %412, align 8
+  %1183 = getelementptr inbounds double, ptr %1182, i64 %1159
+  %1184 = load double, ptr %1183, align 8
+  %1185 = fmul double %493, %1184
+  %1186 = fadd double %446, %1185
+  %1187 = load ptr, ptr %408, align 8
+  %1188 = load ptr, ptr %413, align 8
+  store double %1186, ptr %1188, align 8
+  %1189 = load i64, ptr %414, align 8
+  %1190 = icmp sgt i64 %1189, 0
+  br i1 %1190, label %1191, label %1192
+
+1191:                                             ; preds = %1156
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %1192
+
+1192:                                             ; preds = %1156, %1191
+  %1193 = load ptr, ptr %73, align 8
+  %1194 = load i64, ptr %1193, align 8
+  %1195 = load ptr, ptr %413, align 8
+  %1196 = load ptr, ptr %415, align 8
+  %1197 = load ptr, ptr %416, align 8
+  %1198 = inttoptr i64 %1194 to ptr
+  %1199 = tail call i32 %1198(ptr noundef %1195, ptr noundef %1187, ptr noundef %1196, ptr noundef %1197, ptr noundef %1179) #9
+  %1200 = sext i32 %1199 to i64
+  %1201 = icmp eq i32 %1199, 0
+  %1202 = select i1 %1201, i64 %1158, i64 %1200
+  br i1 %1201, label %1151, label %1203
+
+1203:                                             ; preds = %1151, %1192, %1134
+  %1204 = phi i1 [ %1148, %1134 ], [ %1155, %1151 ], [ %1157, %1192 ]
+  %1205 = phi i64 [ 0, %1134 ], [ %1200, %1192 ], [ %1200, %1151 ]
+  %1206 = phi i64 [ undef, %1134 ], [ %1202, %1192 ], [ %1202, %1151 ]
+  %1207 = getelementptr inbounds i8, ptr %1135, i64 16
+  br i1 %1204, label %1276, label %1208
+
+1208:                                             ; preds = %1203
+  %1209 = load ptr, ptr %73, align 8
+  %1210 = getelementptr inbounds i8, ptr %1209, i64 8
+  %1211 = load i64, ptr %1210, align 8
+  %1212 = icmp sgt i64 %1211, 0
+  br i1 %1212, label %1213, label %1217
+
+1213:                                             ; preds = %1208
+  %1214 = getelementptr inbounds double, ptr %1144, i64 %1140
+  %1215 = shl nsw i64 %1140, 4
+  %1216 = getelementptr inbounds i8, ptr %1144, i64 %1215
+  br label %1224
+
+1217:                                             ; preds = %1224, %1208
+  %1218 = getelementptr inbounds i8, ptr %1135, i64 8
+  %1219 = load i64, ptr %1218, align 8
+  %1220 = load i64, ptr %1207, align 8
+  %1221 = getelementptr inbounds i8, ptr %1135, i64 24
+  %1222 = load i64, ptr %1221, align 8
+  %1223 = icmp sgt i64 %1222, 3
+  br i1 %1223, label %1251, label %1276
+
+1224:                                             ; preds = %1213, %1224
+  %1225 = phi i64 [ 0, %1213 ], [ %1246, %1224 ]
+  %1226 = load ptr, ptr %417, align 8
+  %1227 = getelementptr inbounds double, ptr %1226, i64 %1225
+  %1228 = load double, ptr %1227, align 8
+  %1229 = load ptr, ptr %74, align 8
+  %1230 = getelementptr inbounds double, ptr %1229, i64 %1225
+  %1231 = load double, ptr %1230, align 8
+  %1232 = fsub double %1228, %1231
+  %1233 = load ptr, ptr %406, align 8
+  %1234 = getelementptr inbounds double, ptr %1233, i64 %1225
+  %1235 = load double, ptr %1234, align 8
+  %1236 = fmul double %493, %1235
+  %1237 = fsub double %1236, %1232
+  %1238 = getelementptr inbounds double, ptr %1144, i64 %1225
+  store double %1232, ptr %1238, align 8
+  %1239 = getelementptr inbounds double, ptr %1214, i64 %1225
+  store double %1237, ptr %1239, align 8
+  %1240 = fsub double %1232, %1237
+  %1241 = getelementptr inbounds double, ptr %1143, i64 %1225
+  %1242 = load double, ptr %1241, align 8
+  %1243 = fmul double %493, %1242
+  %1244 = fsub double %1240, %1243
+  %1245 = getelementptr inbounds double, ptr %1216, i64 %1225
+  store double %1244, ptr %1245, align 8
+  %1246 = add nuw nsw i64 %1225, 1
+  %1247 = load ptr, ptr %73, align 8
+  %1248 = getelementptr inbounds i8, ptr %1247, i64 8
+  %1249 = load i64, ptr %1248, align 8
+  %1250 = icmp slt i64 %1246, %1249
+  br i1 %1250, label %1224, label %1217, !llvm.loop !25
+
+1251:                                             ; preds = %1217, %1251
+  %1252 = phi i64 [ %1273, %1251 ], [ 3, %1217 ]
+  %1253 = mul nsw i64 %1252, %1140
+  %1254 = getelementptr inbounds double, ptr %1144, i64 %1253
+  %1255 = load ptr, ptr %418, align 8
+  %1256 = load ptr, ptr %419, align 8
+  %1257 = getelementptr i64, ptr %1256, i64 %1145
+  %1258 = getelementptr i64, ptr %1257, i64 %1219
+  %1259 = getelementptr i64, ptr %1258, i64 %1220
+  %1260 = getelementptr i64, ptr %1259, i64 %1252
+  %1261 = getelementptr i8, ptr %1260, i64 -24
+  %1262 = load i64, ptr %1261, align 8
+  %1263 = getelementptr i8, ptr %1260, i64 -16
+  %1264 = load i64, ptr %1263, align 8
+  %1265 = xor i64 %1262, -1
+  %1266 = add i64 %1264, %1265
+  %1267 = load ptr, ptr %357, align 8
+  %1268 = load ptr, ptr %406, align 8
+  %1269 = load ptr, ptr %420, align 8
+  %1270 = getelementptr inbounds i64, ptr %1269, i64 %1262
+  %1271 = load ptr, ptr %421, align 8
+  %1272 = getelementptr inbounds double, ptr %1271, i64 %1262
+  tail call fastcc void @combine(ptr noundef %1254, ptr noundef %1255, ptr noundef %1267, ptr noundef %1268, ptr noundef %1270, ptr noundef %1272, i64 noundef %1266, i64 noundef 1, i64 noundef %1138) #8
+  %1273 = add nuw nsw i64 %1252, 1
+  %1274 = load i64, ptr %1221, align 8
+  %1275 = icmp slt i64 %1273, %1274
+  br i1 %1275, label %1251, label %1276, !llvm.loop !26
+
+1276:                                             ; preds = %1251, %1217, %1203
+  %1277 = phi i64 [ %1206, %1203 ], [ %1205, %1217 ], [ %1205, %1251 ]
+  %1278 = icmp eq i64 %1277, 0
+  br i1 %1278, label %1282, label %1279
+
+1279:                                             ; preds = %1276
+  store i64 3, ptr %422, align 8
+  store double %446, ptr %76, align 8
+  %1280 = icmp slt i64 %1277, 0
+  %1281 = select i1 %1280, i64 -4, i64 2
+  br label %1616
+
+1282:                                             ; preds = %1276
+  %1283 = load ptr, ptr %75, align 8
+  br i1 %1091, label %1284, label %1295
+
+1284:                                             ; preds = %1282
+  %1285 = load ptr, ptr %102, align 8
+  %1286 = getelementptr inbounds i8, ptr %1285, i64 16
+  %1287 = load i64, ptr %1286, align 8
+  %1288 = inttoptr i64 %1287 to ptr
+  %1289 = tail call i64 %1288(ptr noundef %0, double noundef %446, double noundef %493) #9
+  %1290 = icmp eq i64 %1289, -6
+  br i1 %1290, label %1291, label %1292
+
+1291:                                             ; preds = %1284
+  store double %446, ptr %1283, align 8
+  br label %1470
+
+1292:                                             ; preds = %1284
+  %1293 = getelementptr inbounds i8, ptr %1283, i64 48
+  %1294 = load double, ptr %1293, align 8
+  br label %1295
+
+1295:                                             ; preds = %1292, %1282
+  %1296 = phi double [ %1294, %1292 ], [ 1.000000e+00, %1282 ]
+  %1297 = phi i64 [ %1289, %1292 ], [ 0, %1282 ]
+  %1298 = fcmp oeq double %1296, 1.000000e+00
+  br i1 %1298, label %1299, label %1301
+
+1299:                                             ; preds = %1295
+  %1300 = load double, ptr %1283, align 8
+  br label %1304
+
+1301:                                             ; preds = %1295
+  %1302 = fmul double %493, %1296
+  %1303 = fadd double %446, %1302
+  br label %1304
+
+1304:                                             ; preds = %1301, %1299
+  %1305 = phi double [ %1300, %1299 ], [ %1303, %1301 ]
+  %1306 = icmp eq i64 %1297, -4
+  %1307 = select i1 %1306, i64 -4, i64 0
+  br i1 %1306, label %1365, label %1308
+
+1308:                                             ; preds = %1304
+  %1309 = fcmp olt double %1296, 1.000000e+00
+  %1310 = load ptr, ptr %73, align 8
+  %1311 = getelementptr inbounds i8, ptr %1310, i64 8
+  %1312 = load i64, ptr %1311, align 8
+  %1313 = load i64, ptr %107, align 8
+  %1314 = load ptr, ptr %85, align 8
+  %1315 = load ptr, ptr %79, align 8
+  %1316 = getelementptr inbounds i8, ptr %1315, i64 48
+  %1317 = load i64, ptr %1316, align 8
+  %1318 = icmp slt i64 %1317, %1313
+  br i1 %1318, label %1319, label %1361
+
+1319:                                             ; preds = %1308, %1357
+  %1320 = phi i64 [ %1358, %1357 ], [ undef, %1308 ]
+  %1321 = phi i64 [ %1359, %1357 ], [ %1317, %1308 ]
+  %1322 = getelementptr inbounds double, ptr %1314, i64 %1321
+  %1323 = load double, ptr %1322, align 8
+  %1324 = fcmp olt double %1323, %1305
+  %1325 = fcmp oeq double %1323, %1305
+  %1326 = and i1 %1309, %1325
+  %1327 = or i1 %1324, %1326
+  br i1 %1327, label %1328, label %1361
+
+1328:                                             ; preds = %1319
+  %1329 = fsub double %1323, %446
+  %1330 = fdiv double %1329, %493
+  %1331 = mul nsw i64 %1321, %1312
+  %1332 = getelementptr inbounds double, ptr %1, i64 %1331
+  %1333 = load ptr, ptr %423, align 8
+  %1334 = insertelement <8 x double> poison, double %1330, i64 0
+  %1335 = shufflevector <8 x double> %1334, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1335, ptr %1333, align 8
+  %1336 = load ptr, ptr %74, align 8
+  %1337 = load ptr, ptr %407, align 8
+  %1338 = load i64, ptr %405, align 8
+  %1339 = load ptr, ptr %0, align 8
+  %1340 = getelementptr inbounds i8, ptr %1339, i64 24
+  %1341 = load i64, ptr %1340, align 8
+  %1342 = load ptr, ptr %423, align 8
+  %1343 = load ptr, ptr %73, align 8
+  %1344 = getelementptr inbounds i8, ptr %1343, i64 16
+  %1345 = load i64, ptr %1344, align 8
+  tail call fastcc void @nested(ptr noundef %1332, ptr noundef %1336, ptr noundef %1337, i64 noundef %1338, i64 noundef %1341, ptr noundef %1342, i64 noundef %1345) #8
+  %1346 = load ptr, ptr %92, align 8
+  %1347 = load i64, ptr %1346, align 8
+  %1348 = icmp eq i64 %1347, 1
+  br i1 %1348, label %1349, label %1357
+
+1349:                                             ; preds = %1328
+  %1350 = load double, ptr %1322, align 8
+  %1351 = getelementptr inbounds i8, ptr %1346, i64 56
+  %1352 = load i64, ptr %1351, align 8
+  %1353 = inttoptr i64 %1352 to ptr
+  %1354 = tail call i64 %1353(ptr noundef %0, double noundef %1350, ptr noundef %1332, ptr noundef null) #9
+  %1355 = icmp eq i64 %1354, 0
+  %1356 = select i1 %1355, i64 %1320, i64 %1354
+  br i1 %1355, label %1357, label %1365
+
+1357:                                             ; preds = %1349, %1328
+  %1358 = phi i64 [ %1356, %1349 ], [ %1320, %1328 ]
+  %1359 = add i64 %1321, 1
+  %1360 = icmp eq i64 %1359, %1313
+  br i1 %1360, label %1361, label %1319, !llvm.loop !27
+
+1361:                                             ; preds = %1357, %1319, %1308
+  %1362 = phi i64 [ %1317, %1308 ], [ %1313, %1357 ], [ %1321, %1319 ]
+  %1363 = load ptr, ptr %79, align 8
+  %1364 = getelementptr inbounds i8, ptr %1363, i64 48
+  store i64 %1362, ptr %1364, align 8
+  br label %1365
+
+1365:                                             ; preds = %1349, %1361, %1304
+  %1366 = phi i64 [ %1307, %1304 ], [ 0, %1361 ], [ %1356, %1349 ]
+  %1367 = icmp eq i64 %1366, 0
+  %1368 = icmp ne i64 %1297, 0
+  %1369 = fcmp olt double %1296, 1.000000e+00
+  %1370 = and i1 %1369, %1367
+  %1371 = and i1 %1368, %1370
+  br i1 %1371, label %1372, label %1409
+
+1372:                                             ; preds = %1365
+  %1373 = load ptr, ptr %424, align 8
+  %1374 = load ptr, ptr %425, align 8
+  %1375 = insertelement <8 x double> poison, double %1296, i64 0
+  %1376 = shufflevector <8 x double> %1375, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1376, ptr %1374, align 8
+  %1377 = load ptr, ptr %74, align 8
+  %1378 = load ptr, ptr %407, align 8
+  %1379 = load i64, ptr %405, align 8
+  %1380 = load ptr, ptr %0, align 8
+  %1381 = getelementptr inbounds i8, ptr %1380, i64 24
+  %1382 = load i64, ptr %1381, align 8
+  %1383 = load ptr, ptr %425, align 8
+  %1384 = load ptr, ptr %73, align 8
+  %1385 = getelementptr inbounds i8, ptr %1384, i64 16
+  %1386 = load i64, ptr %1385, align 8
+  tail call fastcc void @nested(ptr noundef %1373, ptr noundef %1377, ptr noundef %1378, i64 noundef %1379, i64 noundef %1382, ptr noundef %1383, i64 noundef %1386) #8
+  %1387 = load i64, ptr %90, align 8
+  %1388 = icmp sgt i64 %1387, 0
+  br i1 %1388, label %1393, label %1389
+
+1389:                                             ; preds = %1393, %1372
+  %1390 = load ptr, ptr %92, align 8
+  %1391 = load i64, ptr %1390, align 8
+  %1392 = icmp eq i64 %1391, 1
+  br i1 %1392, label %1403, label %1409
+
+1393:                                             ; preds = %1372, %1393
+  %1394 = phi i64 [ %1400, %1393 ], [ 0, %1372 ]
+  %1395 = load ptr, ptr %424, align 8
+  %1396 = getelementptr inbounds double, ptr %1395, i64 %1394
+  %1397 = load double, ptr %1396, align 8
+  %1398 = load ptr, ptr %77, align 8
+  %1399 = getelementptr inbounds double, ptr %1398, i64 %1394
+  store double %1397, ptr %1399, align 8
+  %1400 = add nuw nsw i64 %1394, 1
+  %1401 = load i64, ptr %90, align 8
+  %1402 = icmp slt i64 %1400, %1401
+  br i1 %1402, label %1393, label %1389, !llvm.loop !28
+
+1403:                                             ; preds = %1389
+  %1404 = load ptr, ptr %77, align 8
+  %1405 = getelementptr inbounds i8, ptr %1390, i64 56
+  %1406 = load i64, ptr %1405, align 8
+  %1407 = inttoptr i64 %1406 to ptr
+  %1408 = tail call i64 %1407(ptr noundef %0, double noundef %1305, ptr noundef %1404, ptr noundef null) #9
+  br label %1409
+
+1409:                                             ; preds = %1403, %1389, %1365
+  %1410 = phi i64 [ %1408, %1403 ], [ 0, %1389 ], [ %1366, %1365 ]
+  %1411 = icmp eq i64 %1410, 0
+  br i1 %1411, label %1414, label %1412
+
+1412:                                             ; preds = %1409
+  store double %446, ptr %1283, align 8
+  %1413 = getelementptr inbounds i8, ptr %1283, i64 8
+  store double %493, ptr %1413, align 8
+  br label %1470
+
+1414:                                             ; preds = %1409
+  br i1 %1298, label %1415, label %1453
+
+1415:                                             ; preds = %1414
+  %1416 = load ptr, ptr %77, align 8
+  %1417 = load ptr, ptr %73, align 8
+  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
+  %1419 = load i64, ptr %1418, align 8
+  %1420 = load i64, ptr %107, align 8
+  %1421 = load ptr, ptr %85, align 8
+  %1422 = load ptr, ptr %79, align 8
+  %1423 = getelementptr inbounds i8, ptr %1422, i64 48
+  %1424 = load i64, ptr %1423, align 8
+  %1425 = icmp slt i64 %1424, %1420
+  br i1 %1425, label %1426, label %1449
+
+1426:                                             ; preds = %1415
+  %1427 = icmp sgt i64 %1419, 0
+  br label %1428
+
+1428:                                             ; preds = %1426, %1439
+  %1429 = phi i64 [ %1424, %1426 ], [ %1440, %1439 ]
+  %1430 = getelementptr inbounds double, ptr %1421, i64 %1429
+  %1431 = load double, ptr %1430, align 8
+  %1432 = load ptr, ptr %75, align 8
+  %1433 = load double, ptr %1432, align 8
+  %1434 = fcmp ugt double %1431, %1433
+  br i1 %1434, label %1449, label %1435
+
+1435:                                             ; preds = %1428
+  br i1 %1427, label %1436, label %1439
+
+1436:                                             ; preds = %1435
+  %1437 = mul nsw i64 %1429, %1419
+  %1438 = getelementptr double, ptr %1, i64 %1437
+  br label %1442
+
+1439:                                             ; preds = %1442, %1435
+  %1440 = add i64 %1429, 1
+  %1441 = icmp eq i64 %1440, %1420
+  br i1 %1441, label %1449, label %1428, !llvm.loop !8
+
+1442:                                             ; preds = %1436, %1442
+  %1443 = phi i64 [ 0, %1436 ], [ %1447, %1442 ]
+  %1444 = getelementptr inbounds double, ptr %1416, i64 %1443
+  %1445 = load double, ptr %1444, align 8
+  %1446 = getelementptr double, ptr %1438, i64 %1443
+  store double %1445, ptr %1446, align 8
+  %1447 = add nuw nsw i64 %1443, 1
+  %1448 = icmp eq i64 %1447, %1419
+  br i1 %1448, label %1439, label %1442, !llvm.loop !9
+
+1449:                                             ; preds = %1439, %1428, %1415
+  %1450 = phi i64 [ %1424, %1415 ], [ %1420, %1439 ], [ %1429, %1428 ]
+  %1451 = load ptr, ptr %79, align 8
+  %1452 = getelementptr inbounds i8, ptr %1451, i64 48
+  store i64 %1450, ptr %1452, align 8
+  br label %1453
+
+1453:                                             ; preds = %1449, %1414
+  br i1 %1368, label %1454, label %1470
+
+1454:                                             ; preds = %1453
+  %1455 = load i64, ptr %90, align 8
+  %1456 = icmp sgt i64 %1455, 0
+  br i1 %1456, label %1460, label %1457
+
+1457:                                             ; preds = %1460, %1454
+  store double %1305, ptr %1283, align 8
+  %1458 = getelementptr inbounds i8, ptr %1283, i64 8
+  store double 0.000000e+00, ptr %1458, align 8
+  %1459 = load ptr, ptr %79, align 8
+  store i64 0, ptr %1459, align 8
+  br label %1470
+
+1460:                                             ; preds = %1454, %1460
+  %1461 = phi i64 [ %1467, %1460 ], [ 0, %1454 ]
+  %1462 = load ptr, ptr %77, align 8
+  %1463 = getelementptr inbounds double, ptr %1462, i64 %1461
+  %1464 = load double, ptr %1463, align 8
+  %1465 = load ptr, ptr %74, align 8
+  %1466 = getelementptr inbounds double, ptr %1465, i64 %1461
+  store double %1464, ptr %1466, align 8
+  %1467 = add nuw nsw i64 %1461, 1
+  %1468 = load i64, ptr %90, align 8
+  %1469 = icmp slt i64 %1467, %1468
+  br i1 %1469, label %1460, label %1457, !llvm.loop !29
+
+1470:                                             ; preds = %1291, %1412, %1453, %1457
+  %1471 = phi i64 [ -6, %1291 ], [ %1410, %1412 ], [ %1297, %1457 ], [ %1297, %1453 ]
+  %1472 = icmp eq i64 %1471, -6
+  br i1 %1472, label %1477, label %1473
+
+1473:                                             ; preds = %1470
+  %1474 = icmp ne i64 %1471, 6
+  %1475 = select i1 %1474, i1 true, i1 %98
+  %1476 = select i1 %1475, i1 true, i1 %106
+  br i1 %1476, label %1487, label %1477
+
+1477:                                             ; preds = %1473, %1470
+  %1478 = phi i64 [ %1471, %1473 ], [ 2, %1470 ]
+  %1479 = load i64, ptr %351, align 8
+  %1480 = add nsw i64 %1479, -1
+  store i64 %1480, ptr %351, align 8
+  %1481 = load ptr, ptr %350, align 8
+  %1482 = load i64, ptr %1481, align 8
+  %1483 = add nsw i64 %1482, -1
+  store i64 %1483, ptr %1481, align 8
+  %1484 = load i64, ptr %352, align 8
+  %1485 = add nsw i64 %1484, 1
+  store i64 %1485, ptr %352, align 8
+  store i64 %1478, ptr %435, align 8
+  store double 1.000000e+00, ptr %436, align 8
+  %1486 = fmul double %493, 2.500000e-01
+  br label %1616, !llvm.loop !19
+
+1487:                                             ; preds = %1473
+  %1488 = icmp eq i64 %1471, 0
+  br i1 %1488, label %1493, label %1489
+
+1489:                                             ; preds = %1487
+  %1490 = load ptr, ptr %350, align 8
+  %1491 = load i64, ptr %1490, align 8
+  %1492 = add nsw i64 %1491, 1
+  store i64 %1492, ptr %1490, align 8
+  br label %1616
+
+1493:                                             ; preds = %1487, %1130
+  br i1 %98, label %1597, label %1494
+
+1494:                                             ; preds = %1493
+  %1495 = load double, ptr %427, align 8
+  %1496 = fcmp ogt double %875, 1.000000e-10
+  %1497 = select i1 %1496, double %875, double 1.000000e-10
+  %1498 = load double, ptr %428, align 8
+  %1499 = load double, ptr %429, align 8
+  %1500 = fneg double %1499
+  %1501 = bitcast double %1497 to i64
+  %1502 = add nsw i64 %1501, -4604544271217802189
+  %1503 = ashr i64 %1502, 52
+  %1504 = and i64 %1502, -4503599627370496
+  %1505 = sub nsw i64 %1501, %1504
+  %1506 = bitcast i64 %1505 to double
+  %1507 = fadd double %1506, -1.000000e+00
+  %1508 = fadd double %1506, 1.000000e+00
+  %1509 = fdiv double %1507, %1508
+  %1510 = fmul double %1509, %1509
+  %1511 = tail call double @llvm.fma.f64(double %1510, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1512 = tail call double @llvm.fma.f64(double %1511, double %1510, double 0x3FE2776C50EF9BFE)
+  %1513 = tail call double @llvm.fma.f64(double %1512, double %1510, double 0x3FEEC709DC3A03FD)
+  %1514 = tail call double @llvm.fma.f64(double %1513, double %1510, double 0x40071547652B82FE)
+  %1515 = trunc nsw i64 %1503 to i32
+  %1516 = sitofp i32 %1515 to double
+  %1517 = fmul double %1509, %1514
+  %1518 = fadd double %1517, %1516
+  %1519 = fmul double %1518, %1500
+  %1520 = fcmp ogt double %1519, -1.000000e+03
+  %1521 = select i1 %1520, double %1519, double -1.000000e+03
+  %1522 = fcmp olt double %1521, 1.000000e+03
+  %1523 = select i1 %1522, double %1521, double 1.000000e+03
+  %1524 = tail call double @llvm.rint.f64(double %1523)
+  %1525 = fsub double %1523, %1524
+  %1526 = tail call double @llvm.fma.f64(double %1525, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1527 = tail call double @llvm.fma.f64(double %1526, double %1525, double 0x3F55D87FE78A6730)
+  %1528 = tail call double @llvm.fma.f64(double %1527, double %1525, double 0x3F83B2AB6FBA4E77)
+  %1529 = tail call double @llvm.fma.f64(double %1528, double %1525, double 0x3FAC6B08D704A0BF)
+  %1530 = tail call double @llvm.fma.f64(double %1529, double %1525, double 0x3FCEBFBDFF82C58E)
+  %1531 = tail call double @llvm.fma.f64(double %1530, double %1525, double 0x3FE62E42FEFA39EF)
+  %1532 = tail call double @llvm.fma.f64(double %1531, double %1525, double 1.000000e+00)
+  %1533 = bitcast double %1532 to i64
+  %1534 = fptosi double %1524 to i32
+  %1535 = sext i32 %1534 to i64
+  %1536 = shl nsw i64 %1535, 52
+  %1537 = add nsw i64 %1536, %1533
+  %1538 = bitcast i64 %1537 to double
+  %1539 = fmul double %1498, %1538
+  %1540 = load double, ptr %430, align 8
+  %1541 = fcmp une double %1540, 0.000000e+00
+  br i1 %1541, label %1542, label %1582
+
+1542:                                             ; preds = %1494
+  %1543 = load i64, ptr %426, align 8
+  %1544 = add nsw i64 %1543, -4604544271217802189
+  %1545 = ashr i64 %1544, 52
+  %1546 = and i64 %1544, -4503599627370496
+  %1547 = sub nsw i64 %1543, %1546
+  %1548 = bitcast i64 %1547 to double
+  %1549 = fadd double %1548, -1.000000e+00
+  %1550 = fadd double %1548, 1.000000e+00
+  %1551 = fdiv double %1549, %1550
+  %1552 = fmul double %1551, %1551
+  %1553 = tail call double @llvm.fma.f64(double %1552, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1554 = tail call double @llvm.fma.f64(double %1553, double %1552, double 0x3FE2776C50EF9BFE)
+  %1555 = tail call double @llvm.fma.f64(double %1554, double %1552, double 0x3FEEC709DC3A03FD)
+  %1556 = tail call double @llvm.fma.f64(double %1555, double %1552, double 0x40071547652B82FE)
+  %1557 = trunc nsw i64 %1545 to i32
+  %1558 = sitofp i32 %1557 to double
+  %1559 = fmul double %1551, %1556
+  %1560 = fadd double %1559, %1558
+  %1561 = fmul double %1540, %1560
+  %1562 = fcmp ogt double %1561, -1.000000e+03
+  %1563 = select i1 %1562, double %1561, double -1.000000e+03
+  %1564 = fcmp olt double %1563, 1.000000e+03
+  %1565 = select i1 %1564, double %1563, double 1.000000e+03
+  %1566 = tail call double @llvm.rint.f64(double %1565)
+  %1567 = fsub double %1565, %1566
+  %1568 = tail call double @llvm.fma.f64(double %1567, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1569 = tail call double @llvm.fma.f64(double %1568, double %1567, double 0x3F55D87FE78A6730)
+  %1570 = tail call double @llvm.fma.f64(double %1569, double %1567, double 0x3F83B2AB6FBA4E77)
+  %1571 = tail call double @llvm.fma.f64(double %1570, double %1567, double 0x3FAC6B08D704A0BF)
+  %1572 = tail call double @llvm.fma.f64(double %1571, double %1567, double 0x3FCEBFBDFF82C58E)
+  %1573 = tail call double @llvm.fma.f64(double %1572, double %1567, double 0x3FE62E42FEFA39EF)
+  %1574 = tail call double @llvm.fma.f64(double %1573, double %1567, double 1.000000e+00)
+  %1575 = bitcast double %1574 to i64
+  %1576 = fptosi double %1566 to i32
+  %1577 = sext i32 %1576 to i64
+  %1578 = shl nsw i64 %1577, 52
+  %1579 = add nsw i64 %1578, %1575
+  %1580 = bitcast i64 %1579 to double
+  %1581 = fmul double %1539, %1580
+  br label %1582
+
+1582:                                             ; preds = %1494, %1542
+  %1583 = phi double [ %1581, %1542 ], [ %1539, %1494 ]
+  %1584 = load double, ptr %431, align 8
+  %1585 = fcmp ogt double %1583, %1584
+  %1586 = select i1 %1585, double %1583, double %1584
+  %1587 = fcmp olt double %1495, %1586
+  %1588 = select i1 %1587, double %1495, double %1586
+  %1589 = fmul double %493, %1588
+  %1590 = fcmp oeq double %494, %111
+  %1591 = fcmp ogt double %447, %1589
+  %1592 = select i1 %1590, i1 %1591, i1 false
+  %1593 = select i1 %1592, double %447, double %1589
+  %1594 = fcmp ogt double %875, 1.000000e-04
+  %1595 = select i1 %1594, double %875, double 1.000000e-04
+  store double %1595, ptr %426, align 8
+  %1596 = load double, ptr %432, align 8
+  store double %1596, ptr %427, align 8
+  br label %1597
+
+1597:                                             ; preds = %1582, %1493
+  %1598 = phi double [ %1593, %1582 ], [ %447, %1493 ]
+  br i1 %433, label %1603, label %1599
+
+1599:                                             ; preds = %1603, %1597
+  %1600 = load i64, ptr %434, align 8
+  %1601 = load i64, ptr %107, align 8
+  %1602 = icmp eq i64 %1600, %1601
+  br i1 %1602, label %1615, label %1616
+
+1603:                                             ; preds = %1597, %1603
+  %1604 = phi i64 [ %1613, %1603 ], [ 0, %1597 ]
+  %1605 = getelementptr inbounds double, ptr %78, i64 %1604
+  %1606 = load double, ptr %1605, align 8
+  %1607 = load ptr, ptr %74, align 8
+  %1608 = getelementptr inbounds double, ptr %1607, i64 %1604
+  store double %1606, ptr %1608, align 8
+  %1609 = getelementptr inbounds double, ptr %116, i64 %1604
+  %1610 = load double, ptr %1609, align 8
+  %1611 = load ptr, ptr %112, align 8
+  %1612 = getelementptr inbounds double, ptr %1611, i64 %1604
+  store double %1610, ptr %1612, align 8
+  %1613 = add nuw nsw i64 %1604, 1
+  %1614 = icmp eq i64 %1613, %91
+  br i1 %1614, label %1599, label %1603, !llvm.loop !30
+
+1615:                                             ; preds = %1599
+  store double %1598, ptr %118, align 8
+  br label %1616
+
+1616:                                             ; preds = %863, %943, %942, %1599, %1615, %1489, %1477, %1279, %673, %500
+  %1617 = phi double [ %447, %500 ], [ %447, %673 ], [ %447, %863 ], [ %941, %943 ], [ %941, %942 ], [ %447, %1279 ], [ %1486, %1477 ], [ %447, %1489 ], [ %1598, %1615 ], [ %1598, %1599 ]
+  %1618 = phi double [ %446, %500 ], [ %446, %673 ], [ %446, %863 ], [ %446, %943 ], [ %446, %942 ], [ %446, %1279 ], [ %446, %1477 ], [ %446, %1489 ], [ %494, %1615 ], [ %494, %1599 ]
+  %1619 = phi i32 [ 1, %500 ], [ 1, %673 ], [ 1, %863 ], [ 3, %943 ], [ 1, %942 ], [ 1, %1279 ], [ 3, %1477 ], [ 1, %1489 ], [ 1, %1615 ], [ 0, %1599 ]
+  %1620 = phi i64 [ 2, %500 ], [ -4, %673 ], [ -4, %863 ], [ %445, %943 ], [ 2, %942 ], [ %1281, %1279 ], [ %445, %1477 ], [ %1471, %1489 ], [ 0, %1615 ], [ %445, %1599 ]
+  switch i32 %1619, label %1624 [
+    i32 0, label %1621
+    i32 3, label %1621
   ]
 
-1633:                                             ; preds = %1628, %1628
-  %1634 = load i64, ptr %81, align 8
-  %1635 = icmp eq i64 %1634, 0
-  br i1 %1635, label %445, label %447, !llvm.loop !19
+1621:                                             ; preds = %1616, %1616
+  %1622 = load i64, ptr %81, align 8
+  %1623 = icmp eq i64 %1622, 0
+  br i1 %1623, label %441, label %443, !llvm.loop !19
 
-1636:                                             ; preds = %1628, %145, %445, %464, %472, %187, %72
-  %1637 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %445 ], [ -5, %464 ], [ 1, %472 ], [ 0, %187 ], [ %1632, %1628 ]
-  ret i64 %1637
+1624:                                             ; preds = %1616, %145, %441, %460, %468, %187, %72
+  %1625 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %441 ], [ -5, %460 ], [ 1, %468 ], [ 0, %187 ], [ %1620, %1616 ]
+  ret i64 %1625
 }
 
 
@@ -2221,7 +2190,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !33
+  br i1 %55, label %44, label %56, !llvm.loop !31
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2253,7 +2222,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !34
+  br i1 %83, label %13, label %12, !llvm.loop !32
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
@@ -2300,7 +2269,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !35
+  br i1 %41, label %13, label %18, !llvm.loop !33
 }
 
 declare double @llvm.sqrt.f64(double) #4
@@ -2368,7 +2337,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !36
+  br i1 %53, label %54, label %28, !llvm.loop !34
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -2417,7 +2386,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !37
+  br i1 %98, label %72, label %99, !llvm.loop !35
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -2433,7 +2402,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !38
+  br i1 %108, label %16, label %22, !llvm.loop !36
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -2464,7 +2433,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !36
+  br i1 %133, label %114, label %120, !llvm.loop !34
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -2481,14 +2450,14 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !37
+  br i1 %148, label %134, label %149, !llvm.loop !35
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !39
+  br i1 %152, label %109, label %153, !llvm.loop !37
 
 153:                                              ; preds = %149, %16
   ret void
@@ -2530,7 +2499,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !40
+  br i1 %31, label %20, label %19, !llvm.loop !38
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2544,7 +2513,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !41
+  br i1 %43, label %32, label %24, !llvm.loop !39
 }
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #7
@@ -2602,5 +2571,3 @@ attributes #10 = { nounwind }
 !37 = distinct !{!37, !4, !5}
 !38 = distinct !{!38, !4, !5}
 !39 = distinct !{!39, !4, !5}
-!40 = distinct !{!40, !4, !5}
-!41 = distinct !{!41, !4, !5}

@@ -1,4 +1,4 @@
-; sources 8e98cf9582cbf7553797a2ec8468706ed6e8138a770a11a762f569d69ea8e9e2
+; sources 52f3645339b926b950d5dea25032c8004a948a3c5de0df14d8ea2b5ed0c70b44
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1056
+  %25 = getelementptr inbounds i8, ptr %0, i64 1080
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1080
+  %43 = getelementptr inbounds i8, ptr %0, i64 1104
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -99,7 +99,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %69, label %60, label %54, !llvm.loop !7
 
 70:                                               ; preds = %54
-  %71 = getelementptr inbounds i8, ptr %0, i64 912
+  %71 = getelementptr inbounds i8, ptr %0, i64 936
   %72 = load ptr, ptr %71, align 8
   %73 = mul i64 %58, 88
   %74 = getelementptr inbounds i8, ptr %72, i64 %73
@@ -109,10 +109,10 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
   %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1152
+  %78 = getelementptr inbounds i8, ptr %0, i64 1176
   %79 = getelementptr inbounds i8, ptr %0, i64 576
   %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 1176
+  %81 = getelementptr inbounds i8, ptr %0, i64 1200
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %0, i64 600
   %84 = load ptr, ptr %83, align 8
@@ -120,7 +120,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %86 = getelementptr inbounds i8, ptr %84, i64 56
   %87 = load i64, ptr %86, align 8
   %88 = icmp eq i64 %87, 0
-  br i1 %88, label %1780, label %89
+  br i1 %88, label %1895, label %89
 
 89:                                               ; preds = %75
   %90 = load ptr, ptr %76, align 8
@@ -214,7 +214,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %162, align 8
   %163 = icmp slt i32 %159, 0
   %164 = select i1 %163, i64 -4, i64 2
-  br label %1780
+  br label %1895
 
 165:                                              ; preds = %150
   store i64 1, ptr %84, align 8
@@ -280,7 +280,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %206 = getelementptr inbounds i8, ptr %205, i64 48
   store i64 %204, ptr %206, align 8
   %207 = icmp eq i64 %204, %174
-  br i1 %207, label %1780, label %208
+  br i1 %207, label %1895, label %208
 
 208:                                              ; preds = %203
   %209 = fcmp oeq double %125, 0.000000e+00
@@ -322,21 +322,21 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %236 = phi double [ %125, %208 ], [ %125, %113 ], [ %231, %233 ], [ %231, %210 ]
   %237 = load i64, ptr %86, align 8
   %238 = icmp eq i64 %237, 0
-  br i1 %238, label %357, label %239
+  br i1 %238, label %363, label %239
 
 239:                                              ; preds = %235
-  %240 = getelementptr inbounds i8, ptr %0, i64 1104
+  %240 = getelementptr inbounds i8, ptr %0, i64 1128
   %241 = getelementptr inbounds i8, ptr %84, i64 8
   %242 = getelementptr inbounds i8, ptr %84, i64 16
   %243 = getelementptr inbounds i8, ptr %84, i64 64
   %244 = getelementptr inbounds i8, ptr %80, i64 16
   %245 = getelementptr inbounds i8, ptr %85, i64 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1224
+  %246 = getelementptr inbounds i8, ptr %0, i64 1248
   %247 = getelementptr inbounds i8, ptr %0, i64 168
   %248 = getelementptr inbounds i8, ptr %0, i64 248
   %249 = getelementptr inbounds i8, ptr %0, i64 168
   %250 = getelementptr inbounds i8, ptr %0, i64 192
-  %251 = getelementptr inbounds i8, ptr %0, i64 1200
+  %251 = getelementptr inbounds i8, ptr %0, i64 1224
   %252 = getelementptr inbounds i8, ptr %0, i64 360
   %253 = getelementptr inbounds i8, ptr %0, i64 360
   %254 = getelementptr inbounds i8, ptr %0, i64 336
@@ -345,25 +345,25 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %257 = getelementptr inbounds i8, ptr %0, i64 192
   %258 = getelementptr inbounds i8, ptr %0, i64 216
   %259 = getelementptr inbounds i8, ptr %0, i64 480
-  %260 = getelementptr inbounds i8, ptr %0, i64 1232
+  %260 = getelementptr inbounds i8, ptr %0, i64 1256
   %261 = getelementptr inbounds i8, ptr %85, i64 16
   %262 = getelementptr inbounds i8, ptr %85, i64 24
   %263 = getelementptr inbounds i8, ptr %85, i64 24
   %264 = getelementptr inbounds i8, ptr %84, i64 40
-  %265 = getelementptr inbounds i8, ptr %0, i64 1296
-  %266 = getelementptr inbounds i8, ptr %0, i64 1304
-  %267 = getelementptr inbounds i8, ptr %0, i64 1248
-  %268 = getelementptr inbounds i8, ptr %0, i64 1272
-  %269 = getelementptr inbounds i8, ptr %0, i64 1224
-  %270 = getelementptr inbounds i8, ptr %0, i64 1320
+  %265 = getelementptr inbounds i8, ptr %0, i64 1320
+  %266 = getelementptr inbounds i8, ptr %0, i64 1328
+  %267 = getelementptr inbounds i8, ptr %0, i64 1272
+  %268 = getelementptr inbounds i8, ptr %0, i64 1296
+  %269 = getelementptr inbounds i8, ptr %0, i64 1248
+  %270 = getelementptr inbounds i8, ptr %0, i64 1344
   %271 = getelementptr inbounds i8, ptr %82, i64 8
-  %272 = getelementptr inbounds i8, ptr %0, i64 1416
-  %273 = getelementptr inbounds i8, ptr %0, i64 1344
-  %274 = getelementptr inbounds i8, ptr %0, i64 1368
+  %272 = getelementptr inbounds i8, ptr %0, i64 1440
+  %273 = getelementptr inbounds i8, ptr %0, i64 1368
+  %274 = getelementptr inbounds i8, ptr %0, i64 1392
   %275 = fmul double %114, %122
-  %276 = getelementptr inbounds i8, ptr %0, i64 1392
-  %277 = getelementptr inbounds i8, ptr %0, i64 1440
-  %278 = getelementptr inbounds i8, ptr %0, i64 1464
+  %276 = getelementptr inbounds i8, ptr %0, i64 1416
+  %277 = getelementptr inbounds i8, ptr %0, i64 1464
+  %278 = getelementptr inbounds i8, ptr %0, i64 1488
   %279 = getelementptr inbounds i8, ptr %0, i64 360
   %280 = getelementptr inbounds i8, ptr %0, i64 168
   %281 = getelementptr inbounds i8, ptr %0, i64 248
@@ -372,28 +372,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %284 = getelementptr inbounds i8, ptr %0, i64 216
   %285 = getelementptr inbounds i8, ptr %0, i64 552
   %286 = getelementptr inbounds i8, ptr %0, i64 528
-  %287 = getelementptr inbounds i8, ptr %0, i64 1296
-  %288 = getelementptr inbounds i8, ptr %0, i64 1304
-  %289 = getelementptr inbounds i8, ptr %0, i64 1248
-  %290 = getelementptr inbounds i8, ptr %0, i64 1272
-  %291 = getelementptr inbounds i8, ptr %0, i64 1320
+  %287 = getelementptr inbounds i8, ptr %0, i64 1320
+  %288 = getelementptr inbounds i8, ptr %0, i64 1328
+  %289 = getelementptr inbounds i8, ptr %0, i64 1272
+  %290 = getelementptr inbounds i8, ptr %0, i64 1296
+  %291 = getelementptr inbounds i8, ptr %0, i64 1344
   %292 = getelementptr inbounds i8, ptr %0, i64 552
   %293 = getelementptr inbounds i8, ptr %0, i64 528
-  %294 = getelementptr inbounds i8, ptr %0, i64 1304
-  %295 = getelementptr inbounds i8, ptr %0, i64 1368
-  %296 = getelementptr inbounds i8, ptr %0, i64 1384
-  %297 = getelementptr inbounds i8, ptr %0, i64 1440
-  %298 = getelementptr inbounds i8, ptr %0, i64 1464
+  %294 = getelementptr inbounds i8, ptr %0, i64 1328
+  %295 = getelementptr inbounds i8, ptr %0, i64 1392
+  %296 = getelementptr inbounds i8, ptr %0, i64 1408
+  %297 = getelementptr inbounds i8, ptr %0, i64 1464
+  %298 = getelementptr inbounds i8, ptr %0, i64 1488
   %299 = fmul double %275, %275
   %300 = icmp sgt i64 %92, 0
   %301 = shl i64 %92, 4
   %302 = getelementptr inbounds i8, ptr %0, i64 336
   %303 = getelementptr inbounds i8, ptr %85, i64 32
-  %304 = getelementptr inbounds i8, ptr %0, i64 1296
-  %305 = getelementptr inbounds i8, ptr %0, i64 1304
-  %306 = getelementptr inbounds i8, ptr %0, i64 1488
+  %304 = getelementptr inbounds i8, ptr %0, i64 1320
+  %305 = getelementptr inbounds i8, ptr %0, i64 1328
+  %306 = getelementptr inbounds i8, ptr %0, i64 1512
   %307 = getelementptr inbounds i8, ptr %0, i64 480
-  %308 = getelementptr inbounds i8, ptr %0, i64 1248
+  %308 = getelementptr inbounds i8, ptr %0, i64 1272
   %309 = getelementptr inbounds i8, ptr %0, i64 336
   %310 = getelementptr inbounds i8, ptr %0, i64 360
   %311 = getelementptr inbounds i8, ptr %0, i64 360
@@ -414,2015 +414,2159 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %326 = getelementptr inbounds i8, ptr %8, i64 16
   %327 = getelementptr inbounds i8, ptr %9, i64 8
   %328 = getelementptr inbounds i8, ptr %9, i64 16
-  %329 = getelementptr inbounds i8, ptr %0, i64 1128
-  %330 = getelementptr inbounds i8, ptr %0, i64 1144
-  %331 = getelementptr inbounds i8, ptr %84, i64 48
-  %332 = getelementptr inbounds i8, ptr %0, i64 408
-  %333 = getelementptr inbounds i8, ptr %0, i64 504
-  %334 = getelementptr inbounds i8, ptr %0, i64 320
-  %335 = getelementptr inbounds i8, ptr %0, i64 360
-  %336 = getelementptr inbounds i8, ptr %0, i64 408
-  %337 = getelementptr inbounds i8, ptr %0, i64 504
-  %338 = getelementptr inbounds i8, ptr %0, i64 320
-  %339 = icmp sgt i64 %92, 0
-  %340 = getelementptr inbounds i8, ptr %84, i64 24
-  %341 = getelementptr inbounds i8, ptr %0, i64 480
-  %342 = getelementptr inbounds i8, ptr %0, i64 168
-  %343 = getelementptr inbounds i8, ptr %0, i64 248
-  %344 = getelementptr inbounds i8, ptr %0, i64 192
-  %345 = getelementptr inbounds i8, ptr %0, i64 216
-  %346 = getelementptr inbounds i8, ptr %84, i64 72
-  %347 = getelementptr inbounds i8, ptr %85, i64 16
-  %348 = getelementptr inbounds i8, ptr %84, i64 48
-  %349 = getelementptr inbounds i8, ptr %85, i64 16
-  %350 = getelementptr inbounds i8, ptr %84, i64 72
-  %351 = getelementptr inbounds i8, ptr %84, i64 72
-  %352 = getelementptr inbounds i8, ptr %85, i64 16
-  %353 = getelementptr inbounds i8, ptr %0, i64 1224
-  %354 = getelementptr inbounds i8, ptr %0, i64 1232
-  %355 = getelementptr inbounds i8, ptr %84, i64 72
-  %356 = getelementptr inbounds i8, ptr %85, i64 16
-  br label %359
+  %329 = getelementptr inbounds i8, ptr %0, i64 1152
+  %330 = getelementptr inbounds i8, ptr %0, i64 1168
+  %331 = getelementptr inbounds i8, ptr %0, i64 840
+  %332 = getelementptr inbounds i8, ptr %0, i64 168
+  %333 = getelementptr inbounds i8, ptr %0, i64 936
+  %334 = getelementptr inbounds i8, ptr %0, i64 864
+  %335 = getelementptr inbounds i8, ptr %0, i64 816
+  %336 = getelementptr inbounds i8, ptr %0, i64 888
+  %337 = getelementptr inbounds i8, ptr %84, i64 48
+  %338 = getelementptr inbounds i8, ptr %0, i64 408
+  %339 = getelementptr inbounds i8, ptr %0, i64 504
+  %340 = getelementptr inbounds i8, ptr %0, i64 320
+  %341 = getelementptr inbounds i8, ptr %0, i64 360
+  %342 = getelementptr inbounds i8, ptr %0, i64 408
+  %343 = getelementptr inbounds i8, ptr %0, i64 504
+  %344 = getelementptr inbounds i8, ptr %0, i64 320
+  %345 = icmp sgt i64 %92, 0
+  %346 = getelementptr inbounds i8, ptr %84, i64 24
+  %347 = getelementptr inbounds i8, ptr %0, i64 480
+  %348 = getelementptr inbounds i8, ptr %0, i64 168
+  %349 = getelementptr inbounds i8, ptr %0, i64 248
+  %350 = getelementptr inbounds i8, ptr %0, i64 192
+  %351 = getelementptr inbounds i8, ptr %0, i64 216
+  %352 = getelementptr inbounds i8, ptr %84, i64 72
+  %353 = getelementptr inbounds i8, ptr %85, i64 16
+  %354 = getelementptr inbounds i8, ptr %84, i64 48
+  %355 = getelementptr inbounds i8, ptr %85, i64 16
+  %356 = getelementptr inbounds i8, ptr %84, i64 72
+  %357 = getelementptr inbounds i8, ptr %84, i64 72
+  %358 = getelementptr inbounds i8, ptr %85, i64 16
+  %359 = getelementptr inbounds i8, ptr %0, i64 1248
+  %360 = getelementptr inbounds i8, ptr %0, i64 1256
+  %361 = getelementptr inbounds i8, ptr %84, i64 72
+  %362 = getelementptr inbounds i8, ptr %85, i64 16
+  br label %365
 
-357:                                              ; preds = %1777, %235
-  %358 = phi double [ %236, %235 ], [ %1773, %1777 ]
-  store double %358, ptr %124, align 8
-  br label %1780
+363:                                              ; preds = %1892, %235
+  %364 = phi double [ %236, %235 ], [ %1888, %1892 ]
+  store double %364, ptr %124, align 8
+  br label %1895
 
-359:                                              ; preds = %239, %1777
-  %360 = phi i64 [ %237, %239 ], [ %1778, %1777 ]
-  %361 = phi i64 [ undef, %239 ], [ %1776, %1777 ]
-  %362 = phi double [ %123, %239 ], [ %1774, %1777 ]
-  %363 = phi double [ %236, %239 ], [ %1773, %1777 ]
-  %364 = phi i64 [ undef, %239 ], [ %1772, %1777 ]
-  %365 = phi i64 [ undef, %239 ], [ %1771, %1777 ]
-  %366 = phi i32 [ undef, %239 ], [ %1770, %1777 ]
-  %367 = phi double [ undef, %239 ], [ %1769, %1777 ]
-  %368 = load ptr, ptr %240, align 8
-  %369 = getelementptr inbounds i8, ptr %368, i64 8
-  %370 = load i64, ptr %369, align 8
-  %371 = icmp sgt i64 %370, 0
-  br i1 %371, label %372, label %377
+365:                                              ; preds = %239, %1892
+  %366 = phi i64 [ %237, %239 ], [ %1893, %1892 ]
+  %367 = phi i64 [ undef, %239 ], [ %1891, %1892 ]
+  %368 = phi double [ %123, %239 ], [ %1889, %1892 ]
+  %369 = phi double [ %236, %239 ], [ %1888, %1892 ]
+  %370 = phi i64 [ undef, %239 ], [ %1887, %1892 ]
+  %371 = phi i64 [ undef, %239 ], [ %1886, %1892 ]
+  %372 = phi i32 [ undef, %239 ], [ %1885, %1892 ]
+  %373 = phi double [ undef, %239 ], [ %1884, %1892 ]
+  %374 = load ptr, ptr %240, align 8
+  %375 = getelementptr inbounds i8, ptr %374, i64 8
+  %376 = load i64, ptr %375, align 8
+  %377 = icmp sgt i64 %376, 0
+  br i1 %377, label %378, label %383
 
-372:                                              ; preds = %359
-  %373 = load i64, ptr %368, align 8
-  %374 = add nsw i64 %373, 3
-  %375 = icmp slt i64 %370, %374
-  %376 = zext i1 %375 to i32
-  br label %377
+378:                                              ; preds = %365
+  %379 = load i64, ptr %374, align 8
+  %380 = add nsw i64 %379, 3
+  %381 = icmp slt i64 %376, %380
+  %382 = zext i1 %381 to i32
+  br label %383
 
-377:                                              ; preds = %359, %372
-  %378 = phi i32 [ 0, %359 ], [ %376, %372 ]
-  %379 = icmp eq i32 %378, 0
-  br i1 %379, label %381, label %380
+383:                                              ; preds = %365, %378
+  %384 = phi i32 [ 0, %365 ], [ %382, %378 ]
+  %385 = icmp eq i32 %384, 0
+  br i1 %385, label %387, label %386
 
-380:                                              ; preds = %377
-  store double %363, ptr %124, align 8
-  br label %1780
+386:                                              ; preds = %383
+  store double %369, ptr %124, align 8
+  br label %1895
 
-381:                                              ; preds = %377
-  %382 = add nsw i64 %360, -1
-  store i64 %382, ptr %86, align 8
-  %383 = load i64, ptr %241, align 8
-  %384 = load i64, ptr %242, align 8
-  %385 = add nsw i64 %384, %383
-  %386 = load i64, ptr %243, align 8
-  %387 = icmp slt i64 %385, %386
-  br i1 %387, label %389, label %388
+387:                                              ; preds = %383
+  %388 = add nsw i64 %366, -1
+  store i64 %388, ptr %86, align 8
+  %389 = load i64, ptr %241, align 8
+  %390 = load i64, ptr %242, align 8
+  %391 = add nsw i64 %390, %389
+  %392 = load i64, ptr %243, align 8
+  %393 = icmp slt i64 %391, %392
+  br i1 %393, label %395, label %394
 
-388:                                              ; preds = %381
-  store double %363, ptr %124, align 8
-  br label %1780
+394:                                              ; preds = %387
+  store double %369, ptr %124, align 8
+  br label %1895
 
-389:                                              ; preds = %381
-  %390 = load double, ptr %244, align 8
-  %391 = fcmp olt double %363, %390
-  %392 = select i1 %391, double %363, double %390
-  %393 = fadd double %362, %392
-  %394 = fmul double %392, 1.000000e-03
-  %395 = fsub double %99, %394
-  %396 = fcmp ule double %393, %395
-  %397 = fsub double %99, %362
-  %398 = select i1 %396, double %392, double %397
-  %399 = select i1 %396, double %393, double %99
-  %400 = fmul double %398, 6.250000e-02
-  %401 = fadd double %362, %400
-  %402 = fcmp ule double %401, %362
-  %403 = fcmp une double %399, %99
-  %404 = and i1 %403, %402
-  br i1 %404, label %405, label %406
+395:                                              ; preds = %387
+  %396 = load double, ptr %244, align 8
+  %397 = fcmp olt double %369, %396
+  %398 = select i1 %397, double %369, double %396
+  %399 = fadd double %368, %398
+  %400 = fmul double %398, 1.000000e-03
+  %401 = fsub double %99, %400
+  %402 = fcmp ule double %399, %401
+  %403 = fsub double %99, %368
+  %404 = select i1 %402, double %398, double %403
+  %405 = select i1 %402, double %399, double %99
+  %406 = fmul double %404, 6.250000e-02
+  %407 = fadd double %368, %406
+  %408 = fcmp ule double %407, %368
+  %409 = fcmp une double %405, %99
+  %410 = and i1 %409, %408
+  br i1 %410, label %411, label %412
 
-405:                                              ; preds = %389
-  store double %398, ptr %124, align 8
-  br label %1768
+411:                                              ; preds = %395
+  store double %404, ptr %124, align 8
+  br label %1883
 
-406:                                              ; preds = %389
-  %407 = load i64, ptr %245, align 8
-  %408 = icmp eq i64 %407, 1
-  br i1 %408, label %409, label %527
+412:                                              ; preds = %395
+  %413 = load i64, ptr %245, align 8
+  %414 = icmp eq i64 %413, 1
+  br i1 %414, label %415, label %533
 
-409:                                              ; preds = %406
-  %410 = load ptr, ptr %83, align 8
-  %411 = getelementptr inbounds i8, ptr %410, i64 32
-  %412 = load i64, ptr %411, align 8
-  %413 = add nsw i64 %412, 1
-  store i64 %413, ptr %411, align 8
-  %414 = load ptr, ptr %76, align 8
-  %415 = getelementptr inbounds i8, ptr %414, i64 8
-  %416 = load i64, ptr %415, align 8
-  %417 = load ptr, ptr %78, align 8
+415:                                              ; preds = %412
+  %416 = load ptr, ptr %83, align 8
+  %417 = getelementptr inbounds i8, ptr %416, i64 32
   %418 = load i64, ptr %417, align 8
-  %419 = icmp eq i64 %418, 0
-  br i1 %419, label %420, label %422
+  %419 = add nsw i64 %418, 1
+  store i64 %419, ptr %417, align 8
+  %420 = load ptr, ptr %76, align 8
+  %421 = getelementptr inbounds i8, ptr %420, i64 8
+  %422 = load i64, ptr %421, align 8
+  %423 = load ptr, ptr %78, align 8
+  %424 = load i64, ptr %423, align 8
+  %425 = icmp eq i64 %424, 0
+  br i1 %425, label %426, label %428
 
-420:                                              ; preds = %409
-  %421 = icmp sgt i64 %416, 0
-  br i1 %421, label %440, label %438
+426:                                              ; preds = %415
+  %427 = icmp sgt i64 %422, 0
+  br i1 %427, label %446, label %444
 
-422:                                              ; preds = %409
-  %423 = load ptr, ptr %247, align 8
-  store double %362, ptr %423, align 8
-  %424 = load i64, ptr %248, align 8
-  %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %426, label %427
+428:                                              ; preds = %415
+  %429 = load ptr, ptr %247, align 8
+  store double %368, ptr %429, align 8
+  %430 = load i64, ptr %248, align 8
+  %431 = icmp sgt i64 %430, 0
+  br i1 %431, label %432, label %433
 
-426:                                              ; preds = %422
+432:                                              ; preds = %428
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %427
+  br label %433
 
-427:                                              ; preds = %426, %422
-  %428 = load ptr, ptr %78, align 8
-  %429 = load i64, ptr %428, align 8
-  %430 = load ptr, ptr %249, align 8
-  %431 = load ptr, ptr %77, align 8
-  %432 = load ptr, ptr %250, align 8
-  %433 = load ptr, ptr %251, align 8
-  %434 = load ptr, ptr %246, align 8
-  %435 = inttoptr i64 %429 to ptr
-  %436 = tail call i32 %435(ptr noundef %430, ptr noundef %431, ptr noundef %432, ptr noundef %433, ptr noundef %434) #11
-  %437 = sext i32 %436 to i64
-  br label %508
+433:                                              ; preds = %432, %428
+  %434 = load ptr, ptr %78, align 8
+  %435 = load i64, ptr %434, align 8
+  %436 = load ptr, ptr %249, align 8
+  %437 = load ptr, ptr %77, align 8
+  %438 = load ptr, ptr %250, align 8
+  %439 = load ptr, ptr %251, align 8
+  %440 = load ptr, ptr %246, align 8
+  %441 = inttoptr i64 %435 to ptr
+  %442 = tail call i32 %441(ptr noundef %436, ptr noundef %437, ptr noundef %438, ptr noundef %439, ptr noundef %440) #11
+  %443 = sext i32 %442 to i64
+  br label %514
 
-438:                                              ; preds = %440, %420
-  %439 = icmp sgt i64 %416, 0
-  br i1 %439, label %452, label %508
+444:                                              ; preds = %446, %426
+  %445 = icmp sgt i64 %422, 0
+  br i1 %445, label %458, label %514
 
-440:                                              ; preds = %420, %440
-  %441 = phi i64 [ %447, %440 ], [ 0, %420 ]
-  %442 = load ptr, ptr %77, align 8
-  %443 = getelementptr inbounds double, ptr %442, i64 %441
-  %444 = load double, ptr %443, align 8
-  %445 = load ptr, ptr %252, align 8
-  %446 = getelementptr inbounds double, ptr %445, i64 %441
-  store double %444, ptr %446, align 8
-  %447 = add nuw nsw i64 %441, 1
-  %448 = icmp eq i64 %447, %416
-  br i1 %448, label %438, label %440, !llvm.loop !11
+446:                                              ; preds = %426, %446
+  %447 = phi i64 [ %453, %446 ], [ 0, %426 ]
+  %448 = load ptr, ptr %77, align 8
+  %449 = getelementptr inbounds double, ptr %448, i64 %447
+  %450 = load double, ptr %449, align 8
+  %451 = load ptr, ptr %252, align 8
+  %452 = getelementptr inbounds double, ptr %451, i64 %447
+  store double %450, ptr %452, align 8
+  %453 = add nuw nsw i64 %447, 1
+  %454 = icmp eq i64 %453, %422
+  br i1 %454, label %444, label %446, !llvm.loop !11
 
-449:                                              ; preds = %506
-  %450 = add nuw nsw i64 %454, 1
-  %451 = icmp eq i64 %450, %416
-  br i1 %451, label %508, label %452, !llvm.loop !12
+455:                                              ; preds = %512
+  %456 = add nuw nsw i64 %460, 1
+  %457 = icmp eq i64 %456, %422
+  br i1 %457, label %514, label %458, !llvm.loop !12
 
-452:                                              ; preds = %438, %449
-  %453 = phi i64 [ %507, %449 ], [ undef, %438 ]
-  %454 = phi i64 [ %450, %449 ], [ 0, %438 ]
-  %455 = load ptr, ptr %77, align 8
-  %456 = getelementptr inbounds double, ptr %455, i64 %454
-  %457 = load double, ptr %456, align 8
-  %458 = tail call double @llvm.fabs.f64(double %457)
-  %459 = fcmp olt double %458, 1.000000e-05
-  %460 = select i1 %459, double 1.000000e-05, double %458
-  %461 = fmul double %460, 1.500000e-08
-  %462 = fadd double %457, %461
-  %463 = load ptr, ptr %253, align 8
-  %464 = getelementptr inbounds double, ptr %463, i64 %454
-  store double %462, ptr %464, align 8
-  %465 = load ptr, ptr %83, align 8
-  %466 = getelementptr inbounds i8, ptr %465, i64 24
-  %467 = load i64, ptr %466, align 8
-  %468 = add nsw i64 %467, 1
-  store i64 %468, ptr %466, align 8
+458:                                              ; preds = %444, %455
+  %459 = phi i64 [ %513, %455 ], [ undef, %444 ]
+  %460 = phi i64 [ %456, %455 ], [ 0, %444 ]
+  %461 = load ptr, ptr %77, align 8
+  %462 = getelementptr inbounds double, ptr %461, i64 %460
+  %463 = load double, ptr %462, align 8
+  %464 = tail call double @llvm.fabs.f64(double %463)
+  %465 = fcmp olt double %464, 1.000000e-05
+  %466 = select i1 %465, double 1.000000e-05, double %464
+  %467 = fmul double %466, 1.500000e-08
+  %468 = fadd double %463, %467
   %469 = load ptr, ptr %253, align 8
-  %470 = load ptr, ptr %254, align 8
-  %471 = load ptr, ptr %255, align 8
-  store double %362, ptr %471, align 8
-  %472 = load i64, ptr %256, align 8
-  %473 = icmp sgt i64 %472, 0
-  br i1 %473, label %474, label %475
+  %470 = getelementptr inbounds double, ptr %469, i64 %460
+  store double %468, ptr %470, align 8
+  %471 = load ptr, ptr %83, align 8
+  %472 = getelementptr inbounds i8, ptr %471, i64 24
+  %473 = load i64, ptr %472, align 8
+  %474 = add nsw i64 %473, 1
+  store i64 %474, ptr %472, align 8
+  %475 = load ptr, ptr %253, align 8
+  %476 = load ptr, ptr %254, align 8
+  %477 = load ptr, ptr %255, align 8
+  store double %368, ptr %477, align 8
+  %478 = load i64, ptr %256, align 8
+  %479 = icmp sgt i64 %478, 0
+  br i1 %479, label %480, label %481
 
-474:                                              ; preds = %452
+480:                                              ; preds = %458
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %475
+  br label %481
 
-475:                                              ; preds = %474, %452
-  %476 = load ptr, ptr %76, align 8
-  %477 = load i64, ptr %476, align 8
-  %478 = load ptr, ptr %255, align 8
-  %479 = load ptr, ptr %257, align 8
-  %480 = load ptr, ptr %258, align 8
-  %481 = inttoptr i64 %477 to ptr
-  %482 = tail call i32 %481(ptr noundef %478, ptr noundef %469, ptr noundef %479, ptr noundef %480, ptr noundef %470) #11
-  %483 = sext i32 %482 to i64
-  %484 = icmp eq i32 %482, 0
-  br i1 %484, label %485, label %506
+481:                                              ; preds = %480, %458
+  %482 = load ptr, ptr %76, align 8
+  %483 = load i64, ptr %482, align 8
+  %484 = load ptr, ptr %255, align 8
+  %485 = load ptr, ptr %257, align 8
+  %486 = load ptr, ptr %258, align 8
+  %487 = inttoptr i64 %483 to ptr
+  %488 = tail call i32 %487(ptr noundef %484, ptr noundef %475, ptr noundef %485, ptr noundef %486, ptr noundef %476) #11
+  %489 = sext i32 %488 to i64
+  %490 = icmp eq i32 %488, 0
+  br i1 %490, label %491, label %512
 
-485:                                              ; preds = %475
-  %486 = fsub double %462, %457
-  br label %490
+491:                                              ; preds = %481
+  %492 = fsub double %468, %463
+  br label %496
 
-487:                                              ; preds = %490
-  %488 = load ptr, ptr %253, align 8
-  %489 = getelementptr inbounds double, ptr %488, i64 %454
-  store double %457, ptr %489, align 8
-  br label %506
+493:                                              ; preds = %496
+  %494 = load ptr, ptr %253, align 8
+  %495 = getelementptr inbounds double, ptr %494, i64 %460
+  store double %463, ptr %495, align 8
+  br label %512
 
-490:                                              ; preds = %485, %490
-  %491 = phi i64 [ 0, %485 ], [ %504, %490 ]
-  %492 = load ptr, ptr %254, align 8
-  %493 = getelementptr inbounds double, ptr %492, i64 %491
-  %494 = load double, ptr %493, align 8
-  %495 = load ptr, ptr %259, align 8
-  %496 = getelementptr inbounds double, ptr %495, i64 %491
-  %497 = load double, ptr %496, align 8
-  %498 = fsub double %494, %497
-  %499 = fdiv double %498, %486
-  %500 = load ptr, ptr %246, align 8
-  %501 = mul nuw nsw i64 %491, %416
-  %502 = getelementptr double, ptr %500, i64 %501
-  %503 = getelementptr double, ptr %502, i64 %454
-  store double %499, ptr %503, align 8
-  %504 = add nuw nsw i64 %491, 1
-  %505 = icmp eq i64 %504, %416
-  br i1 %505, label %487, label %490, !llvm.loop !13
+496:                                              ; preds = %491, %496
+  %497 = phi i64 [ 0, %491 ], [ %510, %496 ]
+  %498 = load ptr, ptr %254, align 8
+  %499 = getelementptr inbounds double, ptr %498, i64 %497
+  %500 = load double, ptr %499, align 8
+  %501 = load ptr, ptr %259, align 8
+  %502 = getelementptr inbounds double, ptr %501, i64 %497
+  %503 = load double, ptr %502, align 8
+  %504 = fsub double %500, %503
+  %505 = fdiv double %504, %492
+  %506 = load ptr, ptr %246, align 8
+  %507 = mul nuw nsw i64 %497, %422
+  %508 = getelementptr double, ptr %506, i64 %507
+  %509 = getelementptr double, ptr %508, i64 %460
+  store double %505, ptr %509, align 8
+  %510 = add nuw nsw i64 %497, 1
+  %511 = icmp eq i64 %510, %422
+  br i1 %511, label %493, label %496, !llvm.loop !13
 
-506:                                              ; preds = %487, %475
-  %507 = phi i64 [ %453, %487 ], [ %483, %475 ]
-  br i1 %484, label %449, label %508
+512:                                              ; preds = %493, %481
+  %513 = phi i64 [ %459, %493 ], [ %489, %481 ]
+  br i1 %490, label %455, label %514
 
-508:                                              ; preds = %506, %449, %438, %427
-  %509 = phi i64 [ %437, %427 ], [ 0, %438 ], [ 0, %449 ], [ %507, %506 ]
-  %510 = load i64, ptr %260, align 8
-  %511 = icmp sgt i64 %510, 0
-  br i1 %511, label %512, label %524
+514:                                              ; preds = %512, %455, %444, %433
+  %515 = phi i64 [ %443, %433 ], [ 0, %444 ], [ 0, %455 ], [ %513, %512 ]
+  %516 = load i64, ptr %260, align 8
+  %517 = icmp sgt i64 %516, 0
+  br i1 %517, label %518, label %530
 
-512:                                              ; preds = %508, %520
-  %513 = phi i64 [ %521, %520 ], [ 0, %508 ]
-  %514 = load ptr, ptr %246, align 8
-  %515 = getelementptr inbounds double, ptr %514, i64 %513
-  %516 = load double, ptr %515, align 8
-  %517 = tail call double @llvm.fabs.f64(double %516)
-  %518 = fcmp ueq double %517, 0x7FF0000000000000
-  br i1 %518, label %519, label %520
+518:                                              ; preds = %514, %526
+  %519 = phi i64 [ %527, %526 ], [ 0, %514 ]
+  %520 = load ptr, ptr %246, align 8
+  %521 = getelementptr inbounds double, ptr %520, i64 %519
+  %522 = load double, ptr %521, align 8
+  %523 = tail call double @llvm.fabs.f64(double %522)
+  %524 = fcmp ueq double %523, 0x7FF0000000000000
+  br i1 %524, label %525, label %526
 
-519:                                              ; preds = %512
-  store double 0.000000e+00, ptr %515, align 8
-  br label %520
+525:                                              ; preds = %518
+  store double 0.000000e+00, ptr %521, align 8
+  br label %526
 
-520:                                              ; preds = %519, %512
-  %521 = add nuw nsw i64 %513, 1
-  %522 = load i64, ptr %260, align 8
-  %523 = icmp slt i64 %521, %522
-  br i1 %523, label %512, label %524, !llvm.loop !14
+526:                                              ; preds = %525, %518
+  %527 = add nuw nsw i64 %519, 1
+  %528 = load i64, ptr %260, align 8
+  %529 = icmp slt i64 %527, %528
+  br i1 %529, label %518, label %530, !llvm.loop !14
 
-524:                                              ; preds = %520, %508
-  %525 = icmp slt i64 %509, 0
-  br i1 %525, label %1768, label %526
+530:                                              ; preds = %526, %514
+  %531 = icmp slt i64 %515, 0
+  br i1 %531, label %1883, label %532
 
-526:                                              ; preds = %524
+532:                                              ; preds = %530
   store i64 0, ptr %245, align 8
   store i64 1, ptr %261, align 8
   store i64 0, ptr %262, align 8
-  br label %527
+  br label %533
 
-527:                                              ; preds = %526, %406
-  %528 = load i64, ptr %263, align 8
-  %529 = icmp eq i64 %528, 0
-  br i1 %529, label %533, label %530
+533:                                              ; preds = %532, %412
+  %534 = load i64, ptr %263, align 8
+  %535 = icmp eq i64 %534, 0
+  br i1 %535, label %539, label %536
 
-530:                                              ; preds = %527
-  %531 = load double, ptr %82, align 8
-  %532 = fcmp une double %398, %531
-  br i1 %532, label %533, label %596
+536:                                              ; preds = %533
+  %537 = load double, ptr %82, align 8
+  %538 = fcmp une double %404, %537
+  br i1 %538, label %539, label %602
 
-533:                                              ; preds = %530, %527
-  %534 = load i64, ptr %264, align 8
-  %535 = add nsw i64 %534, 1
-  store i64 %535, ptr %264, align 8
-  %536 = load i64, ptr %266, align 8
-  %537 = load ptr, ptr %267, align 8
-  %538 = load ptr, ptr %268, align 8
-  %539 = icmp sgt i64 %536, 0
-  br i1 %539, label %540, label %548
+539:                                              ; preds = %536, %533
+  %540 = load i64, ptr %264, align 8
+  %541 = add nsw i64 %540, 1
+  store i64 %541, ptr %264, align 8
+  %542 = load i64, ptr %266, align 8
+  %543 = load ptr, ptr %267, align 8
+  %544 = load ptr, ptr %268, align 8
+  %545 = icmp sgt i64 %542, 0
+  br i1 %545, label %546, label %554
 
-540:                                              ; preds = %533
-  %541 = fdiv double 0x400D1A48D83E731D, %398
-  %542 = add nuw i64 %536, 1
-  %543 = fdiv double 0x400572DB93E0C672, %398
-  %544 = fdiv double 0x40086747F2C3FCB6, %398
-  br label %545
+546:                                              ; preds = %539
+  %547 = fdiv double 0x400D1A48D83E731D, %404
+  %548 = add nuw i64 %542, 1
+  %549 = fdiv double 0x400572DB93E0C672, %404
+  %550 = fdiv double 0x40086747F2C3FCB6, %404
+  br label %551
 
-545:                                              ; preds = %540, %552
-  %546 = phi i64 [ 0, %540 ], [ %563, %552 ]
-  %547 = mul nuw nsw i64 %546, %536
-  br label %565
+551:                                              ; preds = %546, %558
+  %552 = phi i64 [ 0, %546 ], [ %569, %558 ]
+  %553 = mul nuw nsw i64 %552, %542
+  br label %571
 
-548:                                              ; preds = %552, %533
-  %549 = load ptr, ptr %265, align 8
-  %550 = tail call fastcc i32 @real_factorise(ptr noundef %537, i64 noundef %536, ptr noundef %549) #10
-  %551 = icmp eq i32 %550, 0
-  br i1 %551, label %586, label %581
+554:                                              ; preds = %558, %539
+  %555 = load ptr, ptr %265, align 8
+  %556 = tail call fastcc i32 @real_factorise(ptr noundef %543, i64 noundef %542, ptr noundef %555) #10
+  %557 = icmp eq i32 %556, 0
+  br i1 %557, label %592, label %587
 
-552:                                              ; preds = %565
-  %553 = mul i64 %546, %542
-  %554 = getelementptr inbounds double, ptr %537, i64 %553
-  %555 = load double, ptr %554, align 8
-  %556 = fadd double %541, %555
-  store double %556, ptr %554, align 8
-  %557 = getelementptr inbounds { double, double }, ptr %538, i64 %553
-  %558 = load double, ptr %557, align 8
-  %559 = getelementptr inbounds i8, ptr %557, i64 8
-  %560 = load double, ptr %559, align 8
-  %561 = fadd double %543, %558
-  %562 = fsub double %560, %544
-  store double %561, ptr %557, align 8
-  store double %562, ptr %559, align 8
-  %563 = add nuw nsw i64 %546, 1
-  %564 = icmp eq i64 %563, %536
-  br i1 %564, label %548, label %545, !llvm.loop !15
+558:                                              ; preds = %571
+  %559 = mul i64 %552, %548
+  %560 = getelementptr inbounds double, ptr %543, i64 %559
+  %561 = load double, ptr %560, align 8
+  %562 = fadd double %547, %561
+  store double %562, ptr %560, align 8
+  %563 = getelementptr inbounds { double, double }, ptr %544, i64 %559
+  %564 = load double, ptr %563, align 8
+  %565 = getelementptr inbounds i8, ptr %563, i64 8
+  %566 = load double, ptr %565, align 8
+  %567 = fadd double %549, %564
+  %568 = fsub double %566, %550
+  store double %567, ptr %563, align 8
+  store double %568, ptr %565, align 8
+  %569 = add nuw nsw i64 %552, 1
+  %570 = icmp eq i64 %569, %542
+  br i1 %570, label %554, label %551, !llvm.loop !15
 
-565:                                              ; preds = %545, %565
-  %566 = phi i64 [ 0, %545 ], [ %579, %565 ]
-  %567 = load ptr, ptr %269, align 8
-  %568 = add nuw nsw i64 %566, %547
-  %569 = getelementptr inbounds double, ptr %567, i64 %568
-  %570 = load double, ptr %569, align 8
-  %571 = fneg double %570
-  %572 = getelementptr inbounds double, ptr %537, i64 %568
-  store double %571, ptr %572, align 8
+571:                                              ; preds = %551, %571
+  %572 = phi i64 [ 0, %551 ], [ %585, %571 ]
   %573 = load ptr, ptr %269, align 8
-  %574 = getelementptr inbounds double, ptr %573, i64 %568
-  %575 = load double, ptr %574, align 8
-  %576 = fneg double %575
-  %577 = getelementptr inbounds { double, double }, ptr %538, i64 %568
-  %578 = getelementptr inbounds i8, ptr %577, i64 8
-  store double %576, ptr %577, align 8
-  store double 0.000000e+00, ptr %578, align 8
-  %579 = add nuw nsw i64 %566, 1
-  %580 = icmp eq i64 %579, %536
-  br i1 %580, label %552, label %565, !llvm.loop !16
+  %574 = add nuw nsw i64 %572, %553
+  %575 = getelementptr inbounds double, ptr %573, i64 %574
+  %576 = load double, ptr %575, align 8
+  %577 = fneg double %576
+  %578 = getelementptr inbounds double, ptr %543, i64 %574
+  store double %577, ptr %578, align 8
+  %579 = load ptr, ptr %269, align 8
+  %580 = getelementptr inbounds double, ptr %579, i64 %574
+  %581 = load double, ptr %580, align 8
+  %582 = fneg double %581
+  %583 = getelementptr inbounds { double, double }, ptr %544, i64 %574
+  %584 = getelementptr inbounds i8, ptr %583, i64 8
+  store double %582, ptr %583, align 8
+  store double 0.000000e+00, ptr %584, align 8
+  %585 = add nuw nsw i64 %572, 1
+  %586 = icmp eq i64 %585, %542
+  br i1 %586, label %558, label %571, !llvm.loop !16
 
-581:                                              ; preds = %548
-  %582 = load ptr, ptr %270, align 8
-  %583 = tail call fastcc i32 @pair_factorise(ptr noundef %538, i64 noundef %536, ptr noundef %582) #10
-  %584 = icmp ne i32 %583, 0
-  %585 = zext i1 %584 to i32
-  br label %586
+587:                                              ; preds = %554
+  %588 = load ptr, ptr %270, align 8
+  %589 = tail call fastcc i32 @pair_factorise(ptr noundef %544, i64 noundef %542, ptr noundef %588) #10
+  %590 = icmp ne i32 %589, 0
+  %591 = zext i1 %590 to i32
+  br label %592
 
-586:                                              ; preds = %548, %581
-  %587 = phi i32 [ 0, %548 ], [ %585, %581 ]
-  %588 = icmp eq i32 %587, 0
-  br i1 %588, label %589, label %595
+592:                                              ; preds = %554, %587
+  %593 = phi i32 [ 0, %554 ], [ %591, %587 ]
+  %594 = icmp eq i32 %593, 0
+  br i1 %594, label %595, label %601
 
-589:                                              ; preds = %586
-  store i64 4, ptr %355, align 8
-  %590 = load i64, ptr %242, align 8
-  %591 = add nsw i64 %590, 1
-  store i64 %591, ptr %242, align 8
-  %592 = fmul double %398, 5.000000e-01
-  %593 = load i64, ptr %356, align 8
-  %594 = sub nsw i64 1, %593
-  store i64 %594, ptr %245, align 8
+595:                                              ; preds = %592
+  store i64 4, ptr %361, align 8
+  %596 = load i64, ptr %242, align 8
+  %597 = add nsw i64 %596, 1
+  store i64 %597, ptr %242, align 8
+  %598 = fmul double %404, 5.000000e-01
+  %599 = load i64, ptr %362, align 8
+  %600 = sub nsw i64 1, %599
+  store i64 %600, ptr %245, align 8
   store i64 0, ptr %263, align 8
-  br label %1768, !llvm.loop !17
+  br label %1883, !llvm.loop !17
 
-595:                                              ; preds = %586
+601:                                              ; preds = %592
   store i64 1, ptr %263, align 8
-  store double %398, ptr %82, align 8
-  br label %596
+  store double %404, ptr %82, align 8
+  br label %602
 
-596:                                              ; preds = %595, %530
-  %597 = load double, ptr %271, align 8
-  %598 = load ptr, ptr %76, align 8
-  %599 = getelementptr inbounds i8, ptr %598, i64 8
-  %600 = load i64, ptr %599, align 8
-  %601 = load ptr, ptr %272, align 8
-  %602 = load ptr, ptr %77, align 8
-  %603 = load ptr, ptr %273, align 8
-  %604 = load ptr, ptr %274, align 8
-  %605 = fcmp ogt double %597, 0.000000e+00
-  %606 = icmp sgt i64 %600, 0
-  %607 = shl i64 %600, 4
-  %608 = getelementptr i8, ptr %601, i64 %607
-  %609 = mul i64 %600, 24
-  %610 = getelementptr i8, ptr %601, i64 %609
-  %611 = getelementptr double, ptr %601, i64 %600
-  br label %617
+602:                                              ; preds = %601, %536
+  %603 = load double, ptr %271, align 8
+  %604 = load ptr, ptr %76, align 8
+  %605 = getelementptr inbounds i8, ptr %604, i64 8
+  %606 = load i64, ptr %605, align 8
+  %607 = load ptr, ptr %272, align 8
+  %608 = load ptr, ptr %77, align 8
+  %609 = load ptr, ptr %273, align 8
+  %610 = load ptr, ptr %274, align 8
+  %611 = fcmp ogt double %603, 0.000000e+00
+  %612 = icmp sgt i64 %606, 0
+  %613 = shl i64 %606, 4
+  %614 = getelementptr i8, ptr %607, i64 %613
+  %615 = mul i64 %606, 24
+  %616 = getelementptr i8, ptr %607, i64 %615
+  %617 = getelementptr double, ptr %607, i64 %606
+  br label %623
 
-612:                                              ; preds = %631
-  %613 = icmp sgt i64 %600, 0
-  %614 = getelementptr double, ptr %603, i64 %600
-  %615 = shl i64 %600, 4
-  %616 = getelementptr i8, ptr %603, i64 %615
-  br label %658
+618:                                              ; preds = %637
+  %619 = icmp sgt i64 %606, 0
+  %620 = getelementptr double, ptr %609, i64 %606
+  %621 = shl i64 %606, 4
+  %622 = getelementptr i8, ptr %609, i64 %621
+  br label %664
 
-617:                                              ; preds = %596, %631
-  %618 = phi i64 [ 0, %596 ], [ %632, %631 ]
-  br i1 %605, label %619, label %625
+623:                                              ; preds = %602, %637
+  %624 = phi i64 [ 0, %602 ], [ %638, %637 ]
+  br i1 %611, label %625, label %631
 
-619:                                              ; preds = %617
-  %620 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %618
-  %621 = load double, ptr %620, align 8
-  %622 = fmul double %398, %621
-  %623 = fdiv double %622, %597
-  %624 = fadd double %623, 1.000000e+00
-  br label %625
+625:                                              ; preds = %623
+  %626 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %624
+  %627 = load double, ptr %626, align 8
+  %628 = fmul double %404, %627
+  %629 = fdiv double %628, %603
+  %630 = fadd double %629, 1.000000e+00
+  br label %631
 
-625:                                              ; preds = %619, %617
-  %626 = phi double [ %624, %619 ], [ 0.000000e+00, %617 ]
-  br i1 %606, label %627, label %631
+631:                                              ; preds = %625, %623
+  %632 = phi double [ %630, %625 ], [ 0.000000e+00, %623 ]
+  br i1 %612, label %633, label %637
 
-627:                                              ; preds = %625
-  %628 = mul nuw nsw i64 %600, %618
-  %629 = getelementptr double, ptr %603, i64 %628
-  %630 = fsub double 1.000000e+00, %626
-  br label %634
+633:                                              ; preds = %631
+  %634 = mul nuw nsw i64 %606, %624
+  %635 = getelementptr double, ptr %609, i64 %634
+  %636 = fsub double 1.000000e+00, %632
+  br label %640
 
-631:                                              ; preds = %655, %625
-  %632 = add nuw nsw i64 %618, 1
-  %633 = icmp eq i64 %632, 3
-  br i1 %633, label %612, label %617, !llvm.loop !18
+637:                                              ; preds = %661, %631
+  %638 = add nuw nsw i64 %624, 1
+  %639 = icmp eq i64 %638, 3
+  br i1 %639, label %618, label %623, !llvm.loop !18
 
-634:                                              ; preds = %627, %655
-  %635 = phi i64 [ 0, %627 ], [ %656, %655 ]
-  %636 = getelementptr double, ptr %629, i64 %635
-  store double 0.000000e+00, ptr %636, align 8
-  br i1 %605, label %637, label %655
+640:                                              ; preds = %633, %661
+  %641 = phi i64 [ 0, %633 ], [ %662, %661 ]
+  %642 = getelementptr double, ptr %635, i64 %641
+  store double 0.000000e+00, ptr %642, align 8
+  br i1 %611, label %643, label %661
 
-637:                                              ; preds = %634
-  %638 = getelementptr double, ptr %608, i64 %635
-  %639 = load double, ptr %638, align 8
-  %640 = getelementptr double, ptr %610, i64 %635
-  %641 = load double, ptr %640, align 8
-  %642 = fmul double %626, %641
-  %643 = fadd double %639, %642
-  %644 = fmul double %630, %643
-  %645 = getelementptr inbounds double, ptr %601, i64 %635
-  %646 = load double, ptr %645, align 8
-  %647 = getelementptr double, ptr %611, i64 %635
-  %648 = load double, ptr %647, align 8
-  %649 = fadd double %648, %644
-  %650 = fmul double %626, %649
-  %651 = fadd double %646, %650
-  %652 = getelementptr inbounds double, ptr %602, i64 %635
-  %653 = load double, ptr %652, align 8
-  %654 = fsub double %651, %653
-  store double %654, ptr %636, align 8
-  br label %655
+643:                                              ; preds = %640
+  %644 = getelementptr double, ptr %614, i64 %641
+  %645 = load double, ptr %644, align 8
+  %646 = getelementptr double, ptr %616, i64 %641
+  %647 = load double, ptr %646, align 8
+  %648 = fmul double %632, %647
+  %649 = fadd double %645, %648
+  %650 = fmul double %636, %649
+  %651 = getelementptr inbounds double, ptr %607, i64 %641
+  %652 = load double, ptr %651, align 8
+  %653 = getelementptr double, ptr %617, i64 %641
+  %654 = load double, ptr %653, align 8
+  %655 = fadd double %654, %650
+  %656 = fmul double %632, %655
+  %657 = fadd double %652, %656
+  %658 = getelementptr inbounds double, ptr %608, i64 %641
+  %659 = load double, ptr %658, align 8
+  %660 = fsub double %657, %659
+  store double %660, ptr %642, align 8
+  br label %661
 
-655:                                              ; preds = %637, %634
-  %656 = add nuw nsw i64 %635, 1
-  %657 = icmp eq i64 %656, %600
-  br i1 %657, label %631, label %634, !llvm.loop !19
+661:                                              ; preds = %643, %640
+  %662 = add nuw nsw i64 %641, 1
+  %663 = icmp eq i64 %662, %606
+  br i1 %663, label %637, label %640, !llvm.loop !19
 
-658:                                              ; preds = %612, %669
-  %659 = phi i64 [ 0, %612 ], [ %670, %669 ]
-  br i1 %613, label %660, label %669
+664:                                              ; preds = %618, %675
+  %665 = phi i64 [ 0, %618 ], [ %676, %675 ]
+  br i1 %619, label %666, label %675
 
-660:                                              ; preds = %658
-  %661 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %659
-  %662 = load double, ptr %661, align 8
-  %663 = getelementptr inbounds i8, ptr %661, i64 8
-  %664 = load double, ptr %663, align 8
-  %665 = getelementptr inbounds i8, ptr %661, i64 16
-  %666 = load double, ptr %665, align 8
-  %667 = mul nuw nsw i64 %600, %659
-  %668 = getelementptr double, ptr %604, i64 %667
-  br label %672
+666:                                              ; preds = %664
+  %667 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %665
+  %668 = load double, ptr %667, align 8
+  %669 = getelementptr inbounds i8, ptr %667, i64 8
+  %670 = load double, ptr %669, align 8
+  %671 = getelementptr inbounds i8, ptr %667, i64 16
+  %672 = load double, ptr %671, align 8
+  %673 = mul nuw nsw i64 %606, %665
+  %674 = getelementptr double, ptr %610, i64 %673
+  br label %678
 
-669:                                              ; preds = %672, %658
-  %670 = add nuw nsw i64 %659, 1
-  %671 = icmp eq i64 %670, 3
-  br i1 %671, label %688, label %658, !llvm.loop !20
+675:                                              ; preds = %678, %664
+  %676 = add nuw nsw i64 %665, 1
+  %677 = icmp eq i64 %676, 3
+  br i1 %677, label %694, label %664, !llvm.loop !20
 
-672:                                              ; preds = %660, %672
-  %673 = phi i64 [ 0, %660 ], [ %686, %672 ]
-  %674 = getelementptr inbounds double, ptr %603, i64 %673
-  %675 = load double, ptr %674, align 8
-  %676 = fmul double %662, %675
-  %677 = getelementptr double, ptr %614, i64 %673
-  %678 = load double, ptr %677, align 8
-  %679 = fmul double %664, %678
-  %680 = fadd double %676, %679
-  %681 = getelementptr double, ptr %616, i64 %673
-  %682 = load double, ptr %681, align 8
-  %683 = fmul double %666, %682
-  %684 = fadd double %680, %683
-  %685 = getelementptr double, ptr %668, i64 %673
-  store double %684, ptr %685, align 8
-  %686 = add nuw nsw i64 %673, 1
-  %687 = icmp eq i64 %686, %600
-  br i1 %687, label %669, label %672, !llvm.loop !21
+678:                                              ; preds = %666, %678
+  %679 = phi i64 [ 0, %666 ], [ %692, %678 ]
+  %680 = getelementptr inbounds double, ptr %609, i64 %679
+  %681 = load double, ptr %680, align 8
+  %682 = fmul double %668, %681
+  %683 = getelementptr double, ptr %620, i64 %679
+  %684 = load double, ptr %683, align 8
+  %685 = fmul double %670, %684
+  %686 = fadd double %682, %685
+  %687 = getelementptr double, ptr %622, i64 %679
+  %688 = load double, ptr %687, align 8
+  %689 = fmul double %672, %688
+  %690 = fadd double %686, %689
+  %691 = getelementptr double, ptr %674, i64 %679
+  store double %690, ptr %691, align 8
+  %692 = add nuw nsw i64 %679, 1
+  %693 = icmp eq i64 %692, %606
+  br i1 %693, label %675, label %678, !llvm.loop !21
 
-688:                                              ; preds = %669
-  %689 = load ptr, ptr %76, align 8, !noalias !22
-  %690 = getelementptr inbounds i8, ptr %689, i64 8
-  %691 = load i64, ptr %690, align 8, !noalias !22
-  %692 = load ptr, ptr %78, align 8, !noalias !22
-  %693 = getelementptr inbounds i8, ptr %692, i64 40
-  %694 = load i64, ptr %693, align 8, !noalias !22
-  %695 = load ptr, ptr %273, align 8, !noalias !22
-  %696 = load ptr, ptr %274, align 8, !noalias !22
-  %697 = load ptr, ptr %276, align 8, !noalias !22
-  %698 = load ptr, ptr %277, align 8, !noalias !22
-  %699 = load ptr, ptr %278, align 8, !noalias !22
-  %700 = icmp sgt i64 %694, 0
-  %701 = select i1 %700, i64 10, i64 6
-  %702 = icmp sgt i64 %691, 0
-  %703 = fdiv double 0x400D1A48D83E731D, %398
-  %704 = fdiv double 0x400572DB93E0C672, %398
-  %705 = fdiv double 0xC0086747F2C3FCB6, %398
-  %706 = icmp sgt i64 %691, 0
-  %707 = getelementptr double, ptr %696, i64 %691
-  %708 = shl i64 %691, 4
-  %709 = getelementptr i8, ptr %696, i64 %708
-  %710 = icmp eq i64 %694, 0
-  br label %711
+694:                                              ; preds = %675
+  %695 = load ptr, ptr %76, align 8, !noalias !22
+  %696 = getelementptr inbounds i8, ptr %695, i64 8
+  %697 = load i64, ptr %696, align 8, !noalias !22
+  %698 = load ptr, ptr %78, align 8, !noalias !22
+  %699 = getelementptr inbounds i8, ptr %698, i64 40
+  %700 = load i64, ptr %699, align 8, !noalias !22
+  %701 = load ptr, ptr %273, align 8, !noalias !22
+  %702 = load ptr, ptr %274, align 8, !noalias !22
+  %703 = load ptr, ptr %276, align 8, !noalias !22
+  %704 = load ptr, ptr %277, align 8, !noalias !22
+  %705 = load ptr, ptr %278, align 8, !noalias !22
+  %706 = icmp sgt i64 %700, 0
+  %707 = select i1 %706, i64 10, i64 6
+  %708 = icmp sgt i64 %697, 0
+  %709 = fdiv double 0x400D1A48D83E731D, %404
+  %710 = fdiv double 0x400572DB93E0C672, %404
+  %711 = fdiv double 0xC0086747F2C3FCB6, %404
+  %712 = icmp sgt i64 %697, 0
+  %713 = getelementptr double, ptr %702, i64 %697
+  %714 = shl i64 %697, 4
+  %715 = getelementptr i8, ptr %702, i64 %714
+  %716 = icmp eq i64 %700, 0
+  br label %717
 
-711:                                              ; preds = %688, %1114
-  %712 = phi double [ -1.000000e+00, %688 ], [ %1113, %1114 ]
-  %713 = phi double [ 0.000000e+00, %688 ], [ %1112, %1114 ]
-  %714 = phi i64 [ 0, %688 ], [ %1111, %1114 ]
-  %715 = phi i64 [ 0, %688 ], [ %1115, %1114 ]
-  %716 = phi i64 [ %364, %688 ], [ %1108, %1114 ]
-  %717 = phi i64 [ %365, %688 ], [ %1107, %1114 ]
-  %718 = phi i32 [ %366, %688 ], [ %1106, %1114 ]
-  %719 = phi double [ %367, %688 ], [ %1105, %1114 ]
-  %720 = icmp ugt i64 %715, 5
-  %721 = icmp eq i64 %714, 0
-  %722 = select i1 %720, i1 %721, i1 false
-  br i1 %722, label %1117, label %727
+717:                                              ; preds = %694, %1120
+  %718 = phi double [ -1.000000e+00, %694 ], [ %1119, %1120 ]
+  %719 = phi double [ 0.000000e+00, %694 ], [ %1118, %1120 ]
+  %720 = phi i64 [ 0, %694 ], [ %1117, %1120 ]
+  %721 = phi i64 [ 0, %694 ], [ %1121, %1120 ]
+  %722 = phi i64 [ %370, %694 ], [ %1114, %1120 ]
+  %723 = phi i64 [ %371, %694 ], [ %1113, %1120 ]
+  %724 = phi i32 [ %372, %694 ], [ %1112, %1120 ]
+  %725 = phi double [ %373, %694 ], [ %1111, %1120 ]
+  %726 = icmp ugt i64 %721, 5
+  %727 = icmp eq i64 %720, 0
+  %728 = select i1 %726, i1 %727, i1 false
+  br i1 %728, label %1123, label %733
 
-723:                                              ; preds = %749
-  %724 = add nuw nsw i64 %728, 1
-  %725 = icmp ugt i64 %728, 1
-  %726 = icmp eq i64 %724, 3
-  br i1 %726, label %772, label %727, !llvm.loop !25
+729:                                              ; preds = %755
+  %730 = add nuw nsw i64 %734, 1
+  %731 = icmp ugt i64 %734, 1
+  %732 = icmp eq i64 %730, 3
+  br i1 %732, label %778, label %733, !llvm.loop !25
 
-727:                                              ; preds = %711, %723
-  %728 = phi i64 [ %724, %723 ], [ 0, %711 ]
-  %729 = phi i1 [ %725, %723 ], [ false, %711 ]
-  br i1 %702, label %730, label %733
+733:                                              ; preds = %717, %729
+  %734 = phi i64 [ %730, %729 ], [ 0, %717 ]
+  %735 = phi i1 [ %731, %729 ], [ false, %717 ]
+  br i1 %708, label %736, label %739
 
-730:                                              ; preds = %727
-  %731 = mul nuw nsw i64 %691, %728
-  %732 = getelementptr double, ptr %695, i64 %731
-  br label %758
+736:                                              ; preds = %733
+  %737 = mul nuw nsw i64 %697, %734
+  %738 = getelementptr double, ptr %701, i64 %737
+  br label %764
 
-733:                                              ; preds = %758, %727
-  %734 = load ptr, ptr %83, align 8, !noalias !22
-  %735 = getelementptr inbounds i8, ptr %734, i64 24
-  %736 = load i64, ptr %735, align 8, !noalias !22
-  %737 = add nsw i64 %736, 1
-  store i64 %737, ptr %735, align 8, !noalias !22
-  %738 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %728
-  %739 = load double, ptr %738, align 8, !noalias !22
-  %740 = fmul double %398, %739
-  %741 = fadd double %362, %740
-  %742 = load ptr, ptr %279, align 8, !noalias !22
-  %743 = mul nsw i64 %691, %728
-  %744 = getelementptr inbounds double, ptr %697, i64 %743
-  %745 = load ptr, ptr %280, align 8, !noalias !22
-  store double %741, ptr %745, align 8, !noalias !22
-  %746 = load i64, ptr %281, align 8, !noalias !22
-  %747 = icmp sgt i64 %746, 0
-  br i1 %747, label %748, label %749
+739:                                              ; preds = %764, %733
+  %740 = load ptr, ptr %83, align 8, !noalias !22
+  %741 = getelementptr inbounds i8, ptr %740, i64 24
+  %742 = load i64, ptr %741, align 8, !noalias !22
+  %743 = add nsw i64 %742, 1
+  store i64 %743, ptr %741, align 8, !noalias !22
+  %744 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %734
+  %745 = load double, ptr %744, align 8, !noalias !22
+  %746 = fmul double %404, %745
+  %747 = fadd double %368, %746
+  %748 = load ptr, ptr %279, align 8, !noalias !22
+  %749 = mul nsw i64 %697, %734
+  %750 = getelementptr inbounds double, ptr %703, i64 %749
+  %751 = load ptr, ptr %280, align 8, !noalias !22
+  store double %747, ptr %751, align 8, !noalias !22
+  %752 = load i64, ptr %281, align 8, !noalias !22
+  %753 = icmp sgt i64 %752, 0
+  br i1 %753, label %754, label %755
 
-748:                                              ; preds = %733
+754:                                              ; preds = %739
   tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
-  br label %749
+  br label %755
 
-749:                                              ; preds = %733, %748
-  %750 = load ptr, ptr %76, align 8, !noalias !22
-  %751 = load i64, ptr %750, align 8, !noalias !22
-  %752 = load ptr, ptr %280, align 8, !noalias !22
-  %753 = load ptr, ptr %283, align 8, !noalias !22
-  %754 = load ptr, ptr %284, align 8, !noalias !22
-  %755 = inttoptr i64 %751 to ptr
-  %756 = tail call i32 %755(ptr noundef %752, ptr noundef %742, ptr noundef %753, ptr noundef %754, ptr noundef %744) #11, !noalias !22
-  %757 = icmp eq i32 %756, 0
-  br i1 %757, label %723, label %770
+755:                                              ; preds = %739, %754
+  %756 = load ptr, ptr %76, align 8, !noalias !22
+  %757 = load i64, ptr %756, align 8, !noalias !22
+  %758 = load ptr, ptr %280, align 8, !noalias !22
+  %759 = load ptr, ptr %283, align 8, !noalias !22
+  %760 = load ptr, ptr %284, align 8, !noalias !22
+  %761 = inttoptr i64 %757 to ptr
+  %762 = tail call i32 %761(ptr noundef %758, ptr noundef %748, ptr noundef %759, ptr noundef %760, ptr noundef %750) #11, !noalias !22
+  %763 = icmp eq i32 %762, 0
+  br i1 %763, label %729, label %776
 
-758:                                              ; preds = %730, %758
-  %759 = phi i64 [ 0, %730 ], [ %768, %758 ]
-  %760 = load ptr, ptr %77, align 8, !noalias !22
-  %761 = getelementptr inbounds double, ptr %760, i64 %759
-  %762 = load double, ptr %761, align 8, !noalias !22
-  %763 = getelementptr double, ptr %732, i64 %759
-  %764 = load double, ptr %763, align 8, !noalias !22
-  %765 = fadd double %762, %764
-  %766 = load ptr, ptr %282, align 8, !noalias !22
-  %767 = getelementptr inbounds double, ptr %766, i64 %759
-  store double %765, ptr %767, align 8, !noalias !22
-  %768 = add nuw nsw i64 %759, 1
-  %769 = icmp eq i64 %768, %691
-  br i1 %769, label %733, label %758, !llvm.loop !26
+764:                                              ; preds = %736, %764
+  %765 = phi i64 [ 0, %736 ], [ %774, %764 ]
+  %766 = load ptr, ptr %77, align 8, !noalias !22
+  %767 = getelementptr inbounds double, ptr %766, i64 %765
+  %768 = load double, ptr %767, align 8, !noalias !22
+  %769 = getelementptr double, ptr %738, i64 %765
+  %770 = load double, ptr %769, align 8, !noalias !22
+  %771 = fadd double %768, %770
+  %772 = load ptr, ptr %282, align 8, !noalias !22
+  %773 = getelementptr inbounds double, ptr %772, i64 %765
+  store double %771, ptr %773, align 8, !noalias !22
+  %774 = add nuw nsw i64 %765, 1
+  %775 = icmp eq i64 %774, %697
+  br i1 %775, label %739, label %764, !llvm.loop !26
 
-770:                                              ; preds = %749
-  %771 = sext i32 %756 to i64
-  br label %772
+776:                                              ; preds = %755
+  %777 = sext i32 %762 to i64
+  br label %778
 
-772:                                              ; preds = %723, %770
-  %773 = phi i1 [ %729, %770 ], [ %725, %723 ]
-  %774 = phi double [ 0.000000e+00, %770 ], [ %719, %723 ]
-  %775 = phi i32 [ 0, %770 ], [ %718, %723 ]
-  %776 = phi i64 [ %715, %770 ], [ %717, %723 ]
-  %777 = phi i64 [ %771, %770 ], [ %716, %723 ]
-  %778 = phi i32 [ 1, %770 ], [ 5, %723 ]
-  br i1 %773, label %779, label %1117
+778:                                              ; preds = %729, %776
+  %779 = phi i1 [ %735, %776 ], [ %731, %729 ]
+  %780 = phi double [ 0.000000e+00, %776 ], [ %725, %729 ]
+  %781 = phi i32 [ 0, %776 ], [ %724, %729 ]
+  %782 = phi i64 [ %721, %776 ], [ %723, %729 ]
+  %783 = phi i64 [ %777, %776 ], [ %722, %729 ]
+  %784 = phi i32 [ 1, %776 ], [ 5, %729 ]
+  br i1 %779, label %785, label %1123
 
-779:                                              ; preds = %772
-  %780 = load ptr, ptr %76, align 8, !noalias !22
-  %781 = getelementptr inbounds i8, ptr %780, i64 8
-  %782 = load i64, ptr %781, align 8, !noalias !22
-  %783 = load ptr, ptr %276, align 8, !noalias !22
-  %784 = load ptr, ptr %274, align 8, !noalias !22
-  %785 = load ptr, ptr %277, align 8, !noalias !22
-  %786 = load ptr, ptr %278, align 8, !noalias !22
-  %787 = icmp sgt i64 %782, 0
-  br i1 %787, label %788, label %893
+785:                                              ; preds = %778
+  %786 = load ptr, ptr %76, align 8, !noalias !22
+  %787 = getelementptr inbounds i8, ptr %786, i64 8
+  %788 = load i64, ptr %787, align 8, !noalias !22
+  %789 = load ptr, ptr %276, align 8, !noalias !22
+  %790 = load ptr, ptr %274, align 8, !noalias !22
+  %791 = load ptr, ptr %277, align 8, !noalias !22
+  %792 = load ptr, ptr %278, align 8, !noalias !22
+  %793 = icmp sgt i64 %788, 0
+  br i1 %793, label %794, label %899
 
-788:                                              ; preds = %779
-  %789 = shl nuw nsw i64 %782, 1
-  %790 = getelementptr double, ptr %783, i64 %782
-  %791 = shl i64 %782, 4
-  %792 = getelementptr i8, ptr %783, i64 %791
-  %793 = load double, ptr %783, align 8, !noalias !22
-  %794 = getelementptr inbounds double, ptr %783, i64 %782
-  %795 = load double, ptr %794, align 8, !noalias !22
-  %796 = fadd double %793, %795
-  %797 = getelementptr inbounds double, ptr %783, i64 %789
-  %798 = load double, ptr %797, align 8, !noalias !22
-  %799 = fadd double %796, %798
-  %800 = tail call double @llvm.fabs.f64(double %799)
-  %801 = fcmp ueq double %800, 0x7FF0000000000000
-  br i1 %801, label %890, label %802
+794:                                              ; preds = %785
+  %795 = shl nuw nsw i64 %788, 1
+  %796 = getelementptr double, ptr %789, i64 %788
+  %797 = shl i64 %788, 4
+  %798 = getelementptr i8, ptr %789, i64 %797
+  %799 = load double, ptr %789, align 8, !noalias !22
+  %800 = getelementptr inbounds double, ptr %789, i64 %788
+  %801 = load double, ptr %800, align 8, !noalias !22
+  %802 = fadd double %799, %801
+  %803 = getelementptr inbounds double, ptr %789, i64 %795
+  %804 = load double, ptr %803, align 8, !noalias !22
+  %805 = fadd double %802, %804
+  %806 = tail call double @llvm.fabs.f64(double %805)
+  %807 = fcmp ueq double %806, 0x7FF0000000000000
+  br i1 %807, label %896, label %808
 
-802:                                              ; preds = %788
-  %803 = getelementptr double, ptr %784, i64 %782
-  %804 = getelementptr inbounds double, ptr %784, i64 %789
-  %805 = getelementptr double, ptr %783, i64 %782
-  %806 = getelementptr inbounds double, ptr %783, i64 %789
-  br label %818
+808:                                              ; preds = %794
+  %809 = getelementptr double, ptr %790, i64 %788
+  %810 = getelementptr inbounds double, ptr %790, i64 %795
+  %811 = getelementptr double, ptr %789, i64 %788
+  %812 = getelementptr inbounds double, ptr %789, i64 %795
+  br label %824
 
-807:                                              ; preds = %818
-  %808 = getelementptr inbounds double, ptr %783, i64 %886
-  %809 = load double, ptr %808, align 8, !noalias !22
-  %810 = getelementptr double, ptr %805, i64 %886
-  %811 = load double, ptr %810, align 8, !noalias !22
-  %812 = fadd double %809, %811
-  %813 = getelementptr inbounds double, ptr %806, i64 %886
-  %814 = load double, ptr %813, align 8, !noalias !22
-  %815 = fadd double %812, %814
-  %816 = tail call double @llvm.fabs.f64(double %815)
-  %817 = fcmp ueq double %816, 0x7FF0000000000000
-  br i1 %817, label %888, label %818, !llvm.loop !27
+813:                                              ; preds = %824
+  %814 = getelementptr inbounds double, ptr %789, i64 %892
+  %815 = load double, ptr %814, align 8, !noalias !22
+  %816 = getelementptr double, ptr %811, i64 %892
+  %817 = load double, ptr %816, align 8, !noalias !22
+  %818 = fadd double %815, %817
+  %819 = getelementptr inbounds double, ptr %812, i64 %892
+  %820 = load double, ptr %819, align 8, !noalias !22
+  %821 = fadd double %818, %820
+  %822 = tail call double @llvm.fabs.f64(double %821)
+  %823 = fcmp ueq double %822, 0x7FF0000000000000
+  br i1 %823, label %894, label %824, !llvm.loop !27
 
-818:                                              ; preds = %802, %807
-  %819 = phi double [ %809, %807 ], [ %793, %802 ]
-  %820 = phi double [ %885, %807 ], [ 0.000000e+00, %802 ]
-  %821 = phi i64 [ %886, %807 ], [ 0, %802 ]
-  %822 = getelementptr inbounds double, ptr %783, i64 %821
-  %823 = fmul double %819, 0x4010B70201A79C46
-  %824 = getelementptr double, ptr %790, i64 %821
-  %825 = load double, ptr %824, align 8, !noalias !22
-  %826 = fmul double %825, 0x3FD4F8C15DA84E86
-  %827 = fadd double %823, %826
-  %828 = getelementptr double, ptr %792, i64 %821
-  %829 = load double, ptr %828, align 8, !noalias !22
-  %830 = fmul double %829, 0x3FE0BF7FF59D56EF
-  %831 = fadd double %827, %830
-  %832 = getelementptr inbounds double, ptr %784, i64 %821
-  %833 = load double, ptr %832, align 8, !noalias !22
-  %834 = fmul double %703, %833
-  %835 = fsub double %831, %834
-  %836 = getelementptr inbounds double, ptr %785, i64 %821
-  store double %835, ptr %836, align 8, !noalias !22
-  %837 = load double, ptr %822, align 8, !noalias !22
-  %838 = fmul double %837, 0xC010B70201A79C46
-  %839 = load double, ptr %824, align 8, !noalias !22
-  %840 = fmul double %839, 0x3FD4F8C15DA84E86
-  %841 = fsub double %838, %840
-  %842 = load double, ptr %828, align 8, !noalias !22
-  %843 = fmul double %842, 0x3FDE810014C55221
-  %844 = fadd double %841, %843
-  %845 = fmul double %837, 0x3FE017885A24A7F2
-  %846 = fmul double %839, 0x4004934E6FCAA598
-  %847 = fsub double %845, %846
-  %848 = fmul double %842, 0x3FE312C0CF7BDFD1
-  %849 = fadd double %847, %848
-  %850 = getelementptr double, ptr %803, i64 %821
-  %851 = load double, ptr %850, align 8, !noalias !22
-  %852 = getelementptr inbounds double, ptr %804, i64 %821
-  %853 = load double, ptr %852, align 8, !noalias !22
-  %854 = fmul double %704, %851
-  %855 = fmul double %705, %853
-  %856 = fmul double %704, %853
-  %857 = fmul double %705, %851
-  %858 = fsub double %854, %855
-  %859 = fadd double %857, %856
-  %860 = fsub double %844, %858
-  %861 = fsub double %849, %859
-  %862 = getelementptr inbounds { double, double }, ptr %786, i64 %821
-  %863 = getelementptr inbounds i8, ptr %862, i64 8
-  store double %860, ptr %862, align 8, !noalias !22
-  store double %861, ptr %863, align 8, !noalias !22
-  %864 = load double, ptr %836, align 8, !noalias !22
-  %865 = tail call double @llvm.fabs.f64(double %864)
-  %866 = tail call double @llvm.fabs.f64(double %860)
-  %867 = fadd double %865, %866
-  %868 = tail call double @llvm.fabs.f64(double %861)
-  %869 = fadd double %868, %867
-  %870 = fmul double %398, %869
-  %871 = load ptr, ptr %77, align 8, !noalias !22
-  %872 = getelementptr inbounds double, ptr %871, i64 %821
-  %873 = load double, ptr %872, align 8, !noalias !22
-  %874 = load ptr, ptr %285, align 8, !noalias !22
-  %875 = getelementptr inbounds double, ptr %874, i64 %821
-  %876 = load double, ptr %875, align 8, !noalias !22
-  %877 = load ptr, ptr %286, align 8, !noalias !22
-  %878 = getelementptr inbounds double, ptr %877, i64 %821
+824:                                              ; preds = %808, %813
+  %825 = phi double [ %815, %813 ], [ %799, %808 ]
+  %826 = phi double [ %891, %813 ], [ 0.000000e+00, %808 ]
+  %827 = phi i64 [ %892, %813 ], [ 0, %808 ]
+  %828 = getelementptr inbounds double, ptr %789, i64 %827
+  %829 = fmul double %825, 0x4010B70201A79C46
+  %830 = getelementptr double, ptr %796, i64 %827
+  %831 = load double, ptr %830, align 8, !noalias !22
+  %832 = fmul double %831, 0x3FD4F8C15DA84E86
+  %833 = fadd double %829, %832
+  %834 = getelementptr double, ptr %798, i64 %827
+  %835 = load double, ptr %834, align 8, !noalias !22
+  %836 = fmul double %835, 0x3FE0BF7FF59D56EF
+  %837 = fadd double %833, %836
+  %838 = getelementptr inbounds double, ptr %790, i64 %827
+  %839 = load double, ptr %838, align 8, !noalias !22
+  %840 = fmul double %709, %839
+  %841 = fsub double %837, %840
+  %842 = getelementptr inbounds double, ptr %791, i64 %827
+  store double %841, ptr %842, align 8, !noalias !22
+  %843 = load double, ptr %828, align 8, !noalias !22
+  %844 = fmul double %843, 0xC010B70201A79C46
+  %845 = load double, ptr %830, align 8, !noalias !22
+  %846 = fmul double %845, 0x3FD4F8C15DA84E86
+  %847 = fsub double %844, %846
+  %848 = load double, ptr %834, align 8, !noalias !22
+  %849 = fmul double %848, 0x3FDE810014C55221
+  %850 = fadd double %847, %849
+  %851 = fmul double %843, 0x3FE017885A24A7F2
+  %852 = fmul double %845, 0x4004934E6FCAA598
+  %853 = fsub double %851, %852
+  %854 = fmul double %848, 0x3FE312C0CF7BDFD1
+  %855 = fadd double %853, %854
+  %856 = getelementptr double, ptr %809, i64 %827
+  %857 = load double, ptr %856, align 8, !noalias !22
+  %858 = getelementptr inbounds double, ptr %810, i64 %827
+  %859 = load double, ptr %858, align 8, !noalias !22
+  %860 = fmul double %710, %857
+  %861 = fmul double %711, %859
+  %862 = fmul double %710, %859
+  %863 = fmul double %711, %857
+  %864 = fsub double %860, %861
+  %865 = fadd double %863, %862
+  %866 = fsub double %850, %864
+  %867 = fsub double %855, %865
+  %868 = getelementptr inbounds { double, double }, ptr %792, i64 %827
+  %869 = getelementptr inbounds i8, ptr %868, i64 8
+  store double %866, ptr %868, align 8, !noalias !22
+  store double %867, ptr %869, align 8, !noalias !22
+  %870 = load double, ptr %842, align 8, !noalias !22
+  %871 = tail call double @llvm.fabs.f64(double %870)
+  %872 = tail call double @llvm.fabs.f64(double %866)
+  %873 = fadd double %871, %872
+  %874 = tail call double @llvm.fabs.f64(double %867)
+  %875 = fadd double %874, %873
+  %876 = fmul double %404, %875
+  %877 = load ptr, ptr %77, align 8, !noalias !22
+  %878 = getelementptr inbounds double, ptr %877, i64 %827
   %879 = load double, ptr %878, align 8, !noalias !22
-  %880 = tail call double @llvm.fabs.f64(double %873)
-  %881 = fmul double %880, %879
-  %882 = fadd double %876, %881
-  %883 = fdiv double %870, %882
-  %884 = fmul double %883, %883
-  %885 = fadd double %820, %884
-  %886 = add nuw nsw i64 %821, 1
-  %887 = icmp eq i64 %886, %782
-  br i1 %887, label %893, label %807, !llvm.loop !27
+  %880 = load ptr, ptr %285, align 8, !noalias !22
+  %881 = getelementptr inbounds double, ptr %880, i64 %827
+  %882 = load double, ptr %881, align 8, !noalias !22
+  %883 = load ptr, ptr %286, align 8, !noalias !22
+  %884 = getelementptr inbounds double, ptr %883, i64 %827
+  %885 = load double, ptr %884, align 8, !noalias !22
+  %886 = tail call double @llvm.fabs.f64(double %879)
+  %887 = fmul double %886, %885
+  %888 = fadd double %882, %887
+  %889 = fdiv double %876, %888
+  %890 = fmul double %889, %889
+  %891 = fadd double %826, %890
+  %892 = add nuw nsw i64 %827, 1
+  %893 = icmp eq i64 %892, %788
+  br i1 %893, label %899, label %813, !llvm.loop !27
 
-888:                                              ; preds = %807
-  %889 = icmp slt i64 %886, %782
-  br label %890
+894:                                              ; preds = %813
+  %895 = icmp slt i64 %892, %788
+  br label %896
 
-890:                                              ; preds = %888, %788
-  %891 = phi i1 [ %889, %888 ], [ %787, %788 ]
-  %892 = phi double [ %885, %888 ], [ 0.000000e+00, %788 ]
-  br i1 %891, label %1117, label %893
+896:                                              ; preds = %894, %794
+  %897 = phi i1 [ %895, %894 ], [ %793, %794 ]
+  %898 = phi double [ %891, %894 ], [ 0.000000e+00, %794 ]
+  br i1 %897, label %1123, label %899
 
-893:                                              ; preds = %818, %779, %890
-  %894 = phi double [ %892, %890 ], [ 0.000000e+00, %779 ], [ %885, %818 ]
-  %895 = load ptr, ptr %76, align 8, !noalias !22
-  %896 = getelementptr inbounds i8, ptr %895, i64 8
-  %897 = load i64, ptr %896, align 8, !noalias !22
-  %898 = load i64, ptr %288, align 8, !noalias !22
-  %899 = load ptr, ptr %78, align 8, !noalias !22
-  %900 = getelementptr inbounds i8, ptr %899, i64 40
-  %901 = load i64, ptr %900, align 8, !noalias !22
-  %902 = load ptr, ptr %277, align 8, !noalias !22
-  %903 = load ptr, ptr %278, align 8, !noalias !22
-  %904 = load ptr, ptr %289, align 8, !noalias !22
-  %905 = load ptr, ptr %287, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %904, i64 noundef %898, ptr noundef %905, ptr noundef %902) #10, !noalias !22
-  %906 = load ptr, ptr %290, align 8, !noalias !22
-  %907 = load ptr, ptr %291, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %906, i64 noundef %898, ptr noundef %907, ptr noundef %903) #10, !noalias !22
-  %908 = icmp sgt i64 %901, 0
-  br i1 %908, label %909, label %914
-
-909:                                              ; preds = %893
+899:                                              ; preds = %824, %785, %896
+  %900 = phi double [ %898, %896 ], [ 0.000000e+00, %785 ], [ %891, %824 ]
+  %901 = load ptr, ptr %76, align 8, !noalias !22
+  %902 = getelementptr inbounds i8, ptr %901, i64 8
+  %903 = load i64, ptr %902, align 8, !noalias !22
+  %904 = load i64, ptr %288, align 8, !noalias !22
+  %905 = load ptr, ptr %78, align 8, !noalias !22
+  %906 = getelementptr inbounds i8, ptr %905, i64 40
+  %907 = load i64, ptr %906, align 8, !noalias !22
+  %908 = load ptr, ptr %277, align 8, !noalias !22
+  %909 = load ptr, ptr %278, align 8, !noalias !22
   %910 = load ptr, ptr %289, align 8, !noalias !22
   %911 = load ptr, ptr %287, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %910, i64 noundef %898, ptr noundef %911, ptr noundef %902, i64 noundef %901) #10, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %910, i64 noundef %904, ptr noundef %911, ptr noundef %908) #10, !noalias !22
   %912 = load ptr, ptr %290, align 8, !noalias !22
   %913 = load ptr, ptr %291, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %912, i64 noundef %898, ptr noundef %913, ptr noundef %903, i64 noundef %901) #10, !noalias !22
-  br label %914
+  tail call fastcc void @pair_solve(ptr noundef %912, i64 noundef %904, ptr noundef %913, ptr noundef %909) #10, !noalias !22
+  %914 = icmp sgt i64 %907, 0
+  br i1 %914, label %915, label %920
 
-914:                                              ; preds = %909, %893
-  %915 = icmp sgt i64 %897, 0
-  br i1 %915, label %916, label %949
-
-916:                                              ; preds = %914
-  %917 = load ptr, ptr %77, align 8, !noalias !22
-  %918 = load ptr, ptr %292, align 8, !noalias !22
-  %919 = load ptr, ptr %293, align 8, !noalias !22
+915:                                              ; preds = %899
+  %916 = load ptr, ptr %289, align 8, !noalias !22
+  %917 = load ptr, ptr %287, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %916, i64 noundef %904, ptr noundef %917, ptr noundef %908, i64 noundef %907) #10, !noalias !22
+  %918 = load ptr, ptr %290, align 8, !noalias !22
+  %919 = load ptr, ptr %291, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %918, i64 noundef %904, ptr noundef %919, ptr noundef %909, i64 noundef %907) #10, !noalias !22
   br label %920
 
-920:                                              ; preds = %916, %920
-  %921 = phi double [ 0.000000e+00, %916 ], [ %946, %920 ]
-  %922 = phi i64 [ 0, %916 ], [ %947, %920 ]
-  %923 = getelementptr inbounds double, ptr %917, i64 %922
-  %924 = load double, ptr %923, align 8, !noalias !22
-  %925 = getelementptr inbounds double, ptr %918, i64 %922
-  %926 = load double, ptr %925, align 8, !noalias !22
-  %927 = getelementptr inbounds double, ptr %919, i64 %922
-  %928 = load double, ptr %927, align 8, !noalias !22
-  %929 = tail call double @llvm.fabs.f64(double %924)
-  %930 = fmul double %929, %928
-  %931 = fadd double %926, %930
-  %932 = getelementptr inbounds double, ptr %902, i64 %922
-  %933 = load double, ptr %932, align 8, !noalias !22
-  %934 = fdiv double %933, %931
-  %935 = getelementptr inbounds { double, double }, ptr %903, i64 %922
-  %936 = load double, ptr %935, align 8, !noalias !22
-  %937 = getelementptr inbounds i8, ptr %935, i64 8
-  %938 = fdiv double %936, %931
-  %939 = load double, ptr %937, align 8, !noalias !22
-  %940 = fdiv double %939, %931
-  %941 = fmul double %934, %934
-  %942 = fmul double %938, %938
-  %943 = fadd double %941, %942
-  %944 = fmul double %940, %940
-  %945 = fadd double %943, %944
-  %946 = fadd double %921, %945
-  %947 = add nuw nsw i64 %922, 1
-  %948 = icmp eq i64 %947, %897
-  br i1 %948, label %949, label %920, !llvm.loop !28
+920:                                              ; preds = %915, %899
+  %921 = icmp sgt i64 %903, 0
+  br i1 %921, label %922, label %955
 
-949:                                              ; preds = %920, %914
-  %950 = phi double [ 0.000000e+00, %914 ], [ %946, %920 ]
-  %951 = mul nsw i64 %897, 3
-  %952 = sitofp i64 %951 to double
-  %953 = fdiv double %950, %952
-  %954 = tail call double @llvm.sqrt.f64(double %953)
-  %955 = fcmp oeq double %954, 0.000000e+00
-  %956 = fcmp ogt double %894, 0.000000e+00
-  %957 = select i1 %955, i1 %956, i1 false
-  br i1 %957, label %958, label %960
+922:                                              ; preds = %920
+  %923 = load ptr, ptr %77, align 8, !noalias !22
+  %924 = load ptr, ptr %292, align 8, !noalias !22
+  %925 = load ptr, ptr %293, align 8, !noalias !22
+  br label %926
 
-958:                                              ; preds = %949
-  %959 = add nuw nsw i64 %715, 1
-  br label %1104
+926:                                              ; preds = %922, %926
+  %927 = phi double [ 0.000000e+00, %922 ], [ %952, %926 ]
+  %928 = phi i64 [ 0, %922 ], [ %953, %926 ]
+  %929 = getelementptr inbounds double, ptr %923, i64 %928
+  %930 = load double, ptr %929, align 8, !noalias !22
+  %931 = getelementptr inbounds double, ptr %924, i64 %928
+  %932 = load double, ptr %931, align 8, !noalias !22
+  %933 = getelementptr inbounds double, ptr %925, i64 %928
+  %934 = load double, ptr %933, align 8, !noalias !22
+  %935 = tail call double @llvm.fabs.f64(double %930)
+  %936 = fmul double %935, %934
+  %937 = fadd double %932, %936
+  %938 = getelementptr inbounds double, ptr %908, i64 %928
+  %939 = load double, ptr %938, align 8, !noalias !22
+  %940 = fdiv double %939, %937
+  %941 = getelementptr inbounds { double, double }, ptr %909, i64 %928
+  %942 = load double, ptr %941, align 8, !noalias !22
+  %943 = getelementptr inbounds i8, ptr %941, i64 8
+  %944 = fdiv double %942, %937
+  %945 = load double, ptr %943, align 8, !noalias !22
+  %946 = fdiv double %945, %937
+  %947 = fmul double %940, %940
+  %948 = fmul double %944, %944
+  %949 = fadd double %947, %948
+  %950 = fmul double %946, %946
+  %951 = fadd double %949, %950
+  %952 = fadd double %927, %951
+  %953 = add nuw nsw i64 %928, 1
+  %954 = icmp eq i64 %953, %903
+  br i1 %954, label %955, label %926, !llvm.loop !28
 
-960:                                              ; preds = %949
-  %961 = fcmp ogt double %712, 0.000000e+00
-  %962 = select i1 %961, i1 %721, i1 false
-  br i1 %962, label %963, label %976
+955:                                              ; preds = %926, %920
+  %956 = phi double [ 0.000000e+00, %920 ], [ %952, %926 ]
+  %957 = mul nsw i64 %903, 3
+  %958 = sitofp i64 %957 to double
+  %959 = fdiv double %956, %958
+  %960 = tail call double @llvm.sqrt.f64(double %959)
+  %961 = fcmp oeq double %960, 0.000000e+00
+  %962 = fcmp ogt double %900, 0.000000e+00
+  %963 = select i1 %961, i1 %962, i1 false
+  br i1 %963, label %964, label %966
 
-963:                                              ; preds = %960
-  %964 = fdiv double %954, %712
-  %965 = fcmp ult double %964, 1.000000e+00
-  br i1 %965, label %966, label %974
+964:                                              ; preds = %955
+  %965 = add nuw nsw i64 %721, 1
+  br label %1110
 
-966:                                              ; preds = %963
-  %967 = sub nsw i64 5, %715
-  %968 = sitofp i64 %967 to double
-  %969 = tail call double @llvm.pow.f64(double %964, double %968)
-  %970 = fsub double 1.000000e+00, %964
-  %971 = fdiv double %969, %970
-  %972 = fmul double %954, %971
-  %973 = fcmp ogt double %972, %122
-  br i1 %973, label %974, label %976
+966:                                              ; preds = %955
+  %967 = fcmp ogt double %718, 0.000000e+00
+  %968 = select i1 %967, i1 %727, i1 false
+  br i1 %968, label %969, label %982
 
-974:                                              ; preds = %966, %963
-  %975 = add nuw nsw i64 %715, 1
-  br label %1104
+969:                                              ; preds = %966
+  %970 = fdiv double %960, %718
+  %971 = fcmp ult double %970, 1.000000e+00
+  br i1 %971, label %972, label %980
 
-976:                                              ; preds = %966, %960
-  %977 = phi double [ %713, %960 ], [ %964, %966 ]
-  br i1 %706, label %989, label %978
+972:                                              ; preds = %969
+  %973 = sub nsw i64 5, %721
+  %974 = sitofp i64 %973 to double
+  %975 = tail call double @llvm.pow.f64(double %970, double %974)
+  %976 = fsub double 1.000000e+00, %970
+  %977 = fdiv double %975, %976
+  %978 = fmul double %960, %977
+  %979 = fcmp ogt double %978, %122
+  br i1 %979, label %980, label %982
 
-978:                                              ; preds = %1007, %976
-  %979 = fsub double 1.000000e+00, %977
-  %980 = fdiv double %977, %979
-  %981 = fmul double %954, %980
-  %982 = fcmp olt double %981, %122
-  %983 = select i1 %961, i1 %982, i1 false
-  %984 = select i1 %955, i1 true, i1 %983
-  %985 = add nuw nsw i64 %715, 1
-  %986 = select i1 %984, i64 %985, i64 0
-  %987 = select i1 %721, i64 %986, i64 %714
-  %988 = icmp sgt i64 %987, 0
-  br i1 %988, label %1030, label %1103
+980:                                              ; preds = %972, %969
+  %981 = add nuw nsw i64 %721, 1
+  br label %1110
 
-989:                                              ; preds = %976, %1007
-  %990 = phi i64 [ %1008, %1007 ], [ 0, %976 ]
-  %991 = getelementptr inbounds double, ptr %698, i64 %990
-  %992 = load double, ptr %991, align 8, !noalias !22
-  %993 = getelementptr inbounds double, ptr %696, i64 %990
-  %994 = load double, ptr %993, align 8, !noalias !22
-  %995 = fadd double %992, %994
-  store double %995, ptr %993, align 8, !noalias !22
-  %996 = getelementptr inbounds { double, double }, ptr %699, i64 %990
-  %997 = load double, ptr %996, align 8, !noalias !22
-  %998 = getelementptr inbounds i8, ptr %996, i64 8
-  %999 = getelementptr double, ptr %707, i64 %990
+982:                                              ; preds = %972, %966
+  %983 = phi double [ %719, %966 ], [ %970, %972 ]
+  br i1 %712, label %995, label %984
+
+984:                                              ; preds = %1013, %982
+  %985 = fsub double 1.000000e+00, %983
+  %986 = fdiv double %983, %985
+  %987 = fmul double %960, %986
+  %988 = fcmp olt double %987, %122
+  %989 = select i1 %967, i1 %988, i1 false
+  %990 = select i1 %961, i1 true, i1 %989
+  %991 = add nuw nsw i64 %721, 1
+  %992 = select i1 %990, i64 %991, i64 0
+  %993 = select i1 %727, i64 %992, i64 %720
+  %994 = icmp sgt i64 %993, 0
+  br i1 %994, label %1036, label %1109
+
+995:                                              ; preds = %982, %1013
+  %996 = phi i64 [ %1014, %1013 ], [ 0, %982 ]
+  %997 = getelementptr inbounds double, ptr %704, i64 %996
+  %998 = load double, ptr %997, align 8, !noalias !22
+  %999 = getelementptr inbounds double, ptr %702, i64 %996
   %1000 = load double, ptr %999, align 8, !noalias !22
-  %1001 = fadd double %997, %1000
+  %1001 = fadd double %998, %1000
   store double %1001, ptr %999, align 8, !noalias !22
-  %1002 = load double, ptr %998, align 8, !noalias !22
-  %1003 = getelementptr double, ptr %709, i64 %990
-  %1004 = load double, ptr %1003, align 8, !noalias !22
-  %1005 = fadd double %1002, %1004
-  store double %1005, ptr %1003, align 8, !noalias !22
-  %1006 = getelementptr double, ptr %695, i64 %990
-  br label %1010
+  %1002 = getelementptr inbounds { double, double }, ptr %705, i64 %996
+  %1003 = load double, ptr %1002, align 8, !noalias !22
+  %1004 = getelementptr inbounds i8, ptr %1002, i64 8
+  %1005 = getelementptr double, ptr %713, i64 %996
+  %1006 = load double, ptr %1005, align 8, !noalias !22
+  %1007 = fadd double %1003, %1006
+  store double %1007, ptr %1005, align 8, !noalias !22
+  %1008 = load double, ptr %1004, align 8, !noalias !22
+  %1009 = getelementptr double, ptr %715, i64 %996
+  %1010 = load double, ptr %1009, align 8, !noalias !22
+  %1011 = fadd double %1008, %1010
+  store double %1011, ptr %1009, align 8, !noalias !22
+  %1012 = getelementptr double, ptr %701, i64 %996
+  br label %1016
 
-1007:                                             ; preds = %1010
-  %1008 = add nuw nsw i64 %990, 1
-  %1009 = icmp eq i64 %1008, %691
-  br i1 %1009, label %978, label %989, !llvm.loop !29
+1013:                                             ; preds = %1016
+  %1014 = add nuw nsw i64 %996, 1
+  %1015 = icmp eq i64 %1014, %697
+  br i1 %1015, label %984, label %995, !llvm.loop !29
 
-1010:                                             ; preds = %989, %1010
-  %1011 = phi i64 [ 0, %989 ], [ %1028, %1010 ]
-  %1012 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1011
-  %1013 = load double, ptr %1012, align 8, !noalias !22
-  %1014 = load double, ptr %993, align 8, !noalias !22
-  %1015 = fmul double %1013, %1014
-  %1016 = getelementptr inbounds i8, ptr %1012, i64 8
-  %1017 = load double, ptr %1016, align 8, !noalias !22
-  %1018 = load double, ptr %999, align 8, !noalias !22
-  %1019 = fmul double %1017, %1018
-  %1020 = fadd double %1015, %1019
-  %1021 = getelementptr inbounds i8, ptr %1012, i64 16
-  %1022 = load double, ptr %1021, align 8, !noalias !22
-  %1023 = load double, ptr %1003, align 8, !noalias !22
-  %1024 = fmul double %1022, %1023
-  %1025 = fadd double %1020, %1024
-  %1026 = mul nuw nsw i64 %691, %1011
-  %1027 = getelementptr double, ptr %1006, i64 %1026
-  store double %1025, ptr %1027, align 8, !noalias !22
-  %1028 = add nuw nsw i64 %1011, 1
-  %1029 = icmp eq i64 %1028, 3
-  br i1 %1029, label %1007, label %1010, !llvm.loop !30
+1016:                                             ; preds = %995, %1016
+  %1017 = phi i64 [ 0, %995 ], [ %1034, %1016 ]
+  %1018 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1017
+  %1019 = load double, ptr %1018, align 8, !noalias !22
+  %1020 = load double, ptr %999, align 8, !noalias !22
+  %1021 = fmul double %1019, %1020
+  %1022 = getelementptr inbounds i8, ptr %1018, i64 8
+  %1023 = load double, ptr %1022, align 8, !noalias !22
+  %1024 = load double, ptr %1005, align 8, !noalias !22
+  %1025 = fmul double %1023, %1024
+  %1026 = fadd double %1021, %1025
+  %1027 = getelementptr inbounds i8, ptr %1018, i64 16
+  %1028 = load double, ptr %1027, align 8, !noalias !22
+  %1029 = load double, ptr %1009, align 8, !noalias !22
+  %1030 = fmul double %1028, %1029
+  %1031 = fadd double %1026, %1030
+  %1032 = mul nuw nsw i64 %697, %1017
+  %1033 = getelementptr double, ptr %1012, i64 %1032
+  store double %1031, ptr %1033, align 8, !noalias !22
+  %1034 = add nuw nsw i64 %1017, 1
+  %1035 = icmp eq i64 %1034, 3
+  br i1 %1035, label %1013, label %1016, !llvm.loop !30
 
-1030:                                             ; preds = %978
-  br i1 %710, label %1104, label %1031
+1036:                                             ; preds = %984
+  br i1 %716, label %1110, label %1037
 
-1031:                                             ; preds = %1030
-  %1032 = load i64, ptr %294, align 8, !noalias !22
-  %1033 = load ptr, ptr %78, align 8, !noalias !22
-  %1034 = getelementptr inbounds i8, ptr %1033, i64 40
-  %1035 = load i64, ptr %1034, align 8, !noalias !22
-  %1036 = load ptr, ptr %297, align 8, !noalias !22
-  %1037 = load ptr, ptr %295, align 8, !noalias !22
-  %1038 = load ptr, ptr %298, align 8, !noalias !22
-  %1039 = icmp sgt i64 %1035, 0
-  br i1 %1039, label %1040, label %1100
+1037:                                             ; preds = %1036
+  %1038 = load i64, ptr %294, align 8, !noalias !22
+  %1039 = load ptr, ptr %78, align 8, !noalias !22
+  %1040 = getelementptr inbounds i8, ptr %1039, i64 40
+  %1041 = load i64, ptr %1040, align 8, !noalias !22
+  %1042 = load ptr, ptr %297, align 8, !noalias !22
+  %1043 = load ptr, ptr %295, align 8, !noalias !22
+  %1044 = load ptr, ptr %298, align 8, !noalias !22
+  %1045 = icmp sgt i64 %1041, 0
+  br i1 %1045, label %1046, label %1106
 
-1040:                                             ; preds = %1031
-  %1041 = load i64, ptr %296, align 8, !noalias !22
-  %1042 = icmp sgt i64 %1032, 0
-  %1043 = getelementptr double, ptr %1037, i64 %1041
-  %1044 = shl i64 %1041, 4
-  %1045 = getelementptr i8, ptr %1037, i64 %1044
-  br label %1046
+1046:                                             ; preds = %1037
+  %1047 = load i64, ptr %296, align 8, !noalias !22
+  %1048 = icmp sgt i64 %1038, 0
+  %1049 = getelementptr double, ptr %1043, i64 %1047
+  %1050 = shl i64 %1047, 4
+  %1051 = getelementptr i8, ptr %1043, i64 %1050
+  br label %1052
 
-1046:                                             ; preds = %1040, %1096
-  %1047 = phi double [ 0.000000e+00, %1040 ], [ %1097, %1096 ]
-  %1048 = phi i64 [ 0, %1040 ], [ %1098, %1096 ]
-  br i1 %1042, label %1049, label %1052
+1052:                                             ; preds = %1046, %1102
+  %1053 = phi double [ 0.000000e+00, %1046 ], [ %1103, %1102 ]
+  %1054 = phi i64 [ 0, %1046 ], [ %1104, %1102 ]
+  br i1 %1048, label %1055, label %1058
 
-1049:                                             ; preds = %1046
-  %1050 = add nuw i64 %1048, %1032
-  %1051 = load ptr, ptr %77, align 8, !noalias !22
-  br label %1057
+1055:                                             ; preds = %1052
+  %1056 = add nuw i64 %1054, %1038
+  %1057 = load ptr, ptr %77, align 8, !noalias !22
+  br label %1063
 
-1052:                                             ; preds = %1057, %1046
-  %1053 = phi double [ 0.000000e+00, %1046 ], [ %1089, %1057 ]
-  %1054 = phi double [ 0.000000e+00, %1046 ], [ %1073, %1057 ]
-  %1055 = fmul double %1047, %1053
-  %1056 = fcmp ogt double %1054, %1055
-  br i1 %1056, label %1092, label %1096
+1058:                                             ; preds = %1063, %1052
+  %1059 = phi double [ 0.000000e+00, %1052 ], [ %1095, %1063 ]
+  %1060 = phi double [ 0.000000e+00, %1052 ], [ %1079, %1063 ]
+  %1061 = fmul double %1053, %1059
+  %1062 = fcmp ogt double %1060, %1061
+  br i1 %1062, label %1098, label %1102
 
-1057:                                             ; preds = %1049, %1057
-  %1058 = phi double [ 0.000000e+00, %1049 ], [ %1073, %1057 ]
-  %1059 = phi double [ 0.000000e+00, %1049 ], [ %1089, %1057 ]
-  %1060 = phi i64 [ 0, %1049 ], [ %1090, %1057 ]
-  %1061 = mul nuw nsw i64 %1060, %1035
-  %1062 = add i64 %1050, %1061
-  %1063 = getelementptr inbounds double, ptr %1036, i64 %1062
-  %1064 = load double, ptr %1063, align 8, !noalias !22
-  %1065 = fmul double %1064, %1064
-  %1066 = getelementptr inbounds { double, double }, ptr %1038, i64 %1062
-  %1067 = load double, ptr %1066, align 8, !noalias !22
-  %1068 = getelementptr inbounds i8, ptr %1066, i64 8
-  %1069 = load double, ptr %1068, align 8, !noalias !22
-  %1070 = tail call double @hypot(double noundef %1067, double noundef %1069) #13
+1063:                                             ; preds = %1055, %1063
+  %1064 = phi double [ 0.000000e+00, %1055 ], [ %1079, %1063 ]
+  %1065 = phi double [ 0.000000e+00, %1055 ], [ %1095, %1063 ]
+  %1066 = phi i64 [ 0, %1055 ], [ %1096, %1063 ]
+  %1067 = mul nuw nsw i64 %1066, %1041
+  %1068 = add i64 %1056, %1067
+  %1069 = getelementptr inbounds double, ptr %1042, i64 %1068
+  %1070 = load double, ptr %1069, align 8, !noalias !22
   %1071 = fmul double %1070, %1070
-  %1072 = fadd double %1065, %1071
-  %1073 = fadd double %1058, %1072
-  %1074 = getelementptr inbounds double, ptr %1051, i64 %1062
+  %1072 = getelementptr inbounds { double, double }, ptr %1044, i64 %1068
+  %1073 = load double, ptr %1072, align 8, !noalias !22
+  %1074 = getelementptr inbounds i8, ptr %1072, i64 8
   %1075 = load double, ptr %1074, align 8, !noalias !22
-  %1076 = fmul double %1075, %1075
-  %1077 = fadd double %1059, %1076
-  %1078 = getelementptr inbounds double, ptr %1037, i64 %1062
-  %1079 = load double, ptr %1078, align 8, !noalias !22
-  %1080 = fmul double %1079, %1079
-  %1081 = getelementptr double, ptr %1043, i64 %1062
-  %1082 = load double, ptr %1081, align 8, !noalias !22
-  %1083 = fmul double %1082, %1082
-  %1084 = fadd double %1080, %1083
-  %1085 = getelementptr double, ptr %1045, i64 %1062
-  %1086 = load double, ptr %1085, align 8, !noalias !22
-  %1087 = fmul double %1086, %1086
-  %1088 = fadd double %1084, %1087
-  %1089 = fadd double %1077, %1088
-  %1090 = add nuw nsw i64 %1060, 1
-  %1091 = icmp eq i64 %1090, %1032
-  br i1 %1091, label %1052, label %1057, !llvm.loop !31
+  %1076 = tail call double @hypot(double noundef %1073, double noundef %1075) #13
+  %1077 = fmul double %1076, %1076
+  %1078 = fadd double %1071, %1077
+  %1079 = fadd double %1064, %1078
+  %1080 = getelementptr inbounds double, ptr %1057, i64 %1068
+  %1081 = load double, ptr %1080, align 8, !noalias !22
+  %1082 = fmul double %1081, %1081
+  %1083 = fadd double %1065, %1082
+  %1084 = getelementptr inbounds double, ptr %1043, i64 %1068
+  %1085 = load double, ptr %1084, align 8, !noalias !22
+  %1086 = fmul double %1085, %1085
+  %1087 = getelementptr double, ptr %1049, i64 %1068
+  %1088 = load double, ptr %1087, align 8, !noalias !22
+  %1089 = fmul double %1088, %1088
+  %1090 = fadd double %1086, %1089
+  %1091 = getelementptr double, ptr %1051, i64 %1068
+  %1092 = load double, ptr %1091, align 8, !noalias !22
+  %1093 = fmul double %1092, %1092
+  %1094 = fadd double %1090, %1093
+  %1095 = fadd double %1083, %1094
+  %1096 = add nuw nsw i64 %1066, 1
+  %1097 = icmp eq i64 %1096, %1038
+  br i1 %1097, label %1058, label %1063, !llvm.loop !31
 
-1092:                                             ; preds = %1052
-  %1093 = fcmp ogt double %1053, 0.000000e+00
-  %1094 = fdiv double %1054, %1053
-  %1095 = select i1 %1093, double %1094, double 1.000000e+00
-  br label %1096
+1098:                                             ; preds = %1058
+  %1099 = fcmp ogt double %1059, 0.000000e+00
+  %1100 = fdiv double %1060, %1059
+  %1101 = select i1 %1099, double %1100, double 1.000000e+00
+  br label %1102
 
-1096:                                             ; preds = %1092, %1052
-  %1097 = phi double [ %1095, %1092 ], [ %1047, %1052 ]
-  %1098 = add nuw nsw i64 %1048, 1
-  %1099 = icmp eq i64 %1098, %1035
-  br i1 %1099, label %1100, label %1046, !llvm.loop !32
+1102:                                             ; preds = %1098, %1058
+  %1103 = phi double [ %1101, %1098 ], [ %1053, %1058 ]
+  %1104 = add nuw nsw i64 %1054, 1
+  %1105 = icmp eq i64 %1104, %1041
+  br i1 %1105, label %1106, label %1052, !llvm.loop !32
 
-1100:                                             ; preds = %1096, %1031
-  %1101 = phi double [ 0.000000e+00, %1031 ], [ %1097, %1096 ]
-  %1102 = fcmp ugt double %1101, %299
-  br i1 %1102, label %1103, label %1104
+1106:                                             ; preds = %1102, %1037
+  %1107 = phi double [ 0.000000e+00, %1037 ], [ %1103, %1102 ]
+  %1108 = fcmp ugt double %1107, %299
+  br i1 %1108, label %1109, label %1110
 
-1103:                                             ; preds = %1100, %978
-  br label %1104
+1109:                                             ; preds = %1106, %984
+  br label %1110
 
-1104:                                             ; preds = %1103, %1100, %1030, %974, %958
-  %1105 = phi double [ %713, %958 ], [ %964, %974 ], [ %774, %1030 ], [ %774, %1103 ], [ %774, %1100 ]
-  %1106 = phi i32 [ 0, %958 ], [ 0, %974 ], [ %775, %1030 ], [ %775, %1103 ], [ %775, %1100 ]
-  %1107 = phi i64 [ %959, %958 ], [ %975, %974 ], [ %776, %1030 ], [ %776, %1103 ], [ %776, %1100 ]
-  %1108 = phi i64 [ 0, %958 ], [ 0, %974 ], [ %777, %1030 ], [ %777, %1103 ], [ %777, %1100 ]
-  %1109 = phi i1 [ false, %958 ], [ false, %974 ], [ false, %1030 ], [ true, %1103 ], [ false, %1100 ]
-  %1110 = phi i32 [ 1, %958 ], [ 1, %974 ], [ 2, %1030 ], [ 0, %1103 ], [ 2, %1100 ]
-  %1111 = phi i64 [ %714, %958 ], [ 0, %974 ], [ %987, %1030 ], [ %987, %1103 ], [ %987, %1100 ]
-  %1112 = phi double [ %713, %958 ], [ %964, %974 ], [ %977, %1030 ], [ %977, %1103 ], [ %977, %1100 ]
-  %1113 = phi double [ %712, %958 ], [ %712, %974 ], [ %712, %1030 ], [ %954, %1103 ], [ %712, %1100 ]
-  br i1 %1109, label %1114, label %1117
+1110:                                             ; preds = %1109, %1106, %1036, %980, %964
+  %1111 = phi double [ %719, %964 ], [ %970, %980 ], [ %780, %1036 ], [ %780, %1109 ], [ %780, %1106 ]
+  %1112 = phi i32 [ 0, %964 ], [ 0, %980 ], [ %781, %1036 ], [ %781, %1109 ], [ %781, %1106 ]
+  %1113 = phi i64 [ %965, %964 ], [ %981, %980 ], [ %782, %1036 ], [ %782, %1109 ], [ %782, %1106 ]
+  %1114 = phi i64 [ 0, %964 ], [ 0, %980 ], [ %783, %1036 ], [ %783, %1109 ], [ %783, %1106 ]
+  %1115 = phi i1 [ false, %964 ], [ false, %980 ], [ false, %1036 ], [ true, %1109 ], [ false, %1106 ]
+  %1116 = phi i32 [ 1, %964 ], [ 1, %980 ], [ 2, %1036 ], [ 0, %1109 ], [ 2, %1106 ]
+  %1117 = phi i64 [ %720, %964 ], [ 0, %980 ], [ %993, %1036 ], [ %993, %1109 ], [ %993, %1106 ]
+  %1118 = phi double [ %719, %964 ], [ %970, %980 ], [ %983, %1036 ], [ %983, %1109 ], [ %983, %1106 ]
+  %1119 = phi double [ %718, %964 ], [ %718, %980 ], [ %718, %1036 ], [ %960, %1109 ], [ %718, %1106 ]
+  br i1 %1115, label %1120, label %1123
 
-1114:                                             ; preds = %1104
-  %1115 = add nuw nsw i64 %715, 1
-  %1116 = icmp eq i64 %1115, %701
-  br i1 %1116, label %1117, label %711, !llvm.loop !33
+1120:                                             ; preds = %1110
+  %1121 = add nuw nsw i64 %721, 1
+  %1122 = icmp eq i64 %1121, %707
+  br i1 %1122, label %1123, label %717, !llvm.loop !33
 
-1117:                                             ; preds = %890, %1104, %772, %711, %1114
-  %1118 = phi double [ %719, %711 ], [ %1105, %1104 ], [ %774, %772 ], [ %1105, %1114 ], [ 0x7FF0000000000000, %890 ]
-  %1119 = phi i32 [ %718, %711 ], [ %1106, %1104 ], [ %775, %772 ], [ %1106, %1114 ], [ 0, %890 ]
-  %1120 = phi i64 [ %717, %711 ], [ %1107, %1104 ], [ %776, %772 ], [ %1107, %1114 ], [ %715, %890 ]
-  %1121 = phi i64 [ %716, %711 ], [ %1108, %1104 ], [ %777, %772 ], [ %1108, %1114 ], [ 0, %890 ]
-  %1122 = phi i32 [ 2, %711 ], [ %1110, %1104 ], [ %778, %772 ], [ 2, %1114 ], [ 1, %890 ]
-  %1123 = phi i64 [ 0, %711 ], [ %1111, %1104 ], [ %714, %772 ], [ %1111, %1114 ], [ %714, %890 ]
-  %1124 = phi double [ %713, %711 ], [ %1112, %1104 ], [ %713, %772 ], [ %1112, %1114 ], [ %713, %890 ]
-  %1125 = icmp eq i32 %1122, 2
-  br i1 %1125, label %1126, label %1130
+1123:                                             ; preds = %896, %1110, %778, %717, %1120
+  %1124 = phi double [ %725, %717 ], [ %1111, %1110 ], [ %780, %778 ], [ %1111, %1120 ], [ 0x7FF0000000000000, %896 ]
+  %1125 = phi i32 [ %724, %717 ], [ %1112, %1110 ], [ %781, %778 ], [ %1112, %1120 ], [ 0, %896 ]
+  %1126 = phi i64 [ %723, %717 ], [ %1113, %1110 ], [ %782, %778 ], [ %1113, %1120 ], [ %721, %896 ]
+  %1127 = phi i64 [ %722, %717 ], [ %1114, %1110 ], [ %783, %778 ], [ %1114, %1120 ], [ 0, %896 ]
+  %1128 = phi i32 [ 2, %717 ], [ %1116, %1110 ], [ %784, %778 ], [ 2, %1120 ], [ 1, %896 ]
+  %1129 = phi i64 [ 0, %717 ], [ %1117, %1110 ], [ %720, %778 ], [ %1117, %1120 ], [ %720, %896 ]
+  %1130 = phi double [ %719, %717 ], [ %1118, %1110 ], [ %719, %778 ], [ %1118, %1120 ], [ %719, %896 ]
+  %1131 = icmp eq i32 %1128, 2
+  br i1 %1131, label %1132, label %1136
 
-1126:                                             ; preds = %1117
-  %1127 = icmp sgt i64 %1123, 0
-  %1128 = select i1 %1127, i64 %1123, i64 6
-  %1129 = zext i1 %1127 to i32
-  br label %1130
+1132:                                             ; preds = %1123
+  %1133 = icmp sgt i64 %1129, 0
+  %1134 = select i1 %1133, i64 %1129, i64 6
+  %1135 = zext i1 %1133 to i32
+  br label %1136
 
-1130:                                             ; preds = %1117, %1126
-  %1131 = phi double [ %1124, %1126 ], [ %1118, %1117 ]
-  %1132 = phi i32 [ %1129, %1126 ], [ %1119, %1117 ]
-  %1133 = phi i64 [ %1128, %1126 ], [ %1120, %1117 ]
-  %1134 = phi i64 [ 0, %1126 ], [ %1121, %1117 ]
-  %1135 = icmp slt i64 %1134, 0
-  br i1 %1135, label %1768, label %1136
+1136:                                             ; preds = %1123, %1132
+  %1137 = phi double [ %1130, %1132 ], [ %1124, %1123 ]
+  %1138 = phi i32 [ %1135, %1132 ], [ %1125, %1123 ]
+  %1139 = phi i64 [ %1134, %1132 ], [ %1126, %1123 ]
+  %1140 = phi i64 [ 0, %1132 ], [ %1127, %1123 ]
+  %1141 = icmp slt i64 %1140, 0
+  br i1 %1141, label %1883, label %1142
 
-1136:                                             ; preds = %1130
-  %1137 = icmp eq i32 %1132, 0
-  br i1 %1137, label %1139, label %1138
+1142:                                             ; preds = %1136
+  %1143 = icmp eq i32 %1138, 0
+  br i1 %1143, label %1145, label %1144
 
-1138:                                             ; preds = %1136
-  br i1 %300, label %1290, label %1189
+1144:                                             ; preds = %1142
+  br i1 %300, label %1296, label %1195
 
-1139:                                             ; preds = %1136
-  %1140 = load i64, ptr %242, align 8
-  %1141 = add nsw i64 %1140, 1
-  store i64 %1141, ptr %242, align 8
-  %1142 = tail call double @llvm.fabs.f64(double %1131)
-  %1143 = fcmp ueq double %1142, 0x7FF0000000000000
-  %1144 = select i1 %1143, i64 4, i64 7
-  %1145 = icmp eq i64 %1134, 0
-  %1146 = select i1 %1145, i64 %1144, i64 3
-  store i64 %1146, ptr %351, align 8
-  %1147 = load i64, ptr %352, align 8
-  %1148 = icmp eq i64 %1147, 1
-  %1149 = and i1 %1145, %1148
-  br i1 %1149, label %1150, label %1176
+1145:                                             ; preds = %1142
+  %1146 = load i64, ptr %242, align 8
+  %1147 = add nsw i64 %1146, 1
+  store i64 %1147, ptr %242, align 8
+  %1148 = tail call double @llvm.fabs.f64(double %1137)
+  %1149 = fcmp ueq double %1148, 0x7FF0000000000000
+  %1150 = select i1 %1149, i64 4, i64 7
+  %1151 = icmp eq i64 %1140, 0
+  %1152 = select i1 %1151, i64 %1150, i64 3
+  store i64 %1152, ptr %357, align 8
+  %1153 = load i64, ptr %358, align 8
+  %1154 = icmp eq i64 %1153, 1
+  %1155 = and i1 %1151, %1154
+  br i1 %1155, label %1156, label %1182
 
-1150:                                             ; preds = %1139
-  %1151 = load i64, ptr %354, align 8
-  %1152 = icmp sgt i64 %1151, 0
-  br i1 %1152, label %1153, label %1170
+1156:                                             ; preds = %1145
+  %1157 = load i64, ptr %360, align 8
+  %1158 = icmp sgt i64 %1157, 0
+  br i1 %1158, label %1159, label %1176
 
-1153:                                             ; preds = %1150, %1162
-  %1154 = phi i64 [ %1167, %1162 ], [ 0, %1150 ]
-  %1155 = phi i32 [ %1164, %1162 ], [ 0, %1150 ]
-  %1156 = icmp eq i32 %1155, 0
-  br i1 %1156, label %1157, label %1162
+1159:                                             ; preds = %1156, %1168
+  %1160 = phi i64 [ %1173, %1168 ], [ 0, %1156 ]
+  %1161 = phi i32 [ %1170, %1168 ], [ 0, %1156 ]
+  %1162 = icmp eq i32 %1161, 0
+  br i1 %1162, label %1163, label %1168
 
-1157:                                             ; preds = %1153
-  %1158 = load ptr, ptr %353, align 8
-  %1159 = getelementptr inbounds double, ptr %1158, i64 %1154
-  %1160 = load double, ptr %1159, align 8
-  %1161 = fcmp une double %1160, 0.000000e+00
-  br label %1162
+1163:                                             ; preds = %1159
+  %1164 = load ptr, ptr %359, align 8
+  %1165 = getelementptr inbounds double, ptr %1164, i64 %1160
+  %1166 = load double, ptr %1165, align 8
+  %1167 = fcmp une double %1166, 0.000000e+00
+  br label %1168
 
-1162:                                             ; preds = %1157, %1153
-  %1163 = phi i1 [ true, %1153 ], [ %1161, %1157 ]
-  %1164 = zext i1 %1163 to i32
-  %1165 = load ptr, ptr %353, align 8
-  %1166 = getelementptr inbounds double, ptr %1165, i64 %1154
-  store double 0.000000e+00, ptr %1166, align 8
-  %1167 = add nuw nsw i64 %1154, 1
-  %1168 = load i64, ptr %354, align 8
-  %1169 = icmp slt i64 %1167, %1168
-  br i1 %1169, label %1153, label %1170, !llvm.loop !34
+1168:                                             ; preds = %1163, %1159
+  %1169 = phi i1 [ true, %1159 ], [ %1167, %1163 ]
+  %1170 = zext i1 %1169 to i32
+  %1171 = load ptr, ptr %359, align 8
+  %1172 = getelementptr inbounds double, ptr %1171, i64 %1160
+  store double 0.000000e+00, ptr %1172, align 8
+  %1173 = add nuw nsw i64 %1160, 1
+  %1174 = load i64, ptr %360, align 8
+  %1175 = icmp slt i64 %1173, %1174
+  br i1 %1175, label %1159, label %1176, !llvm.loop !34
 
-1170:                                             ; preds = %1162, %1150
-  %1171 = phi i32 [ 0, %1150 ], [ %1164, %1162 ]
-  %1172 = icmp eq i32 %1171, 0
-  br i1 %1172, label %1174, label %1173
+1176:                                             ; preds = %1168, %1156
+  %1177 = phi i32 [ 0, %1156 ], [ %1170, %1168 ]
+  %1178 = icmp eq i32 %1177, 0
+  br i1 %1178, label %1180, label %1179
 
-1173:                                             ; preds = %1170
+1179:                                             ; preds = %1176
   store i64 0, ptr %263, align 8
-  br label %1768, !llvm.loop !17
+  br label %1883, !llvm.loop !17
 
-1174:                                             ; preds = %1170
-  store i64 0, ptr %352, align 8
-  %1175 = fmul double %398, 5.000000e-01
-  br label %1176
+1180:                                             ; preds = %1176
+  store i64 0, ptr %358, align 8
+  %1181 = fmul double %404, 5.000000e-01
+  br label %1182
 
-1176:                                             ; preds = %1174, %1139
-  %1177 = phi double [ %1175, %1174 ], [ %363, %1139 ]
-  %1178 = load i64, ptr %352, align 8
-  %1179 = icmp eq i64 %1178, 1
-  %1180 = icmp ne i64 %1134, 0
-  %1181 = or i1 %1180, %1179
-  br i1 %1181, label %1182, label %1185
+1182:                                             ; preds = %1180, %1145
+  %1183 = phi double [ %1181, %1180 ], [ %369, %1145 ]
+  %1184 = load i64, ptr %358, align 8
+  %1185 = icmp eq i64 %1184, 1
+  %1186 = icmp ne i64 %1140, 0
+  %1187 = or i1 %1186, %1185
+  br i1 %1187, label %1188, label %1191
 
-1182:                                             ; preds = %1176
-  %1183 = select i1 %1145, double 5.000000e-01, double 2.500000e-01
-  %1184 = fmul double %398, %1183
+1188:                                             ; preds = %1182
+  %1189 = select i1 %1151, double 5.000000e-01, double 2.500000e-01
+  %1190 = fmul double %404, %1189
   store double 0.000000e+00, ptr %271, align 8
-  br label %1185
+  br label %1191
 
-1185:                                             ; preds = %1176, %1182
-  %1186 = phi double [ %1184, %1182 ], [ %1177, %1176 ]
-  %1187 = load i64, ptr %352, align 8
-  %1188 = sub nsw i64 1, %1187
-  store i64 %1188, ptr %245, align 8
-  br label %1768, !llvm.loop !17
+1191:                                             ; preds = %1182, %1188
+  %1192 = phi double [ %1190, %1188 ], [ %1183, %1182 ]
+  %1193 = load i64, ptr %358, align 8
+  %1194 = sub nsw i64 1, %1193
+  store i64 %1194, ptr %245, align 8
+  br label %1883, !llvm.loop !17
 
-1189:                                             ; preds = %1290, %1138
-  %1190 = load i64, ptr %303, align 8
-  %1191 = icmp eq i64 %1190, 1
-  %1192 = load ptr, ptr %76, align 8
-  %1193 = getelementptr inbounds i8, ptr %1192, i64 8
-  %1194 = load i64, ptr %1193, align 8
-  %1195 = load i64, ptr %305, align 8
-  %1196 = load ptr, ptr %306, align 8
-  %1197 = load ptr, ptr %277, align 8
-  %1198 = icmp sgt i64 %1194, 0
-  br i1 %1198, label %1199, label %1201
+1195:                                             ; preds = %1296, %1144
+  %1196 = load i64, ptr %303, align 8
+  %1197 = icmp eq i64 %1196, 1
+  %1198 = load ptr, ptr %76, align 8
+  %1199 = getelementptr inbounds i8, ptr %1198, i64 8
+  %1200 = load i64, ptr %1199, align 8
+  %1201 = load i64, ptr %305, align 8
+  %1202 = load ptr, ptr %306, align 8
+  %1203 = load ptr, ptr %277, align 8
+  %1204 = icmp sgt i64 %1200, 0
+  br i1 %1204, label %1205, label %1207
 
-1199:                                             ; preds = %1189
-  %1200 = shl i64 %1194, 4
-  br label %1210
+1205:                                             ; preds = %1195
+  %1206 = shl i64 %1200, 4
+  br label %1216
 
-1201:                                             ; preds = %1210, %1189
-  %1202 = load ptr, ptr %308, align 8
-  %1203 = load ptr, ptr %304, align 8
-  tail call fastcc void @real_solve(ptr noundef %1202, i64 noundef %1195, ptr noundef %1203, ptr noundef %1197) #10
-  %1204 = load ptr, ptr %309, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1197, ptr noundef %1204, ptr noundef nonnull %77, i64 noundef %1194) #10
-  %1205 = load double, ptr %6, align 8
-  %1206 = fcmp uge double %1205, 1.000000e+00
-  %1207 = and i1 %1191, %1206
-  br i1 %1207, label %1208, label %1286
+1207:                                             ; preds = %1216, %1195
+  %1208 = load ptr, ptr %308, align 8
+  %1209 = load ptr, ptr %304, align 8
+  tail call fastcc void @real_solve(ptr noundef %1208, i64 noundef %1201, ptr noundef %1209, ptr noundef %1203) #10
+  %1210 = load ptr, ptr %309, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1203, ptr noundef %1210, ptr noundef nonnull %77, i64 noundef %1200) #10
+  %1211 = load double, ptr %6, align 8
+  %1212 = fcmp uge double %1211, 1.000000e+00
+  %1213 = and i1 %1197, %1212
+  br i1 %1213, label %1214, label %1292
 
-1208:                                             ; preds = %1201
-  %1209 = icmp sgt i64 %1194, 0
-  br i1 %1209, label %1258, label %1235
+1214:                                             ; preds = %1207
+  %1215 = icmp sgt i64 %1200, 0
+  br i1 %1215, label %1264, label %1241
 
-1210:                                             ; preds = %1199, %1210
-  %1211 = phi i64 [ 0, %1199 ], [ %1233, %1210 ]
-  %1212 = load ptr, ptr %273, align 8
-  %1213 = getelementptr inbounds double, ptr %1212, i64 %1211
-  %1214 = load double, ptr %1213, align 8
-  %1215 = fmul double %1214, 0x402418FD8BAFFE05
-  %1216 = getelementptr double, ptr %1212, i64 %1194
-  %1217 = getelementptr double, ptr %1216, i64 %1211
-  %1218 = load double, ptr %1217, align 8
-  %1219 = fmul double %1218, 0x3FF61D41B2D54580
-  %1220 = fsub double %1219, %1215
-  %1221 = getelementptr i8, ptr %1212, i64 %1200
-  %1222 = getelementptr double, ptr %1221, i64 %1211
-  %1223 = load double, ptr %1222, align 8
-  %1224 = fmul double %1223, 0x3FD5555555555555
-  %1225 = fsub double %1220, %1224
-  %1226 = fdiv double %1225, %398
-  %1227 = getelementptr inbounds double, ptr %1196, i64 %1211
-  store double %1226, ptr %1227, align 8
-  %1228 = load ptr, ptr %307, align 8
-  %1229 = getelementptr inbounds double, ptr %1228, i64 %1211
-  %1230 = load double, ptr %1229, align 8
-  %1231 = fadd double %1230, %1226
-  %1232 = getelementptr inbounds double, ptr %1197, i64 %1211
-  store double %1231, ptr %1232, align 8
-  %1233 = add nuw nsw i64 %1211, 1
-  %1234 = icmp eq i64 %1233, %1194
-  br i1 %1234, label %1201, label %1210, !llvm.loop !35
+1216:                                             ; preds = %1205, %1216
+  %1217 = phi i64 [ 0, %1205 ], [ %1239, %1216 ]
+  %1218 = load ptr, ptr %273, align 8
+  %1219 = getelementptr inbounds double, ptr %1218, i64 %1217
+  %1220 = load double, ptr %1219, align 8
+  %1221 = fmul double %1220, 0x402418FD8BAFFE05
+  %1222 = getelementptr double, ptr %1218, i64 %1200
+  %1223 = getelementptr double, ptr %1222, i64 %1217
+  %1224 = load double, ptr %1223, align 8
+  %1225 = fmul double %1224, 0x3FF61D41B2D54580
+  %1226 = fsub double %1225, %1221
+  %1227 = getelementptr i8, ptr %1218, i64 %1206
+  %1228 = getelementptr double, ptr %1227, i64 %1217
+  %1229 = load double, ptr %1228, align 8
+  %1230 = fmul double %1229, 0x3FD5555555555555
+  %1231 = fsub double %1226, %1230
+  %1232 = fdiv double %1231, %404
+  %1233 = getelementptr inbounds double, ptr %1202, i64 %1217
+  store double %1232, ptr %1233, align 8
+  %1234 = load ptr, ptr %307, align 8
+  %1235 = getelementptr inbounds double, ptr %1234, i64 %1217
+  %1236 = load double, ptr %1235, align 8
+  %1237 = fadd double %1236, %1232
+  %1238 = getelementptr inbounds double, ptr %1203, i64 %1217
+  store double %1237, ptr %1238, align 8
+  %1239 = add nuw nsw i64 %1217, 1
+  %1240 = icmp eq i64 %1239, %1200
+  br i1 %1240, label %1207, label %1216, !llvm.loop !35
 
-1235:                                             ; preds = %1258, %1208
-  %1236 = load ptr, ptr %83, align 8
-  %1237 = getelementptr inbounds i8, ptr %1236, i64 24
-  %1238 = load i64, ptr %1237, align 8
-  %1239 = add nsw i64 %1238, 1
-  store i64 %1239, ptr %1237, align 8
-  %1240 = load ptr, ptr %311, align 8
-  %1241 = load ptr, ptr %276, align 8
-  %1242 = load ptr, ptr %312, align 8
-  store double %362, ptr %1242, align 8
-  %1243 = load i64, ptr %313, align 8
-  %1244 = icmp sgt i64 %1243, 0
-  br i1 %1244, label %1245, label %1246
+1241:                                             ; preds = %1264, %1214
+  %1242 = load ptr, ptr %83, align 8
+  %1243 = getelementptr inbounds i8, ptr %1242, i64 24
+  %1244 = load i64, ptr %1243, align 8
+  %1245 = add nsw i64 %1244, 1
+  store i64 %1245, ptr %1243, align 8
+  %1246 = load ptr, ptr %311, align 8
+  %1247 = load ptr, ptr %276, align 8
+  %1248 = load ptr, ptr %312, align 8
+  store double %368, ptr %1248, align 8
+  %1249 = load i64, ptr %313, align 8
+  %1250 = icmp sgt i64 %1249, 0
+  br i1 %1250, label %1251, label %1252
 
-1245:                                             ; preds = %1235
+1251:                                             ; preds = %1241
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1246
+  br label %1252
 
-1246:                                             ; preds = %1235, %1245
-  %1247 = load ptr, ptr %76, align 8
-  %1248 = load i64, ptr %1247, align 8
-  %1249 = load ptr, ptr %312, align 8
-  %1250 = load ptr, ptr %314, align 8
-  %1251 = load ptr, ptr %315, align 8
-  %1252 = inttoptr i64 %1248 to ptr
-  %1253 = tail call i32 %1252(ptr noundef %1249, ptr noundef %1240, ptr noundef %1250, ptr noundef %1251, ptr noundef %1241) #11
-  %1254 = sext i32 %1253 to i64
-  %1255 = icmp eq i32 %1253, 0
-  br i1 %1255, label %1256, label %1286
+1252:                                             ; preds = %1241, %1251
+  %1253 = load ptr, ptr %76, align 8
+  %1254 = load i64, ptr %1253, align 8
+  %1255 = load ptr, ptr %312, align 8
+  %1256 = load ptr, ptr %314, align 8
+  %1257 = load ptr, ptr %315, align 8
+  %1258 = inttoptr i64 %1254 to ptr
+  %1259 = tail call i32 %1258(ptr noundef %1255, ptr noundef %1246, ptr noundef %1256, ptr noundef %1257, ptr noundef %1247) #11
+  %1260 = sext i32 %1259 to i64
+  %1261 = icmp eq i32 %1259, 0
+  br i1 %1261, label %1262, label %1292
 
-1256:                                             ; preds = %1246
-  %1257 = icmp sgt i64 %1194, 0
-  br i1 %1257, label %1275, label %1270
+1262:                                             ; preds = %1252
+  %1263 = icmp sgt i64 %1200, 0
+  br i1 %1263, label %1281, label %1276
 
-1258:                                             ; preds = %1208, %1258
-  %1259 = phi i64 [ %1268, %1258 ], [ 0, %1208 ]
-  %1260 = load ptr, ptr %77, align 8
-  %1261 = getelementptr inbounds double, ptr %1260, i64 %1259
-  %1262 = load double, ptr %1261, align 8
-  %1263 = getelementptr inbounds double, ptr %1197, i64 %1259
-  %1264 = load double, ptr %1263, align 8
-  %1265 = fadd double %1262, %1264
-  %1266 = load ptr, ptr %310, align 8
-  %1267 = getelementptr inbounds double, ptr %1266, i64 %1259
-  store double %1265, ptr %1267, align 8
-  %1268 = add nuw nsw i64 %1259, 1
-  %1269 = icmp eq i64 %1268, %1194
-  br i1 %1269, label %1235, label %1258, !llvm.loop !36
+1264:                                             ; preds = %1214, %1264
+  %1265 = phi i64 [ %1274, %1264 ], [ 0, %1214 ]
+  %1266 = load ptr, ptr %77, align 8
+  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
+  %1268 = load double, ptr %1267, align 8
+  %1269 = getelementptr inbounds double, ptr %1203, i64 %1265
+  %1270 = load double, ptr %1269, align 8
+  %1271 = fadd double %1268, %1270
+  %1272 = load ptr, ptr %310, align 8
+  %1273 = getelementptr inbounds double, ptr %1272, i64 %1265
+  store double %1271, ptr %1273, align 8
+  %1274 = add nuw nsw i64 %1265, 1
+  %1275 = icmp eq i64 %1274, %1200
+  br i1 %1275, label %1241, label %1264, !llvm.loop !36
 
-1270:                                             ; preds = %1275, %1256
-  %1271 = load ptr, ptr %308, align 8
-  %1272 = load ptr, ptr %304, align 8
-  tail call fastcc void @real_solve(ptr noundef %1271, i64 noundef %1195, ptr noundef %1272, ptr noundef %1197) #10
-  %1273 = load ptr, ptr %309, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1197, ptr noundef %1273, ptr noundef nonnull %77, i64 noundef %1194) #10
-  %1274 = load double, ptr %7, align 8
-  br label %1286
+1276:                                             ; preds = %1281, %1262
+  %1277 = load ptr, ptr %308, align 8
+  %1278 = load ptr, ptr %304, align 8
+  tail call fastcc void @real_solve(ptr noundef %1277, i64 noundef %1201, ptr noundef %1278, ptr noundef %1203) #10
+  %1279 = load ptr, ptr %309, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1203, ptr noundef %1279, ptr noundef nonnull %77, i64 noundef %1200) #10
+  %1280 = load double, ptr %7, align 8
+  br label %1292
 
-1275:                                             ; preds = %1256, %1275
-  %1276 = phi i64 [ %1284, %1275 ], [ 0, %1256 ]
-  %1277 = load ptr, ptr %276, align 8
-  %1278 = getelementptr inbounds double, ptr %1277, i64 %1276
-  %1279 = load double, ptr %1278, align 8
-  %1280 = getelementptr inbounds double, ptr %1196, i64 %1276
-  %1281 = load double, ptr %1280, align 8
-  %1282 = fadd double %1279, %1281
-  %1283 = getelementptr inbounds double, ptr %1197, i64 %1276
-  store double %1282, ptr %1283, align 8
-  %1284 = add nuw nsw i64 %1276, 1
-  %1285 = icmp eq i64 %1284, %1194
-  br i1 %1285, label %1270, label %1275, !llvm.loop !37
+1281:                                             ; preds = %1262, %1281
+  %1282 = phi i64 [ %1290, %1281 ], [ 0, %1262 ]
+  %1283 = load ptr, ptr %276, align 8
+  %1284 = getelementptr inbounds double, ptr %1283, i64 %1282
+  %1285 = load double, ptr %1284, align 8
+  %1286 = getelementptr inbounds double, ptr %1202, i64 %1282
+  %1287 = load double, ptr %1286, align 8
+  %1288 = fadd double %1285, %1287
+  %1289 = getelementptr inbounds double, ptr %1203, i64 %1282
+  store double %1288, ptr %1289, align 8
+  %1290 = add nuw nsw i64 %1282, 1
+  %1291 = icmp eq i64 %1290, %1200
+  br i1 %1291, label %1276, label %1281, !llvm.loop !37
 
-1286:                                             ; preds = %1201, %1246, %1270
-  %1287 = phi double [ %1274, %1270 ], [ %1205, %1246 ], [ %1205, %1201 ]
-  %1288 = phi i64 [ 0, %1270 ], [ %1254, %1246 ], [ 0, %1201 ]
-  %1289 = icmp slt i64 %1288, 0
-  br i1 %1289, label %1768, label %1304
+1292:                                             ; preds = %1207, %1252, %1276
+  %1293 = phi double [ %1280, %1276 ], [ %1211, %1252 ], [ %1211, %1207 ]
+  %1294 = phi i64 [ 0, %1276 ], [ %1260, %1252 ], [ 0, %1207 ]
+  %1295 = icmp slt i64 %1294, 0
+  br i1 %1295, label %1883, label %1310
 
-1290:                                             ; preds = %1138, %1290
-  %1291 = phi i64 [ %1302, %1290 ], [ 0, %1138 ]
-  %1292 = load ptr, ptr %77, align 8
-  %1293 = getelementptr inbounds double, ptr %1292, i64 %1291
-  %1294 = load double, ptr %1293, align 8
-  %1295 = load ptr, ptr %273, align 8
-  %1296 = getelementptr i8, ptr %1295, i64 %301
-  %1297 = getelementptr double, ptr %1296, i64 %1291
-  %1298 = load double, ptr %1297, align 8
-  %1299 = fadd double %1294, %1298
-  %1300 = load ptr, ptr %302, align 8
-  %1301 = getelementptr inbounds double, ptr %1300, i64 %1291
-  store double %1299, ptr %1301, align 8
-  %1302 = add nuw nsw i64 %1291, 1
-  %1303 = icmp eq i64 %1302, %92
-  br i1 %1303, label %1189, label %1290, !llvm.loop !38
+1296:                                             ; preds = %1144, %1296
+  %1297 = phi i64 [ %1308, %1296 ], [ 0, %1144 ]
+  %1298 = load ptr, ptr %77, align 8
+  %1299 = getelementptr inbounds double, ptr %1298, i64 %1297
+  %1300 = load double, ptr %1299, align 8
+  %1301 = load ptr, ptr %273, align 8
+  %1302 = getelementptr i8, ptr %1301, i64 %301
+  %1303 = getelementptr double, ptr %1302, i64 %1297
+  %1304 = load double, ptr %1303, align 8
+  %1305 = fadd double %1300, %1304
+  %1306 = load ptr, ptr %302, align 8
+  %1307 = getelementptr inbounds double, ptr %1306, i64 %1297
+  store double %1305, ptr %1307, align 8
+  %1308 = add nuw nsw i64 %1297, 1
+  %1309 = icmp eq i64 %1308, %92
+  br i1 %1309, label %1195, label %1296, !llvm.loop !38
 
-1304:                                             ; preds = %1286
-  %1305 = add nsw i64 %1133, 12
-  %1306 = sitofp i64 %1305 to double
-  %1307 = fdiv double 0x4027666666666667, %1306
-  %1308 = fcmp olt double %1287, 1.000000e-10
-  %1309 = select i1 %1308, double 1.000000e-10, double %1287
-  %1310 = tail call double @llvm.pow.f64(double %1309, double -2.500000e-01)
-  %1311 = icmp eq i64 %1288, 0
-  %1312 = fcmp olt double %1287, 1.000000e+00
-  %1313 = select i1 %1311, i1 %1312, i1 false
-  br i1 %1313, label %1329, label %1314
+1310:                                             ; preds = %1292
+  %1311 = add nsw i64 %1139, 12
+  %1312 = sitofp i64 %1311 to double
+  %1313 = fdiv double 0x4027666666666667, %1312
+  %1314 = fcmp olt double %1293, 1.000000e-10
+  %1315 = select i1 %1314, double 1.000000e-10, double %1293
+  %1316 = tail call double @llvm.pow.f64(double %1315, double -2.500000e-01)
+  %1317 = icmp eq i64 %1294, 0
+  %1318 = fcmp olt double %1293, 1.000000e+00
+  %1319 = select i1 %1317, i1 %1318, i1 false
+  br i1 %1319, label %1335, label %1320
 
-1314:                                             ; preds = %1304
-  %1315 = load i64, ptr %242, align 8
-  %1316 = add nsw i64 %1315, 1
-  store i64 %1316, ptr %242, align 8
-  %1317 = select i1 %1311, i64 2, i64 3
-  store i64 %1317, ptr %316, align 8
-  %1318 = tail call double @llvm.fabs.f64(double %1287)
-  %1319 = fcmp ueq double %1318, 0x7FF0000000000000
-  br i1 %1319, label %1324, label %1320
+1320:                                             ; preds = %1310
+  %1321 = load i64, ptr %242, align 8
+  %1322 = add nsw i64 %1321, 1
+  store i64 %1322, ptr %242, align 8
+  %1323 = select i1 %1317, i64 2, i64 3
+  store i64 %1323, ptr %316, align 8
+  %1324 = tail call double @llvm.fabs.f64(double %1293)
+  %1325 = fcmp ueq double %1324, 0x7FF0000000000000
+  br i1 %1325, label %1330, label %1326
 
-1320:                                             ; preds = %1314
-  %1321 = fmul double %1307, %1310
-  %1322 = fcmp ogt double %1321, 2.000000e-01
-  %1323 = select i1 %1322, double %1321, double 2.000000e-01
-  br label %1324
+1326:                                             ; preds = %1320
+  %1327 = fmul double %1313, %1316
+  %1328 = fcmp ogt double %1327, 2.000000e-01
+  %1329 = select i1 %1328, double %1327, double 2.000000e-01
+  br label %1330
 
-1324:                                             ; preds = %1314, %1320
-  %1325 = phi double [ %1323, %1320 ], [ 2.500000e-01, %1314 ]
-  %1326 = fmul double %398, %1325
+1330:                                             ; preds = %1320, %1326
+  %1331 = phi double [ %1329, %1326 ], [ 2.500000e-01, %1320 ]
+  %1332 = fmul double %404, %1331
   store i64 1, ptr %303, align 8
-  %1327 = load i64, ptr %317, align 8
-  %1328 = sub nsw i64 1, %1327
-  store i64 %1328, ptr %245, align 8
-  br label %1768, !llvm.loop !17
+  %1333 = load i64, ptr %317, align 8
+  %1334 = sub nsw i64 1, %1333
+  store i64 %1334, ptr %245, align 8
+  br label %1883, !llvm.loop !17
 
-1329:                                             ; preds = %1304
-  br i1 %103, label %1330, label %1345
+1335:                                             ; preds = %1310
+  br i1 %103, label %1336, label %1351
 
-1330:                                             ; preds = %1329
-  %1331 = load ptr, ptr %309, align 8
-  %1332 = load ptr, ptr %77, align 8
-  %1333 = load ptr, ptr %100, align 8
-  %1334 = getelementptr inbounds i8, ptr %1333, i64 56
-  %1335 = load i64, ptr %1334, align 8
-  %1336 = inttoptr i64 %1335 to ptr
-  %1337 = tail call i64 %1336(ptr noundef %0, double noundef %399, ptr noundef %1331, ptr noundef %1332) #11
-  %1338 = icmp eq i64 %1337, 0
-  br i1 %1338, label %1345, label %1339
+1336:                                             ; preds = %1335
+  %1337 = load ptr, ptr %309, align 8
+  %1338 = load ptr, ptr %77, align 8
+  %1339 = load ptr, ptr %100, align 8
+  %1340 = getelementptr inbounds i8, ptr %1339, i64 56
+  %1341 = load i64, ptr %1340, align 8
+  %1342 = inttoptr i64 %1341 to ptr
+  %1343 = tail call i64 %1342(ptr noundef %0, double noundef %405, ptr noundef %1337, ptr noundef %1338) #11
+  %1344 = icmp eq i64 %1343, 0
+  br i1 %1344, label %1351, label %1345
 
-1339:                                             ; preds = %1330
-  %1340 = load i64, ptr %242, align 8
-  %1341 = add nsw i64 %1340, 1
-  store i64 %1341, ptr %242, align 8
-  store i64 6, ptr %318, align 8
-  %1342 = fmul double %398, 2.500000e-01
-  store i64 1, ptr %303, align 8
-  %1343 = load i64, ptr %319, align 8
-  %1344 = sub nsw i64 1, %1343
-  store i64 %1344, ptr %245, align 8
-  br label %1768, !llvm.loop !17
-
-1345:                                             ; preds = %1330, %1329
-  %1346 = load i64, ptr %241, align 8
+1345:                                             ; preds = %1336
+  %1346 = load i64, ptr %242, align 8
   %1347 = add nsw i64 %1346, 1
-  store i64 %1347, ptr %241, align 8
-  %1348 = load double, ptr %320, align 8
-  %1349 = fcmp ogt double %1348, 0.000000e+00
-  br i1 %1349, label %1350, label %1359
+  store i64 %1347, ptr %242, align 8
+  store i64 6, ptr %318, align 8
+  %1348 = fmul double %404, 2.500000e-01
+  store i64 1, ptr %303, align 8
+  %1349 = load i64, ptr %319, align 8
+  %1350 = sub nsw i64 1, %1349
+  store i64 %1350, ptr %245, align 8
+  br label %1883, !llvm.loop !17
 
-1350:                                             ; preds = %1345
-  %1351 = fdiv double %1348, %1309
-  %1352 = tail call double @llvm.pow.f64(double %1351, double 2.500000e-01)
-  %1353 = load double, ptr %321, align 8
-  %1354 = fdiv double %398, %1353
-  %1355 = fmul double %1352, %1354
-  %1356 = fcmp olt double %1355, 1.000000e+00
-  %1357 = select i1 %1356, double %1355, double 1.000000e+00
-  %1358 = fmul double %1310, %1357
-  br label %1359
+1351:                                             ; preds = %1336, %1335
+  %1352 = load i64, ptr %241, align 8
+  %1353 = add nsw i64 %1352, 1
+  store i64 %1353, ptr %241, align 8
+  %1354 = load double, ptr %320, align 8
+  %1355 = fcmp ogt double %1354, 0.000000e+00
+  br i1 %1355, label %1356, label %1365
 
-1359:                                             ; preds = %1350, %1345
-  %1360 = phi double [ %1358, %1350 ], [ %1310, %1345 ]
-  %1361 = fmul double %1307, %1360
-  %1362 = fcmp olt double %1361, 1.000000e+01
-  store double %399, ptr %80, align 8
-  store double %398, ptr %322, align 8
-  store double %1309, ptr %320, align 8
-  %1363 = load ptr, ptr %76, align 8
-  %1364 = getelementptr inbounds i8, ptr %1363, i64 8
-  %1365 = load i64, ptr %1364, align 8
-  %1366 = load i64, ptr %323, align 8
-  %1367 = load ptr, ptr %273, align 8
-  %1368 = load ptr, ptr %324, align 8
-  %1369 = load ptr, ptr %272, align 8
-  br label %1386
+1356:                                             ; preds = %1351
+  %1357 = fdiv double %1354, %1315
+  %1358 = tail call double @llvm.pow.f64(double %1357, double 2.500000e-01)
+  %1359 = load double, ptr %321, align 8
+  %1360 = fdiv double %404, %1359
+  %1361 = fmul double %1358, %1360
+  %1362 = fcmp olt double %1361, 1.000000e+00
+  %1363 = select i1 %1362, double %1361, double 1.000000e+00
+  %1364 = fmul double %1316, %1363
+  br label %1365
 
-1370:                                             ; preds = %1386
-  %1371 = select i1 %1362, double %1361, double 1.000000e+01
-  %1372 = icmp sgt i64 %1365, 0
-  br i1 %1372, label %1373, label %1446
+1365:                                             ; preds = %1356, %1351
+  %1366 = phi double [ %1364, %1356 ], [ %1316, %1351 ]
+  %1367 = fmul double %1313, %1366
+  %1368 = fcmp olt double %1367, 1.000000e+01
+  store double %405, ptr %80, align 8
+  store double %404, ptr %322, align 8
+  store double %1315, ptr %320, align 8
+  %1369 = load ptr, ptr %76, align 8
+  %1370 = getelementptr inbounds i8, ptr %1369, i64 8
+  %1371 = load i64, ptr %1370, align 8
+  %1372 = load i64, ptr %323, align 8
+  %1373 = load ptr, ptr %273, align 8
+  %1374 = load ptr, ptr %324, align 8
+  %1375 = load ptr, ptr %272, align 8
+  br label %1392
 
-1373:                                             ; preds = %1370
-  %1374 = load double, ptr %8, align 16
-  %1375 = load double, ptr %325, align 8
-  %1376 = getelementptr double, ptr %1367, i64 %1365
-  %1377 = load double, ptr %326, align 16
-  %1378 = shl i64 %1365, 4
-  %1379 = getelementptr i8, ptr %1367, i64 %1378
-  %1380 = load double, ptr %9, align 16
-  %1381 = load double, ptr %327, align 8
-  %1382 = load double, ptr %328, align 16
-  %1383 = getelementptr double, ptr %1368, i64 %1366
-  %1384 = shl i64 %1366, 4
-  %1385 = getelementptr i8, ptr %1368, i64 %1384
-  br label %1397
+1376:                                             ; preds = %1392
+  %1377 = select i1 %1368, double %1367, double 1.000000e+01
+  %1378 = icmp sgt i64 %1371, 0
+  br i1 %1378, label %1379, label %1452
 
-1386:                                             ; preds = %1359, %1386
-  %1387 = phi i64 [ 0, %1359 ], [ %1395, %1386 ]
-  %1388 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1387
-  %1389 = getelementptr inbounds i8, ptr %1388, i64 8
-  %1390 = load double, ptr %1389, align 8
-  %1391 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1387
-  store double %1390, ptr %1391, align 8
-  %1392 = getelementptr inbounds i8, ptr %1388, i64 16
-  %1393 = load double, ptr %1392, align 8
-  %1394 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1387
-  store double %1393, ptr %1394, align 8
-  %1395 = add nuw nsw i64 %1387, 1
-  %1396 = icmp eq i64 %1395, 3
-  br i1 %1396, label %1370, label %1386, !llvm.loop !39
+1379:                                             ; preds = %1376
+  %1380 = load double, ptr %8, align 16
+  %1381 = load double, ptr %325, align 8
+  %1382 = getelementptr double, ptr %1373, i64 %1371
+  %1383 = load double, ptr %326, align 16
+  %1384 = shl i64 %1371, 4
+  %1385 = getelementptr i8, ptr %1373, i64 %1384
+  %1386 = load double, ptr %9, align 16
+  %1387 = load double, ptr %327, align 8
+  %1388 = load double, ptr %328, align 16
+  %1389 = getelementptr double, ptr %1374, i64 %1372
+  %1390 = shl i64 %1372, 4
+  %1391 = getelementptr i8, ptr %1374, i64 %1390
+  br label %1403
 
-1397:                                             ; preds = %1373, %1434
-  %1398 = phi i64 [ 0, %1373 ], [ %1435, %1434 ]
-  %1399 = getelementptr inbounds double, ptr %1367, i64 %1398
-  %1400 = load double, ptr %1399, align 8
-  %1401 = fmul double %1374, %1400
-  %1402 = getelementptr double, ptr %1376, i64 %1398
-  %1403 = load double, ptr %1402, align 8
-  %1404 = fmul double %1375, %1403
-  %1405 = fadd double %1401, %1404
-  %1406 = getelementptr double, ptr %1379, i64 %1398
-  %1407 = load double, ptr %1406, align 8
-  %1408 = fmul double %1377, %1407
-  %1409 = fadd double %1405, %1408
-  %1410 = fmul double %1400, %1380
-  %1411 = fmul double %1403, %1381
-  %1412 = fadd double %1410, %1411
-  %1413 = fmul double %1407, %1382
-  %1414 = fadd double %1412, %1413
-  %1415 = load ptr, ptr %309, align 8
-  %1416 = getelementptr inbounds double, ptr %1415, i64 %1398
-  %1417 = load double, ptr %1416, align 8
-  %1418 = load ptr, ptr %77, align 8
-  %1419 = getelementptr inbounds double, ptr %1418, i64 %1398
-  %1420 = load double, ptr %1419, align 8
-  %1421 = fsub double %1417, %1420
-  %1422 = getelementptr inbounds double, ptr %1368, i64 %1398
-  store double %1421, ptr %1422, align 8
-  %1423 = fneg double %1409
-  %1424 = fsub double %1423, %1414
-  %1425 = getelementptr double, ptr %1383, i64 %1398
-  store double %1424, ptr %1425, align 8
-  %1426 = fneg double %1414
-  %1427 = getelementptr double, ptr %1385, i64 %1398
-  store double %1426, ptr %1427, align 8
-  %1428 = load ptr, ptr %77, align 8
-  %1429 = getelementptr inbounds double, ptr %1428, i64 %1398
-  %1430 = load double, ptr %1429, align 8
-  %1431 = getelementptr inbounds double, ptr %1369, i64 %1398
+1392:                                             ; preds = %1365, %1392
+  %1393 = phi i64 [ 0, %1365 ], [ %1401, %1392 ]
+  %1394 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1393
+  %1395 = getelementptr inbounds i8, ptr %1394, i64 8
+  %1396 = load double, ptr %1395, align 8
+  %1397 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1393
+  store double %1396, ptr %1397, align 8
+  %1398 = getelementptr inbounds i8, ptr %1394, i64 16
+  %1399 = load double, ptr %1398, align 8
+  %1400 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1393
+  store double %1399, ptr %1400, align 8
+  %1401 = add nuw nsw i64 %1393, 1
+  %1402 = icmp eq i64 %1401, 3
+  br i1 %1402, label %1376, label %1392, !llvm.loop !39
+
+1403:                                             ; preds = %1379, %1440
+  %1404 = phi i64 [ 0, %1379 ], [ %1441, %1440 ]
+  %1405 = getelementptr inbounds double, ptr %1373, i64 %1404
+  %1406 = load double, ptr %1405, align 8
+  %1407 = fmul double %1380, %1406
+  %1408 = getelementptr double, ptr %1382, i64 %1404
+  %1409 = load double, ptr %1408, align 8
+  %1410 = fmul double %1381, %1409
+  %1411 = fadd double %1407, %1410
+  %1412 = getelementptr double, ptr %1385, i64 %1404
+  %1413 = load double, ptr %1412, align 8
+  %1414 = fmul double %1383, %1413
+  %1415 = fadd double %1411, %1414
+  %1416 = fmul double %1406, %1386
+  %1417 = fmul double %1409, %1387
+  %1418 = fadd double %1416, %1417
+  %1419 = fmul double %1413, %1388
+  %1420 = fadd double %1418, %1419
+  %1421 = load ptr, ptr %309, align 8
+  %1422 = getelementptr inbounds double, ptr %1421, i64 %1404
+  %1423 = load double, ptr %1422, align 8
+  %1424 = load ptr, ptr %77, align 8
+  %1425 = getelementptr inbounds double, ptr %1424, i64 %1404
+  %1426 = load double, ptr %1425, align 8
+  %1427 = fsub double %1423, %1426
+  %1428 = getelementptr inbounds double, ptr %1374, i64 %1404
+  store double %1427, ptr %1428, align 8
+  %1429 = fneg double %1415
+  %1430 = fsub double %1429, %1420
+  %1431 = getelementptr double, ptr %1389, i64 %1404
   store double %1430, ptr %1431, align 8
-  %1432 = getelementptr double, ptr %1368, i64 %1398
-  %1433 = getelementptr double, ptr %1369, i64 %1398
-  br label %1437
+  %1432 = fneg double %1420
+  %1433 = getelementptr double, ptr %1391, i64 %1404
+  store double %1432, ptr %1433, align 8
+  %1434 = load ptr, ptr %77, align 8
+  %1435 = getelementptr inbounds double, ptr %1434, i64 %1404
+  %1436 = load double, ptr %1435, align 8
+  %1437 = getelementptr inbounds double, ptr %1375, i64 %1404
+  store double %1436, ptr %1437, align 8
+  %1438 = getelementptr double, ptr %1374, i64 %1404
+  %1439 = getelementptr double, ptr %1375, i64 %1404
+  br label %1443
 
-1434:                                             ; preds = %1437
-  %1435 = add nuw nsw i64 %1398, 1
-  %1436 = icmp eq i64 %1435, %1365
-  br i1 %1436, label %1446, label %1397, !llvm.loop !40
+1440:                                             ; preds = %1443
+  %1441 = add nuw nsw i64 %1404, 1
+  %1442 = icmp eq i64 %1441, %1371
+  br i1 %1442, label %1452, label %1403, !llvm.loop !40
 
-1437:                                             ; preds = %1397, %1437
-  %1438 = phi i64 [ 0, %1397 ], [ %1442, %1437 ]
-  %1439 = mul nsw i64 %1366, %1438
-  %1440 = getelementptr double, ptr %1432, i64 %1439
-  %1441 = load double, ptr %1440, align 8
-  %1442 = add nuw nsw i64 %1438, 1
-  %1443 = mul nuw nsw i64 %1365, %1442
-  %1444 = getelementptr double, ptr %1433, i64 %1443
-  store double %1441, ptr %1444, align 8
-  %1445 = icmp eq i64 %1442, 3
-  br i1 %1445, label %1434, label %1437, !llvm.loop !41
+1443:                                             ; preds = %1403, %1443
+  %1444 = phi i64 [ 0, %1403 ], [ %1448, %1443 ]
+  %1445 = mul nsw i64 %1372, %1444
+  %1446 = getelementptr double, ptr %1438, i64 %1445
+  %1447 = load double, ptr %1446, align 8
+  %1448 = add nuw nsw i64 %1444, 1
+  %1449 = mul nuw nsw i64 %1371, %1448
+  %1450 = getelementptr double, ptr %1439, i64 %1449
+  store double %1447, ptr %1450, align 8
+  %1451 = icmp eq i64 %1448, 3
+  br i1 %1451, label %1440, label %1443, !llvm.loop !41
 
-1446:                                             ; preds = %1434, %1370
-  store double %398, ptr %271, align 8
-  %1447 = load ptr, ptr %0, align 8
-  %1448 = getelementptr inbounds i8, ptr %1447, i64 24
-  %1449 = load i64, ptr %1448, align 8
-  %1450 = load ptr, ptr %240, align 8
-  %1451 = getelementptr inbounds i8, ptr %1450, i64 8
-  %1452 = load i64, ptr %1451, align 8
-  %1453 = icmp eq i64 %1452, 0
-  br i1 %1453, label %1500, label %1454
-
-1454:                                             ; preds = %1446
-  %1455 = load i64, ptr %1450, align 8
-  %1456 = load ptr, ptr %76, align 8
+1452:                                             ; preds = %1440, %1376
+  store double %404, ptr %271, align 8
+  %1453 = load ptr, ptr %0, align 8
+  %1454 = getelementptr inbounds i8, ptr %1453, i64 24
+  %1455 = load i64, ptr %1454, align 8
+  %1456 = load ptr, ptr %240, align 8
   %1457 = getelementptr inbounds i8, ptr %1456, i64 8
   %1458 = load i64, ptr %1457, align 8
-  %1459 = load ptr, ptr %329, align 8
-  %1460 = load i64, ptr %330, align 8
-  %1461 = mul nsw i64 %1460, %1455
-  %1462 = getelementptr inbounds double, ptr %1459, i64 %1461
-  %1463 = getelementptr inbounds double, ptr %1462, i64 %1460
-  store double %362, ptr %1462, align 8
-  %1464 = getelementptr inbounds i8, ptr %1462, i64 8
-  store double %398, ptr %1464, align 8
-  store double %399, ptr %1463, align 8
-  %1465 = getelementptr inbounds i8, ptr %1463, i64 8
-  store double 0.000000e+00, ptr %1465, align 8
-  %1466 = icmp sgt i64 %1458, 0
-  br i1 %1466, label %1467, label %1470
+  %1459 = icmp eq i64 %1458, 0
+  br i1 %1459, label %1506, label %1460
 
-1467:                                             ; preds = %1454
-  %1468 = getelementptr i8, ptr %1462, i64 16
-  %1469 = icmp sgt i64 %1449, 0
-  br label %1473
+1460:                                             ; preds = %1452
+  %1461 = load i64, ptr %1456, align 8
+  %1462 = load ptr, ptr %76, align 8
+  %1463 = getelementptr inbounds i8, ptr %1462, i64 8
+  %1464 = load i64, ptr %1463, align 8
+  %1465 = load ptr, ptr %329, align 8
+  %1466 = load i64, ptr %330, align 8
+  %1467 = mul nsw i64 %1466, %1461
+  %1468 = getelementptr inbounds double, ptr %1465, i64 %1467
+  %1469 = getelementptr inbounds double, ptr %1468, i64 %1466
+  store double %368, ptr %1468, align 8
+  %1470 = getelementptr inbounds i8, ptr %1468, i64 8
+  store double %404, ptr %1470, align 8
+  store double %405, ptr %1469, align 8
+  %1471 = getelementptr inbounds i8, ptr %1469, i64 8
+  store double 0.000000e+00, ptr %1471, align 8
+  %1472 = icmp sgt i64 %1464, 0
+  br i1 %1472, label %1473, label %1476
 
-1470:                                             ; preds = %1485, %1454
-  %1471 = add nsw i64 %1455, 1
-  %1472 = load ptr, ptr %240, align 8
-  store i64 %1471, ptr %1472, align 8
-  br label %1500
+1473:                                             ; preds = %1460
+  %1474 = getelementptr i8, ptr %1468, i64 16
+  %1475 = icmp sgt i64 %1455, 0
+  br label %1479
 
-1473:                                             ; preds = %1467, %1485
-  %1474 = phi i64 [ 0, %1467 ], [ %1486, %1485 ]
-  %1475 = load ptr, ptr %77, align 8
-  %1476 = getelementptr inbounds double, ptr %1475, i64 %1474
-  %1477 = load double, ptr %1476, align 8
-  %1478 = add nuw nsw i64 %1474, 2
-  %1479 = getelementptr inbounds double, ptr %1462, i64 %1478
-  store double %1477, ptr %1479, align 8
-  %1480 = load ptr, ptr %309, align 8
-  %1481 = getelementptr inbounds double, ptr %1480, i64 %1474
-  %1482 = load double, ptr %1481, align 8
-  %1483 = getelementptr inbounds double, ptr %1463, i64 %1478
-  store double %1482, ptr %1483, align 8
-  %1484 = getelementptr double, ptr %1468, i64 %1474
-  br i1 %1469, label %1488, label %1485
+1476:                                             ; preds = %1491, %1460
+  %1477 = add nsw i64 %1461, 1
+  %1478 = load ptr, ptr %240, align 8
+  store i64 %1477, ptr %1478, align 8
+  br label %1506
 
-1485:                                             ; preds = %1488, %1473
-  %1486 = add nuw nsw i64 %1474, 1
-  %1487 = icmp eq i64 %1486, %1458
-  br i1 %1487, label %1470, label %1473, !llvm.loop !42
+1479:                                             ; preds = %1473, %1491
+  %1480 = phi i64 [ 0, %1473 ], [ %1492, %1491 ]
+  %1481 = load ptr, ptr %77, align 8
+  %1482 = getelementptr inbounds double, ptr %1481, i64 %1480
+  %1483 = load double, ptr %1482, align 8
+  %1484 = add nuw nsw i64 %1480, 2
+  %1485 = getelementptr inbounds double, ptr %1468, i64 %1484
+  store double %1483, ptr %1485, align 8
+  %1486 = load ptr, ptr %309, align 8
+  %1487 = getelementptr inbounds double, ptr %1486, i64 %1480
+  %1488 = load double, ptr %1487, align 8
+  %1489 = getelementptr inbounds double, ptr %1469, i64 %1484
+  store double %1488, ptr %1489, align 8
+  %1490 = getelementptr double, ptr %1474, i64 %1480
+  br i1 %1475, label %1494, label %1491
 
-1488:                                             ; preds = %1473, %1488
-  %1489 = phi i64 [ %1496, %1488 ], [ 0, %1473 ]
-  %1490 = load ptr, ptr %324, align 8
-  %1491 = load i64, ptr %323, align 8
-  %1492 = mul nsw i64 %1491, %1489
-  %1493 = getelementptr double, ptr %1490, i64 %1492
-  %1494 = getelementptr double, ptr %1493, i64 %1474
-  %1495 = load double, ptr %1494, align 8
-  %1496 = add nuw nsw i64 %1489, 1
-  %1497 = mul nuw nsw i64 %1496, %1458
-  %1498 = getelementptr double, ptr %1484, i64 %1497
-  store double %1495, ptr %1498, align 8
-  %1499 = icmp eq i64 %1496, %1449
-  br i1 %1499, label %1485, label %1488, !llvm.loop !43
+1491:                                             ; preds = %1494, %1479
+  %1492 = add nuw nsw i64 %1480, 1
+  %1493 = icmp eq i64 %1492, %1464
+  br i1 %1493, label %1476, label %1479, !llvm.loop !42
 
-1500:                                             ; preds = %1446, %1470
-  br i1 %108, label %1506, label %1501
+1494:                                             ; preds = %1479, %1494
+  %1495 = phi i64 [ %1502, %1494 ], [ 0, %1479 ]
+  %1496 = load ptr, ptr %324, align 8
+  %1497 = load i64, ptr %323, align 8
+  %1498 = mul nsw i64 %1497, %1495
+  %1499 = getelementptr double, ptr %1496, i64 %1498
+  %1500 = getelementptr double, ptr %1499, i64 %1480
+  %1501 = load double, ptr %1500, align 8
+  %1502 = add nuw nsw i64 %1495, 1
+  %1503 = mul nuw nsw i64 %1502, %1464
+  %1504 = getelementptr double, ptr %1490, i64 %1503
+  store double %1501, ptr %1504, align 8
+  %1505 = icmp eq i64 %1502, %1455
+  br i1 %1505, label %1491, label %1494, !llvm.loop !43
 
-1501:                                             ; preds = %1500
-  %1502 = load i64, ptr %331, align 8
-  %1503 = getelementptr inbounds double, ptr %94, i64 %1502
-  %1504 = load double, ptr %1503, align 8
-  %1505 = fcmp ugt double %1504, %399
-  br i1 %1505, label %1718, label %1506
+1506:                                             ; preds = %1452, %1476
+  br i1 %108, label %1507, label %1614
 
-1506:                                             ; preds = %1501, %1500
-  %1507 = load ptr, ptr %79, align 8
-  br i1 %108, label %1508, label %1519
-
-1508:                                             ; preds = %1506
-  %1509 = load ptr, ptr %104, align 8
-  %1510 = getelementptr inbounds i8, ptr %1509, i64 16
+1507:                                             ; preds = %1506
+  %1508 = load ptr, ptr %104, align 8
+  %1509 = load ptr, ptr %76, align 8
+  %1510 = getelementptr inbounds i8, ptr %1509, i64 8
   %1511 = load i64, ptr %1510, align 8
-  %1512 = inttoptr i64 %1511 to ptr
-  %1513 = tail call i64 %1512(ptr noundef %0, double noundef %362, double noundef %398) #11
-  %1514 = icmp eq i64 %1513, -6
-  br i1 %1514, label %1515, label %1516
+  %1512 = load ptr, ptr %331, align 8
+  %1513 = getelementptr inbounds i8, ptr %1508, i64 32
+  %1514 = load i64, ptr %1513, align 8
+  %1515 = getelementptr inbounds double, ptr %1512, i64 %1514
+  %1516 = load ptr, ptr %273, align 8
+  %1517 = getelementptr inbounds i8, ptr %1508, i64 24
+  %1518 = load i64, ptr %1517, align 8
+  %1519 = icmp eq i64 %1518, 0
+  br i1 %1519, label %1611, label %1520
 
-1515:                                             ; preds = %1508
-  store double %362, ptr %1507, align 8
-  br label %1694
+1520:                                             ; preds = %1507
+  %1521 = getelementptr inbounds i8, ptr %1508, i64 40
+  %1522 = load i64, ptr %1521, align 8
+  %1523 = icmp sgt i64 %1522, 0
+  br i1 %1523, label %1524, label %1528
 
-1516:                                             ; preds = %1508
-  %1517 = getelementptr inbounds i8, ptr %1507, i64 48
-  %1518 = load double, ptr %1517, align 8
-  br label %1519
+1524:                                             ; preds = %1520
+  %1525 = getelementptr double, ptr %1516, i64 %1511
+  %1526 = shl i64 %1511, 4
+  %1527 = getelementptr i8, ptr %1516, i64 %1526
+  br label %1581
 
-1519:                                             ; preds = %1516, %1506
-  %1520 = phi double [ %1518, %1516 ], [ 1.000000e+00, %1506 ]
-  %1521 = phi i64 [ %1513, %1516 ], [ 0, %1506 ]
-  %1522 = fcmp oeq double %1520, 1.000000e+00
-  br i1 %1522, label %1523, label %1525
-
-1523:                                             ; preds = %1519
-  %1524 = load double, ptr %1507, align 8
-  br label %1528
-
-1525:                                             ; preds = %1519
-  %1526 = fmul double %398, %1520
-  %1527 = fadd double %362, %1526
-  br label %1528
-
-1528:                                             ; preds = %1525, %1523
-  %1529 = phi double [ %1524, %1523 ], [ %1527, %1525 ]
-  %1530 = icmp eq i64 %1521, -4
-  %1531 = select i1 %1530, i64 -4, i64 0
-  br i1 %1530, label %1589, label %1532
-
-1532:                                             ; preds = %1528
-  %1533 = fcmp olt double %1520, 1.000000e+00
-  %1534 = load ptr, ptr %76, align 8
-  %1535 = getelementptr inbounds i8, ptr %1534, i64 8
+1528:                                             ; preds = %1581, %1520
+  %1529 = load ptr, ptr %332, align 8
+  %1530 = load ptr, ptr %104, align 8
+  %1531 = getelementptr inbounds i8, ptr %1530, i64 8
+  %1532 = load i64, ptr %1531, align 8
+  %1533 = load ptr, ptr %333, align 8
+  %1534 = load ptr, ptr %331, align 8
+  %1535 = getelementptr inbounds i8, ptr %1530, i64 32
   %1536 = load i64, ptr %1535, align 8
-  %1537 = load i64, ptr %95, align 8
-  %1538 = load ptr, ptr %93, align 8
-  %1539 = load ptr, ptr %83, align 8
-  %1540 = getelementptr inbounds i8, ptr %1539, i64 48
-  %1541 = load i64, ptr %1540, align 8
-  %1542 = icmp slt i64 %1541, %1537
-  br i1 %1542, label %1543, label %1585
+  %1537 = getelementptr inbounds i8, ptr %1530, i64 40
+  %1538 = load i64, ptr %1537, align 8
+  %1539 = getelementptr double, ptr %1534, i64 %1536
+  %1540 = getelementptr double, ptr %1539, i64 %1538
+  store double %404, ptr %1540, align 8
+  %1541 = load ptr, ptr %332, align 8
+  store double %368, ptr %1541, align 8
+  %1542 = load ptr, ptr %104, align 8
+  %1543 = getelementptr inbounds i8, ptr %1542, i64 24
+  %1544 = load i64, ptr %1543, align 8
+  %1545 = load ptr, ptr %77, align 8
+  %1546 = load ptr, ptr %331, align 8
+  %1547 = load ptr, ptr %334, align 8
+  %1548 = inttoptr i64 %1544 to ptr
+  %1549 = tail call i32 %1548(ptr noundef %1529, ptr noundef %1545, ptr noundef %1546, ptr noundef %1547, ptr noundef %1533) #11
+  %1550 = icmp eq i32 %1549, 0
+  br i1 %1550, label %1551, label %1611
 
-1543:                                             ; preds = %1532, %1581
-  %1544 = phi i64 [ %1582, %1581 ], [ undef, %1532 ]
-  %1545 = phi i64 [ %1583, %1581 ], [ %1541, %1532 ]
-  %1546 = getelementptr inbounds double, ptr %1538, i64 %1545
-  %1547 = load double, ptr %1546, align 8
-  %1548 = fcmp olt double %1547, %1529
-  %1549 = fcmp oeq double %1547, %1529
-  %1550 = and i1 %1533, %1549
-  %1551 = or i1 %1548, %1550
-  br i1 %1551, label %1552, label %1585
+1551:                                             ; preds = %1528
+  %1552 = icmp slt i64 %1532, 1
+  br i1 %1552, label %1578, label %1553
 
-1552:                                             ; preds = %1543
-  %1553 = fsub double %1547, %362
-  %1554 = fdiv double %1553, %398
-  %1555 = mul nsw i64 %1545, %1536
-  %1556 = getelementptr inbounds double, ptr %1, i64 %1555
-  %1557 = load ptr, ptr %332, align 8
-  %1558 = insertelement <8 x double> poison, double %1554, i64 0
-  %1559 = shufflevector <8 x double> %1558, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1559, ptr %1557, align 8
-  %1560 = load ptr, ptr %77, align 8
-  %1561 = load ptr, ptr %333, align 8
-  %1562 = load i64, ptr %334, align 8
-  %1563 = load ptr, ptr %0, align 8
-  %1564 = getelementptr inbounds i8, ptr %1563, i64 24
-  %1565 = load i64, ptr %1564, align 8
-  %1566 = load ptr, ptr %332, align 8
-  %1567 = load ptr, ptr %76, align 8
-  %1568 = getelementptr inbounds i8, ptr %1567, i64 16
-  %1569 = load i64, ptr %1568, align 8
-  tail call fastcc void @nested(ptr noundef %1556, ptr noundef %1560, ptr noundef %1561, i64 noundef %1562, i64 noundef %1565, ptr noundef %1566, i64 noundef %1569) #10
-  %1570 = load ptr, ptr %100, align 8
-  %1571 = load i64, ptr %1570, align 8
-  %1572 = icmp eq i64 %1571, 1
-  br i1 %1572, label %1573, label %1581
+1553:                                             ; preds = %1551
+  %1554 = load ptr, ptr %335, align 8
+  %1555 = getelementptr double, ptr %1533, i64 %1532
+  br label %1556
 
-1573:                                             ; preds = %1552
-  %1574 = load double, ptr %1546, align 8
-  %1575 = getelementptr inbounds i8, ptr %1570, i64 56
-  %1576 = load i64, ptr %1575, align 8
-  %1577 = inttoptr i64 %1576 to ptr
-  %1578 = tail call i64 %1577(ptr noundef %0, double noundef %1574, ptr noundef %1556, ptr noundef null) #11
-  %1579 = icmp eq i64 %1578, 0
-  %1580 = select i1 %1579, i64 %1544, i64 %1578
-  br i1 %1579, label %1581, label %1589
+1556:                                             ; preds = %1553, %1574
+  %1557 = phi i1 [ %1552, %1553 ], [ %1576, %1574 ]
+  %1558 = phi i64 [ 0, %1553 ], [ %1575, %1574 ]
+  %1559 = getelementptr inbounds i64, ptr %1554, i64 %1558
+  %1560 = load i64, ptr %1559, align 8
+  %1561 = and i64 %1560, 2
+  %1562 = icmp eq i64 %1561, 0
+  br i1 %1562, label %1563, label %1574
 
-1581:                                             ; preds = %1573, %1552
-  %1582 = phi i64 [ %1580, %1573 ], [ %1544, %1552 ]
-  %1583 = add i64 %1545, 1
-  %1584 = icmp eq i64 %1583, %1537
-  br i1 %1584, label %1585, label %1543, !llvm.loop !44
+1563:                                             ; preds = %1556
+  %1564 = getelementptr inbounds double, ptr %1533, i64 %1558
+  %1565 = load double, ptr %1564, align 8
+  %1566 = load ptr, ptr %336, align 8
+  %1567 = getelementptr inbounds i64, ptr %1566, i64 %1558
+  %1568 = load i64, ptr %1567, align 8
+  %1569 = sitofp i64 %1568 to double
+  %1570 = fmul double %1565, %1569
+  %1571 = getelementptr double, ptr %1555, i64 %1558
+  %1572 = load double, ptr %1571, align 8
+  %1573 = fcmp ogt double %1570, %1572
+  br i1 %1573, label %1574, label %1578
 
-1585:                                             ; preds = %1581, %1543, %1532
-  %1586 = phi i64 [ %1541, %1532 ], [ %1537, %1581 ], [ %1545, %1543 ]
-  %1587 = load ptr, ptr %83, align 8
-  %1588 = getelementptr inbounds i8, ptr %1587, i64 48
-  store i64 %1586, ptr %1588, align 8
-  br label %1589
+1574:                                             ; preds = %1563, %1556
+  %1575 = add nuw nsw i64 %1558, 1
+  %1576 = icmp sge i64 %1575, %1532
+  %1577 = icmp eq i64 %1575, %1532
+  br i1 %1577, label %1578, label %1556, !llvm.loop !44
 
-1589:                                             ; preds = %1573, %1585, %1528
-  %1590 = phi i64 [ %1531, %1528 ], [ 0, %1585 ], [ %1580, %1573 ]
-  %1591 = icmp eq i64 %1590, 0
-  %1592 = icmp ne i64 %1521, 0
-  %1593 = fcmp olt double %1520, 1.000000e+00
-  %1594 = and i1 %1593, %1591
-  %1595 = and i1 %1592, %1594
-  br i1 %1595, label %1596, label %1633
+1578:                                             ; preds = %1574, %1563, %1551
+  %1579 = phi i1 [ %1552, %1551 ], [ %1576, %1574 ], [ %1557, %1563 ]
+  %1580 = zext i1 %1579 to i32
+  br label %1611
 
-1596:                                             ; preds = %1589
-  %1597 = load ptr, ptr %335, align 8
-  %1598 = load ptr, ptr %336, align 8
-  %1599 = insertelement <8 x double> poison, double %1520, i64 0
-  %1600 = shufflevector <8 x double> %1599, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1600, ptr %1598, align 8
-  %1601 = load ptr, ptr %77, align 8
-  %1602 = load ptr, ptr %337, align 8
-  %1603 = load i64, ptr %338, align 8
-  %1604 = load ptr, ptr %0, align 8
-  %1605 = getelementptr inbounds i8, ptr %1604, i64 24
-  %1606 = load i64, ptr %1605, align 8
-  %1607 = load ptr, ptr %336, align 8
-  %1608 = load ptr, ptr %76, align 8
-  %1609 = getelementptr inbounds i8, ptr %1608, i64 16
-  %1610 = load i64, ptr %1609, align 8
-  tail call fastcc void @nested(ptr noundef %1597, ptr noundef %1601, ptr noundef %1602, i64 noundef %1603, i64 noundef %1606, ptr noundef %1607, i64 noundef %1610) #10
-  %1611 = load i64, ptr %323, align 8
-  %1612 = icmp sgt i64 %1611, 0
-  br i1 %1612, label %1617, label %1613
+1581:                                             ; preds = %1524, %1581
+  %1582 = phi i64 [ 0, %1524 ], [ %1608, %1581 ]
+  %1583 = load ptr, ptr %309, align 8
+  %1584 = getelementptr inbounds double, ptr %1583, i64 %1582
+  %1585 = load double, ptr %1584, align 8
+  %1586 = load ptr, ptr %77, align 8
+  %1587 = getelementptr inbounds double, ptr %1586, i64 %1582
+  %1588 = load double, ptr %1587, align 8
+  %1589 = fsub double %1585, %1588
+  %1590 = tail call double @llvm.fabs.f64(double %1589)
+  %1591 = getelementptr inbounds double, ptr %1516, i64 %1582
+  %1592 = load double, ptr %1591, align 8
+  %1593 = tail call double @llvm.fabs.f64(double %1592)
+  %1594 = getelementptr double, ptr %1525, i64 %1582
+  %1595 = load double, ptr %1594, align 8
+  %1596 = tail call double @llvm.fabs.f64(double %1595)
+  %1597 = fcmp ogt double %1593, %1596
+  %1598 = select i1 %1597, double %1593, double %1596
+  %1599 = getelementptr double, ptr %1527, i64 %1582
+  %1600 = load double, ptr %1599, align 8
+  %1601 = tail call double @llvm.fabs.f64(double %1600)
+  %1602 = fcmp ogt double %1598, %1601
+  %1603 = select i1 %1602, double %1598, double %1601
+  %1604 = fcmp ogt double %1603, %1590
+  %1605 = select i1 %1604, double %1603, double %1590
+  %1606 = fmul double %1605, 8.000000e+00
+  %1607 = getelementptr inbounds double, ptr %1515, i64 %1582
+  store double %1606, ptr %1607, align 8
+  %1608 = add nuw nsw i64 %1582, 1
+  %1609 = load i64, ptr %1521, align 8
+  %1610 = icmp slt i64 %1608, %1609
+  br i1 %1610, label %1581, label %1528, !llvm.loop !45
 
-1613:                                             ; preds = %1617, %1596
-  %1614 = load ptr, ptr %100, align 8
-  %1615 = load i64, ptr %1614, align 8
-  %1616 = icmp eq i64 %1615, 1
-  br i1 %1616, label %1627, label %1633
+1611:                                             ; preds = %1578, %1528, %1507
+  %1612 = phi i32 [ 0, %1507 ], [ 0, %1528 ], [ %1580, %1578 ]
+  %1613 = icmp eq i32 %1612, 0
+  br label %1614
 
-1617:                                             ; preds = %1596, %1617
-  %1618 = phi i64 [ %1624, %1617 ], [ 0, %1596 ]
-  %1619 = load ptr, ptr %335, align 8
-  %1620 = getelementptr inbounds double, ptr %1619, i64 %1618
-  %1621 = load double, ptr %1620, align 8
-  %1622 = load ptr, ptr %309, align 8
-  %1623 = getelementptr inbounds double, ptr %1622, i64 %1618
-  store double %1621, ptr %1623, align 8
-  %1624 = add nuw nsw i64 %1618, 1
-  %1625 = load i64, ptr %323, align 8
-  %1626 = icmp slt i64 %1624, %1625
-  br i1 %1626, label %1617, label %1613, !llvm.loop !45
+1614:                                             ; preds = %1611, %1506
+  %1615 = phi i1 [ false, %1506 ], [ %1613, %1611 ]
+  br i1 %1615, label %1621, label %1616
 
-1627:                                             ; preds = %1613
-  %1628 = load ptr, ptr %309, align 8
-  %1629 = getelementptr inbounds i8, ptr %1614, i64 56
-  %1630 = load i64, ptr %1629, align 8
-  %1631 = inttoptr i64 %1630 to ptr
-  %1632 = tail call i64 %1631(ptr noundef %0, double noundef %1529, ptr noundef %1628, ptr noundef null) #11
-  br label %1633
+1616:                                             ; preds = %1614
+  %1617 = load i64, ptr %337, align 8
+  %1618 = getelementptr inbounds double, ptr %94, i64 %1617
+  %1619 = load double, ptr %1618, align 8
+  %1620 = fcmp ugt double %1619, %405
+  br i1 %1620, label %1833, label %1621
 
-1633:                                             ; preds = %1627, %1613, %1589
-  %1634 = phi i64 [ %1632, %1627 ], [ 0, %1613 ], [ %1590, %1589 ]
-  %1635 = icmp eq i64 %1634, 0
-  br i1 %1635, label %1638, label %1636
+1621:                                             ; preds = %1616, %1614
+  %1622 = load ptr, ptr %79, align 8
+  br i1 %1615, label %1623, label %1634
 
-1636:                                             ; preds = %1633
-  store double %362, ptr %1507, align 8
-  %1637 = getelementptr inbounds i8, ptr %1507, i64 8
-  store double %398, ptr %1637, align 8
-  br label %1694
+1623:                                             ; preds = %1621
+  %1624 = load ptr, ptr %104, align 8
+  %1625 = getelementptr inbounds i8, ptr %1624, i64 16
+  %1626 = load i64, ptr %1625, align 8
+  %1627 = inttoptr i64 %1626 to ptr
+  %1628 = tail call i64 %1627(ptr noundef %0, double noundef %368, double noundef %404) #11
+  %1629 = icmp eq i64 %1628, -6
+  br i1 %1629, label %1630, label %1631
 
-1638:                                             ; preds = %1633
-  br i1 %1522, label %1639, label %1677
+1630:                                             ; preds = %1623
+  store double %368, ptr %1622, align 8
+  br label %1809
 
-1639:                                             ; preds = %1638
-  %1640 = load ptr, ptr %309, align 8
-  %1641 = load ptr, ptr %76, align 8
-  %1642 = getelementptr inbounds i8, ptr %1641, i64 8
-  %1643 = load i64, ptr %1642, align 8
-  %1644 = load i64, ptr %95, align 8
-  %1645 = load ptr, ptr %93, align 8
-  %1646 = load ptr, ptr %83, align 8
-  %1647 = getelementptr inbounds i8, ptr %1646, i64 48
-  %1648 = load i64, ptr %1647, align 8
-  %1649 = icmp slt i64 %1648, %1644
-  br i1 %1649, label %1650, label %1673
+1631:                                             ; preds = %1623
+  %1632 = getelementptr inbounds i8, ptr %1622, i64 48
+  %1633 = load double, ptr %1632, align 8
+  br label %1634
 
-1650:                                             ; preds = %1639
-  %1651 = icmp sgt i64 %1643, 0
-  br label %1652
+1634:                                             ; preds = %1631, %1621
+  %1635 = phi double [ %1633, %1631 ], [ 1.000000e+00, %1621 ]
+  %1636 = phi i64 [ %1628, %1631 ], [ 0, %1621 ]
+  %1637 = fcmp oeq double %1635, 1.000000e+00
+  br i1 %1637, label %1638, label %1640
 
-1652:                                             ; preds = %1650, %1663
-  %1653 = phi i64 [ %1648, %1650 ], [ %1664, %1663 ]
-  %1654 = getelementptr inbounds double, ptr %1645, i64 %1653
-  %1655 = load double, ptr %1654, align 8
-  %1656 = load ptr, ptr %79, align 8
-  %1657 = load double, ptr %1656, align 8
-  %1658 = fcmp ugt double %1655, %1657
-  br i1 %1658, label %1673, label %1659
+1638:                                             ; preds = %1634
+  %1639 = load double, ptr %1622, align 8
+  br label %1643
 
-1659:                                             ; preds = %1652
-  br i1 %1651, label %1660, label %1663
+1640:                                             ; preds = %1634
+  %1641 = fmul double %404, %1635
+  %1642 = fadd double %368, %1641
+  br label %1643
 
-1660:                                             ; preds = %1659
-  %1661 = mul nsw i64 %1653, %1643
-  %1662 = getelementptr double, ptr %1, i64 %1661
-  br label %1666
+1643:                                             ; preds = %1640, %1638
+  %1644 = phi double [ %1639, %1638 ], [ %1642, %1640 ]
+  %1645 = icmp eq i64 %1636, -4
+  %1646 = select i1 %1645, i64 -4, i64 0
+  br i1 %1645, label %1704, label %1647
 
-1663:                                             ; preds = %1666, %1659
-  %1664 = add i64 %1653, 1
-  %1665 = icmp eq i64 %1664, %1644
-  br i1 %1665, label %1673, label %1652, !llvm.loop !9
+1647:                                             ; preds = %1643
+  %1648 = fcmp olt double %1635, 1.000000e+00
+  %1649 = load ptr, ptr %76, align 8
+  %1650 = getelementptr inbounds i8, ptr %1649, i64 8
+  %1651 = load i64, ptr %1650, align 8
+  %1652 = load i64, ptr %95, align 8
+  %1653 = load ptr, ptr %93, align 8
+  %1654 = load ptr, ptr %83, align 8
+  %1655 = getelementptr inbounds i8, ptr %1654, i64 48
+  %1656 = load i64, ptr %1655, align 8
+  %1657 = icmp slt i64 %1656, %1652
+  br i1 %1657, label %1658, label %1700
 
-1666:                                             ; preds = %1660, %1666
-  %1667 = phi i64 [ 0, %1660 ], [ %1671, %1666 ]
-  %1668 = getelementptr inbounds double, ptr %1640, i64 %1667
-  %1669 = load double, ptr %1668, align 8
-  %1670 = getelementptr double, ptr %1662, i64 %1667
-  store double %1669, ptr %1670, align 8
-  %1671 = add nuw nsw i64 %1667, 1
-  %1672 = icmp eq i64 %1671, %1643
-  br i1 %1672, label %1663, label %1666, !llvm.loop !10
+1658:                                             ; preds = %1647, %1696
+  %1659 = phi i64 [ %1697, %1696 ], [ undef, %1647 ]
+  %1660 = phi i64 [ %1698, %1696 ], [ %1656, %1647 ]
+  %1661 = getelementptr inbounds double, ptr %1653, i64 %1660
+  %1662 = load double, ptr %1661, align 8
+  %1663 = fcmp olt double %1662, %1644
+  %1664 = fcmp oeq double %1662, %1644
+  %1665 = and i1 %1648, %1664
+  %1666 = or i1 %1663, %1665
+  br i1 %1666, label %1667, label %1700
 
-1673:                                             ; preds = %1663, %1652, %1639
-  %1674 = phi i64 [ %1648, %1639 ], [ %1644, %1663 ], [ %1653, %1652 ]
-  %1675 = load ptr, ptr %83, align 8
-  %1676 = getelementptr inbounds i8, ptr %1675, i64 48
-  store i64 %1674, ptr %1676, align 8
-  br label %1677
+1667:                                             ; preds = %1658
+  %1668 = fsub double %1662, %368
+  %1669 = fdiv double %1668, %404
+  %1670 = mul nsw i64 %1660, %1651
+  %1671 = getelementptr inbounds double, ptr %1, i64 %1670
+  %1672 = load ptr, ptr %338, align 8
+  %1673 = insertelement <8 x double> poison, double %1669, i64 0
+  %1674 = shufflevector <8 x double> %1673, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1674, ptr %1672, align 8
+  %1675 = load ptr, ptr %77, align 8
+  %1676 = load ptr, ptr %339, align 8
+  %1677 = load i64, ptr %340, align 8
+  %1678 = load ptr, ptr %0, align 8
+  %1679 = getelementptr inbounds i8, ptr %1678, i64 24
+  %1680 = load i64, ptr %1679, align 8
+  %1681 = load ptr, ptr %338, align 8
+  %1682 = load ptr, ptr %76, align 8
+  %1683 = getelementptr inbounds i8, ptr %1682, i64 16
+  %1684 = load i64, ptr %1683, align 8
+  tail call fastcc void @nested(ptr noundef %1671, ptr noundef %1675, ptr noundef %1676, i64 noundef %1677, i64 noundef %1680, ptr noundef %1681, i64 noundef %1684) #10
+  %1685 = load ptr, ptr %100, align 8
+  %1686 = load i64, ptr %1685, align 8
+  %1687 = icmp eq i64 %1686, 1
+  br i1 %1687, label %1688, label %1696
 
-1677:                                             ; preds = %1673, %1638
-  br i1 %1592, label %1678, label %1694
+1688:                                             ; preds = %1667
+  %1689 = load double, ptr %1661, align 8
+  %1690 = getelementptr inbounds i8, ptr %1685, i64 56
+  %1691 = load i64, ptr %1690, align 8
+  %1692 = inttoptr i64 %1691 to ptr
+  %1693 = tail call i64 %1692(ptr noundef %0, double noundef %1689, ptr noundef %1671, ptr noundef null) #11
+  %1694 = icmp eq i64 %1693, 0
+  %1695 = select i1 %1694, i64 %1659, i64 %1693
+  br i1 %1694, label %1696, label %1704
 
-1678:                                             ; preds = %1677
-  %1679 = load i64, ptr %323, align 8
-  %1680 = icmp sgt i64 %1679, 0
-  br i1 %1680, label %1684, label %1681
+1696:                                             ; preds = %1688, %1667
+  %1697 = phi i64 [ %1695, %1688 ], [ %1659, %1667 ]
+  %1698 = add i64 %1660, 1
+  %1699 = icmp eq i64 %1698, %1652
+  br i1 %1699, label %1700, label %1658, !llvm.loop !46
 
-1681:                                             ; preds = %1684, %1678
-  store double %1529, ptr %1507, align 8
-  %1682 = getelementptr inbounds i8, ptr %1507, i64 8
-  store double 0.000000e+00, ptr %1682, align 8
-  %1683 = load ptr, ptr %83, align 8
-  store i64 0, ptr %1683, align 8
-  br label %1694
+1700:                                             ; preds = %1696, %1658, %1647
+  %1701 = phi i64 [ %1656, %1647 ], [ %1652, %1696 ], [ %1660, %1658 ]
+  %1702 = load ptr, ptr %83, align 8
+  %1703 = getelementptr inbounds i8, ptr %1702, i64 48
+  store i64 %1701, ptr %1703, align 8
+  br label %1704
 
-1684:                                             ; preds = %1678, %1684
-  %1685 = phi i64 [ %1691, %1684 ], [ 0, %1678 ]
-  %1686 = load ptr, ptr %309, align 8
-  %1687 = getelementptr inbounds double, ptr %1686, i64 %1685
-  %1688 = load double, ptr %1687, align 8
-  %1689 = load ptr, ptr %77, align 8
-  %1690 = getelementptr inbounds double, ptr %1689, i64 %1685
-  store double %1688, ptr %1690, align 8
-  %1691 = add nuw nsw i64 %1685, 1
-  %1692 = load i64, ptr %323, align 8
-  %1693 = icmp slt i64 %1691, %1692
-  br i1 %1693, label %1684, label %1681, !llvm.loop !46
+1704:                                             ; preds = %1688, %1700, %1643
+  %1705 = phi i64 [ %1646, %1643 ], [ 0, %1700 ], [ %1695, %1688 ]
+  %1706 = icmp eq i64 %1705, 0
+  %1707 = icmp ne i64 %1636, 0
+  %1708 = fcmp olt double %1635, 1.000000e+00
+  %1709 = and i1 %1708, %1706
+  %1710 = and i1 %1707, %1709
+  br i1 %1710, label %1711, label %1748
 
-1694:                                             ; preds = %1515, %1636, %1677, %1681
-  %1695 = phi i64 [ -6, %1515 ], [ %1634, %1636 ], [ %1521, %1681 ], [ %1521, %1677 ]
-  %1696 = icmp eq i64 %1695, -6
-  br i1 %1696, label %1700, label %1697
+1711:                                             ; preds = %1704
+  %1712 = load ptr, ptr %341, align 8
+  %1713 = load ptr, ptr %342, align 8
+  %1714 = insertelement <8 x double> poison, double %1635, i64 0
+  %1715 = shufflevector <8 x double> %1714, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1715, ptr %1713, align 8
+  %1716 = load ptr, ptr %77, align 8
+  %1717 = load ptr, ptr %343, align 8
+  %1718 = load i64, ptr %344, align 8
+  %1719 = load ptr, ptr %0, align 8
+  %1720 = getelementptr inbounds i8, ptr %1719, i64 24
+  %1721 = load i64, ptr %1720, align 8
+  %1722 = load ptr, ptr %342, align 8
+  %1723 = load ptr, ptr %76, align 8
+  %1724 = getelementptr inbounds i8, ptr %1723, i64 16
+  %1725 = load i64, ptr %1724, align 8
+  tail call fastcc void @nested(ptr noundef %1712, ptr noundef %1716, ptr noundef %1717, i64 noundef %1718, i64 noundef %1721, ptr noundef %1722, i64 noundef %1725) #10
+  %1726 = load i64, ptr %323, align 8
+  %1727 = icmp sgt i64 %1726, 0
+  br i1 %1727, label %1732, label %1728
 
-1697:                                             ; preds = %1694
-  %1698 = icmp ne i64 %1695, 6
-  %1699 = select i1 %1698, i1 true, i1 %108
-  br i1 %1699, label %1712, label %1700
-
-1700:                                             ; preds = %1697, %1694
-  %1701 = phi i64 [ %1695, %1697 ], [ 2, %1694 ]
-  %1702 = load i64, ptr %241, align 8
-  %1703 = add nsw i64 %1702, -1
-  store i64 %1703, ptr %241, align 8
-  %1704 = load ptr, ptr %240, align 8
-  %1705 = load i64, ptr %1704, align 8
-  %1706 = add nsw i64 %1705, -1
-  store i64 %1706, ptr %1704, align 8
-  store i64 1, ptr %303, align 8
-  %1707 = load i64, ptr %349, align 8
-  %1708 = sub nsw i64 1, %1707
-  store i64 %1708, ptr %245, align 8
-  store double 0.000000e+00, ptr %271, align 8
-  %1709 = load i64, ptr %242, align 8
-  %1710 = add nsw i64 %1709, 1
-  store i64 %1710, ptr %242, align 8
-  store i64 %1701, ptr %350, align 8
-  %1711 = fmul double %398, 2.500000e-01
-  br label %1768, !llvm.loop !17
-
-1712:                                             ; preds = %1697
-  %1713 = icmp eq i64 %1695, 0
-  br i1 %1713, label %1718, label %1714
-
-1714:                                             ; preds = %1712
-  %1715 = load ptr, ptr %240, align 8
-  %1716 = load i64, ptr %1715, align 8
-  %1717 = add nsw i64 %1716, 1
-  store i64 %1717, ptr %1715, align 8
-  br label %1768
-
-1718:                                             ; preds = %1712, %1501
-  br i1 %339, label %1737, label %1719
-
-1719:                                             ; preds = %1737, %1718
-  %1720 = load i64, ptr %340, align 8
-  %1721 = add nsw i64 %1720, 1
-  store i64 %1721, ptr %340, align 8
-  %1722 = load ptr, ptr %77, align 8
-  %1723 = load ptr, ptr %341, align 8
-  %1724 = load ptr, ptr %342, align 8
-  store double %399, ptr %1724, align 8
-  %1725 = load i64, ptr %343, align 8
-  %1726 = icmp sgt i64 %1725, 0
-  br i1 %1726, label %1727, label %1728
-
-1727:                                             ; preds = %1719
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1728
-
-1728:                                             ; preds = %1719, %1727
-  %1729 = load ptr, ptr %76, align 8
+1728:                                             ; preds = %1732, %1711
+  %1729 = load ptr, ptr %100, align 8
   %1730 = load i64, ptr %1729, align 8
-  %1731 = load ptr, ptr %342, align 8
-  %1732 = load ptr, ptr %344, align 8
-  %1733 = load ptr, ptr %345, align 8
-  %1734 = inttoptr i64 %1730 to ptr
-  %1735 = tail call i32 %1734(ptr noundef %1731, ptr noundef %1722, ptr noundef %1732, ptr noundef %1733, ptr noundef %1723) #11
-  %1736 = icmp eq i32 %1735, 0
-  br i1 %1736, label %1749, label %1746
+  %1731 = icmp eq i64 %1730, 1
+  br i1 %1731, label %1742, label %1748
 
-1737:                                             ; preds = %1718, %1737
-  %1738 = phi i64 [ %1744, %1737 ], [ 0, %1718 ]
-  %1739 = load ptr, ptr %309, align 8
-  %1740 = getelementptr inbounds double, ptr %1739, i64 %1738
-  %1741 = load double, ptr %1740, align 8
-  %1742 = load ptr, ptr %77, align 8
-  %1743 = getelementptr inbounds double, ptr %1742, i64 %1738
-  store double %1741, ptr %1743, align 8
-  %1744 = add nuw nsw i64 %1738, 1
-  %1745 = icmp eq i64 %1744, %92
-  br i1 %1745, label %1719, label %1737, !llvm.loop !47
+1732:                                             ; preds = %1711, %1732
+  %1733 = phi i64 [ %1739, %1732 ], [ 0, %1711 ]
+  %1734 = load ptr, ptr %341, align 8
+  %1735 = getelementptr inbounds double, ptr %1734, i64 %1733
+  %1736 = load double, ptr %1735, align 8
+  %1737 = load ptr, ptr %309, align 8
+  %1738 = getelementptr inbounds double, ptr %1737, i64 %1733
+  store double %1736, ptr %1738, align 8
+  %1739 = add nuw nsw i64 %1733, 1
+  %1740 = load i64, ptr %323, align 8
+  %1741 = icmp slt i64 %1739, %1740
+  br i1 %1741, label %1732, label %1728, !llvm.loop !47
 
-1746:                                             ; preds = %1728
-  store i64 3, ptr %346, align 8
-  store double %398, ptr %124, align 8
-  %1747 = icmp slt i32 %1735, 0
-  %1748 = select i1 %1747, i64 -4, i64 2
-  br label %1768
+1742:                                             ; preds = %1728
+  %1743 = load ptr, ptr %309, align 8
+  %1744 = getelementptr inbounds i8, ptr %1729, i64 56
+  %1745 = load i64, ptr %1744, align 8
+  %1746 = inttoptr i64 %1745 to ptr
+  %1747 = tail call i64 %1746(ptr noundef %0, double noundef %1644, ptr noundef %1743, ptr noundef null) #11
+  br label %1748
 
-1749:                                             ; preds = %1728
-  %1750 = icmp sgt i64 %1133, 2
-  %1751 = fcmp ogt double %1131, 1.000000e-03
-  %1752 = select i1 %1750, i1 %1751, i1 false
-  %1753 = zext i1 %1752 to i64
-  store i64 %1753, ptr %245, align 8
-  store i64 0, ptr %347, align 8
+1748:                                             ; preds = %1742, %1728, %1704
+  %1749 = phi i64 [ %1747, %1742 ], [ 0, %1728 ], [ %1705, %1704 ]
+  %1750 = icmp eq i64 %1749, 0
+  br i1 %1750, label %1753, label %1751
+
+1751:                                             ; preds = %1748
+  store double %368, ptr %1622, align 8
+  %1752 = getelementptr inbounds i8, ptr %1622, i64 8
+  store double %404, ptr %1752, align 8
+  br label %1809
+
+1753:                                             ; preds = %1748
+  br i1 %1637, label %1754, label %1792
+
+1754:                                             ; preds = %1753
+  %1755 = load ptr, ptr %309, align 8
+  %1756 = load ptr, ptr %76, align 8
+  %1757 = getelementptr inbounds i8, ptr %1756, i64 8
+  %1758 = load i64, ptr %1757, align 8
+  %1759 = load i64, ptr %95, align 8
+  %1760 = load ptr, ptr %93, align 8
+  %1761 = load ptr, ptr %83, align 8
+  %1762 = getelementptr inbounds i8, ptr %1761, i64 48
+  %1763 = load i64, ptr %1762, align 8
+  %1764 = icmp slt i64 %1763, %1759
+  br i1 %1764, label %1765, label %1788
+
+1765:                                             ; preds = %1754
+  %1766 = icmp sgt i64 %1758, 0
+  br label %1767
+
+1767:                                             ; preds = %1765, %1778
+  %1768 = phi i64 [ %1763, %1765 ], [ %1779, %1778 ]
+  %1769 = getelementptr inbounds double, ptr %1760, i64 %1768
+  %1770 = load double, ptr %1769, align 8
+  %1771 = load ptr, ptr %79, align 8
+  %1772 = load double, ptr %1771, align 8
+  %1773 = fcmp ugt double %1770, %1772
+  br i1 %1773, label %1788, label %1774
+
+1774:                                             ; preds = %1767
+  br i1 %1766, label %1775, label %1778
+
+1775:                                             ; preds = %1774
+  %1776 = mul nsw i64 %1768, %1758
+  %1777 = getelementptr double, ptr %1, i64 %1776
+  br label %1781
+
+1778:                                             ; preds = %1781, %1774
+  %1779 = add i64 %1768, 1
+  %1780 = icmp eq i64 %1779, %1759
+  br i1 %1780, label %1788, label %1767, !llvm.loop !9
+
+1781:                                             ; preds = %1775, %1781
+  %1782 = phi i64 [ 0, %1775 ], [ %1786, %1781 ]
+  %1783 = getelementptr inbounds double, ptr %1755, i64 %1782
+  %1784 = load double, ptr %1783, align 8
+  %1785 = getelementptr double, ptr %1777, i64 %1782
+  store double %1784, ptr %1785, align 8
+  %1786 = add nuw nsw i64 %1782, 1
+  %1787 = icmp eq i64 %1786, %1758
+  br i1 %1787, label %1778, label %1781, !llvm.loop !10
+
+1788:                                             ; preds = %1778, %1767, %1754
+  %1789 = phi i64 [ %1763, %1754 ], [ %1759, %1778 ], [ %1768, %1767 ]
+  %1790 = load ptr, ptr %83, align 8
+  %1791 = getelementptr inbounds i8, ptr %1790, i64 48
+  store i64 %1789, ptr %1791, align 8
+  br label %1792
+
+1792:                                             ; preds = %1788, %1753
+  br i1 %1707, label %1793, label %1809
+
+1793:                                             ; preds = %1792
+  %1794 = load i64, ptr %323, align 8
+  %1795 = icmp sgt i64 %1794, 0
+  br i1 %1795, label %1799, label %1796
+
+1796:                                             ; preds = %1799, %1793
+  store double %1644, ptr %1622, align 8
+  %1797 = getelementptr inbounds i8, ptr %1622, i64 8
+  store double 0.000000e+00, ptr %1797, align 8
+  %1798 = load ptr, ptr %83, align 8
+  store i64 0, ptr %1798, align 8
+  br label %1809
+
+1799:                                             ; preds = %1793, %1799
+  %1800 = phi i64 [ %1806, %1799 ], [ 0, %1793 ]
+  %1801 = load ptr, ptr %309, align 8
+  %1802 = getelementptr inbounds double, ptr %1801, i64 %1800
+  %1803 = load double, ptr %1802, align 8
+  %1804 = load ptr, ptr %77, align 8
+  %1805 = getelementptr inbounds double, ptr %1804, i64 %1800
+  store double %1803, ptr %1805, align 8
+  %1806 = add nuw nsw i64 %1800, 1
+  %1807 = load i64, ptr %323, align 8
+  %1808 = icmp slt i64 %1806, %1807
+  br i1 %1808, label %1799, label %1796, !llvm.loop !48
+
+1809:                                             ; preds = %1630, %1751, %1792, %1796
+  %1810 = phi i64 [ -6, %1630 ], [ %1749, %1751 ], [ %1636, %1796 ], [ %1636, %1792 ]
+  %1811 = icmp eq i64 %1810, -6
+  br i1 %1811, label %1815, label %1812
+
+1812:                                             ; preds = %1809
+  %1813 = icmp ne i64 %1810, 6
+  %1814 = select i1 %1813, i1 true, i1 %108
+  br i1 %1814, label %1827, label %1815
+
+1815:                                             ; preds = %1812, %1809
+  %1816 = phi i64 [ %1810, %1812 ], [ 2, %1809 ]
+  %1817 = load i64, ptr %241, align 8
+  %1818 = add nsw i64 %1817, -1
+  store i64 %1818, ptr %241, align 8
+  %1819 = load ptr, ptr %240, align 8
+  %1820 = load i64, ptr %1819, align 8
+  %1821 = add nsw i64 %1820, -1
+  store i64 %1821, ptr %1819, align 8
+  store i64 1, ptr %303, align 8
+  %1822 = load i64, ptr %355, align 8
+  %1823 = sub nsw i64 1, %1822
+  store i64 %1823, ptr %245, align 8
+  store double 0.000000e+00, ptr %271, align 8
+  %1824 = load i64, ptr %242, align 8
+  %1825 = add nsw i64 %1824, 1
+  store i64 %1825, ptr %242, align 8
+  store i64 %1816, ptr %356, align 8
+  %1826 = fmul double %404, 2.500000e-01
+  br label %1883, !llvm.loop !17
+
+1827:                                             ; preds = %1812
+  %1828 = icmp eq i64 %1810, 0
+  br i1 %1828, label %1833, label %1829
+
+1829:                                             ; preds = %1827
+  %1830 = load ptr, ptr %240, align 8
+  %1831 = load i64, ptr %1830, align 8
+  %1832 = add nsw i64 %1831, 1
+  store i64 %1832, ptr %1830, align 8
+  br label %1883
+
+1833:                                             ; preds = %1827, %1616
+  br i1 %345, label %1852, label %1834
+
+1834:                                             ; preds = %1852, %1833
+  %1835 = load i64, ptr %346, align 8
+  %1836 = add nsw i64 %1835, 1
+  store i64 %1836, ptr %346, align 8
+  %1837 = load ptr, ptr %77, align 8
+  %1838 = load ptr, ptr %347, align 8
+  %1839 = load ptr, ptr %348, align 8
+  store double %405, ptr %1839, align 8
+  %1840 = load i64, ptr %349, align 8
+  %1841 = icmp sgt i64 %1840, 0
+  br i1 %1841, label %1842, label %1843
+
+1842:                                             ; preds = %1834
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1843
+
+1843:                                             ; preds = %1834, %1842
+  %1844 = load ptr, ptr %76, align 8
+  %1845 = load i64, ptr %1844, align 8
+  %1846 = load ptr, ptr %348, align 8
+  %1847 = load ptr, ptr %350, align 8
+  %1848 = load ptr, ptr %351, align 8
+  %1849 = inttoptr i64 %1845 to ptr
+  %1850 = tail call i32 %1849(ptr noundef %1846, ptr noundef %1837, ptr noundef %1847, ptr noundef %1848, ptr noundef %1838) #11
+  %1851 = icmp eq i32 %1850, 0
+  br i1 %1851, label %1864, label %1861
+
+1852:                                             ; preds = %1833, %1852
+  %1853 = phi i64 [ %1859, %1852 ], [ 0, %1833 ]
+  %1854 = load ptr, ptr %309, align 8
+  %1855 = getelementptr inbounds double, ptr %1854, i64 %1853
+  %1856 = load double, ptr %1855, align 8
+  %1857 = load ptr, ptr %77, align 8
+  %1858 = getelementptr inbounds double, ptr %1857, i64 %1853
+  store double %1856, ptr %1858, align 8
+  %1859 = add nuw nsw i64 %1853, 1
+  %1860 = icmp eq i64 %1859, %92
+  br i1 %1860, label %1834, label %1852, !llvm.loop !49
+
+1861:                                             ; preds = %1843
+  store i64 3, ptr %352, align 8
+  store double %404, ptr %124, align 8
+  %1862 = icmp slt i32 %1850, 0
+  %1863 = select i1 %1862, i64 -4, i64 2
+  br label %1883
+
+1864:                                             ; preds = %1843
+  %1865 = icmp sgt i64 %1139, 2
+  %1866 = fcmp ogt double %1137, 1.000000e-03
+  %1867 = select i1 %1865, i1 %1866, i1 false
+  %1868 = zext i1 %1867 to i64
+  store i64 %1868, ptr %245, align 8
+  store i64 0, ptr %353, align 8
   store i64 0, ptr %303, align 8
-  %1754 = fcmp ule double %1371, 1.000000e+00
-  %1755 = fcmp uge double %1371, 1.200000e+00
-  %1756 = or i1 %1754, %1755
-  %1757 = select i1 %1756, i1 true, i1 %1752
-  br i1 %1757, label %1758, label %1762
+  %1869 = fcmp ule double %1377, 1.000000e+00
+  %1870 = fcmp uge double %1377, 1.200000e+00
+  %1871 = or i1 %1869, %1870
+  %1872 = select i1 %1871, i1 true, i1 %1867
+  br i1 %1872, label %1873, label %1877
 
-1758:                                             ; preds = %1749
-  %1759 = fcmp ogt double %1371, 2.000000e-01
-  %1760 = select i1 %1759, double %1371, double 2.000000e-01
-  %1761 = fmul double %398, %1760
-  br label %1762
+1873:                                             ; preds = %1864
+  %1874 = fcmp ogt double %1377, 2.000000e-01
+  %1875 = select i1 %1874, double %1377, double 2.000000e-01
+  %1876 = fmul double %404, %1875
+  br label %1877
 
-1762:                                             ; preds = %1749, %1758
-  %1763 = phi double [ %1761, %1758 ], [ %398, %1749 ]
-  %1764 = load i64, ptr %348, align 8
-  %1765 = load i64, ptr %95, align 8
-  %1766 = icmp eq i64 %1764, %1765
-  br i1 %1766, label %1767, label %1768
+1877:                                             ; preds = %1864, %1873
+  %1878 = phi double [ %1876, %1873 ], [ %404, %1864 ]
+  %1879 = load i64, ptr %354, align 8
+  %1880 = load i64, ptr %95, align 8
+  %1881 = icmp eq i64 %1879, %1880
+  br i1 %1881, label %1882, label %1883
 
-1767:                                             ; preds = %1762
-  store double %1763, ptr %124, align 8
-  br label %1768
+1882:                                             ; preds = %1877
+  store double %1878, ptr %124, align 8
+  br label %1883
 
-1768:                                             ; preds = %1173, %1185, %1130, %1324, %1339, %1700, %1714, %1746, %1762, %1767, %1286, %524, %589, %405
-  %1769 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1767 ], [ %1131, %1762 ], [ %1131, %1746 ], [ %1131, %1714 ], [ %1131, %1700 ], [ %1131, %1339 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
-  %1770 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1767 ], [ %1132, %1762 ], [ %1132, %1746 ], [ %1132, %1714 ], [ %1132, %1700 ], [ %1132, %1339 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
-  %1771 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1767 ], [ %1133, %1762 ], [ %1133, %1746 ], [ %1133, %1714 ], [ %1133, %1700 ], [ %1133, %1339 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
-  %1772 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1767 ], [ %1134, %1762 ], [ %1134, %1746 ], [ %1134, %1714 ], [ %1134, %1700 ], [ %1134, %1339 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
-  %1773 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1763, %1767 ], [ %1763, %1762 ], [ %363, %1746 ], [ %363, %1714 ], [ %1711, %1700 ], [ %1342, %1339 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
-  %1774 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1767 ], [ %399, %1762 ], [ %399, %1746 ], [ %362, %1714 ], [ %362, %1700 ], [ %362, %1339 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
-  %1775 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1767 ], [ 0, %1762 ], [ 1, %1746 ], [ 1, %1714 ], [ 6, %1700 ], [ 6, %1339 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
-  %1776 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1767 ], [ %361, %1762 ], [ %1748, %1746 ], [ %1695, %1714 ], [ %361, %1700 ], [ %361, %1339 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
-  switch i32 %1775, label %1780 [
-    i32 0, label %1777
-    i32 6, label %1777
+1883:                                             ; preds = %1179, %1191, %1136, %1330, %1345, %1882, %1877, %1861, %1829, %1815, %1292, %530, %595, %411
+  %1884 = phi double [ %373, %411 ], [ %373, %530 ], [ %373, %595 ], [ %1137, %1292 ], [ %1137, %1815 ], [ %1137, %1829 ], [ %1137, %1861 ], [ %1137, %1877 ], [ %1137, %1882 ], [ %1137, %1345 ], [ %1137, %1330 ], [ %1137, %1136 ], [ %1137, %1191 ], [ %1137, %1179 ]
+  %1885 = phi i32 [ %372, %411 ], [ %372, %530 ], [ %372, %595 ], [ %1138, %1292 ], [ %1138, %1815 ], [ %1138, %1829 ], [ %1138, %1861 ], [ %1138, %1877 ], [ %1138, %1882 ], [ %1138, %1345 ], [ %1138, %1330 ], [ %1138, %1136 ], [ %1138, %1191 ], [ %1138, %1179 ]
+  %1886 = phi i64 [ %371, %411 ], [ %371, %530 ], [ %371, %595 ], [ %1139, %1292 ], [ %1139, %1815 ], [ %1139, %1829 ], [ %1139, %1861 ], [ %1139, %1877 ], [ %1139, %1882 ], [ %1139, %1345 ], [ %1139, %1330 ], [ %1139, %1136 ], [ %1139, %1191 ], [ %1139, %1179 ]
+  %1887 = phi i64 [ %370, %411 ], [ %370, %530 ], [ %370, %595 ], [ %1140, %1292 ], [ %1140, %1815 ], [ %1140, %1829 ], [ %1140, %1861 ], [ %1140, %1877 ], [ %1140, %1882 ], [ %1140, %1345 ], [ %1140, %1330 ], [ %1140, %1136 ], [ %1140, %1191 ], [ %1140, %1179 ]
+  %1888 = phi double [ %369, %411 ], [ %369, %530 ], [ %598, %595 ], [ %369, %1292 ], [ %1826, %1815 ], [ %369, %1829 ], [ %369, %1861 ], [ %1878, %1877 ], [ %1878, %1882 ], [ %1348, %1345 ], [ %1332, %1330 ], [ %369, %1136 ], [ %1192, %1191 ], [ %369, %1179 ]
+  %1889 = phi double [ %368, %411 ], [ %368, %530 ], [ %368, %595 ], [ %368, %1292 ], [ %368, %1815 ], [ %368, %1829 ], [ %405, %1861 ], [ %405, %1877 ], [ %405, %1882 ], [ %368, %1345 ], [ %368, %1330 ], [ %368, %1136 ], [ %368, %1191 ], [ %368, %1179 ]
+  %1890 = phi i32 [ 1, %411 ], [ 1, %530 ], [ 6, %595 ], [ 1, %1292 ], [ 6, %1815 ], [ 1, %1829 ], [ 1, %1861 ], [ 0, %1877 ], [ 1, %1882 ], [ 6, %1345 ], [ 6, %1330 ], [ 1, %1136 ], [ 6, %1191 ], [ 6, %1179 ]
+  %1891 = phi i64 [ 2, %411 ], [ -4, %530 ], [ %367, %595 ], [ -4, %1292 ], [ %367, %1815 ], [ %1810, %1829 ], [ %1863, %1861 ], [ %367, %1877 ], [ 0, %1882 ], [ %367, %1345 ], [ %367, %1330 ], [ -4, %1136 ], [ %367, %1191 ], [ %367, %1179 ]
+  switch i32 %1890, label %1895 [
+    i32 0, label %1892
+    i32 6, label %1892
   ]
 
-1777:                                             ; preds = %1768, %1768
-  %1778 = load i64, ptr %86, align 8
-  %1779 = icmp eq i64 %1778, 0
-  br i1 %1779, label %357, label %359, !llvm.loop !17
+1892:                                             ; preds = %1883, %1883
+  %1893 = load i64, ptr %86, align 8
+  %1894 = icmp eq i64 %1893, 0
+  br i1 %1894, label %363, label %365, !llvm.loop !17
 
-1780:                                             ; preds = %1768, %161, %357, %380, %388, %203, %75
-  %1781 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1776, %1768 ]
-  ret i64 %1781
+1895:                                             ; preds = %1883, %161, %363, %386, %394, %203, %75
+  %1896 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %363 ], [ -5, %386 ], [ 1, %394 ], [ 0, %203 ], [ %1891, %1883 ]
+  ret i64 %1896
 }
 
 
@@ -2500,7 +2644,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !48
+  br i1 %55, label %44, label %56, !llvm.loop !50
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2532,7 +2676,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !49
+  br i1 %83, label %13, label %12, !llvm.loop !51
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
@@ -2579,7 +2723,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !50
+  br i1 %41, label %13, label %18, !llvm.loop !52
 }
 
 declare double @llvm.fabs.f64(double) #2
@@ -2591,7 +2735,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %73, %50
   %6 = icmp sge i64 %16, %1
   %7 = icmp eq i64 %16, %1
-  br i1 %7, label %76, label %8, !llvm.loop !51
+  br i1 %7, label %76, label %8, !llvm.loop !53
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2627,7 +2771,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %34 = select i1 %32, i64 %26, i64 %25
   %35 = add nuw nsw i64 %26, 1
   %36 = icmp slt i64 %35, %1
-  br i1 %36, label %24, label %19, !llvm.loop !52
+  br i1 %36, label %24, label %19, !llvm.loop !54
 
 37:                                               ; preds = %19
   %38 = icmp eq i64 %21, %10
@@ -2648,7 +2792,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %45, ptr %46, align 8
   %48 = add nuw nsw i64 %43, 1
   %49 = icmp eq i64 %48, %1
-  br i1 %49, label %50, label %42, !llvm.loop !53
+  br i1 %49, label %50, label %42, !llvm.loop !55
 
 50:                                               ; preds = %42, %37
   %51 = load double, ptr %13, align 8
@@ -2681,12 +2825,12 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %70, ptr %68, align 8
   %71 = add nuw nsw i64 %64, 1
   %72 = icmp slt i64 %71, %1
-  br i1 %72, label %63, label %73, !llvm.loop !54
+  br i1 %72, label %63, label %73, !llvm.loop !56
 
 73:                                               ; preds = %63, %54
   %74 = add nuw nsw i64 %55, 1
   %75 = icmp slt i64 %74, %1
-  br i1 %75, label %54, label %5, !llvm.loop !55
+  br i1 %75, label %54, label %5, !llvm.loop !57
 
 76:                                               ; preds = %5, %19, %3
   %77 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %19 ]
@@ -2701,7 +2845,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %124, %82
   %6 = icmp sge i64 %18, %1
   %7 = icmp eq i64 %18, %1
-  br i1 %7, label %127, label %8, !llvm.loop !56
+  br i1 %7, label %127, label %8, !llvm.loop !58
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2741,7 +2885,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %38 = select i1 %36, i64 %29, i64 %27
   %39 = add nuw nsw i64 %29, 1
   %40 = icmp slt i64 %39, %1
-  br i1 %40, label %26, label %21, !llvm.loop !57
+  br i1 %40, label %26, label %21, !llvm.loop !59
 
 41:                                               ; preds = %21
   %42 = icmp eq i64 %23, %10
@@ -2768,7 +2912,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %51, ptr %54, align 8
   %56 = add nuw nsw i64 %47, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %58, label %46, !llvm.loop !58
+  br i1 %57, label %58, label %46, !llvm.loop !60
 
 58:                                               ; preds = %46, %41
   %59 = load double, ptr %13, align 8
@@ -2852,12 +2996,12 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %121, ptr %118, align 8
   %122 = add nuw nsw i64 %105, 1
   %123 = icmp slt i64 %122, %1
-  br i1 %123, label %104, label %124, !llvm.loop !59
+  br i1 %123, label %104, label %124, !llvm.loop !61
 
 124:                                              ; preds = %104, %86
   %125 = add nuw nsw i64 %87, 1
   %126 = icmp slt i64 %125, %1
-  br i1 %126, label %86, label %5, !llvm.loop !60
+  br i1 %126, label %86, label %5, !llvm.loop !62
 
 127:                                              ; preds = %5, %21, %3
   %128 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %21 ]
@@ -2889,7 +3033,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %11, ptr %17, align 8
   %18 = add nuw nsw i64 %9, 1
   %19 = icmp eq i64 %18, %1
-  br i1 %19, label %6, label %8, !llvm.loop !61
+  br i1 %19, label %6, label %8, !llvm.loop !63
 
 20:                                               ; preds = %32, %6
   %21 = icmp sgt i64 %1, 0
@@ -2916,7 +3060,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %33, ptr %26, align 8
   %34 = add nuw nsw i64 %25, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %20, label %24, !llvm.loop !62
+  br i1 %35, label %20, label %24, !llvm.loop !64
 
 36:                                               ; preds = %29, %36
   %37 = phi i64 [ 0, %29 ], [ %45, %36 ]
@@ -2929,7 +3073,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %44 = fsub double %38, %43
   %45 = add nuw nsw i64 %37, 1
   %46 = icmp eq i64 %45, %25
-  br i1 %46, label %32, label %36, !llvm.loop !63
+  br i1 %46, label %32, label %36, !llvm.loop !65
 
 47:                                               ; preds = %57, %20
   ret void
@@ -2955,7 +3099,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %62 = fdiv double %58, %61
   store double %62, ptr %51, align 8
   %63 = icmp sgt i64 %49, 1
-  br i1 %63, label %48, label %47, !llvm.loop !64
+  br i1 %63, label %48, label %47, !llvm.loop !66
 
 64:                                               ; preds = %54, %64
   %65 = phi i64 [ %49, %54 ], [ %73, %64 ]
@@ -2968,7 +3112,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %72 = fsub double %66, %71
   %73 = add nuw nsw i64 %65, 1
   %74 = icmp eq i64 %73, %1
-  br i1 %74, label %57, label %64, !llvm.loop !65
+  br i1 %74, label %57, label %64, !llvm.loop !67
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
@@ -3000,7 +3144,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %13, ptr %22, align 8
   %23 = add nuw nsw i64 %9, 1
   %24 = icmp eq i64 %23, %1
-  br i1 %24, label %6, label %8, !llvm.loop !66
+  br i1 %24, label %6, label %8, !llvm.loop !68
 
 25:                                               ; preds = %39, %6
   %26 = icmp sgt i64 %1, 0
@@ -3031,7 +3175,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %41, ptr %33, align 8
   %42 = add nuw nsw i64 %30, 1
   %43 = icmp eq i64 %42, %1
-  br i1 %43, label %25, label %29, !llvm.loop !67
+  br i1 %43, label %25, label %29, !llvm.loop !69
 
 44:                                               ; preds = %36, %44
   %45 = phi double [ %34, %36 ], [ %63, %44 ]
@@ -3055,7 +3199,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %63 = fsub double %45, %61
   %64 = add nuw nsw i64 %46, 1
   %65 = icmp eq i64 %64, %30
-  br i1 %65, label %39, label %44, !llvm.loop !68
+  br i1 %65, label %39, label %44, !llvm.loop !70
 
 66:                                               ; preds = %109, %25
   ret void
@@ -3118,7 +3262,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %110, ptr %70, align 8
   store double %111, ptr %72, align 8
   %112 = icmp sgt i64 %68, 1
-  br i1 %112, label %67, label %66, !llvm.loop !69
+  br i1 %112, label %67, label %66, !llvm.loop !71
 
 113:                                              ; preds = %75, %113
   %114 = phi i64 [ %68, %75 ], [ %133, %113 ]
@@ -3142,7 +3286,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = fsub double %116, %130
   %133 = add nuw nsw i64 %114, 1
   %134 = icmp eq i64 %133, %1
-  br i1 %134, label %78, label %113, !llvm.loop !70
+  br i1 %134, label %78, label %113, !llvm.loop !72
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3192,12 +3336,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %26, ptr %35, align 8
   %36 = add nuw nsw i64 %24, 1
   %37 = icmp eq i64 %36, %4
-  br i1 %37, label %38, label %23, !llvm.loop !71
+  br i1 %37, label %38, label %23, !llvm.loop !73
 
 38:                                               ; preds = %23, %14
   %39 = add nuw nsw i64 %15, 1
   %40 = icmp eq i64 %39, %1
-  br i1 %40, label %10, label %14, !llvm.loop !72
+  br i1 %40, label %10, label %14, !llvm.loop !74
 
 41:                                               ; preds = %12, %55
   %42 = phi i64 [ 0, %12 ], [ %56, %55 ]
@@ -3224,7 +3368,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 55:                                               ; preds = %74, %41
   %56 = add nuw nsw i64 %42, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %49, label %41, !llvm.loop !73
+  br i1 %57, label %49, label %41, !llvm.loop !75
 
 58:                                               ; preds = %44, %74
   %59 = phi i64 [ 0, %44 ], [ %75, %74 ]
@@ -3245,16 +3389,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %71, ptr %69, align 8
   %72 = add nuw nsw i64 %65, 1
   %73 = icmp eq i64 %72, %4
-  br i1 %73, label %74, label %64, !llvm.loop !74
+  br i1 %73, label %74, label %64, !llvm.loop !76
 
 74:                                               ; preds = %64, %58
   %75 = add nuw nsw i64 %59, 1
   %76 = icmp eq i64 %75, %42
-  br i1 %76, label %55, label %58, !llvm.loop !75
+  br i1 %76, label %55, label %58, !llvm.loop !77
 
 77:                                               ; preds = %116, %89
   %78 = icmp sgt i64 %80, 1
-  br i1 %78, label %79, label %88, !llvm.loop !76
+  br i1 %78, label %79, label %88, !llvm.loop !78
 
 79:                                               ; preds = %51, %77
   %80 = phi i64 [ %1, %51 ], [ %81, %77 ]
@@ -3303,12 +3447,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %110, ptr %108, align 8
   %111 = add nuw nsw i64 %104, 1
   %112 = icmp eq i64 %111, %4
-  br i1 %112, label %113, label %103, !llvm.loop !74
+  br i1 %112, label %113, label %103, !llvm.loop !76
 
 113:                                              ; preds = %103, %97
   %114 = add nuw nsw i64 %98, 1
   %115 = icmp eq i64 %114, %1
-  br i1 %115, label %89, label %97, !llvm.loop !77
+  br i1 %115, label %89, label %97, !llvm.loop !79
 
 116:                                              ; preds = %94, %116
   %117 = phi i64 [ 0, %94 ], [ %121, %116 ]
@@ -3318,7 +3462,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %120, ptr %118, align 8
   %121 = add nuw nsw i64 %117, 1
   %122 = icmp eq i64 %121, %4
-  br i1 %122, label %77, label %116, !llvm.loop !78
+  br i1 %122, label %77, label %116, !llvm.loop !80
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3375,12 +3519,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %28, ptr %40, align 8
   %41 = add nuw nsw i64 %24, 1
   %42 = icmp eq i64 %41, %4
-  br i1 %42, label %43, label %23, !llvm.loop !79
+  br i1 %42, label %43, label %23, !llvm.loop !81
 
 43:                                               ; preds = %23, %14
   %44 = add nuw nsw i64 %15, 1
   %45 = icmp eq i64 %44, %1
-  br i1 %45, label %10, label %14, !llvm.loop !80
+  br i1 %45, label %10, label %14, !llvm.loop !82
 
 46:                                               ; preds = %12, %60
   %47 = phi i64 [ 0, %12 ], [ %61, %60 ]
@@ -3407,7 +3551,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 60:                                               ; preds = %91, %46
   %61 = add nuw nsw i64 %47, 1
   %62 = icmp eq i64 %61, %1
-  br i1 %62, label %54, label %46, !llvm.loop !81
+  br i1 %62, label %54, label %46, !llvm.loop !83
 
 63:                                               ; preds = %49, %91
   %64 = phi i64 [ 0, %49 ], [ %92, %91 ]
@@ -3441,16 +3585,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %88, ptr %85, align 8
   %89 = add nuw nsw i64 %72, 1
   %90 = icmp eq i64 %89, %4
-  br i1 %90, label %91, label %71, !llvm.loop !82
+  br i1 %90, label %91, label %71, !llvm.loop !84
 
 91:                                               ; preds = %71, %63
   %92 = add nuw nsw i64 %64, 1
   %93 = icmp eq i64 %92, %47
-  br i1 %93, label %60, label %63, !llvm.loop !83
+  br i1 %93, label %60, label %63, !llvm.loop !85
 
 94:                                               ; preds = %170, %133
   %95 = icmp sgt i64 %97, 1
-  br i1 %95, label %96, label %105, !llvm.loop !84
+  br i1 %95, label %96, label %105, !llvm.loop !86
 
 96:                                               ; preds = %56, %94
   %97 = phi i64 [ %1, %56 ], [ %98, %94 ]
@@ -3543,12 +3687,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %164, ptr %161, align 8
   %165 = add nuw nsw i64 %148, 1
   %166 = icmp eq i64 %165, %4
-  br i1 %166, label %167, label %147, !llvm.loop !82
+  br i1 %166, label %167, label %147, !llvm.loop !84
 
 167:                                              ; preds = %147, %139
   %168 = add nuw nsw i64 %140, 1
   %169 = icmp eq i64 %168, %1
-  br i1 %169, label %106, label %139, !llvm.loop !85
+  br i1 %169, label %106, label %139, !llvm.loop !87
 
 170:                                              ; preds = %136, %170
   %171 = phi i64 [ 0, %136 ], [ %182, %170 ]
@@ -3566,7 +3710,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %181, ptr %174, align 8
   %182 = add nuw nsw i64 %171, 1
   %183 = icmp eq i64 %182, %4
-  br i1 %183, label %94, label %170, !llvm.loop !86
+  br i1 %183, label %94, label %170, !llvm.loop !88
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
@@ -3603,7 +3747,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !87
+  br i1 %31, label %20, label %19, !llvm.loop !89
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3617,7 +3761,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !88
+  br i1 %43, label %32, label %24, !llvm.loop !90
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
@@ -3729,3 +3873,5 @@ attributes #13 = { nounwind willreturn memory(none) }
 !86 = distinct !{!86, !4, !5}
 !87 = distinct !{!87, !4, !5}
 !88 = distinct !{!88, !4, !5}
+!89 = distinct !{!89, !4, !5}
+!90 = distinct !{!90, !4, !5}

@@ -1,4 +1,4 @@
-; sources 2b5cf94bf44d16a76c3a18ed07e3d6bd4fcea2234484fc54f6c7aa572f2eb187
+; sources 0dbcda2dc15ff8025bfee98afb54172907f3ca88a53855d2482518a65904d64f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

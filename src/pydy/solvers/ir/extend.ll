@@ -1,4 +1,4 @@
-; sources cc7427e1e82a161ddd2a3d3c0f03763c1c919de153d1d63eb2778dc10cdd115e
+; sources f7ac820dabae50abae5a0b732fbd95a9d5472830ca46f5e73cf71061dcb4e2f5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

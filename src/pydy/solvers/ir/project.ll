@@ -1,4 +1,4 @@
-; sources 7d2a05cb8c21f8ba1adc7cce9fa47ccc77e12e3bb21083bc9eba77008a3dc05f
+; sources 1df468f9d97a9cb56401340b017f37811b397e84c30e8f0a30870b48f79e9b8b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

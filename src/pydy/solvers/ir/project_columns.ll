@@ -1,4 +1,4 @@
-; sources ce7c7817c21597afc3413784be223c0d8f98075dc26b5e571f7cbe6caf2a4eb4
+; sources e06901bb9d7ada0a4540c387e5fc87dbf9f4407d9dac321c2becb0cc5d218655
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

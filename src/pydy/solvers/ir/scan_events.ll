@@ -1,4 +1,4 @@
-; sources 60c944f9f6cc473beacfe36ea627812aed26b10fc298bcd912927af5e99d5f20
+; sources 73a58049f8ccf3c264c6b39da7732675818f2c434286625100056ab98d30722c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -20,9 +20,9 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %12 = load i64, ptr %11, align 8
   %13 = getelementptr inbounds i8, ptr %0, i64 768
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 864
+  %15 = getelementptr inbounds i8, ptr %0, i64 888
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 888
+  %17 = getelementptr inbounds i8, ptr %0, i64 912
   %18 = load ptr, ptr %17, align 8
   %19 = getelementptr inbounds i8, ptr %0, i64 576
   %20 = getelementptr inbounds i8, ptr %0, i64 600
@@ -30,7 +30,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %22 = getelementptr inbounds i8, ptr %21, i64 80
   %23 = load i64, ptr %22, align 8
   %24 = load ptr, ptr %19, align 8
-  %25 = getelementptr inbounds i8, ptr %0, i64 912
+  %25 = getelementptr inbounds i8, ptr %0, i64 936
   %26 = load ptr, ptr %25, align 8
   %27 = shl nsw i64 %12, 4
   %28 = getelementptr inbounds i8, ptr %26, i64 %27
@@ -39,7 +39,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %31 = getelementptr inbounds double, ptr %26, i64 %12
   %32 = load double, ptr %30, align 8
   %33 = fcmp oeq double %32, %1
-  %34 = getelementptr inbounds i8, ptr %0, i64 960
+  %34 = getelementptr inbounds i8, ptr %0, i64 984
   %35 = getelementptr inbounds i8, ptr %0, i64 408
   %36 = getelementptr inbounds i8, ptr %0, i64 504
   %37 = getelementptr inbounds i8, ptr %0, i64 320
@@ -49,1302 +49,1342 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %41 = getelementptr inbounds i8, ptr %0, i64 192
   %42 = getelementptr inbounds i8, ptr %0, i64 744
   %43 = zext i1 %33 to i64
-  br label %47
+  br label %51
 
-44:                                               ; preds = %72
-  %45 = add nuw nsw i64 %48, 1
+44:                                               ; preds = %76
+  %45 = add nuw nsw i64 %52, 1
   %46 = icmp eq i64 %45, 5
-  br i1 %46, label %91, label %47, !llvm.loop !3
+  br i1 %46, label %47, label %51, !llvm.loop !3
 
-47:                                               ; preds = %3, %44
-  %48 = phi i64 [ %43, %3 ], [ %45, %44 ]
-  %49 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = add nuw nsw i64 %48, 2
-  %52 = load ptr, ptr %34, align 8
-  %53 = load ptr, ptr %35, align 8
-  %54 = insertelement <8 x double> poison, double %50, i64 0
-  %55 = shufflevector <8 x double> %54, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %55, ptr %53, align 8
-  %56 = load ptr, ptr %8, align 8
-  %57 = load ptr, ptr %36, align 8
-  %58 = load i64, ptr %37, align 8
-  %59 = load ptr, ptr %0, align 8
-  %60 = getelementptr inbounds i8, ptr %59, i64 24
-  %61 = load i64, ptr %60, align 8
-  %62 = load ptr, ptr %35, align 8
-  %63 = load ptr, ptr %6, align 8
-  %64 = getelementptr inbounds i8, ptr %63, i64 16
+47:                                               ; preds = %44
+  %48 = icmp sgt i64 %12, 0
+  br i1 %48, label %49, label %99
+
+49:                                               ; preds = %47
+  %50 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %95
+
+51:                                               ; preds = %3, %44
+  %52 = phi i64 [ %43, %3 ], [ %45, %44 ]
+  %53 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = add nuw nsw i64 %52, 2
+  %56 = load ptr, ptr %34, align 8
+  %57 = load ptr, ptr %35, align 8
+  %58 = insertelement <8 x double> poison, double %54, i64 0
+  %59 = shufflevector <8 x double> %58, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %59, ptr %57, align 8
+  %60 = load ptr, ptr %8, align 8
+  %61 = load ptr, ptr %36, align 8
+  %62 = load i64, ptr %37, align 8
+  %63 = load ptr, ptr %0, align 8
+  %64 = getelementptr inbounds i8, ptr %63, i64 24
   %65 = load i64, ptr %64, align 8
-  tail call fastcc void @nested(ptr noundef %52, ptr noundef %56, ptr noundef %57, i64 noundef %58, i64 noundef %61, ptr noundef %62, i64 noundef %65) #8
-  %66 = fmul double %50, %2
-  %67 = fadd double %66, %1
-  %68 = load ptr, ptr %38, align 8
-  store double %67, ptr %68, align 8
-  %69 = load i64, ptr %39, align 8
-  %70 = icmp sgt i64 %69, 0
-  br i1 %70, label %71, label %72
+  %66 = load ptr, ptr %35, align 8
+  %67 = load ptr, ptr %6, align 8
+  %68 = getelementptr inbounds i8, ptr %67, i64 16
+  %69 = load i64, ptr %68, align 8
+  tail call fastcc void @nested(ptr noundef %56, ptr noundef %60, ptr noundef %61, i64 noundef %62, i64 noundef %65, ptr noundef %66, i64 noundef %69) #8
+  %70 = fmul double %54, %2
+  %71 = fadd double %70, %1
+  %72 = load ptr, ptr %38, align 8
+  store double %71, ptr %72, align 8
+  %73 = load i64, ptr %39, align 8
+  %74 = icmp sgt i64 %73, 0
+  br i1 %74, label %75, label %76
 
-71:                                               ; preds = %47
+75:                                               ; preds = %51
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %72
+  br label %76
 
-72:                                               ; preds = %47, %71
-  %73 = load ptr, ptr %9, align 8
-  %74 = load i64, ptr %73, align 8
-  %75 = load ptr, ptr %40, align 8
-  %76 = load ptr, ptr %34, align 8
-  %77 = load ptr, ptr %41, align 8
-  %78 = load ptr, ptr %42, align 8
-  %79 = load ptr, ptr %25, align 8
-  %80 = getelementptr inbounds i8, ptr %73, i64 8
-  %81 = load i64, ptr %80, align 8
-  %82 = mul nsw i64 %81, %51
-  %83 = getelementptr inbounds double, ptr %79, i64 %82
-  %84 = inttoptr i64 %74 to ptr
-  %85 = tail call i32 %84(ptr noundef %75, ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %83) #9
-  %86 = icmp slt i32 %85, 0
-  br i1 %86, label %87, label %44
+76:                                               ; preds = %51, %75
+  %77 = load ptr, ptr %9, align 8
+  %78 = load i64, ptr %77, align 8
+  %79 = load ptr, ptr %40, align 8
+  %80 = load ptr, ptr %34, align 8
+  %81 = load ptr, ptr %41, align 8
+  %82 = load ptr, ptr %42, align 8
+  %83 = load ptr, ptr %25, align 8
+  %84 = getelementptr inbounds i8, ptr %77, i64 8
+  %85 = load i64, ptr %84, align 8
+  %86 = mul nsw i64 %85, %55
+  %87 = getelementptr inbounds double, ptr %83, i64 %86
+  %88 = inttoptr i64 %78 to ptr
+  %89 = tail call i32 %88(ptr noundef %79, ptr noundef %80, ptr noundef %81, ptr noundef %82, ptr noundef %87) #9
+  %90 = icmp slt i32 %89, 0
+  br i1 %90, label %91, label %44
 
-87:                                               ; preds = %72
-  %88 = load ptr, ptr %20, align 8
-  %89 = getelementptr inbounds i8, ptr %88, i64 80
-  store i64 %23, ptr %89, align 8
-  %90 = load ptr, ptr %19, align 8
-  br label %938
+91:                                               ; preds = %76
+  %92 = load ptr, ptr %20, align 8
+  %93 = getelementptr inbounds i8, ptr %92, i64 80
+  store i64 %23, ptr %93, align 8
+  %94 = load ptr, ptr %19, align 8
+  br label %963
 
-91:                                               ; preds = %44
-  %92 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %92, label %942 [
-    i64 0, label %97
-    i64 -4, label %93
+95:                                               ; preds = %49, %115
+  %96 = phi i64 [ 0, %49 ], [ %116, %115 ]
+  %97 = load double, ptr %30, align 8
+  %98 = fcmp une double %97, %1
+  br i1 %98, label %101, label %99
+
+99:                                               ; preds = %95, %115, %47
+  %100 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %100, label %967 [
+    i64 0, label %122
+    i64 -4, label %118
   ]
 
-93:                                               ; preds = %91
-  %94 = load ptr, ptr %20, align 8
-  %95 = getelementptr inbounds i8, ptr %94, i64 80
-  store i64 %23, ptr %95, align 8
-  %96 = load ptr, ptr %19, align 8
-  br label %938
+101:                                              ; preds = %95
+  %102 = load ptr, ptr %50, align 8
+  %103 = getelementptr inbounds i64, ptr %102, i64 %96
+  %104 = load i64, ptr %103, align 8
+  %105 = and i64 %104, 2
+  %106 = icmp eq i64 %105, 0
+  br i1 %106, label %115, label %107
 
-97:                                               ; preds = %91
+107:                                              ; preds = %101
+  %108 = getelementptr inbounds double, ptr %28, i64 %96
+  %109 = load double, ptr %108, align 8
+  %110 = fcmp une double %109, 0.000000e+00
+  br i1 %110, label %111, label %115
+
+111:                                              ; preds = %107
+  %112 = fcmp ogt double %109, 0.000000e+00
+  %113 = select i1 %112, i64 1, i64 -1
+  %114 = getelementptr inbounds i64, ptr %16, i64 %96
+  store i64 %113, ptr %114, align 8
+  br label %115
+
+115:                                              ; preds = %101, %107, %111
+  %116 = add nuw nsw i64 %96, 1
+  %117 = icmp eq i64 %116, %12
+  br i1 %117, label %99, label %95, !llvm.loop !6
+
+118:                                              ; preds = %99
+  %119 = load ptr, ptr %20, align 8
+  %120 = getelementptr inbounds i8, ptr %119, i64 80
+  store i64 %23, ptr %120, align 8
+  %121 = load ptr, ptr %19, align 8
+  br label %963
+
+122:                                              ; preds = %99
   store double 0x7FF8000000000000, ptr %30, align 8
-  %98 = getelementptr inbounds i8, ptr %0, i64 960
-  %99 = load ptr, ptr %7, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 96
-  %101 = getelementptr inbounds i8, ptr %99, i64 192
-  %102 = getelementptr inbounds i8, ptr %99, i64 8
-  %103 = load ptr, ptr %4, align 8
-  %104 = load ptr, ptr %5, align 8
-  %105 = getelementptr inbounds i8, ptr %0, i64 168
-  %106 = getelementptr inbounds i8, ptr %0, i64 248
-  %107 = getelementptr inbounds i8, ptr %0, i64 168
-  %108 = getelementptr inbounds i8, ptr %0, i64 192
-  %109 = getelementptr inbounds i8, ptr %0, i64 744
-  %110 = icmp sgt i64 %12, 0
-  %111 = getelementptr inbounds i8, ptr %0, i64 960
-  %112 = load ptr, ptr %7, align 8
-  %113 = getelementptr inbounds i8, ptr %112, i64 96
-  %114 = getelementptr inbounds i8, ptr %112, i64 192
-  %115 = getelementptr inbounds i8, ptr %112, i64 8
-  %116 = load ptr, ptr %4, align 8
-  %117 = load ptr, ptr %5, align 8
-  %118 = getelementptr inbounds i8, ptr %0, i64 168
-  %119 = getelementptr inbounds i8, ptr %0, i64 248
-  %120 = getelementptr inbounds i8, ptr %0, i64 168
-  %121 = getelementptr inbounds i8, ptr %0, i64 192
-  %122 = getelementptr inbounds i8, ptr %0, i64 744
-  %123 = icmp sgt i64 %12, 0
-  %124 = icmp sgt i64 %12, 0
-  %125 = getelementptr inbounds i8, ptr %0, i64 792
-  %126 = getelementptr inbounds i8, ptr %24, i64 48
-  %127 = getelementptr inbounds i8, ptr %0, i64 624
-  %128 = getelementptr inbounds i8, ptr %0, i64 632
-  %129 = fadd double %1, %2
-  %130 = tail call double @llvm.fabs.f64(double %129)
-  %131 = getelementptr inbounds i8, ptr %0, i64 944
-  %132 = getelementptr inbounds i8, ptr %0, i64 936
-  %133 = icmp sgt i64 %12, 0
-  %134 = getelementptr inbounds i8, ptr %0, i64 992
-  %135 = getelementptr inbounds i8, ptr %0, i64 984
-  %136 = getelementptr inbounds i8, ptr %0, i64 1008
-  %137 = getelementptr inbounds i8, ptr %0, i64 1032
-  %138 = getelementptr inbounds i8, ptr %0, i64 1048
-  %139 = getelementptr inbounds i8, ptr %0, i64 624
-  %140 = getelementptr inbounds i8, ptr %0, i64 632
-  %141 = fadd double %1, %2
-  %142 = tail call double @llvm.fabs.f64(double %141)
-  %143 = getelementptr inbounds i8, ptr %0, i64 944
-  %144 = getelementptr inbounds i8, ptr %0, i64 936
-  %145 = getelementptr inbounds i8, ptr %0, i64 992
-  %146 = getelementptr inbounds i8, ptr %24, i64 48
-  %147 = icmp sgt i64 %12, 0
-  %148 = getelementptr inbounds i8, ptr %24, i64 48
+  %123 = getelementptr inbounds i8, ptr %0, i64 984
+  %124 = load ptr, ptr %7, align 8
+  %125 = getelementptr inbounds i8, ptr %124, i64 96
+  %126 = getelementptr inbounds i8, ptr %124, i64 192
+  %127 = getelementptr inbounds i8, ptr %124, i64 8
+  %128 = load ptr, ptr %4, align 8
+  %129 = load ptr, ptr %5, align 8
+  %130 = getelementptr inbounds i8, ptr %0, i64 168
+  %131 = getelementptr inbounds i8, ptr %0, i64 248
+  %132 = getelementptr inbounds i8, ptr %0, i64 168
+  %133 = getelementptr inbounds i8, ptr %0, i64 192
+  %134 = getelementptr inbounds i8, ptr %0, i64 744
+  %135 = icmp sgt i64 %12, 0
+  %136 = getelementptr inbounds i8, ptr %0, i64 984
+  %137 = load ptr, ptr %7, align 8
+  %138 = getelementptr inbounds i8, ptr %137, i64 96
+  %139 = getelementptr inbounds i8, ptr %137, i64 192
+  %140 = getelementptr inbounds i8, ptr %137, i64 8
+  %141 = load ptr, ptr %4, align 8
+  %142 = load ptr, ptr %5, align 8
+  %143 = getelementptr inbounds i8, ptr %0, i64 168
+  %144 = getelementptr inbounds i8, ptr %0, i64 248
+  %145 = getelementptr inbounds i8, ptr %0, i64 168
+  %146 = getelementptr inbounds i8, ptr %0, i64 192
+  %147 = getelementptr inbounds i8, ptr %0, i64 744
+  %148 = icmp sgt i64 %12, 0
   %149 = icmp sgt i64 %12, 0
-  %150 = getelementptr inbounds i8, ptr %0, i64 944
-  %151 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %152
+  %150 = getelementptr inbounds i8, ptr %0, i64 792
+  %151 = getelementptr inbounds i8, ptr %24, i64 48
+  %152 = getelementptr inbounds i8, ptr %0, i64 624
+  %153 = getelementptr inbounds i8, ptr %0, i64 632
+  %154 = fadd double %1, %2
+  %155 = tail call double @llvm.fabs.f64(double %154)
+  %156 = getelementptr inbounds i8, ptr %0, i64 968
+  %157 = getelementptr inbounds i8, ptr %0, i64 960
+  %158 = icmp sgt i64 %12, 0
+  %159 = getelementptr inbounds i8, ptr %0, i64 1016
+  %160 = getelementptr inbounds i8, ptr %0, i64 1008
+  %161 = getelementptr inbounds i8, ptr %0, i64 1032
+  %162 = getelementptr inbounds i8, ptr %0, i64 1056
+  %163 = getelementptr inbounds i8, ptr %0, i64 1072
+  %164 = getelementptr inbounds i8, ptr %0, i64 624
+  %165 = getelementptr inbounds i8, ptr %0, i64 632
+  %166 = fadd double %1, %2
+  %167 = tail call double @llvm.fabs.f64(double %166)
+  %168 = getelementptr inbounds i8, ptr %0, i64 968
+  %169 = getelementptr inbounds i8, ptr %0, i64 960
+  %170 = getelementptr inbounds i8, ptr %0, i64 1016
+  %171 = getelementptr inbounds i8, ptr %24, i64 48
+  %172 = icmp sgt i64 %12, 0
+  %173 = getelementptr inbounds i8, ptr %24, i64 48
+  %174 = icmp sgt i64 %12, 0
+  %175 = getelementptr inbounds i8, ptr %0, i64 968
+  %176 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %177
 
-152:                                              ; preds = %97, %917
-  %153 = phi i1 [ false, %97 ], [ %921, %917 ]
-  %154 = phi i64 [ -4, %97 ], [ %915, %917 ]
-  %155 = phi double [ 0.000000e+00, %97 ], [ %914, %917 ]
-  %156 = phi i32 [ 1, %97 ], [ %920, %917 ]
-  %157 = zext nneg i32 %156 to i64
-  %158 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %157
-  %159 = load double, ptr %158, align 8
-  %160 = mul nsw i64 %12, %157
-  %161 = load ptr, ptr %9, align 8
-  %162 = getelementptr inbounds i8, ptr %161, i64 8
-  %163 = load i64, ptr %162, align 8
-  %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %206
+177:                                              ; preds = %122, %942
+  %178 = phi i1 [ false, %122 ], [ %946, %942 ]
+  %179 = phi i64 [ -4, %122 ], [ %940, %942 ]
+  %180 = phi double [ 0.000000e+00, %122 ], [ %939, %942 ]
+  %181 = phi i32 [ 1, %122 ], [ %945, %942 ]
+  %182 = zext nneg i32 %181 to i64
+  %183 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %182
+  %184 = load double, ptr %183, align 8
+  %185 = mul nsw i64 %12, %182
+  %186 = load ptr, ptr %9, align 8
+  %187 = getelementptr inbounds i8, ptr %186, i64 8
+  %188 = load i64, ptr %187, align 8
+  %189 = icmp sgt i64 %188, 0
+  br i1 %189, label %190, label %231
 
-165:                                              ; preds = %152
-  %166 = add nsw i32 %156, -1
-  %167 = icmp ugt i32 %156, 1
-  %168 = select i1 %167, i32 %166, i32 1
-  %169 = tail call i32 @llvm.smin.i32(i32 %156, i32 3)
-  %170 = icmp sgt i32 %168, %169
-  %171 = zext nneg i32 %156 to i64
-  %172 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %171
-  br label %176
-
-173:                                              ; preds = %203
-  %174 = add nuw nsw i64 %178, 1
-  %175 = icmp eq i64 %174, %163
-  br i1 %175, label %206, label %176, !llvm.loop !6
-
-176:                                              ; preds = %165, %173
-  %177 = phi double [ 2.000000e+00, %165 ], [ %205, %173 ]
-  %178 = phi i64 [ 0, %165 ], [ %174, %173 ]
-  %179 = load ptr, ptr %15, align 8
-  %180 = getelementptr inbounds i64, ptr %179, i64 %178
-  %181 = load i64, ptr %180, align 8
-  %182 = sitofp i64 %181 to double
-  br i1 %170, label %203, label %187
-
-183:                                              ; preds = %201
-  %184 = add i32 %189, 1
-  %185 = icmp sge i32 %189, %169
-  %186 = icmp eq i32 %189, %169
-  br i1 %186, label %203, label %187, !llvm.loop !7
-
-187:                                              ; preds = %176, %183
-  %188 = phi i1 [ %185, %183 ], [ %170, %176 ]
-  %189 = phi i32 [ %184, %183 ], [ %168, %176 ]
-  %190 = phi double [ %202, %183 ], [ %177, %176 ]
-  %191 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %178, double noundef %182, i32 noundef %189, i32 noundef %156) #8
-  %192 = fcmp une double %191, -4.000000e+00
-  %193 = fcmp ogt double %191, %155
-  %194 = and i1 %192, %193
-  br i1 %194, label %195, label %201
-
-195:                                              ; preds = %187
-  %196 = load double, ptr %172, align 8
-  %197 = fcmp olt double %190, %196
-  %198 = select i1 %197, double %190, double %196
-  %199 = fcmp olt double %191, %198
-  br i1 %199, label %200, label %201
-
-200:                                              ; preds = %195
+190:                                              ; preds = %177
+  %191 = add nsw i32 %181, -1
+  %192 = icmp ugt i32 %181, 1
+  %193 = select i1 %192, i32 %191, i32 1
+  %194 = tail call i32 @llvm.smin.i32(i32 %181, i32 3)
+  %195 = icmp sgt i32 %193, %194
+  %196 = zext nneg i32 %181 to i64
+  %197 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %196
   br label %201
 
-201:                                              ; preds = %200, %195, %187
-  %202 = phi double [ %190, %187 ], [ %191, %200 ], [ %190, %195 ]
-  br i1 %192, label %183, label %203
+198:                                              ; preds = %228
+  %199 = add nuw nsw i64 %203, 1
+  %200 = icmp eq i64 %199, %188
+  br i1 %200, label %231, label %201, !llvm.loop !7
 
-203:                                              ; preds = %183, %201, %176
-  %204 = phi i1 [ %170, %176 ], [ %185, %183 ], [ %188, %201 ]
-  %205 = phi double [ %177, %176 ], [ %202, %201 ], [ %202, %183 ]
-  br i1 %204, label %173, label %206
+201:                                              ; preds = %190, %198
+  %202 = phi double [ 2.000000e+00, %190 ], [ %230, %198 ]
+  %203 = phi i64 [ 0, %190 ], [ %199, %198 ]
+  %204 = load ptr, ptr %15, align 8
+  %205 = getelementptr inbounds i64, ptr %204, i64 %203
+  %206 = load i64, ptr %205, align 8
+  %207 = sitofp i64 %206 to double
+  br i1 %195, label %228, label %212
 
-206:                                              ; preds = %203, %173, %152
-  %207 = phi double [ 2.000000e+00, %152 ], [ -4.000000e+00, %203 ], [ %205, %173 ]
-  %208 = fcmp olt double %207, 0.000000e+00
-  br i1 %208, label %907, label %209
+208:                                              ; preds = %226
+  %209 = add i32 %214, 1
+  %210 = icmp sge i32 %214, %194
+  %211 = icmp eq i32 %214, %194
+  br i1 %211, label %228, label %212, !llvm.loop !8
 
-209:                                              ; preds = %206
-  %210 = getelementptr double, ptr %28, i64 %160
-  %211 = fcmp olt double %207, %159
-  br i1 %211, label %212, label %245
+212:                                              ; preds = %201, %208
+  %213 = phi i1 [ %210, %208 ], [ %195, %201 ]
+  %214 = phi i32 [ %209, %208 ], [ %193, %201 ]
+  %215 = phi double [ %227, %208 ], [ %202, %201 ]
+  %216 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %203, double noundef %207, i32 noundef %214, i32 noundef %181) #8
+  %217 = fcmp une double %216, -4.000000e+00
+  %218 = fcmp ogt double %216, %180
+  %219 = and i1 %217, %218
+  br i1 %219, label %220, label %226
 
-212:                                              ; preds = %209
-  %213 = load ptr, ptr %25, align 8
-  %214 = load ptr, ptr %98, align 8
-  %215 = load ptr, ptr %100, align 8
-  %216 = insertelement <8 x double> poison, double %207, i64 0
-  %217 = shufflevector <8 x double> %216, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %217, ptr %215, align 8
-  %218 = load ptr, ptr %99, align 8
-  %219 = load ptr, ptr %101, align 8
-  %220 = load i64, ptr %102, align 8
-  %221 = load ptr, ptr %103, align 8
-  %222 = getelementptr inbounds i8, ptr %221, i64 24
-  %223 = load i64, ptr %222, align 8
-  %224 = load ptr, ptr %100, align 8
-  %225 = load ptr, ptr %104, align 8
-  %226 = getelementptr inbounds i8, ptr %225, i64 16
-  %227 = load i64, ptr %226, align 8
-  tail call fastcc void @nested(ptr noundef %214, ptr noundef %218, ptr noundef %219, i64 noundef %220, i64 noundef %223, ptr noundef %224, i64 noundef %227) #8
-  %228 = fmul double %207, %2
-  %229 = fadd double %228, %1
-  %230 = load ptr, ptr %105, align 8
-  store double %229, ptr %230, align 8
-  %231 = load i64, ptr %106, align 8
-  %232 = icmp sgt i64 %231, 0
-  br i1 %232, label %233, label %234
+220:                                              ; preds = %212
+  %221 = load double, ptr %197, align 8
+  %222 = fcmp olt double %215, %221
+  %223 = select i1 %222, double %215, double %221
+  %224 = fcmp olt double %216, %223
+  br i1 %224, label %225, label %226
 
-233:                                              ; preds = %212
+225:                                              ; preds = %220
+  br label %226
+
+226:                                              ; preds = %225, %220, %212
+  %227 = phi double [ %215, %212 ], [ %216, %225 ], [ %215, %220 ]
+  br i1 %217, label %208, label %228
+
+228:                                              ; preds = %208, %226, %201
+  %229 = phi i1 [ %195, %201 ], [ %210, %208 ], [ %213, %226 ]
+  %230 = phi double [ %202, %201 ], [ %227, %226 ], [ %227, %208 ]
+  br i1 %229, label %198, label %231
+
+231:                                              ; preds = %228, %198, %177
+  %232 = phi double [ 2.000000e+00, %177 ], [ -4.000000e+00, %228 ], [ %230, %198 ]
+  %233 = fcmp olt double %232, 0.000000e+00
+  br i1 %233, label %932, label %234
+
+234:                                              ; preds = %231
+  %235 = getelementptr double, ptr %28, i64 %185
+  %236 = fcmp olt double %232, %184
+  br i1 %236, label %237, label %270
+
+237:                                              ; preds = %234
+  %238 = load ptr, ptr %25, align 8
+  %239 = load ptr, ptr %123, align 8
+  %240 = load ptr, ptr %125, align 8
+  %241 = insertelement <8 x double> poison, double %232, i64 0
+  %242 = shufflevector <8 x double> %241, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %242, ptr %240, align 8
+  %243 = load ptr, ptr %124, align 8
+  %244 = load ptr, ptr %126, align 8
+  %245 = load i64, ptr %127, align 8
+  %246 = load ptr, ptr %128, align 8
+  %247 = getelementptr inbounds i8, ptr %246, i64 24
+  %248 = load i64, ptr %247, align 8
+  %249 = load ptr, ptr %125, align 8
+  %250 = load ptr, ptr %129, align 8
+  %251 = getelementptr inbounds i8, ptr %250, i64 16
+  %252 = load i64, ptr %251, align 8
+  tail call fastcc void @nested(ptr noundef %239, ptr noundef %243, ptr noundef %244, i64 noundef %245, i64 noundef %248, ptr noundef %249, i64 noundef %252) #8
+  %253 = fmul double %232, %2
+  %254 = fadd double %253, %1
+  %255 = load ptr, ptr %130, align 8
+  store double %254, ptr %255, align 8
+  %256 = load i64, ptr %131, align 8
+  %257 = icmp sgt i64 %256, 0
+  br i1 %257, label %258, label %259
+
+258:                                              ; preds = %237
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %234
+  br label %259
 
-234:                                              ; preds = %212, %233
-  %235 = load ptr, ptr %9, align 8
-  %236 = load i64, ptr %235, align 8
-  %237 = load ptr, ptr %107, align 8
-  %238 = load ptr, ptr %98, align 8
-  %239 = load ptr, ptr %108, align 8
-  %240 = load ptr, ptr %109, align 8
-  %241 = load ptr, ptr %25, align 8
-  %242 = inttoptr i64 %236 to ptr
-  %243 = tail call i32 %242(ptr noundef %237, ptr noundef %238, ptr noundef %239, ptr noundef %240, ptr noundef %241) #9
-  %244 = icmp slt i32 %243, 0
-  br i1 %244, label %907, label %245
+259:                                              ; preds = %237, %258
+  %260 = load ptr, ptr %9, align 8
+  %261 = load i64, ptr %260, align 8
+  %262 = load ptr, ptr %132, align 8
+  %263 = load ptr, ptr %123, align 8
+  %264 = load ptr, ptr %133, align 8
+  %265 = load ptr, ptr %134, align 8
+  %266 = load ptr, ptr %25, align 8
+  %267 = inttoptr i64 %261 to ptr
+  %268 = tail call i32 %267(ptr noundef %262, ptr noundef %263, ptr noundef %264, ptr noundef %265, ptr noundef %266) #9
+  %269 = icmp slt i32 %268, 0
+  br i1 %269, label %932, label %270
 
-245:                                              ; preds = %234, %209
-  %246 = phi double [ %207, %234 ], [ %159, %209 ]
-  %247 = phi ptr [ %213, %234 ], [ %210, %209 ]
-  br label %248
+270:                                              ; preds = %259, %234
+  %271 = phi double [ %232, %259 ], [ %184, %234 ]
+  %272 = phi ptr [ %238, %259 ], [ %235, %234 ]
+  br label %273
 
-248:                                              ; preds = %851, %245
-  %249 = phi double [ %155, %245 ], [ %853, %851 ]
-  %250 = phi i64 [ %154, %245 ], [ %854, %851 ]
-  br i1 %110, label %254, label %251
+273:                                              ; preds = %876, %270
+  %274 = phi double [ %180, %270 ], [ %878, %876 ]
+  %275 = phi i64 [ %179, %270 ], [ %879, %876 ]
+  br i1 %135, label %279, label %276
 
-251:                                              ; preds = %289, %248
-  %252 = phi double [ 2.000000e+00, %248 ], [ %290, %289 ]
-  %253 = fcmp ogt double %252, 1.000000e+00
-  br i1 %253, label %851, label %293
+276:                                              ; preds = %314, %273
+  %277 = phi double [ 2.000000e+00, %273 ], [ %315, %314 ]
+  %278 = fcmp ogt double %277, 1.000000e+00
+  br i1 %278, label %876, label %318
 
-254:                                              ; preds = %248, %289
-  %255 = phi i64 [ %291, %289 ], [ 0, %248 ]
-  %256 = phi double [ %290, %289 ], [ 2.000000e+00, %248 ]
-  %257 = getelementptr inbounds i64, ptr %18, i64 %255
-  store i64 0, ptr %257, align 8
-  %258 = getelementptr inbounds i64, ptr %16, i64 %255
-  %259 = load i64, ptr %258, align 8
-  %260 = getelementptr inbounds double, ptr %247, i64 %255
-  %261 = load double, ptr %260, align 8
-  %262 = getelementptr inbounds i64, ptr %14, i64 %255
-  %263 = load i64, ptr %262, align 8
-  %264 = icmp slt i64 %259, 0
-  %265 = fcmp ogt double %261, 0.000000e+00
-  %266 = and i1 %264, %265
-  %267 = icmp sgt i64 %263, -1
-  %268 = and i1 %266, %267
-  br i1 %268, label %276, label %269
+279:                                              ; preds = %273, %314
+  %280 = phi i64 [ %316, %314 ], [ 0, %273 ]
+  %281 = phi double [ %315, %314 ], [ 2.000000e+00, %273 ]
+  %282 = getelementptr inbounds i64, ptr %18, i64 %280
+  store i64 0, ptr %282, align 8
+  %283 = getelementptr inbounds i64, ptr %16, i64 %280
+  %284 = load i64, ptr %283, align 8
+  %285 = getelementptr inbounds double, ptr %272, i64 %280
+  %286 = load double, ptr %285, align 8
+  %287 = getelementptr inbounds i64, ptr %14, i64 %280
+  %288 = load i64, ptr %287, align 8
+  %289 = icmp slt i64 %284, 0
+  %290 = fcmp ogt double %286, 0.000000e+00
+  %291 = and i1 %289, %290
+  %292 = icmp sgt i64 %288, -1
+  %293 = and i1 %291, %292
+  br i1 %293, label %301, label %294
 
-269:                                              ; preds = %254
-  %270 = icmp sgt i64 %259, 0
-  %271 = fcmp olt double %261, 0.000000e+00
-  %272 = and i1 %270, %271
-  br i1 %272, label %273, label %276
+294:                                              ; preds = %279
+  %295 = icmp sgt i64 %284, 0
+  %296 = fcmp olt double %286, 0.000000e+00
+  %297 = and i1 %295, %296
+  br i1 %297, label %298, label %301
 
-273:                                              ; preds = %269
-  %274 = icmp slt i64 %263, 1
-  %275 = zext i1 %274 to i32
-  br label %276
+298:                                              ; preds = %294
+  %299 = icmp slt i64 %288, 1
+  %300 = zext i1 %299 to i32
+  br label %301
 
-276:                                              ; preds = %254, %269, %273
-  %277 = phi i32 [ 1, %254 ], [ 0, %269 ], [ %275, %273 ]
-  %278 = icmp eq i32 %277, 0
-  br i1 %278, label %279, label %283
+301:                                              ; preds = %279, %294, %298
+  %302 = phi i32 [ 1, %279 ], [ 0, %294 ], [ %300, %298 ]
+  %303 = icmp eq i32 %302, 0
+  br i1 %303, label %304, label %308
 
-279:                                              ; preds = %276
-  %280 = icmp eq i64 %259, 0
-  %281 = fcmp ord double %261, 0.000000e+00
-  %282 = or i1 %280, %281
-  br i1 %282, label %289, label %283
+304:                                              ; preds = %301
+  %305 = icmp eq i64 %284, 0
+  %306 = fcmp ord double %286, 0.000000e+00
+  %307 = or i1 %305, %306
+  br i1 %307, label %314, label %308
 
-283:                                              ; preds = %279, %276
-  %284 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %249, double noundef %246, i64 noundef %255) #8
-  %285 = fcmp ole double %284, %249
-  %286 = zext i1 %285 to i64
-  store i64 %286, ptr %257, align 8
-  %287 = fcmp olt double %284, %256
-  %288 = select i1 %287, double %284, double %256
-  br label %289
-
-289:                                              ; preds = %279, %283
-  %290 = phi double [ %288, %283 ], [ %256, %279 ]
-  %291 = add nuw nsw i64 %255, 1
-  %292 = icmp eq i64 %291, %12
-  br i1 %292, label %251, label %254, !llvm.loop !8
-
-293:                                              ; preds = %251
-  %294 = load ptr, ptr %111, align 8
-  %295 = load ptr, ptr %113, align 8
-  %296 = insertelement <8 x double> poison, double %252, i64 0
-  %297 = shufflevector <8 x double> %296, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %297, ptr %295, align 8
-  %298 = load ptr, ptr %112, align 8
-  %299 = load ptr, ptr %114, align 8
-  %300 = load i64, ptr %115, align 8
-  %301 = load ptr, ptr %116, align 8
-  %302 = getelementptr inbounds i8, ptr %301, i64 24
-  %303 = load i64, ptr %302, align 8
-  %304 = load ptr, ptr %113, align 8
-  %305 = load ptr, ptr %117, align 8
-  %306 = getelementptr inbounds i8, ptr %305, i64 16
-  %307 = load i64, ptr %306, align 8
-  tail call fastcc void @nested(ptr noundef %294, ptr noundef %298, ptr noundef %299, i64 noundef %300, i64 noundef %303, ptr noundef %304, i64 noundef %307) #8
-  %308 = fmul double %252, %2
-  %309 = fadd double %308, %1
-  %310 = load ptr, ptr %118, align 8
-  store double %309, ptr %310, align 8
-  %311 = load i64, ptr %119, align 8
-  %312 = icmp sgt i64 %311, 0
-  br i1 %312, label %313, label %314
-
-313:                                              ; preds = %293
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+308:                                              ; preds = %304, %301
+  %309 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %274, double noundef %271, i64 noundef %280) #8
+  %310 = fcmp ole double %309, %274
+  %311 = zext i1 %310 to i64
+  store i64 %311, ptr %282, align 8
+  %312 = fcmp olt double %309, %281
+  %313 = select i1 %312, double %309, double %281
   br label %314
 
-314:                                              ; preds = %293, %313
-  %315 = load ptr, ptr %9, align 8
-  %316 = load i64, ptr %315, align 8
-  %317 = load ptr, ptr %120, align 8
-  %318 = load ptr, ptr %111, align 8
-  %319 = load ptr, ptr %121, align 8
-  %320 = load ptr, ptr %122, align 8
-  %321 = load ptr, ptr %25, align 8
-  %322 = getelementptr inbounds i8, ptr %315, i64 8
-  %323 = load i64, ptr %322, align 8
-  %324 = getelementptr inbounds double, ptr %321, i64 %323
-  %325 = inttoptr i64 %316 to ptr
-  %326 = tail call i32 %325(ptr noundef %317, ptr noundef %318, ptr noundef %319, ptr noundef %320, ptr noundef %324) #9
-  %327 = icmp slt i32 %326, 0
-  br i1 %327, label %329, label %328
+314:                                              ; preds = %304, %308
+  %315 = phi double [ %313, %308 ], [ %281, %304 ]
+  %316 = add nuw nsw i64 %280, 1
+  %317 = icmp eq i64 %316, %12
+  br i1 %317, label %276, label %279, !llvm.loop !9
 
-328:                                              ; preds = %314
-  br i1 %123, label %334, label %430
+318:                                              ; preds = %276
+  %319 = load ptr, ptr %136, align 8
+  %320 = load ptr, ptr %138, align 8
+  %321 = insertelement <8 x double> poison, double %277, i64 0
+  %322 = shufflevector <8 x double> %321, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %322, ptr %320, align 8
+  %323 = load ptr, ptr %137, align 8
+  %324 = load ptr, ptr %139, align 8
+  %325 = load i64, ptr %140, align 8
+  %326 = load ptr, ptr %141, align 8
+  %327 = getelementptr inbounds i8, ptr %326, i64 24
+  %328 = load i64, ptr %327, align 8
+  %329 = load ptr, ptr %138, align 8
+  %330 = load ptr, ptr %142, align 8
+  %331 = getelementptr inbounds i8, ptr %330, i64 16
+  %332 = load i64, ptr %331, align 8
+  tail call fastcc void @nested(ptr noundef %319, ptr noundef %323, ptr noundef %324, i64 noundef %325, i64 noundef %328, ptr noundef %329, i64 noundef %332) #8
+  %333 = fmul double %277, %2
+  %334 = fadd double %333, %1
+  %335 = load ptr, ptr %143, align 8
+  store double %334, ptr %335, align 8
+  %336 = load i64, ptr %144, align 8
+  %337 = icmp sgt i64 %336, 0
+  br i1 %337, label %338, label %339
 
-329:                                              ; preds = %314
-  %330 = load ptr, ptr %20, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 80
-  store i64 %23, ptr %331, align 8
-  %332 = load ptr, ptr %19, align 8
-  %333 = getelementptr inbounds i8, ptr %332, i64 48
-  store double 1.000000e+00, ptr %333, align 8
-  br label %851
-
-334:                                              ; preds = %328, %424
-  %335 = phi i1 [ %428, %424 ], [ %123, %328 ]
-  %336 = phi i64 [ %426, %424 ], [ %250, %328 ]
-  %337 = phi i64 [ %427, %424 ], [ 0, %328 ]
-  %338 = phi double [ %425, %424 ], [ %252, %328 ]
-  %339 = getelementptr inbounds i64, ptr %16, i64 %337
-  %340 = load i64, ptr %339, align 8
-  %341 = getelementptr inbounds double, ptr %31, i64 %337
-  %342 = load double, ptr %341, align 8
-  %343 = getelementptr inbounds i64, ptr %14, i64 %337
-  %344 = load i64, ptr %343, align 8
-  %345 = icmp slt i64 %340, 0
-  %346 = fcmp ogt double %342, 0.000000e+00
-  %347 = and i1 %345, %346
-  %348 = icmp sgt i64 %344, -1
-  %349 = and i1 %347, %348
-  br i1 %349, label %357, label %350
-
-350:                                              ; preds = %334
-  %351 = icmp sgt i64 %340, 0
-  %352 = fcmp olt double %342, 0.000000e+00
-  %353 = and i1 %351, %352
-  br i1 %353, label %354, label %357
-
-354:                                              ; preds = %350
-  %355 = icmp slt i64 %344, 1
-  %356 = zext i1 %355 to i32
-  br label %357
-
-357:                                              ; preds = %334, %350, %354
-  %358 = phi i32 [ 1, %334 ], [ 0, %350 ], [ %356, %354 ]
-  %359 = icmp eq i32 %358, 0
-  br i1 %359, label %424, label %360
-
-360:                                              ; preds = %357
-  %361 = getelementptr inbounds double, ptr %247, i64 %337
-  %362 = load double, ptr %361, align 8
-  %363 = fcmp ogt double %362, 0.000000e+00
-  %364 = and i1 %345, %363
-  %365 = and i1 %348, %364
-  br i1 %365, label %373, label %366
-
-366:                                              ; preds = %360
-  %367 = icmp sgt i64 %340, 0
-  %368 = fcmp olt double %362, 0.000000e+00
-  %369 = and i1 %367, %368
-  br i1 %369, label %370, label %373
-
-370:                                              ; preds = %366
-  %371 = icmp slt i64 %344, 1
-  %372 = zext i1 %371 to i32
-  br label %373
-
-373:                                              ; preds = %360, %366, %370
-  %374 = phi i32 [ 1, %360 ], [ 0, %366 ], [ %372, %370 ]
-  %375 = icmp eq i32 %374, 0
-  br i1 %375, label %376, label %424
-
-376:                                              ; preds = %373
-  %377 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %249, double noundef %338, i64 noundef %337) #8
-  %378 = fcmp ogt double %377, %249
-  br i1 %378, label %379, label %381
-
-379:                                              ; preds = %376
-  %380 = getelementptr inbounds i64, ptr %18, i64 %337
-  store i64 2, ptr %380, align 8
-  br label %381
-
-381:                                              ; preds = %379, %376
-  %382 = phi double [ %377, %379 ], [ %338, %376 ]
-  %383 = load ptr, ptr %111, align 8
-  %384 = load ptr, ptr %113, align 8
-  %385 = insertelement <8 x double> poison, double %382, i64 0
-  %386 = shufflevector <8 x double> %385, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %386, ptr %384, align 8
-  %387 = load ptr, ptr %112, align 8
-  %388 = load ptr, ptr %114, align 8
-  %389 = load i64, ptr %115, align 8
-  %390 = load ptr, ptr %116, align 8
-  %391 = getelementptr inbounds i8, ptr %390, i64 24
-  %392 = load i64, ptr %391, align 8
-  %393 = load ptr, ptr %113, align 8
-  %394 = load ptr, ptr %117, align 8
-  %395 = getelementptr inbounds i8, ptr %394, i64 16
-  %396 = load i64, ptr %395, align 8
-  tail call fastcc void @nested(ptr noundef %383, ptr noundef %387, ptr noundef %388, i64 noundef %389, i64 noundef %392, ptr noundef %393, i64 noundef %396) #8
-  %397 = fmul double %382, %2
-  %398 = fadd double %397, %1
-  %399 = load ptr, ptr %118, align 8
-  store double %398, ptr %399, align 8
-  %400 = load i64, ptr %119, align 8
-  %401 = icmp sgt i64 %400, 0
-  br i1 %401, label %402, label %403
-
-402:                                              ; preds = %381
+338:                                              ; preds = %318
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %403
+  br label %339
 
-403:                                              ; preds = %381, %402
-  %404 = load ptr, ptr %9, align 8
-  %405 = load i64, ptr %404, align 8
-  %406 = load ptr, ptr %120, align 8
-  %407 = load ptr, ptr %111, align 8
-  %408 = load ptr, ptr %121, align 8
-  %409 = load ptr, ptr %122, align 8
-  %410 = load ptr, ptr %25, align 8
-  %411 = getelementptr inbounds i8, ptr %404, i64 8
-  %412 = load i64, ptr %411, align 8
-  %413 = getelementptr inbounds double, ptr %410, i64 %412
-  %414 = inttoptr i64 %405 to ptr
-  %415 = tail call i32 %414(ptr noundef %406, ptr noundef %407, ptr noundef %408, ptr noundef %409, ptr noundef %413) #9
-  %416 = icmp sgt i32 %415, -1
-  br i1 %416, label %422, label %417
+339:                                              ; preds = %318, %338
+  %340 = load ptr, ptr %9, align 8
+  %341 = load i64, ptr %340, align 8
+  %342 = load ptr, ptr %145, align 8
+  %343 = load ptr, ptr %136, align 8
+  %344 = load ptr, ptr %146, align 8
+  %345 = load ptr, ptr %147, align 8
+  %346 = load ptr, ptr %25, align 8
+  %347 = getelementptr inbounds i8, ptr %340, i64 8
+  %348 = load i64, ptr %347, align 8
+  %349 = getelementptr inbounds double, ptr %346, i64 %348
+  %350 = inttoptr i64 %341 to ptr
+  %351 = tail call i32 %350(ptr noundef %342, ptr noundef %343, ptr noundef %344, ptr noundef %345, ptr noundef %349) #9
+  %352 = icmp slt i32 %351, 0
+  br i1 %352, label %354, label %353
 
-417:                                              ; preds = %403
-  %418 = load ptr, ptr %20, align 8
-  %419 = getelementptr inbounds i8, ptr %418, i64 80
-  store i64 %23, ptr %419, align 8
-  %420 = load ptr, ptr %19, align 8
-  %421 = getelementptr inbounds i8, ptr %420, i64 48
-  store double 1.000000e+00, ptr %421, align 8
-  br label %422
+353:                                              ; preds = %339
+  br i1 %148, label %359, label %455
 
-422:                                              ; preds = %403, %417
-  %423 = phi i64 [ -4, %417 ], [ %336, %403 ]
-  br i1 %416, label %424, label %430
+354:                                              ; preds = %339
+  %355 = load ptr, ptr %20, align 8
+  %356 = getelementptr inbounds i8, ptr %355, i64 80
+  store i64 %23, ptr %356, align 8
+  %357 = load ptr, ptr %19, align 8
+  %358 = getelementptr inbounds i8, ptr %357, i64 48
+  store double 1.000000e+00, ptr %358, align 8
+  br label %876
 
-424:                                              ; preds = %357, %373, %422
-  %425 = phi double [ %338, %373 ], [ %382, %422 ], [ %338, %357 ]
-  %426 = phi i64 [ %336, %373 ], [ %423, %422 ], [ %336, %357 ]
-  %427 = add nuw nsw i64 %337, 1
-  %428 = icmp slt i64 %427, %12
-  %429 = icmp eq i64 %427, %12
-  br i1 %429, label %430, label %334, !llvm.loop !9
+359:                                              ; preds = %353, %449
+  %360 = phi i1 [ %453, %449 ], [ %148, %353 ]
+  %361 = phi i64 [ %451, %449 ], [ %275, %353 ]
+  %362 = phi i64 [ %452, %449 ], [ 0, %353 ]
+  %363 = phi double [ %450, %449 ], [ %277, %353 ]
+  %364 = getelementptr inbounds i64, ptr %16, i64 %362
+  %365 = load i64, ptr %364, align 8
+  %366 = getelementptr inbounds double, ptr %31, i64 %362
+  %367 = load double, ptr %366, align 8
+  %368 = getelementptr inbounds i64, ptr %14, i64 %362
+  %369 = load i64, ptr %368, align 8
+  %370 = icmp slt i64 %365, 0
+  %371 = fcmp ogt double %367, 0.000000e+00
+  %372 = and i1 %370, %371
+  %373 = icmp sgt i64 %369, -1
+  %374 = and i1 %372, %373
+  br i1 %374, label %382, label %375
 
-430:                                              ; preds = %422, %424, %328
-  %431 = phi i1 [ %123, %328 ], [ %335, %422 ], [ %428, %424 ]
-  %432 = phi i32 [ 13, %328 ], [ 1, %422 ], [ 13, %424 ]
-  %433 = phi double [ %252, %328 ], [ %382, %422 ], [ %425, %424 ]
-  %434 = phi i64 [ %250, %328 ], [ %423, %422 ], [ %426, %424 ]
-  br i1 %431, label %851, label %435
+375:                                              ; preds = %359
+  %376 = icmp sgt i64 %365, 0
+  %377 = fcmp olt double %367, 0.000000e+00
+  %378 = and i1 %376, %377
+  br i1 %378, label %379, label %382
 
-435:                                              ; preds = %430
-  br i1 %124, label %446, label %438
+379:                                              ; preds = %375
+  %380 = icmp slt i64 %369, 1
+  %381 = zext i1 %380 to i32
+  br label %382
 
-436:                                              ; preds = %533
-  %437 = zext i1 %534 to i32
-  br label %438
+382:                                              ; preds = %359, %375, %379
+  %383 = phi i32 [ 1, %359 ], [ 0, %375 ], [ %381, %379 ]
+  %384 = icmp eq i32 %383, 0
+  br i1 %384, label %449, label %385
 
-438:                                              ; preds = %436, %435
-  %439 = phi i32 [ 0, %435 ], [ %437, %436 ]
-  %440 = phi i64 [ -1, %435 ], [ %523, %436 ]
-  %441 = icmp eq i32 %439, 0
-  br i1 %441, label %442, label %537
+385:                                              ; preds = %382
+  %386 = getelementptr inbounds double, ptr %272, i64 %362
+  %387 = load double, ptr %386, align 8
+  %388 = fcmp ogt double %387, 0.000000e+00
+  %389 = and i1 %370, %388
+  %390 = and i1 %373, %389
+  br i1 %390, label %398, label %391
 
-442:                                              ; preds = %438
-  br i1 %133, label %443, label %663
+391:                                              ; preds = %385
+  %392 = icmp sgt i64 %365, 0
+  %393 = fcmp olt double %387, 0.000000e+00
+  %394 = and i1 %392, %393
+  br i1 %394, label %395, label %398
 
-443:                                              ; preds = %442
-  %444 = fmul double %433, %2
-  %445 = fadd double %444, %1
-  br label %784
+395:                                              ; preds = %391
+  %396 = icmp slt i64 %369, 1
+  %397 = zext i1 %396 to i32
+  br label %398
 
-446:                                              ; preds = %435, %533
-  %447 = phi i64 [ %535, %533 ], [ 0, %435 ]
-  %448 = phi i64 [ %523, %533 ], [ -1, %435 ]
-  %449 = phi i1 [ %534, %533 ], [ false, %435 ]
-  %450 = getelementptr inbounds double, ptr %31, i64 %447
-  %451 = load double, ptr %450, align 8
-  %452 = getelementptr inbounds i64, ptr %16, i64 %447
-  %453 = load i64, ptr %452, align 8
-  %454 = getelementptr inbounds i64, ptr %14, i64 %447
-  %455 = load i64, ptr %454, align 8
-  %456 = icmp slt i64 %453, 0
-  %457 = fcmp ogt double %451, 0.000000e+00
-  %458 = and i1 %457, %456
-  %459 = icmp sgt i64 %455, -1
-  %460 = and i1 %458, %459
-  br i1 %460, label %468, label %461
+398:                                              ; preds = %385, %391, %395
+  %399 = phi i32 [ 1, %385 ], [ 0, %391 ], [ %397, %395 ]
+  %400 = icmp eq i32 %399, 0
+  br i1 %400, label %401, label %449
 
-461:                                              ; preds = %446
-  %462 = icmp sgt i64 %453, 0
-  %463 = fcmp olt double %451, 0.000000e+00
-  %464 = and i1 %463, %462
-  br i1 %464, label %465, label %468
+401:                                              ; preds = %398
+  %402 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %274, double noundef %363, i64 noundef %362) #8
+  %403 = fcmp ogt double %402, %274
+  br i1 %403, label %404, label %406
 
-465:                                              ; preds = %461
-  %466 = icmp slt i64 %455, 1
-  %467 = zext i1 %466 to i32
-  br label %468
+404:                                              ; preds = %401
+  %405 = getelementptr inbounds i64, ptr %18, i64 %362
+  store i64 2, ptr %405, align 8
+  br label %406
 
-468:                                              ; preds = %446, %461, %465
-  %469 = phi i32 [ 1, %446 ], [ 0, %461 ], [ %467, %465 ]
-  %470 = icmp eq i32 %469, 0
-  br i1 %470, label %471, label %496
+406:                                              ; preds = %404, %401
+  %407 = phi double [ %402, %404 ], [ %363, %401 ]
+  %408 = load ptr, ptr %136, align 8
+  %409 = load ptr, ptr %138, align 8
+  %410 = insertelement <8 x double> poison, double %407, i64 0
+  %411 = shufflevector <8 x double> %410, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %411, ptr %409, align 8
+  %412 = load ptr, ptr %137, align 8
+  %413 = load ptr, ptr %139, align 8
+  %414 = load i64, ptr %140, align 8
+  %415 = load ptr, ptr %141, align 8
+  %416 = getelementptr inbounds i8, ptr %415, i64 24
+  %417 = load i64, ptr %416, align 8
+  %418 = load ptr, ptr %138, align 8
+  %419 = load ptr, ptr %142, align 8
+  %420 = getelementptr inbounds i8, ptr %419, i64 16
+  %421 = load i64, ptr %420, align 8
+  tail call fastcc void @nested(ptr noundef %408, ptr noundef %412, ptr noundef %413, i64 noundef %414, i64 noundef %417, ptr noundef %418, i64 noundef %421) #8
+  %422 = fmul double %407, %2
+  %423 = fadd double %422, %1
+  %424 = load ptr, ptr %143, align 8
+  store double %423, ptr %424, align 8
+  %425 = load i64, ptr %144, align 8
+  %426 = icmp sgt i64 %425, 0
+  br i1 %426, label %427, label %428
 
-471:                                              ; preds = %468
-  %472 = getelementptr inbounds double, ptr %247, i64 %447
-  %473 = load double, ptr %472, align 8
-  %474 = fcmp ogt double %473, 0.000000e+00
-  %475 = and i1 %456, %474
-  %476 = and i1 %459, %475
-  br i1 %476, label %484, label %477
+427:                                              ; preds = %406
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %428
 
-477:                                              ; preds = %471
-  %478 = icmp sgt i64 %453, 0
-  %479 = fcmp olt double %473, 0.000000e+00
-  %480 = and i1 %478, %479
-  br i1 %480, label %481, label %484
+428:                                              ; preds = %406, %427
+  %429 = load ptr, ptr %9, align 8
+  %430 = load i64, ptr %429, align 8
+  %431 = load ptr, ptr %145, align 8
+  %432 = load ptr, ptr %136, align 8
+  %433 = load ptr, ptr %146, align 8
+  %434 = load ptr, ptr %147, align 8
+  %435 = load ptr, ptr %25, align 8
+  %436 = getelementptr inbounds i8, ptr %429, i64 8
+  %437 = load i64, ptr %436, align 8
+  %438 = getelementptr inbounds double, ptr %435, i64 %437
+  %439 = inttoptr i64 %430 to ptr
+  %440 = tail call i32 %439(ptr noundef %431, ptr noundef %432, ptr noundef %433, ptr noundef %434, ptr noundef %438) #9
+  %441 = icmp sgt i32 %440, -1
+  br i1 %441, label %447, label %442
 
-481:                                              ; preds = %477
-  %482 = icmp slt i64 %455, 1
-  %483 = zext i1 %482 to i32
-  br label %484
+442:                                              ; preds = %428
+  %443 = load ptr, ptr %20, align 8
+  %444 = getelementptr inbounds i8, ptr %443, i64 80
+  store i64 %23, ptr %444, align 8
+  %445 = load ptr, ptr %19, align 8
+  %446 = getelementptr inbounds i8, ptr %445, i64 48
+  store double 1.000000e+00, ptr %446, align 8
+  br label %447
 
-484:                                              ; preds = %471, %477, %481
-  %485 = phi i32 [ 1, %471 ], [ 0, %477 ], [ %483, %481 ]
-  %486 = icmp eq i32 %485, 0
-  br i1 %486, label %496, label %487
+447:                                              ; preds = %428, %442
+  %448 = phi i64 [ -4, %442 ], [ %361, %428 ]
+  br i1 %441, label %449, label %455
 
-487:                                              ; preds = %484
-  %488 = fcmp oeq double %451, 0.000000e+00
-  br i1 %488, label %493, label %489
+449:                                              ; preds = %382, %398, %447
+  %450 = phi double [ %363, %398 ], [ %407, %447 ], [ %363, %382 ]
+  %451 = phi i64 [ %361, %398 ], [ %448, %447 ], [ %361, %382 ]
+  %452 = add nuw nsw i64 %362, 1
+  %453 = icmp slt i64 %452, %12
+  %454 = icmp eq i64 %452, %12
+  br i1 %454, label %455, label %359, !llvm.loop !10
 
-489:                                              ; preds = %487
-  %490 = getelementptr inbounds i64, ptr %18, i64 %447
-  %491 = load i64, ptr %490, align 8
-  %492 = icmp eq i64 %491, 1
+455:                                              ; preds = %447, %449, %353
+  %456 = phi i1 [ %148, %353 ], [ %360, %447 ], [ %453, %449 ]
+  %457 = phi i32 [ 16, %353 ], [ 1, %447 ], [ 16, %449 ]
+  %458 = phi double [ %277, %353 ], [ %407, %447 ], [ %450, %449 ]
+  %459 = phi i64 [ %275, %353 ], [ %448, %447 ], [ %451, %449 ]
+  br i1 %456, label %876, label %460
+
+460:                                              ; preds = %455
+  br i1 %149, label %471, label %463
+
+461:                                              ; preds = %558
+  %462 = zext i1 %559 to i32
+  br label %463
+
+463:                                              ; preds = %461, %460
+  %464 = phi i32 [ 0, %460 ], [ %462, %461 ]
+  %465 = phi i64 [ -1, %460 ], [ %548, %461 ]
+  %466 = icmp eq i32 %464, 0
+  br i1 %466, label %467, label %562
+
+467:                                              ; preds = %463
+  br i1 %158, label %468, label %688
+
+468:                                              ; preds = %467
+  %469 = fmul double %458, %2
+  %470 = fadd double %469, %1
+  br label %809
+
+471:                                              ; preds = %460, %558
+  %472 = phi i64 [ %560, %558 ], [ 0, %460 ]
+  %473 = phi i64 [ %548, %558 ], [ -1, %460 ]
+  %474 = phi i1 [ %559, %558 ], [ false, %460 ]
+  %475 = getelementptr inbounds double, ptr %31, i64 %472
+  %476 = load double, ptr %475, align 8
+  %477 = getelementptr inbounds i64, ptr %16, i64 %472
+  %478 = load i64, ptr %477, align 8
+  %479 = getelementptr inbounds i64, ptr %14, i64 %472
+  %480 = load i64, ptr %479, align 8
+  %481 = icmp slt i64 %478, 0
+  %482 = fcmp ogt double %476, 0.000000e+00
+  %483 = and i1 %482, %481
+  %484 = icmp sgt i64 %480, -1
+  %485 = and i1 %483, %484
+  br i1 %485, label %493, label %486
+
+486:                                              ; preds = %471
+  %487 = icmp sgt i64 %478, 0
+  %488 = fcmp olt double %476, 0.000000e+00
+  %489 = and i1 %488, %487
+  br i1 %489, label %490, label %493
+
+490:                                              ; preds = %486
+  %491 = icmp slt i64 %480, 1
+  %492 = zext i1 %491 to i32
   br label %493
 
-493:                                              ; preds = %489, %487
-  %494 = phi i1 [ true, %487 ], [ %492, %489 ]
-  %495 = zext i1 %494 to i32
-  br label %496
+493:                                              ; preds = %471, %486, %490
+  %494 = phi i32 [ 1, %471 ], [ 0, %486 ], [ %492, %490 ]
+  %495 = icmp eq i32 %494, 0
+  br i1 %495, label %496, label %521
 
-496:                                              ; preds = %493, %484, %468
-  %497 = phi i32 [ 1, %468 ], [ %495, %493 ], [ 0, %484 ]
-  %498 = icmp eq i32 %497, 0
-  br i1 %498, label %499, label %505
+496:                                              ; preds = %493
+  %497 = getelementptr inbounds double, ptr %272, i64 %472
+  %498 = load double, ptr %497, align 8
+  %499 = fcmp ogt double %498, 0.000000e+00
+  %500 = and i1 %481, %499
+  %501 = and i1 %484, %500
+  br i1 %501, label %509, label %502
 
-499:                                              ; preds = %496
-  %500 = getelementptr inbounds i64, ptr %18, i64 %447
-  %501 = load i64, ptr %500, align 8
-  %502 = icmp eq i64 %501, 2
-  %503 = fcmp oeq double %451, 0.000000e+00
-  %504 = and i1 %503, %502
-  br label %505
+502:                                              ; preds = %496
+  %503 = icmp sgt i64 %478, 0
+  %504 = fcmp olt double %498, 0.000000e+00
+  %505 = and i1 %503, %504
+  br i1 %505, label %506, label %509
 
-505:                                              ; preds = %499, %496
-  %506 = phi i1 [ true, %496 ], [ %504, %499 ]
-  br i1 %506, label %522, label %507
+506:                                              ; preds = %502
+  %507 = icmp slt i64 %480, 1
+  %508 = zext i1 %507 to i32
+  br label %509
 
-507:                                              ; preds = %505
-  %508 = getelementptr inbounds double, ptr %247, i64 %447
-  %509 = load double, ptr %508, align 8
-  %510 = icmp eq i64 %453, 0
-  %511 = fcmp ord double %509, 0.000000e+00
-  %512 = or i1 %510, %511
-  br i1 %512, label %522, label %513
+509:                                              ; preds = %496, %502, %506
+  %510 = phi i32 [ 1, %496 ], [ 0, %502 ], [ %508, %506 ]
+  %511 = icmp eq i32 %510, 0
+  br i1 %511, label %521, label %512
 
-513:                                              ; preds = %507
-  %514 = sitofp i64 %453 to double
-  %515 = fmul double %451, %514
-  %516 = fcmp olt double %515, 0.000000e+00
-  br i1 %516, label %517, label %519
+512:                                              ; preds = %509
+  %513 = fcmp oeq double %476, 0.000000e+00
+  br i1 %513, label %518, label %514
 
-517:                                              ; preds = %513
-  %518 = sub nsw i64 0, %453
-  store i64 %518, ptr %452, align 8
-  br label %522
+514:                                              ; preds = %512
+  %515 = getelementptr inbounds i64, ptr %18, i64 %472
+  %516 = load i64, ptr %515, align 8
+  %517 = icmp eq i64 %516, 1
+  br label %518
 
-519:                                              ; preds = %513
-  %520 = fcmp ueq double %451, 0.000000e+00
-  %521 = select i1 %520, i64 %447, i64 %448
-  br label %522
+518:                                              ; preds = %514, %512
+  %519 = phi i1 [ true, %512 ], [ %517, %514 ]
+  %520 = zext i1 %519 to i32
+  br label %521
 
-522:                                              ; preds = %519, %517, %507, %505
-  %523 = phi i64 [ %448, %505 ], [ %448, %517 ], [ %448, %507 ], [ %521, %519 ]
-  %524 = zext i1 %506 to i64
-  %525 = getelementptr inbounds i64, ptr %18, i64 %447
-  store i64 %524, ptr %525, align 8
-  %526 = xor i1 %506, true
-  %527 = or i1 %449, %526
-  br i1 %527, label %533, label %528
+521:                                              ; preds = %518, %509, %493
+  %522 = phi i32 [ 1, %493 ], [ %520, %518 ], [ 0, %509 ]
+  %523 = icmp eq i32 %522, 0
+  br i1 %523, label %524, label %530
 
-528:                                              ; preds = %522
-  %529 = load ptr, ptr %125, align 8
-  %530 = getelementptr inbounds i64, ptr %529, i64 %447
-  %531 = load i64, ptr %530, align 8
-  %532 = icmp eq i64 %531, 1
-  br label %533
+524:                                              ; preds = %521
+  %525 = getelementptr inbounds i64, ptr %18, i64 %472
+  %526 = load i64, ptr %525, align 8
+  %527 = icmp eq i64 %526, 2
+  %528 = fcmp oeq double %476, 0.000000e+00
+  %529 = and i1 %528, %527
+  br label %530
 
-533:                                              ; preds = %522, %528
-  %534 = phi i1 [ %449, %522 ], [ %532, %528 ]
-  %535 = add nuw nsw i64 %447, 1
-  %536 = icmp eq i64 %535, %12
-  br i1 %536, label %436, label %446, !llvm.loop !10
+530:                                              ; preds = %524, %521
+  %531 = phi i1 [ true, %521 ], [ %529, %524 ]
+  br i1 %531, label %547, label %532
 
-537:                                              ; preds = %438
-  store double %433, ptr %126, align 8
-  %538 = load ptr, ptr %9, align 8
-  %539 = getelementptr inbounds i8, ptr %538, i64 8
-  %540 = load i64, ptr %539, align 8
-  %541 = load ptr, ptr %25, align 8
-  %542 = getelementptr inbounds double, ptr %541, i64 %540
-  %543 = mul i64 %540, 56
-  %544 = getelementptr inbounds i8, ptr %541, i64 %543
-  %545 = load ptr, ptr %127, align 8
-  %546 = load i64, ptr %128, align 8
-  %547 = getelementptr double, ptr %545, i64 %546
-  %548 = getelementptr i8, ptr %547, i64 -8
-  %549 = load double, ptr %548, align 8
-  %550 = load double, ptr %545, align 8
-  %551 = fsub double %549, %550
-  %552 = icmp sgt i64 %540, 0
-  br i1 %552, label %556, label %553
+532:                                              ; preds = %530
+  %533 = getelementptr inbounds double, ptr %272, i64 %472
+  %534 = load double, ptr %533, align 8
+  %535 = icmp eq i64 %478, 0
+  %536 = fcmp ord double %534, 0.000000e+00
+  %537 = or i1 %535, %536
+  br i1 %537, label %547, label %538
 
-553:                                              ; preds = %569, %537
-  %554 = phi i32 [ 0, %537 ], [ %571, %569 ]
-  %555 = icmp eq i32 %554, 0
-  br i1 %555, label %851, label %574
+538:                                              ; preds = %532
+  %539 = sitofp i64 %478 to double
+  %540 = fmul double %476, %539
+  %541 = fcmp olt double %540, 0.000000e+00
+  br i1 %541, label %542, label %544
 
-556:                                              ; preds = %537, %569
-  %557 = phi i64 [ %572, %569 ], [ 0, %537 ]
-  %558 = phi i32 [ %571, %569 ], [ 0, %537 ]
-  %559 = icmp eq i32 %558, 0
-  br i1 %559, label %560, label %569
+542:                                              ; preds = %538
+  %543 = sub nsw i64 0, %478
+  store i64 %543, ptr %477, align 8
+  br label %547
 
-560:                                              ; preds = %556
-  %561 = load ptr, ptr %17, align 8
-  %562 = getelementptr inbounds i64, ptr %561, i64 %557
-  %563 = load i64, ptr %562, align 8
-  %564 = icmp eq i64 %563, 0
-  br i1 %564, label %569, label %565
+544:                                              ; preds = %538
+  %545 = fcmp ueq double %476, 0.000000e+00
+  %546 = select i1 %545, i64 %472, i64 %473
+  br label %547
 
-565:                                              ; preds = %560
-  %566 = getelementptr inbounds double, ptr %542, i64 %557
-  %567 = load double, ptr %566, align 8
-  %568 = fcmp oeq double %567, 0.000000e+00
-  br label %569
+547:                                              ; preds = %544, %542, %532, %530
+  %548 = phi i64 [ %473, %530 ], [ %473, %542 ], [ %473, %532 ], [ %546, %544 ]
+  %549 = zext i1 %531 to i64
+  %550 = getelementptr inbounds i64, ptr %18, i64 %472
+  store i64 %549, ptr %550, align 8
+  %551 = xor i1 %531, true
+  %552 = or i1 %474, %551
+  br i1 %552, label %558, label %553
 
-569:                                              ; preds = %565, %560, %556
-  %570 = phi i1 [ true, %556 ], [ false, %560 ], [ %568, %565 ]
-  %571 = zext i1 %570 to i32
-  %572 = add nuw nsw i64 %557, 1
-  %573 = icmp eq i64 %572, %540
-  br i1 %573, label %553, label %556, !llvm.loop !11
+553:                                              ; preds = %547
+  %554 = load ptr, ptr %150, align 8
+  %555 = getelementptr inbounds i64, ptr %554, i64 %472
+  %556 = load i64, ptr %555, align 8
+  %557 = icmp eq i64 %556, 1
+  br label %558
 
-574:                                              ; preds = %553
-  %575 = fsub double %246, %433
-  %576 = fmul double %575, %2
-  %577 = fcmp ogt double %130, %551
-  %578 = select i1 %577, double %130, double %551
-  %579 = fmul double %578, 0x3F50000000000000
-  %580 = fcmp ugt double %576, %579
-  br i1 %580, label %581, label %851
+558:                                              ; preds = %547, %553
+  %559 = phi i1 [ %474, %547 ], [ %557, %553 ]
+  %560 = add nuw nsw i64 %472, 1
+  %561 = icmp eq i64 %560, %12
+  br i1 %561, label %461, label %471, !llvm.loop !11
 
-581:                                              ; preds = %574
-  %582 = fmul double %575, 0x3F50000000000000
-  %583 = fadd double %433, %582
-  %584 = load ptr, ptr %111, align 8
-  %585 = load ptr, ptr %113, align 8
-  %586 = insertelement <8 x double> poison, double %583, i64 0
-  %587 = shufflevector <8 x double> %586, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %587, ptr %585, align 8
-  %588 = load ptr, ptr %112, align 8
-  %589 = load ptr, ptr %114, align 8
-  %590 = load i64, ptr %115, align 8
-  %591 = load ptr, ptr %116, align 8
-  %592 = getelementptr inbounds i8, ptr %591, i64 24
-  %593 = load i64, ptr %592, align 8
-  %594 = load ptr, ptr %113, align 8
-  %595 = load ptr, ptr %117, align 8
-  %596 = getelementptr inbounds i8, ptr %595, i64 16
-  %597 = load i64, ptr %596, align 8
-  tail call fastcc void @nested(ptr noundef %584, ptr noundef %588, ptr noundef %589, i64 noundef %590, i64 noundef %593, ptr noundef %594, i64 noundef %597) #8
-  %598 = fmul double %583, %2
-  %599 = fadd double %598, %1
-  %600 = load ptr, ptr %118, align 8
-  store double %599, ptr %600, align 8
-  %601 = load i64, ptr %119, align 8
-  %602 = icmp sgt i64 %601, 0
-  br i1 %602, label %603, label %604
+562:                                              ; preds = %463
+  store double %458, ptr %151, align 8
+  %563 = load ptr, ptr %9, align 8
+  %564 = getelementptr inbounds i8, ptr %563, i64 8
+  %565 = load i64, ptr %564, align 8
+  %566 = load ptr, ptr %25, align 8
+  %567 = getelementptr inbounds double, ptr %566, i64 %565
+  %568 = mul i64 %565, 56
+  %569 = getelementptr inbounds i8, ptr %566, i64 %568
+  %570 = load ptr, ptr %152, align 8
+  %571 = load i64, ptr %153, align 8
+  %572 = getelementptr double, ptr %570, i64 %571
+  %573 = getelementptr i8, ptr %572, i64 -8
+  %574 = load double, ptr %573, align 8
+  %575 = load double, ptr %570, align 8
+  %576 = fsub double %574, %575
+  %577 = icmp sgt i64 %565, 0
+  br i1 %577, label %581, label %578
 
-603:                                              ; preds = %581
+578:                                              ; preds = %594, %562
+  %579 = phi i32 [ 0, %562 ], [ %596, %594 ]
+  %580 = icmp eq i32 %579, 0
+  br i1 %580, label %876, label %599
+
+581:                                              ; preds = %562, %594
+  %582 = phi i64 [ %597, %594 ], [ 0, %562 ]
+  %583 = phi i32 [ %596, %594 ], [ 0, %562 ]
+  %584 = icmp eq i32 %583, 0
+  br i1 %584, label %585, label %594
+
+585:                                              ; preds = %581
+  %586 = load ptr, ptr %17, align 8
+  %587 = getelementptr inbounds i64, ptr %586, i64 %582
+  %588 = load i64, ptr %587, align 8
+  %589 = icmp eq i64 %588, 0
+  br i1 %589, label %594, label %590
+
+590:                                              ; preds = %585
+  %591 = getelementptr inbounds double, ptr %567, i64 %582
+  %592 = load double, ptr %591, align 8
+  %593 = fcmp oeq double %592, 0.000000e+00
+  br label %594
+
+594:                                              ; preds = %590, %585, %581
+  %595 = phi i1 [ true, %581 ], [ false, %585 ], [ %593, %590 ]
+  %596 = zext i1 %595 to i32
+  %597 = add nuw nsw i64 %582, 1
+  %598 = icmp eq i64 %597, %565
+  br i1 %598, label %578, label %581, !llvm.loop !12
+
+599:                                              ; preds = %578
+  %600 = fsub double %271, %458
+  %601 = fmul double %600, %2
+  %602 = fcmp ogt double %155, %576
+  %603 = select i1 %602, double %155, double %576
+  %604 = fmul double %603, 0x3F50000000000000
+  %605 = fcmp ugt double %601, %604
+  br i1 %605, label %606, label %876
+
+606:                                              ; preds = %599
+  %607 = fmul double %600, 0x3F50000000000000
+  %608 = fadd double %458, %607
+  %609 = load ptr, ptr %136, align 8
+  %610 = load ptr, ptr %138, align 8
+  %611 = insertelement <8 x double> poison, double %608, i64 0
+  %612 = shufflevector <8 x double> %611, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %612, ptr %610, align 8
+  %613 = load ptr, ptr %137, align 8
+  %614 = load ptr, ptr %139, align 8
+  %615 = load i64, ptr %140, align 8
+  %616 = load ptr, ptr %141, align 8
+  %617 = getelementptr inbounds i8, ptr %616, i64 24
+  %618 = load i64, ptr %617, align 8
+  %619 = load ptr, ptr %138, align 8
+  %620 = load ptr, ptr %142, align 8
+  %621 = getelementptr inbounds i8, ptr %620, i64 16
+  %622 = load i64, ptr %621, align 8
+  tail call fastcc void @nested(ptr noundef %609, ptr noundef %613, ptr noundef %614, i64 noundef %615, i64 noundef %618, ptr noundef %619, i64 noundef %622) #8
+  %623 = fmul double %608, %2
+  %624 = fadd double %623, %1
+  %625 = load ptr, ptr %143, align 8
+  store double %624, ptr %625, align 8
+  %626 = load i64, ptr %144, align 8
+  %627 = icmp sgt i64 %626, 0
+  br i1 %627, label %628, label %629
+
+628:                                              ; preds = %606
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %604
+  br label %629
 
-604:                                              ; preds = %581, %603
-  %605 = load ptr, ptr %9, align 8
-  %606 = load i64, ptr %605, align 8
-  %607 = load ptr, ptr %120, align 8
-  %608 = load ptr, ptr %111, align 8
-  %609 = load ptr, ptr %121, align 8
-  %610 = load ptr, ptr %122, align 8
-  %611 = load ptr, ptr %25, align 8
-  %612 = getelementptr inbounds i8, ptr %605, i64 8
-  %613 = load i64, ptr %612, align 8
-  %614 = mul i64 %613, 56
-  %615 = getelementptr inbounds i8, ptr %611, i64 %614
-  %616 = inttoptr i64 %606 to ptr
-  %617 = tail call i32 %616(ptr noundef %607, ptr noundef %608, ptr noundef %609, ptr noundef %610, ptr noundef %615) #9
-  %618 = icmp slt i32 %617, 0
-  br i1 %618, label %658, label %619
+629:                                              ; preds = %606, %628
+  %630 = load ptr, ptr %9, align 8
+  %631 = load i64, ptr %630, align 8
+  %632 = load ptr, ptr %145, align 8
+  %633 = load ptr, ptr %136, align 8
+  %634 = load ptr, ptr %146, align 8
+  %635 = load ptr, ptr %147, align 8
+  %636 = load ptr, ptr %25, align 8
+  %637 = getelementptr inbounds i8, ptr %630, i64 8
+  %638 = load i64, ptr %637, align 8
+  %639 = mul i64 %638, 56
+  %640 = getelementptr inbounds i8, ptr %636, i64 %639
+  %641 = inttoptr i64 %631 to ptr
+  %642 = tail call i32 %641(ptr noundef %632, ptr noundef %633, ptr noundef %634, ptr noundef %635, ptr noundef %640) #9
+  %643 = icmp slt i32 %642, 0
+  br i1 %643, label %683, label %644
 
-619:                                              ; preds = %604
-  %620 = icmp sgt i64 %540, 0
-  br i1 %620, label %621, label %851
+644:                                              ; preds = %629
+  %645 = icmp sgt i64 %565, 0
+  br i1 %645, label %646, label %876
 
-621:                                              ; preds = %619
-  %622 = fmul double %433, %2
-  %623 = fadd double %622, %1
-  %624 = fsub double %623, %623
-  br label %625
+646:                                              ; preds = %644
+  %647 = fmul double %458, %2
+  %648 = fadd double %647, %1
+  %649 = fsub double %648, %648
+  br label %650
 
-625:                                              ; preds = %621, %655
-  %626 = phi i64 [ 0, %621 ], [ %656, %655 ]
-  %627 = load ptr, ptr %17, align 8
-  %628 = getelementptr inbounds i64, ptr %627, i64 %626
-  %629 = load i64, ptr %628, align 8
-  %630 = icmp eq i64 %629, 0
-  br i1 %630, label %655, label %631
+650:                                              ; preds = %646, %680
+  %651 = phi i64 [ 0, %646 ], [ %681, %680 ]
+  %652 = load ptr, ptr %17, align 8
+  %653 = getelementptr inbounds i64, ptr %652, i64 %651
+  %654 = load i64, ptr %653, align 8
+  %655 = icmp eq i64 %654, 0
+  br i1 %655, label %680, label %656
 
-631:                                              ; preds = %625
-  %632 = getelementptr inbounds double, ptr %542, i64 %626
-  %633 = load double, ptr %632, align 8
-  %634 = fcmp oeq double %633, 0.000000e+00
-  br i1 %634, label %635, label %655
+656:                                              ; preds = %650
+  %657 = getelementptr inbounds double, ptr %567, i64 %651
+  %658 = load double, ptr %657, align 8
+  %659 = fcmp oeq double %658, 0.000000e+00
+  br i1 %659, label %660, label %680
 
-635:                                              ; preds = %631
-  %636 = getelementptr inbounds double, ptr %544, i64 %626
-  %637 = load double, ptr %636, align 8
-  %638 = fcmp oeq double %637, 0.000000e+00
-  br i1 %638, label %639, label %655
+660:                                              ; preds = %656
+  %661 = getelementptr inbounds double, ptr %569, i64 %651
+  %662 = load double, ptr %661, align 8
+  %663 = fcmp oeq double %662, 0.000000e+00
+  br i1 %663, label %664, label %680
 
-639:                                              ; preds = %635
-  %640 = load i64, ptr %131, align 8
-  %641 = icmp eq i64 %640, 0
-  br i1 %641, label %655, label %642
+664:                                              ; preds = %660
+  %665 = load i64, ptr %156, align 8
+  %666 = icmp eq i64 %665, 0
+  br i1 %666, label %680, label %667
 
-642:                                              ; preds = %639
-  %643 = load ptr, ptr %132, align 8
-  %644 = shl nsw i64 %626, 4
-  %645 = getelementptr inbounds i8, ptr %643, i64 %644
-  %646 = getelementptr inbounds i8, ptr %645, i64 8
-  %647 = load double, ptr %646, align 8
-  %648 = fcmp oeq double %647, %623
-  br i1 %648, label %654, label %649
+667:                                              ; preds = %664
+  %668 = load ptr, ptr %157, align 8
+  %669 = shl nsw i64 %651, 4
+  %670 = getelementptr inbounds i8, ptr %668, i64 %669
+  %671 = getelementptr inbounds i8, ptr %670, i64 8
+  %672 = load double, ptr %671, align 8
+  %673 = fcmp oeq double %672, %648
+  br i1 %673, label %679, label %674
 
-649:                                              ; preds = %642
-  %650 = load double, ptr %645, align 8
-  %651 = fsub double %647, %650
-  %652 = fcmp ult double %651, %624
-  br i1 %652, label %653, label %655
+674:                                              ; preds = %667
+  %675 = load double, ptr %670, align 8
+  %676 = fsub double %672, %675
+  %677 = fcmp ult double %676, %649
+  br i1 %677, label %678, label %680
 
-653:                                              ; preds = %649
-  store double %623, ptr %645, align 8
-  br label %654
+678:                                              ; preds = %674
+  store double %648, ptr %670, align 8
+  br label %679
 
-654:                                              ; preds = %642, %653
-  store double %623, ptr %646, align 8
-  br label %655
+679:                                              ; preds = %667, %678
+  store double %648, ptr %671, align 8
+  br label %680
 
-655:                                              ; preds = %654, %649, %639, %635, %631, %625
-  %656 = add nuw nsw i64 %626, 1
-  %657 = icmp eq i64 %656, %540
-  br i1 %657, label %851, label %625, !llvm.loop !12
+680:                                              ; preds = %679, %674, %664, %660, %656, %650
+  %681 = add nuw nsw i64 %651, 1
+  %682 = icmp eq i64 %681, %565
+  br i1 %682, label %876, label %650, !llvm.loop !13
 
-658:                                              ; preds = %604
-  %659 = load ptr, ptr %20, align 8
-  %660 = getelementptr inbounds i8, ptr %659, i64 80
-  store i64 %23, ptr %660, align 8
-  %661 = load ptr, ptr %19, align 8
-  %662 = getelementptr inbounds i8, ptr %661, i64 48
-  store double 1.000000e+00, ptr %662, align 8
-  br label %851
+683:                                              ; preds = %629
+  %684 = load ptr, ptr %20, align 8
+  %685 = getelementptr inbounds i8, ptr %684, i64 80
+  store i64 %23, ptr %685, align 8
+  %686 = load ptr, ptr %19, align 8
+  %687 = getelementptr inbounds i8, ptr %686, i64 48
+  store double 1.000000e+00, ptr %687, align 8
+  br label %876
 
-663:                                              ; preds = %824, %442
-  %664 = load ptr, ptr %9, align 8
-  %665 = getelementptr inbounds i8, ptr %664, i64 8
-  %666 = load i64, ptr %665, align 8
-  %667 = load ptr, ptr %25, align 8
-  %668 = getelementptr inbounds double, ptr %667, i64 %666
-  %669 = mul i64 %666, 56
-  %670 = getelementptr inbounds i8, ptr %667, i64 %669
-  %671 = load ptr, ptr %139, align 8
-  %672 = load i64, ptr %140, align 8
-  %673 = getelementptr double, ptr %671, i64 %672
-  %674 = getelementptr i8, ptr %673, i64 -8
-  %675 = load double, ptr %674, align 8
-  %676 = load double, ptr %671, align 8
-  %677 = fsub double %675, %676
-  %678 = icmp sgt i64 %666, 0
-  br i1 %678, label %682, label %679
+688:                                              ; preds = %849, %467
+  %689 = load ptr, ptr %9, align 8
+  %690 = getelementptr inbounds i8, ptr %689, i64 8
+  %691 = load i64, ptr %690, align 8
+  %692 = load ptr, ptr %25, align 8
+  %693 = getelementptr inbounds double, ptr %692, i64 %691
+  %694 = mul i64 %691, 56
+  %695 = getelementptr inbounds i8, ptr %692, i64 %694
+  %696 = load ptr, ptr %164, align 8
+  %697 = load i64, ptr %165, align 8
+  %698 = getelementptr double, ptr %696, i64 %697
+  %699 = getelementptr i8, ptr %698, i64 -8
+  %700 = load double, ptr %699, align 8
+  %701 = load double, ptr %696, align 8
+  %702 = fsub double %700, %701
+  %703 = icmp sgt i64 %691, 0
+  br i1 %703, label %707, label %704
 
-679:                                              ; preds = %695, %663
-  %680 = phi i32 [ 0, %663 ], [ %697, %695 ]
-  %681 = icmp eq i32 %680, 0
-  br i1 %681, label %832, label %700
+704:                                              ; preds = %720, %688
+  %705 = phi i32 [ 0, %688 ], [ %722, %720 ]
+  %706 = icmp eq i32 %705, 0
+  br i1 %706, label %857, label %725
 
-682:                                              ; preds = %663, %695
-  %683 = phi i64 [ %698, %695 ], [ 0, %663 ]
-  %684 = phi i32 [ %697, %695 ], [ 0, %663 ]
-  %685 = icmp eq i32 %684, 0
-  br i1 %685, label %686, label %695
+707:                                              ; preds = %688, %720
+  %708 = phi i64 [ %723, %720 ], [ 0, %688 ]
+  %709 = phi i32 [ %722, %720 ], [ 0, %688 ]
+  %710 = icmp eq i32 %709, 0
+  br i1 %710, label %711, label %720
 
-686:                                              ; preds = %682
-  %687 = load ptr, ptr %17, align 8
-  %688 = getelementptr inbounds i64, ptr %687, i64 %683
-  %689 = load i64, ptr %688, align 8
-  %690 = icmp eq i64 %689, 0
-  br i1 %690, label %695, label %691
+711:                                              ; preds = %707
+  %712 = load ptr, ptr %17, align 8
+  %713 = getelementptr inbounds i64, ptr %712, i64 %708
+  %714 = load i64, ptr %713, align 8
+  %715 = icmp eq i64 %714, 0
+  br i1 %715, label %720, label %716
 
-691:                                              ; preds = %686
-  %692 = getelementptr inbounds double, ptr %668, i64 %683
-  %693 = load double, ptr %692, align 8
-  %694 = fcmp oeq double %693, 0.000000e+00
-  br label %695
+716:                                              ; preds = %711
+  %717 = getelementptr inbounds double, ptr %693, i64 %708
+  %718 = load double, ptr %717, align 8
+  %719 = fcmp oeq double %718, 0.000000e+00
+  br label %720
 
-695:                                              ; preds = %691, %686, %682
-  %696 = phi i1 [ true, %682 ], [ false, %686 ], [ %694, %691 ]
-  %697 = zext i1 %696 to i32
-  %698 = add nuw nsw i64 %683, 1
-  %699 = icmp eq i64 %698, %666
-  br i1 %699, label %679, label %682, !llvm.loop !11
+720:                                              ; preds = %716, %711, %707
+  %721 = phi i1 [ true, %707 ], [ false, %711 ], [ %719, %716 ]
+  %722 = zext i1 %721 to i32
+  %723 = add nuw nsw i64 %708, 1
+  %724 = icmp eq i64 %723, %691
+  br i1 %724, label %704, label %707, !llvm.loop !12
 
-700:                                              ; preds = %679
-  %701 = fsub double %246, %433
-  %702 = fmul double %701, %2
-  %703 = fcmp ogt double %142, %677
-  %704 = select i1 %703, double %142, double %677
-  %705 = fmul double %704, 0x3F50000000000000
-  %706 = fcmp ugt double %702, %705
-  br i1 %706, label %707, label %832
+725:                                              ; preds = %704
+  %726 = fsub double %271, %458
+  %727 = fmul double %726, %2
+  %728 = fcmp ogt double %167, %702
+  %729 = select i1 %728, double %167, double %702
+  %730 = fmul double %729, 0x3F50000000000000
+  %731 = fcmp ugt double %727, %730
+  br i1 %731, label %732, label %857
 
-707:                                              ; preds = %700
-  %708 = fmul double %701, 0x3F50000000000000
-  %709 = fadd double %433, %708
-  %710 = load ptr, ptr %111, align 8
-  %711 = load ptr, ptr %113, align 8
-  %712 = insertelement <8 x double> poison, double %709, i64 0
-  %713 = shufflevector <8 x double> %712, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %713, ptr %711, align 8
-  %714 = load ptr, ptr %112, align 8
-  %715 = load ptr, ptr %114, align 8
-  %716 = load i64, ptr %115, align 8
-  %717 = load ptr, ptr %116, align 8
-  %718 = getelementptr inbounds i8, ptr %717, i64 24
-  %719 = load i64, ptr %718, align 8
-  %720 = load ptr, ptr %113, align 8
-  %721 = load ptr, ptr %117, align 8
-  %722 = getelementptr inbounds i8, ptr %721, i64 16
-  %723 = load i64, ptr %722, align 8
-  tail call fastcc void @nested(ptr noundef %710, ptr noundef %714, ptr noundef %715, i64 noundef %716, i64 noundef %719, ptr noundef %720, i64 noundef %723) #8
-  %724 = fmul double %709, %2
-  %725 = fadd double %724, %1
-  %726 = load ptr, ptr %118, align 8
-  store double %725, ptr %726, align 8
-  %727 = load i64, ptr %119, align 8
-  %728 = icmp sgt i64 %727, 0
-  br i1 %728, label %729, label %730
+732:                                              ; preds = %725
+  %733 = fmul double %726, 0x3F50000000000000
+  %734 = fadd double %458, %733
+  %735 = load ptr, ptr %136, align 8
+  %736 = load ptr, ptr %138, align 8
+  %737 = insertelement <8 x double> poison, double %734, i64 0
+  %738 = shufflevector <8 x double> %737, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %738, ptr %736, align 8
+  %739 = load ptr, ptr %137, align 8
+  %740 = load ptr, ptr %139, align 8
+  %741 = load i64, ptr %140, align 8
+  %742 = load ptr, ptr %141, align 8
+  %743 = getelementptr inbounds i8, ptr %742, i64 24
+  %744 = load i64, ptr %743, align 8
+  %745 = load ptr, ptr %138, align 8
+  %746 = load ptr, ptr %142, align 8
+  %747 = getelementptr inbounds i8, ptr %746, i64 16
+  %748 = load i64, ptr %747, align 8
+  tail call fastcc void @nested(ptr noundef %735, ptr noundef %739, ptr noundef %740, i64 noundef %741, i64 noundef %744, ptr noundef %745, i64 noundef %748) #8
+  %749 = fmul double %734, %2
+  %750 = fadd double %749, %1
+  %751 = load ptr, ptr %143, align 8
+  store double %750, ptr %751, align 8
+  %752 = load i64, ptr %144, align 8
+  %753 = icmp sgt i64 %752, 0
+  br i1 %753, label %754, label %755
 
-729:                                              ; preds = %707
+754:                                              ; preds = %732
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %730
+  br label %755
 
-730:                                              ; preds = %707, %729
-  %731 = load ptr, ptr %9, align 8
-  %732 = load i64, ptr %731, align 8
-  %733 = load ptr, ptr %120, align 8
-  %734 = load ptr, ptr %111, align 8
-  %735 = load ptr, ptr %121, align 8
-  %736 = load ptr, ptr %122, align 8
-  %737 = load ptr, ptr %25, align 8
-  %738 = getelementptr inbounds i8, ptr %731, i64 8
-  %739 = load i64, ptr %738, align 8
-  %740 = mul i64 %739, 56
-  %741 = getelementptr inbounds i8, ptr %737, i64 %740
-  %742 = inttoptr i64 %732 to ptr
-  %743 = tail call i32 %742(ptr noundef %733, ptr noundef %734, ptr noundef %735, ptr noundef %736, ptr noundef %741) #9
-  %744 = icmp slt i32 %743, 0
-  br i1 %744, label %827, label %745
+755:                                              ; preds = %732, %754
+  %756 = load ptr, ptr %9, align 8
+  %757 = load i64, ptr %756, align 8
+  %758 = load ptr, ptr %145, align 8
+  %759 = load ptr, ptr %136, align 8
+  %760 = load ptr, ptr %146, align 8
+  %761 = load ptr, ptr %147, align 8
+  %762 = load ptr, ptr %25, align 8
+  %763 = getelementptr inbounds i8, ptr %756, i64 8
+  %764 = load i64, ptr %763, align 8
+  %765 = mul i64 %764, 56
+  %766 = getelementptr inbounds i8, ptr %762, i64 %765
+  %767 = inttoptr i64 %757 to ptr
+  %768 = tail call i32 %767(ptr noundef %758, ptr noundef %759, ptr noundef %760, ptr noundef %761, ptr noundef %766) #9
+  %769 = icmp slt i32 %768, 0
+  br i1 %769, label %852, label %770
 
-745:                                              ; preds = %730
-  %746 = icmp sgt i64 %666, 0
-  br i1 %746, label %747, label %832
+770:                                              ; preds = %755
+  %771 = icmp sgt i64 %691, 0
+  br i1 %771, label %772, label %857
 
-747:                                              ; preds = %745
-  %748 = fmul double %433, %2
-  %749 = fadd double %748, %1
-  %750 = fsub double %749, %749
-  br label %751
+772:                                              ; preds = %770
+  %773 = fmul double %458, %2
+  %774 = fadd double %773, %1
+  %775 = fsub double %774, %774
+  br label %776
 
-751:                                              ; preds = %747, %781
-  %752 = phi i64 [ 0, %747 ], [ %782, %781 ]
-  %753 = load ptr, ptr %17, align 8
-  %754 = getelementptr inbounds i64, ptr %753, i64 %752
-  %755 = load i64, ptr %754, align 8
-  %756 = icmp eq i64 %755, 0
-  br i1 %756, label %781, label %757
+776:                                              ; preds = %772, %806
+  %777 = phi i64 [ 0, %772 ], [ %807, %806 ]
+  %778 = load ptr, ptr %17, align 8
+  %779 = getelementptr inbounds i64, ptr %778, i64 %777
+  %780 = load i64, ptr %779, align 8
+  %781 = icmp eq i64 %780, 0
+  br i1 %781, label %806, label %782
 
-757:                                              ; preds = %751
-  %758 = getelementptr inbounds double, ptr %668, i64 %752
-  %759 = load double, ptr %758, align 8
-  %760 = fcmp oeq double %759, 0.000000e+00
-  br i1 %760, label %761, label %781
+782:                                              ; preds = %776
+  %783 = getelementptr inbounds double, ptr %693, i64 %777
+  %784 = load double, ptr %783, align 8
+  %785 = fcmp oeq double %784, 0.000000e+00
+  br i1 %785, label %786, label %806
 
-761:                                              ; preds = %757
-  %762 = getelementptr inbounds double, ptr %670, i64 %752
-  %763 = load double, ptr %762, align 8
-  %764 = fcmp oeq double %763, 0.000000e+00
-  br i1 %764, label %765, label %781
+786:                                              ; preds = %782
+  %787 = getelementptr inbounds double, ptr %695, i64 %777
+  %788 = load double, ptr %787, align 8
+  %789 = fcmp oeq double %788, 0.000000e+00
+  br i1 %789, label %790, label %806
 
-765:                                              ; preds = %761
-  %766 = load i64, ptr %143, align 8
-  %767 = icmp eq i64 %766, 0
-  br i1 %767, label %781, label %768
+790:                                              ; preds = %786
+  %791 = load i64, ptr %168, align 8
+  %792 = icmp eq i64 %791, 0
+  br i1 %792, label %806, label %793
 
-768:                                              ; preds = %765
-  %769 = load ptr, ptr %144, align 8
-  %770 = shl nsw i64 %752, 4
-  %771 = getelementptr inbounds i8, ptr %769, i64 %770
-  %772 = getelementptr inbounds i8, ptr %771, i64 8
-  %773 = load double, ptr %772, align 8
-  %774 = fcmp oeq double %773, %749
-  br i1 %774, label %780, label %775
+793:                                              ; preds = %790
+  %794 = load ptr, ptr %169, align 8
+  %795 = shl nsw i64 %777, 4
+  %796 = getelementptr inbounds i8, ptr %794, i64 %795
+  %797 = getelementptr inbounds i8, ptr %796, i64 8
+  %798 = load double, ptr %797, align 8
+  %799 = fcmp oeq double %798, %774
+  br i1 %799, label %805, label %800
 
-775:                                              ; preds = %768
-  %776 = load double, ptr %771, align 8
-  %777 = fsub double %773, %776
-  %778 = fcmp ult double %777, %750
-  br i1 %778, label %779, label %781
+800:                                              ; preds = %793
+  %801 = load double, ptr %796, align 8
+  %802 = fsub double %798, %801
+  %803 = fcmp ult double %802, %775
+  br i1 %803, label %804, label %806
 
-779:                                              ; preds = %775
-  store double %749, ptr %771, align 8
-  br label %780
+804:                                              ; preds = %800
+  store double %774, ptr %796, align 8
+  br label %805
 
-780:                                              ; preds = %768, %779
-  store double %749, ptr %772, align 8
-  br label %781
+805:                                              ; preds = %793, %804
+  store double %774, ptr %797, align 8
+  br label %806
 
-781:                                              ; preds = %780, %775, %765, %761, %757, %751
-  %782 = add nuw nsw i64 %752, 1
-  %783 = icmp eq i64 %782, %666
-  br i1 %783, label %832, label %751, !llvm.loop !12
+806:                                              ; preds = %805, %800, %790, %786, %782, %776
+  %807 = add nuw nsw i64 %777, 1
+  %808 = icmp eq i64 %807, %691
+  br i1 %808, label %857, label %776, !llvm.loop !13
 
-784:                                              ; preds = %443, %824
-  %785 = phi i64 [ 0, %443 ], [ %825, %824 ]
-  %786 = getelementptr inbounds i64, ptr %18, i64 %785
-  %787 = load i64, ptr %786, align 8
-  %788 = icmp eq i64 %787, 0
-  br i1 %788, label %824, label %789
+809:                                              ; preds = %468, %849
+  %810 = phi i64 [ 0, %468 ], [ %850, %849 ]
+  %811 = getelementptr inbounds i64, ptr %18, i64 %810
+  %812 = load i64, ptr %811, align 8
+  %813 = icmp eq i64 %812, 0
+  br i1 %813, label %849, label %814
 
-789:                                              ; preds = %784
-  %790 = load ptr, ptr %20, align 8
-  %791 = getelementptr inbounds i8, ptr %790, i64 80
-  %792 = load i64, ptr %791, align 8
-  %793 = load ptr, ptr %6, align 8
-  %794 = getelementptr inbounds i8, ptr %793, i64 8
-  %795 = load i64, ptr %794, align 8
-  %796 = load i64, ptr %134, align 8
-  %797 = icmp eq i64 %796, 0
-  br i1 %797, label %820, label %798
+814:                                              ; preds = %809
+  %815 = load ptr, ptr %20, align 8
+  %816 = getelementptr inbounds i8, ptr %815, i64 80
+  %817 = load i64, ptr %816, align 8
+  %818 = load ptr, ptr %6, align 8
+  %819 = getelementptr inbounds i8, ptr %818, i64 8
+  %820 = load i64, ptr %819, align 8
+  %821 = load i64, ptr %159, align 8
+  %822 = icmp eq i64 %821, 0
+  br i1 %822, label %845, label %823
 
-798:                                              ; preds = %789
-  %799 = load ptr, ptr %135, align 8
-  %800 = getelementptr inbounds double, ptr %799, i64 %792
-  store double %445, ptr %800, align 8
-  %801 = load ptr, ptr %136, align 8
-  %802 = getelementptr inbounds i64, ptr %801, i64 %792
-  store i64 %785, ptr %802, align 8
-  %803 = icmp sgt i64 %795, 0
-  br i1 %803, label %808, label %804
+823:                                              ; preds = %814
+  %824 = load ptr, ptr %160, align 8
+  %825 = getelementptr inbounds double, ptr %824, i64 %817
+  store double %470, ptr %825, align 8
+  %826 = load ptr, ptr %161, align 8
+  %827 = getelementptr inbounds i64, ptr %826, i64 %817
+  store i64 %810, ptr %827, align 8
+  %828 = icmp sgt i64 %820, 0
+  br i1 %828, label %833, label %829
 
-804:                                              ; preds = %808, %798
-  %805 = add nsw i64 %792, 1
-  %806 = load ptr, ptr %20, align 8
-  %807 = getelementptr inbounds i8, ptr %806, i64 80
-  store i64 %805, ptr %807, align 8
-  br label %820
+829:                                              ; preds = %833, %823
+  %830 = add nsw i64 %817, 1
+  %831 = load ptr, ptr %20, align 8
+  %832 = getelementptr inbounds i8, ptr %831, i64 80
+  store i64 %830, ptr %832, align 8
+  br label %845
 
-808:                                              ; preds = %798, %808
-  %809 = phi i64 [ %818, %808 ], [ 0, %798 ]
-  %810 = load ptr, ptr %111, align 8
-  %811 = getelementptr inbounds double, ptr %810, i64 %809
-  %812 = load double, ptr %811, align 8
-  %813 = load ptr, ptr %137, align 8
-  %814 = load i64, ptr %138, align 8
-  %815 = mul nsw i64 %814, %792
-  %816 = getelementptr double, ptr %813, i64 %815
-  %817 = getelementptr double, ptr %816, i64 %809
-  store double %812, ptr %817, align 8
-  %818 = add nuw nsw i64 %809, 1
-  %819 = icmp eq i64 %818, %795
-  br i1 %819, label %804, label %808, !llvm.loop !13
+833:                                              ; preds = %823, %833
+  %834 = phi i64 [ %843, %833 ], [ 0, %823 ]
+  %835 = load ptr, ptr %136, align 8
+  %836 = getelementptr inbounds double, ptr %835, i64 %834
+  %837 = load double, ptr %836, align 8
+  %838 = load ptr, ptr %162, align 8
+  %839 = load i64, ptr %163, align 8
+  %840 = mul nsw i64 %839, %817
+  %841 = getelementptr double, ptr %838, i64 %840
+  %842 = getelementptr double, ptr %841, i64 %834
+  store double %837, ptr %842, align 8
+  %843 = add nuw nsw i64 %834, 1
+  %844 = icmp eq i64 %843, %820
+  br i1 %844, label %829, label %833, !llvm.loop !14
 
-820:                                              ; preds = %789, %804
-  %821 = getelementptr inbounds i64, ptr %16, i64 %785
-  %822 = load i64, ptr %821, align 8
-  %823 = sub nsw i64 0, %822
-  store i64 %823, ptr %821, align 8
-  br label %824
+845:                                              ; preds = %814, %829
+  %846 = getelementptr inbounds i64, ptr %16, i64 %810
+  %847 = load i64, ptr %846, align 8
+  %848 = sub nsw i64 0, %847
+  store i64 %848, ptr %846, align 8
+  br label %849
 
-824:                                              ; preds = %784, %820
-  %825 = add nuw nsw i64 %785, 1
-  %826 = icmp eq i64 %825, %12
-  br i1 %826, label %663, label %784, !llvm.loop !14
+849:                                              ; preds = %809, %845
+  %850 = add nuw nsw i64 %810, 1
+  %851 = icmp eq i64 %850, %12
+  br i1 %851, label %688, label %809, !llvm.loop !15
 
-827:                                              ; preds = %730
-  %828 = load ptr, ptr %20, align 8
-  %829 = getelementptr inbounds i8, ptr %828, i64 80
-  store i64 %23, ptr %829, align 8
-  %830 = load ptr, ptr %19, align 8
-  %831 = getelementptr inbounds i8, ptr %830, i64 48
-  store double 1.000000e+00, ptr %831, align 8
-  br label %851
+852:                                              ; preds = %755
+  %853 = load ptr, ptr %20, align 8
+  %854 = getelementptr inbounds i8, ptr %853, i64 80
+  store i64 %23, ptr %854, align 8
+  %855 = load ptr, ptr %19, align 8
+  %856 = getelementptr inbounds i8, ptr %855, i64 48
+  store double 1.000000e+00, ptr %856, align 8
+  br label %876
 
-832:                                              ; preds = %781, %745, %700, %679
-  %833 = icmp sgt i64 %440, -1
-  br i1 %833, label %834, label %843
+857:                                              ; preds = %806, %770, %725, %704
+  %858 = icmp sgt i64 %465, -1
+  br i1 %858, label %859, label %868
 
-834:                                              ; preds = %832
-  br i1 %147, label %836, label %835
+859:                                              ; preds = %857
+  br i1 %172, label %861, label %860
 
-835:                                              ; preds = %836, %834
-  store double %433, ptr %148, align 8
-  br label %851
+860:                                              ; preds = %861, %859
+  store double %458, ptr %173, align 8
+  br label %876
 
-836:                                              ; preds = %834, %836
-  %837 = phi i64 [ %841, %836 ], [ 0, %834 ]
-  %838 = icmp eq i64 %837, %440
-  %839 = zext i1 %838 to i64
-  %840 = getelementptr inbounds i64, ptr %18, i64 %837
-  store i64 %839, ptr %840, align 8
-  %841 = add nuw nsw i64 %837, 1
-  %842 = icmp eq i64 %841, %12
-  br i1 %842, label %835, label %836, !llvm.loop !15
+861:                                              ; preds = %859, %861
+  %862 = phi i64 [ %866, %861 ], [ 0, %859 ]
+  %863 = icmp eq i64 %862, %465
+  %864 = zext i1 %863 to i64
+  %865 = getelementptr inbounds i64, ptr %18, i64 %862
+  store i64 %864, ptr %865, align 8
+  %866 = add nuw nsw i64 %862, 1
+  %867 = icmp eq i64 %866, %12
+  br i1 %867, label %860, label %861, !llvm.loop !16
 
-843:                                              ; preds = %832
-  %844 = load i64, ptr %145, align 8
-  %845 = icmp sgt i64 %844, 0
-  br i1 %845, label %846, label %851
+868:                                              ; preds = %857
+  %869 = load i64, ptr %170, align 8
+  %870 = icmp sgt i64 %869, 0
+  br i1 %870, label %871, label %876
 
-846:                                              ; preds = %843
-  %847 = load i64, ptr %22, align 8
-  %848 = add nsw i64 %847, %12
-  %849 = icmp sgt i64 %848, %844
-  br i1 %849, label %850, label %851
+871:                                              ; preds = %868
+  %872 = load i64, ptr %22, align 8
+  %873 = add nsw i64 %872, %12
+  %874 = icmp sgt i64 %873, %869
+  br i1 %874, label %875, label %876
 
-850:                                              ; preds = %846
-  store double %433, ptr %146, align 8
-  br label %851
+875:                                              ; preds = %871
+  store double %458, ptr %171, align 8
+  br label %876
 
-851:                                              ; preds = %655, %619, %574, %553, %827, %835, %850, %658, %846, %843, %251, %430, %329
-  %852 = phi i32 [ 1, %329 ], [ %432, %430 ], [ 8, %251 ], [ 1, %827 ], [ 1, %835 ], [ 1, %850 ], [ 1, %658 ], [ 0, %846 ], [ 0, %843 ], [ 1, %553 ], [ 1, %574 ], [ 1, %619 ], [ 1, %655 ]
-  %853 = phi double [ %249, %329 ], [ %249, %430 ], [ %249, %251 ], [ %249, %827 ], [ %249, %835 ], [ %249, %850 ], [ %249, %658 ], [ %433, %846 ], [ %433, %843 ], [ %249, %553 ], [ %249, %574 ], [ %249, %619 ], [ %249, %655 ]
-  %854 = phi i64 [ -4, %329 ], [ %434, %430 ], [ %250, %251 ], [ -4, %827 ], [ 21, %835 ], [ -3, %850 ], [ -4, %658 ], [ %434, %846 ], [ %434, %843 ], [ -2, %553 ], [ -2, %574 ], [ -2, %619 ], [ -2, %655 ]
-  switch i32 %852, label %912 [
-    i32 0, label %248
-    i32 8, label %855
-  ], !llvm.loop !16
-
-855:                                              ; preds = %851
-  br i1 %149, label %856, label %912
-
-856:                                              ; preds = %855
-  %857 = fcmp oeq double %246, %159
-  %858 = add nsw i32 %156, -1
-  %859 = sext i32 %858 to i64
-  %860 = mul nsw i64 %12, %859
-  %861 = getelementptr double, ptr %28, i64 %860
-  %862 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %859
-  %863 = fmul double %246, %2
-  %864 = fadd double %863, %1
-  br label %865
-
-865:                                              ; preds = %856, %904
-  %866 = phi i64 [ 0, %856 ], [ %905, %904 ]
-  %867 = getelementptr inbounds double, ptr %247, i64 %866
-  %868 = load double, ptr %867, align 8
-  %869 = fcmp ogt double %868, 0.000000e+00
-  br i1 %869, label %872, label %870
-
-870:                                              ; preds = %865
-  %871 = fcmp olt double %868, 0.000000e+00
-  br i1 %871, label %872, label %875
-
-872:                                              ; preds = %870, %865
-  %873 = phi i64 [ 1, %865 ], [ -1, %870 ]
-  %874 = getelementptr inbounds i64, ptr %16, i64 %866
-  store i64 %873, ptr %874, align 8
-  br label %875
-
-875:                                              ; preds = %872, %870
-  br i1 %857, label %876, label %904
-
-876:                                              ; preds = %875
-  %877 = getelementptr double, ptr %861, i64 %866
-  %878 = load double, ptr %877, align 8
-  %879 = fcmp oeq double %878, 0.000000e+00
-  br i1 %879, label %880, label %904
+876:                                              ; preds = %680, %644, %599, %578, %852, %860, %875, %683, %871, %868, %276, %455, %354
+  %877 = phi i32 [ 1, %354 ], [ %457, %455 ], [ 11, %276 ], [ 1, %852 ], [ 1, %860 ], [ 1, %875 ], [ 1, %683 ], [ 0, %871 ], [ 0, %868 ], [ 1, %578 ], [ 1, %599 ], [ 1, %644 ], [ 1, %680 ]
+  %878 = phi double [ %274, %354 ], [ %274, %455 ], [ %274, %276 ], [ %274, %852 ], [ %274, %860 ], [ %274, %875 ], [ %274, %683 ], [ %458, %871 ], [ %458, %868 ], [ %274, %578 ], [ %274, %599 ], [ %274, %644 ], [ %274, %680 ]
+  %879 = phi i64 [ -4, %354 ], [ %459, %455 ], [ %275, %276 ], [ -4, %852 ], [ 21, %860 ], [ -3, %875 ], [ -4, %683 ], [ %459, %871 ], [ %459, %868 ], [ -2, %578 ], [ -2, %599 ], [ -2, %644 ], [ -2, %680 ]
+  switch i32 %877, label %937 [
+    i32 0, label %273
+    i32 11, label %880
+  ], !llvm.loop !17
 
 880:                                              ; preds = %876
-  %881 = getelementptr double, ptr %210, i64 %866
-  %882 = load double, ptr %881, align 8
-  %883 = fcmp oeq double %882, 0.000000e+00
-  br i1 %883, label %884, label %904
+  br i1 %174, label %881, label %937
 
-884:                                              ; preds = %880
-  %885 = load double, ptr %862, align 8
-  %886 = fmul double %885, %2
-  %887 = fadd double %886, %1
-  %888 = load i64, ptr %150, align 8
-  %889 = icmp eq i64 %888, 0
-  br i1 %889, label %904, label %890
+881:                                              ; preds = %880
+  %882 = fcmp oeq double %271, %184
+  %883 = add nsw i32 %181, -1
+  %884 = sext i32 %883 to i64
+  %885 = mul nsw i64 %12, %884
+  %886 = getelementptr double, ptr %28, i64 %885
+  %887 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %884
+  %888 = fmul double %271, %2
+  %889 = fadd double %888, %1
+  br label %890
 
-890:                                              ; preds = %884
-  %891 = load ptr, ptr %151, align 8
-  %892 = shl nsw i64 %866, 4
-  %893 = getelementptr inbounds i8, ptr %891, i64 %892
-  %894 = getelementptr inbounds i8, ptr %893, i64 8
-  %895 = load double, ptr %894, align 8
-  %896 = fcmp oeq double %895, %887
-  br i1 %896, label %903, label %897
+890:                                              ; preds = %881, %929
+  %891 = phi i64 [ 0, %881 ], [ %930, %929 ]
+  %892 = getelementptr inbounds double, ptr %272, i64 %891
+  %893 = load double, ptr %892, align 8
+  %894 = fcmp ogt double %893, 0.000000e+00
+  br i1 %894, label %897, label %895
 
-897:                                              ; preds = %890
-  %898 = load double, ptr %893, align 8
-  %899 = fsub double %895, %898
-  %900 = fsub double %864, %887
-  %901 = fcmp ult double %899, %900
-  br i1 %901, label %902, label %904
+895:                                              ; preds = %890
+  %896 = fcmp olt double %893, 0.000000e+00
+  br i1 %896, label %897, label %900
 
-902:                                              ; preds = %897
-  store double %887, ptr %893, align 8
-  br label %903
+897:                                              ; preds = %895, %890
+  %898 = phi i64 [ 1, %890 ], [ -1, %895 ]
+  %899 = getelementptr inbounds i64, ptr %16, i64 %891
+  store i64 %898, ptr %899, align 8
+  br label %900
 
-903:                                              ; preds = %890, %902
-  store double %864, ptr %894, align 8
-  br label %904
+900:                                              ; preds = %897, %895
+  br i1 %882, label %901, label %929
 
-904:                                              ; preds = %903, %897, %884, %875, %876, %880
-  %905 = add nuw nsw i64 %866, 1
-  %906 = icmp eq i64 %905, %12
-  br i1 %906, label %912, label %865, !llvm.loop !17
+901:                                              ; preds = %900
+  %902 = getelementptr double, ptr %886, i64 %891
+  %903 = load double, ptr %902, align 8
+  %904 = fcmp oeq double %903, 0.000000e+00
+  br i1 %904, label %905, label %929
 
-907:                                              ; preds = %234, %206
-  %908 = load ptr, ptr %20, align 8
-  %909 = getelementptr inbounds i8, ptr %908, i64 80
-  store i64 %23, ptr %909, align 8
-  %910 = load ptr, ptr %19, align 8
-  %911 = getelementptr inbounds i8, ptr %910, i64 48
-  store double 1.000000e+00, ptr %911, align 8
-  br label %912
+905:                                              ; preds = %901
+  %906 = getelementptr double, ptr %235, i64 %891
+  %907 = load double, ptr %906, align 8
+  %908 = fcmp oeq double %907, 0.000000e+00
+  br i1 %908, label %909, label %929
 
-912:                                              ; preds = %851, %904, %907, %855
-  %913 = phi i32 [ 0, %855 ], [ 1, %907 ], [ 0, %904 ], [ %852, %851 ]
-  %914 = phi double [ %246, %855 ], [ %155, %907 ], [ %246, %904 ], [ %853, %851 ]
-  %915 = phi i64 [ %854, %855 ], [ -4, %907 ], [ %854, %904 ], [ %854, %851 ]
-  %916 = icmp eq i32 %913, 0
-  br i1 %916, label %917, label %922
+909:                                              ; preds = %905
+  %910 = load double, ptr %887, align 8
+  %911 = fmul double %910, %2
+  %912 = fadd double %911, %1
+  %913 = load i64, ptr %175, align 8
+  %914 = icmp eq i64 %913, 0
+  br i1 %914, label %929, label %915
 
-917:                                              ; preds = %912
-  %918 = fcmp oeq double %914, %159
-  %919 = zext i1 %918 to i32
-  %920 = add nuw nsw i32 %156, %919
-  %921 = icmp ugt i32 %920, 4
-  br i1 %921, label %922, label %152, !llvm.loop !18
+915:                                              ; preds = %909
+  %916 = load ptr, ptr %176, align 8
+  %917 = shl nsw i64 %891, 4
+  %918 = getelementptr inbounds i8, ptr %916, i64 %917
+  %919 = getelementptr inbounds i8, ptr %918, i64 8
+  %920 = load double, ptr %919, align 8
+  %921 = fcmp oeq double %920, %912
+  br i1 %921, label %928, label %922
 
-922:                                              ; preds = %917, %912
-  %923 = phi i1 [ %921, %917 ], [ %153, %912 ]
-  br i1 %923, label %924, label %942
+922:                                              ; preds = %915
+  %923 = load double, ptr %918, align 8
+  %924 = fsub double %920, %923
+  %925 = fsub double %889, %912
+  %926 = fcmp ult double %924, %925
+  br i1 %926, label %927, label %929
 
-924:                                              ; preds = %922
-  %925 = icmp sgt i64 %12, 0
-  br i1 %925, label %926, label %929
+927:                                              ; preds = %922
+  store double %912, ptr %918, align 8
+  br label %928
 
-926:                                              ; preds = %924
-  %927 = shl i64 %12, 5
-  %928 = getelementptr i8, ptr %28, i64 %927
-  br label %931
+928:                                              ; preds = %915, %927
+  store double %889, ptr %919, align 8
+  br label %929
 
-929:                                              ; preds = %931, %924
-  %930 = load double, ptr %24, align 8
-  store double %930, ptr %30, align 8
-  br label %938
+929:                                              ; preds = %928, %922, %909, %900, %901, %905
+  %930 = add nuw nsw i64 %891, 1
+  %931 = icmp eq i64 %930, %12
+  br i1 %931, label %937, label %890, !llvm.loop !18
 
-931:                                              ; preds = %926, %931
-  %932 = phi i64 [ 0, %926 ], [ %936, %931 ]
-  %933 = getelementptr double, ptr %928, i64 %932
-  %934 = load double, ptr %933, align 8
-  %935 = getelementptr inbounds double, ptr %28, i64 %932
-  store double %934, ptr %935, align 8
-  %936 = add nuw nsw i64 %932, 1
-  %937 = icmp eq i64 %936, %12
-  br i1 %937, label %929, label %931, !llvm.loop !19
+932:                                              ; preds = %259, %231
+  %933 = load ptr, ptr %20, align 8
+  %934 = getelementptr inbounds i8, ptr %933, i64 80
+  store i64 %23, ptr %934, align 8
+  %935 = load ptr, ptr %19, align 8
+  %936 = getelementptr inbounds i8, ptr %935, i64 48
+  store double 1.000000e+00, ptr %936, align 8
+  br label %937
 
-938:                                              ; preds = %93, %929, %87
-  %939 = phi ptr [ %90, %87 ], [ %24, %929 ], [ %96, %93 ]
-  %940 = phi i64 [ -4, %87 ], [ 0, %929 ], [ -4, %93 ]
-  %941 = getelementptr inbounds i8, ptr %939, i64 48
-  store double 1.000000e+00, ptr %941, align 8
-  br label %942
+937:                                              ; preds = %876, %929, %932, %880
+  %938 = phi i32 [ 0, %880 ], [ 1, %932 ], [ 0, %929 ], [ %877, %876 ]
+  %939 = phi double [ %271, %880 ], [ %180, %932 ], [ %271, %929 ], [ %878, %876 ]
+  %940 = phi i64 [ %879, %880 ], [ -4, %932 ], [ %879, %929 ], [ %879, %876 ]
+  %941 = icmp eq i32 %938, 0
+  br i1 %941, label %942, label %947
 
-942:                                              ; preds = %938, %922, %91
-  %943 = phi i64 [ %915, %922 ], [ %92, %91 ], [ %940, %938 ]
-  ret i64 %943
+942:                                              ; preds = %937
+  %943 = fcmp oeq double %939, %184
+  %944 = zext i1 %943 to i32
+  %945 = add nuw nsw i32 %181, %944
+  %946 = icmp ugt i32 %945, 4
+  br i1 %946, label %947, label %177, !llvm.loop !19
+
+947:                                              ; preds = %942, %937
+  %948 = phi i1 [ %946, %942 ], [ %178, %937 ]
+  br i1 %948, label %949, label %967
+
+949:                                              ; preds = %947
+  %950 = icmp sgt i64 %12, 0
+  br i1 %950, label %951, label %954
+
+951:                                              ; preds = %949
+  %952 = shl i64 %12, 5
+  %953 = getelementptr i8, ptr %28, i64 %952
+  br label %956
+
+954:                                              ; preds = %956, %949
+  %955 = load double, ptr %24, align 8
+  store double %955, ptr %30, align 8
+  br label %963
+
+956:                                              ; preds = %951, %956
+  %957 = phi i64 [ 0, %951 ], [ %961, %956 ]
+  %958 = getelementptr double, ptr %953, i64 %957
+  %959 = load double, ptr %958, align 8
+  %960 = getelementptr inbounds double, ptr %28, i64 %957
+  store double %959, ptr %960, align 8
+  %961 = add nuw nsw i64 %957, 1
+  %962 = icmp eq i64 %961, %12
+  br i1 %962, label %954, label %956, !llvm.loop !20
+
+963:                                              ; preds = %118, %954, %91
+  %964 = phi ptr [ %94, %91 ], [ %24, %954 ], [ %121, %118 ]
+  %965 = phi i64 [ -4, %91 ], [ 0, %954 ], [ -4, %118 ]
+  %966 = getelementptr inbounds i8, ptr %964, i64 48
+  store double 1.000000e+00, ptr %966, align 8
+  br label %967
+
+967:                                              ; preds = %963, %947, %99
+  %968 = phi i64 [ %940, %947 ], [ %100, %99 ], [ %965, %963 ]
+  ret i64 %968
 }
 
 
@@ -1372,14 +1412,14 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %24 = fcmp ult double %23, %3
   %25 = icmp sgt i64 %9, 0
   %26 = select i1 %24, i1 %25, i1 false
-  br i1 %26, label %27, label %350
+  br i1 %26, label %27, label %351
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 912
+  %28 = getelementptr inbounds i8, ptr %0, i64 936
   %29 = shl nsw i64 %9, 4
   %30 = mul i64 %9, 40
   %31 = getelementptr inbounds i8, ptr %0, i64 816
-  %32 = getelementptr inbounds i8, ptr %0, i64 960
+  %32 = getelementptr inbounds i8, ptr %0, i64 984
   %33 = getelementptr inbounds i8, ptr %1, i64 16
   %34 = getelementptr inbounds i8, ptr %1, i64 8
   %35 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1389,7 +1429,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %39 = getelementptr inbounds i8, ptr %0, i64 192
   %40 = getelementptr inbounds i8, ptr %0, i64 744
   %41 = getelementptr inbounds i8, ptr %0, i64 144
-  %42 = getelementptr inbounds i8, ptr %0, i64 960
+  %42 = getelementptr inbounds i8, ptr %0, i64 984
   %43 = getelementptr inbounds i8, ptr %1, i64 16
   %44 = getelementptr inbounds i8, ptr %1, i64 8
   %45 = getelementptr inbounds i8, ptr %0, i64 552
@@ -1402,11 +1442,11 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %52 = shl nsw i64 %9, 5
   br label %53
 
-53:                                               ; preds = %27, %347
-  %54 = phi i64 [ undef, %27 ], [ %346, %347 ]
-  %55 = phi i32 [ 0, %27 ], [ %345, %347 ]
-  %56 = phi i32 [ 0, %27 ], [ %344, %347 ]
-  %57 = phi i64 [ 0, %27 ], [ %348, %347 ]
+53:                                               ; preds = %27, %348
+  %54 = phi i64 [ undef, %27 ], [ %347, %348 ]
+  %55 = phi i32 [ 0, %27 ], [ %346, %348 ]
+  %56 = phi i32 [ 0, %27 ], [ %345, %348 ]
+  %57 = phi i64 [ 0, %27 ], [ %349, %348 ]
   %58 = load ptr, ptr %28, align 8
   %59 = getelementptr inbounds i8, ptr %58, i64 %29
   %60 = getelementptr inbounds double, ptr %59, i64 %57
@@ -1414,393 +1454,394 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %62 = load ptr, ptr %31, align 8
   %63 = getelementptr inbounds i64, ptr %62, i64 %57
   %64 = load i64, ptr %63, align 8
-  %65 = icmp eq i64 %64, 1
-  br i1 %65, label %342, label %66
+  %65 = and i64 %64, 1
+  %66 = icmp eq i64 %65, 0
+  br i1 %66, label %67, label %343
 
-66:                                               ; preds = %53
-  %67 = load double, ptr %60, align 8
-  br label %71
+67:                                               ; preds = %53
+  %68 = load double, ptr %60, align 8
+  br label %72
 
-68:                                               ; preds = %71
-  %69 = fmul double %79, %81
-  %70 = fcmp ugt double %69, 0.000000e+00
-  br i1 %70, label %84, label %93
+69:                                               ; preds = %72
+  %70 = fmul double %80, %82
+  %71 = fcmp ugt double %70, 0.000000e+00
+  br i1 %71, label %85, label %94
 
-71:                                               ; preds = %66, %71
-  %72 = phi i64 [ 1, %66 ], [ %82, %71 ]
-  %73 = phi double [ %67, %66 ], [ %81, %71 ]
-  %74 = phi double [ %67, %66 ], [ %79, %71 ]
-  %75 = mul nuw nsw i64 %9, %72
-  %76 = getelementptr inbounds double, ptr %60, i64 %75
-  %77 = load double, ptr %76, align 8
-  %78 = fcmp olt double %74, %77
-  %79 = select i1 %78, double %74, double %77
-  %80 = fcmp ogt double %73, %77
-  %81 = select i1 %80, double %73, double %77
-  %82 = add nuw nsw i64 %72, 1
-  %83 = icmp eq i64 %82, 5
-  br i1 %83, label %68, label %71, !llvm.loop !20
+72:                                               ; preds = %67, %72
+  %73 = phi i64 [ 1, %67 ], [ %83, %72 ]
+  %74 = phi double [ %68, %67 ], [ %82, %72 ]
+  %75 = phi double [ %68, %67 ], [ %80, %72 ]
+  %76 = mul nuw nsw i64 %9, %73
+  %77 = getelementptr inbounds double, ptr %60, i64 %76
+  %78 = load double, ptr %77, align 8
+  %79 = fcmp olt double %75, %78
+  %80 = select i1 %79, double %75, double %78
+  %81 = fcmp ogt double %74, %78
+  %82 = select i1 %81, double %74, double %78
+  %83 = add nuw nsw i64 %73, 1
+  %84 = icmp eq i64 %83, 5
+  br i1 %84, label %69, label %72, !llvm.loop !21
 
-84:                                               ; preds = %68
-  %85 = tail call double @llvm.fabs.f64(double %79)
-  %86 = tail call double @llvm.fabs.f64(double %81)
-  %87 = fcmp olt double %85, %86
-  %88 = select i1 %87, double %85, double %86
-  %89 = fsub double %81, %79
-  %90 = fmul double %89, 4.000000e+00
-  %91 = fcmp ole double %88, %90
-  %92 = zext i1 %91 to i32
-  br label %93
+85:                                               ; preds = %69
+  %86 = tail call double @llvm.fabs.f64(double %80)
+  %87 = tail call double @llvm.fabs.f64(double %82)
+  %88 = fcmp olt double %86, %87
+  %89 = select i1 %88, double %86, double %87
+  %90 = fsub double %82, %80
+  %91 = fmul double %90, 4.000000e+00
+  %92 = fcmp ole double %89, %91
+  %93 = zext i1 %92 to i32
+  br label %94
 
-93:                                               ; preds = %68, %84
-  %94 = phi i32 [ 1, %68 ], [ %92, %84 ]
-  %95 = icmp eq i32 %94, 0
-  br i1 %95, label %342, label %96
+94:                                               ; preds = %69, %85
+  %95 = phi i32 [ 1, %69 ], [ %93, %85 ]
+  %96 = icmp eq i32 %95, 0
+  br i1 %96, label %343, label %97
 
-96:                                               ; preds = %93
-  %97 = sext i32 %55 to i64
-  br label %98
+97:                                               ; preds = %94
+  %98 = sext i32 %55 to i64
+  br label %99
 
-98:                                               ; preds = %96, %136
-  %99 = phi i64 [ %97, %96 ], [ %104, %136 ]
-  %100 = icmp slt i64 %99, 4
-  br i1 %100, label %101, label %151
+99:                                               ; preds = %97, %137
+  %100 = phi i64 [ %98, %97 ], [ %105, %137 ]
+  %101 = icmp slt i64 %100, 4
+  br i1 %101, label %102, label %152
 
-101:                                              ; preds = %98
-  %102 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %99
-  %103 = load double, ptr %102, align 8
-  %104 = add nsw i64 %99, 1
-  %105 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = fadd double %103, %106
-  %108 = fmul double %107, 5.000000e-01
-  %109 = add nsw i64 %99, 7
-  %110 = load ptr, ptr %32, align 8
-  %111 = load ptr, ptr %33, align 8
-  %112 = getelementptr inbounds i8, ptr %111, i64 96
-  %113 = load ptr, ptr %112, align 8
-  %114 = insertelement <8 x double> poison, double %108, i64 0
-  %115 = shufflevector <8 x double> %114, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %115, ptr %113, align 8
-  %116 = load ptr, ptr %111, align 8
-  %117 = getelementptr inbounds i8, ptr %111, i64 192
-  %118 = load ptr, ptr %117, align 8
-  %119 = getelementptr inbounds i8, ptr %111, i64 8
-  %120 = load i64, ptr %119, align 8
-  %121 = load ptr, ptr %1, align 8
-  %122 = load ptr, ptr %121, align 8
-  %123 = getelementptr inbounds i8, ptr %122, i64 24
-  %124 = load i64, ptr %123, align 8
-  %125 = load ptr, ptr %112, align 8
-  %126 = load ptr, ptr %34, align 8
-  %127 = load ptr, ptr %126, align 8
-  %128 = getelementptr inbounds i8, ptr %127, i64 16
-  %129 = load i64, ptr %128, align 8
-  tail call fastcc void @nested(ptr noundef %110, ptr noundef %116, ptr noundef %118, i64 noundef %120, i64 noundef %124, ptr noundef %125, i64 noundef %129) #8
-  %130 = fmul double %108, %3
-  %131 = fadd double %130, %2
-  %132 = load ptr, ptr %35, align 8
-  store double %131, ptr %132, align 8
-  %133 = load i64, ptr %36, align 8
-  %134 = icmp sgt i64 %133, 0
-  br i1 %134, label %135, label %136
+102:                                              ; preds = %99
+  %103 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %100
+  %104 = load double, ptr %103, align 8
+  %105 = add nsw i64 %100, 1
+  %106 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = fadd double %104, %107
+  %109 = fmul double %108, 5.000000e-01
+  %110 = add nsw i64 %100, 7
+  %111 = load ptr, ptr %32, align 8
+  %112 = load ptr, ptr %33, align 8
+  %113 = getelementptr inbounds i8, ptr %112, i64 96
+  %114 = load ptr, ptr %113, align 8
+  %115 = insertelement <8 x double> poison, double %109, i64 0
+  %116 = shufflevector <8 x double> %115, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %116, ptr %114, align 8
+  %117 = load ptr, ptr %112, align 8
+  %118 = getelementptr inbounds i8, ptr %112, i64 192
+  %119 = load ptr, ptr %118, align 8
+  %120 = getelementptr inbounds i8, ptr %112, i64 8
+  %121 = load i64, ptr %120, align 8
+  %122 = load ptr, ptr %1, align 8
+  %123 = load ptr, ptr %122, align 8
+  %124 = getelementptr inbounds i8, ptr %123, i64 24
+  %125 = load i64, ptr %124, align 8
+  %126 = load ptr, ptr %113, align 8
+  %127 = load ptr, ptr %34, align 8
+  %128 = load ptr, ptr %127, align 8
+  %129 = getelementptr inbounds i8, ptr %128, i64 16
+  %130 = load i64, ptr %129, align 8
+  tail call fastcc void @nested(ptr noundef %111, ptr noundef %117, ptr noundef %119, i64 noundef %121, i64 noundef %125, ptr noundef %126, i64 noundef %130) #8
+  %131 = fmul double %109, %3
+  %132 = fadd double %131, %2
+  %133 = load ptr, ptr %35, align 8
+  store double %132, ptr %133, align 8
+  %134 = load i64, ptr %36, align 8
+  %135 = icmp sgt i64 %134, 0
+  br i1 %135, label %136, label %137
 
-135:                                              ; preds = %101
+136:                                              ; preds = %102
   tail call fastcc void @sample(ptr noundef nonnull %37) #8
-  br label %136
+  br label %137
 
-136:                                              ; preds = %101, %135
-  %137 = load ptr, ptr %6, align 8
-  %138 = load i64, ptr %137, align 8
-  %139 = load ptr, ptr %38, align 8
-  %140 = load ptr, ptr %32, align 8
-  %141 = load ptr, ptr %39, align 8
-  %142 = load ptr, ptr %40, align 8
-  %143 = load ptr, ptr %28, align 8
-  %144 = getelementptr inbounds i8, ptr %137, i64 8
-  %145 = load i64, ptr %144, align 8
-  %146 = mul nsw i64 %145, %109
-  %147 = getelementptr inbounds double, ptr %143, i64 %146
-  %148 = inttoptr i64 %138 to ptr
-  %149 = tail call i32 %148(ptr noundef %139, ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %147) #9
-  %150 = icmp slt i32 %149, 0
-  br i1 %150, label %340, label %98, !llvm.loop !21
+137:                                              ; preds = %102, %136
+  %138 = load ptr, ptr %6, align 8
+  %139 = load i64, ptr %138, align 8
+  %140 = load ptr, ptr %38, align 8
+  %141 = load ptr, ptr %32, align 8
+  %142 = load ptr, ptr %39, align 8
+  %143 = load ptr, ptr %40, align 8
+  %144 = load ptr, ptr %28, align 8
+  %145 = getelementptr inbounds i8, ptr %138, i64 8
+  %146 = load i64, ptr %145, align 8
+  %147 = mul nsw i64 %146, %110
+  %148 = getelementptr inbounds double, ptr %144, i64 %147
+  %149 = inttoptr i64 %139 to ptr
+  %150 = tail call i32 %149(ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %143, ptr noundef %148) #9
+  %151 = icmp slt i32 %150, 0
+  br i1 %151, label %341, label %99, !llvm.loop !22
 
-151:                                              ; preds = %98
-  %152 = load double, ptr %60, align 8
-  %153 = tail call double @llvm.fabs.f64(double %152)
-  store double %152, ptr %5, align 16
-  br label %161
+152:                                              ; preds = %99
+  %153 = load double, ptr %60, align 8
+  %154 = tail call double @llvm.fabs.f64(double %153)
+  store double %153, ptr %5, align 16
+  br label %162
 
-154:                                              ; preds = %211
-  %155 = trunc nsw i64 %99 to i32
-  %156 = fmul double %222, 0x3E50000000000000
-  %157 = fcmp ogt double %216, %156
-  br i1 %157, label %158, label %336
+155:                                              ; preds = %212
+  %156 = trunc nsw i64 %100 to i32
+  %157 = fmul double %223, 0x3E50000000000000
+  %158 = fcmp ogt double %217, %157
+  br i1 %158, label %159, label %337
 
-158:                                              ; preds = %154
-  %159 = fmul double %216, 2.000000e+00
-  %160 = fmul double %216, 8.000000e+00
-  br label %224
+159:                                              ; preds = %155
+  %160 = fmul double %217, 2.000000e+00
+  %161 = fmul double %217, 8.000000e+00
+  br label %225
 
-161:                                              ; preds = %151, %211
-  %162 = phi i64 [ 0, %151 ], [ %171, %211 ]
-  %163 = phi double [ 0.000000e+00, %151 ], [ %216, %211 ]
-  %164 = phi double [ %153, %151 ], [ %222, %211 ]
-  %165 = mul nuw nsw i64 %9, %162
-  %166 = getelementptr inbounds double, ptr %61, i64 %165
-  %167 = load double, ptr %166, align 8
-  %168 = shl nuw nsw i64 %162, 1
-  %169 = or disjoint i64 %168, 1
-  %170 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %169
-  store double %167, ptr %170, align 8
-  %171 = add nuw nsw i64 %162, 1
-  %172 = mul nuw nsw i64 %9, %171
-  %173 = getelementptr inbounds double, ptr %60, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = add nuw nsw i64 %168, 2
-  %176 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %175
-  store double %174, ptr %176, align 16
-  %177 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %162
-  %178 = load double, ptr %177, align 8
-  %179 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %171
-  %180 = load double, ptr %179, align 8
-  %181 = fadd double %178, %180
-  %182 = fmul double %181, 5.000000e-01
-  br label %183
+162:                                              ; preds = %152, %212
+  %163 = phi i64 [ 0, %152 ], [ %172, %212 ]
+  %164 = phi double [ 0.000000e+00, %152 ], [ %217, %212 ]
+  %165 = phi double [ %154, %152 ], [ %223, %212 ]
+  %166 = mul nuw nsw i64 %9, %163
+  %167 = getelementptr inbounds double, ptr %61, i64 %166
+  %168 = load double, ptr %167, align 8
+  %169 = shl nuw nsw i64 %163, 1
+  %170 = or disjoint i64 %169, 1
+  %171 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %170
+  store double %168, ptr %171, align 8
+  %172 = add nuw nsw i64 %163, 1
+  %173 = mul nuw nsw i64 %9, %172
+  %174 = getelementptr inbounds double, ptr %60, i64 %173
+  %175 = load double, ptr %174, align 8
+  %176 = add nuw nsw i64 %169, 2
+  %177 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %176
+  store double %175, ptr %177, align 16
+  %178 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %163
+  %179 = load double, ptr %178, align 8
+  %180 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %172
+  %181 = load double, ptr %180, align 8
+  %182 = fadd double %179, %181
+  %183 = fmul double %182, 5.000000e-01
+  br label %184
 
-183:                                              ; preds = %161, %187
-  %184 = phi i64 [ 0, %161 ], [ %193, %187 ]
-  %185 = phi double [ 0.000000e+00, %161 ], [ %192, %187 ]
-  %186 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %184
-  br label %195
+184:                                              ; preds = %162, %188
+  %185 = phi i64 [ 0, %162 ], [ %194, %188 ]
+  %186 = phi double [ 0.000000e+00, %162 ], [ %193, %188 ]
+  %187 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %185
+  br label %196
 
-187:                                              ; preds = %206
-  %188 = mul nuw nsw i64 %9, %184
-  %189 = getelementptr inbounds double, ptr %60, i64 %188
-  %190 = load double, ptr %189, align 8
-  %191 = fmul double %208, %190
-  %192 = fadd double %185, %191
-  %193 = add nuw nsw i64 %184, 1
-  %194 = icmp eq i64 %193, 5
-  br i1 %194, label %211, label %183, !llvm.loop !22
+188:                                              ; preds = %207
+  %189 = mul nuw nsw i64 %9, %185
+  %190 = getelementptr inbounds double, ptr %60, i64 %189
+  %191 = load double, ptr %190, align 8
+  %192 = fmul double %209, %191
+  %193 = fadd double %186, %192
+  %194 = add nuw nsw i64 %185, 1
+  %195 = icmp eq i64 %194, 5
+  br i1 %195, label %212, label %184, !llvm.loop !23
 
-195:                                              ; preds = %183, %206
-  %196 = phi i64 [ 0, %183 ], [ %209, %206 ]
-  %197 = phi double [ 1.000000e+00, %183 ], [ %208, %206 ]
-  %198 = icmp eq i64 %196, %184
-  br i1 %198, label %206, label %199
+196:                                              ; preds = %184, %207
+  %197 = phi i64 [ 0, %184 ], [ %210, %207 ]
+  %198 = phi double [ 1.000000e+00, %184 ], [ %209, %207 ]
+  %199 = icmp eq i64 %197, %185
+  br i1 %199, label %207, label %200
 
-199:                                              ; preds = %195
-  %200 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %196
-  %201 = load double, ptr %200, align 8
-  %202 = fsub double %182, %201
-  %203 = load double, ptr %186, align 8
-  %204 = fsub double %203, %201
-  %205 = fdiv double %202, %204
-  br label %206
+200:                                              ; preds = %196
+  %201 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %197
+  %202 = load double, ptr %201, align 8
+  %203 = fsub double %183, %202
+  %204 = load double, ptr %187, align 8
+  %205 = fsub double %204, %202
+  %206 = fdiv double %203, %205
+  br label %207
 
-206:                                              ; preds = %199, %195
-  %207 = phi double [ %205, %199 ], [ 1.000000e+00, %195 ]
-  %208 = fmul double %197, %207
-  %209 = add nuw nsw i64 %196, 1
-  %210 = icmp eq i64 %209, 5
-  br i1 %210, label %187, label %195, !llvm.loop !23
+207:                                              ; preds = %200, %196
+  %208 = phi double [ %206, %200 ], [ 1.000000e+00, %196 ]
+  %209 = fmul double %198, %208
+  %210 = add nuw nsw i64 %197, 1
+  %211 = icmp eq i64 %210, 5
+  br i1 %211, label %188, label %196, !llvm.loop !24
 
-211:                                              ; preds = %187
-  %212 = fsub double %167, %192
-  %213 = tail call double @llvm.fabs.f64(double %212)
-  %214 = fmul double %213, 2.000000e+00
-  %215 = fcmp ogt double %163, %214
-  %216 = select i1 %215, double %163, double %214
-  %217 = tail call double @llvm.fabs.f64(double %167)
-  %218 = tail call double @llvm.fabs.f64(double %174)
-  %219 = fcmp ogt double %217, %218
-  %220 = select i1 %219, double %217, double %218
-  %221 = fcmp ogt double %164, %220
-  %222 = select i1 %221, double %164, double %220
-  %223 = icmp eq i64 %171, 4
-  br i1 %223, label %154, label %161, !llvm.loop !24
+212:                                              ; preds = %188
+  %213 = fsub double %168, %193
+  %214 = tail call double @llvm.fabs.f64(double %213)
+  %215 = fmul double %214, 2.000000e+00
+  %216 = fcmp ogt double %164, %215
+  %217 = select i1 %216, double %164, double %215
+  %218 = tail call double @llvm.fabs.f64(double %168)
+  %219 = tail call double @llvm.fabs.f64(double %175)
+  %220 = fcmp ogt double %218, %219
+  %221 = select i1 %220, double %218, double %219
+  %222 = fcmp ogt double %165, %221
+  %223 = select i1 %222, double %165, double %221
+  %224 = icmp eq i64 %172, 4
+  br i1 %224, label %155, label %162, !llvm.loop !25
 
-224:                                              ; preds = %158, %245
-  %225 = phi i64 [ 1, %158 ], [ %246, %245 ]
-  %226 = phi i1 [ false, %158 ], [ %247, %245 ]
-  %227 = getelementptr double, ptr %5, i64 %225
-  %228 = getelementptr i8, ptr %227, i64 -8
-  %229 = load double, ptr %228, align 8
-  %230 = load double, ptr %227, align 8
-  %231 = fsub double %229, %230
-  %232 = tail call double @llvm.fabs.f64(double %231)
-  %233 = fmul double %229, %230
-  %234 = fcmp olt double %233, 0.000000e+00
-  br i1 %234, label %235, label %237
+225:                                              ; preds = %159, %246
+  %226 = phi i64 [ 1, %159 ], [ %247, %246 ]
+  %227 = phi i1 [ false, %159 ], [ %248, %246 ]
+  %228 = getelementptr double, ptr %5, i64 %226
+  %229 = getelementptr i8, ptr %228, i64 -8
+  %230 = load double, ptr %229, align 8
+  %231 = load double, ptr %228, align 8
+  %232 = fsub double %230, %231
+  %233 = tail call double @llvm.fabs.f64(double %232)
+  %234 = fmul double %230, %231
+  %235 = fcmp olt double %234, 0.000000e+00
+  br i1 %235, label %236, label %238
 
-235:                                              ; preds = %224
-  %236 = fcmp olt double %232, %160
-  br i1 %236, label %249, label %245
+236:                                              ; preds = %225
+  %237 = fcmp olt double %233, %161
+  br i1 %237, label %250, label %246
 
-237:                                              ; preds = %224
-  %238 = tail call double @llvm.fabs.f64(double %230)
-  %239 = tail call double @llvm.fabs.f64(double %229)
-  %240 = fcmp olt double %239, %238
-  %241 = select i1 %240, double %239, double %238
-  %242 = fcmp ugt double %241, %216
-  %243 = fcmp ugt double %232, %159
-  %244 = or i1 %243, %242
-  br i1 %244, label %245, label %249
+238:                                              ; preds = %225
+  %239 = tail call double @llvm.fabs.f64(double %231)
+  %240 = tail call double @llvm.fabs.f64(double %230)
+  %241 = fcmp olt double %240, %239
+  %242 = select i1 %241, double %240, double %239
+  %243 = fcmp ugt double %242, %217
+  %244 = fcmp ugt double %233, %160
+  %245 = or i1 %244, %243
+  br i1 %245, label %246, label %250
 
-245:                                              ; preds = %237, %235
-  %246 = add nuw nsw i64 %225, 1
-  %247 = icmp ugt i64 %225, 7
-  %248 = icmp eq i64 %246, 9
-  br i1 %248, label %336, label %224, !llvm.loop !25
+246:                                              ; preds = %238, %236
+  %247 = add nuw nsw i64 %226, 1
+  %248 = icmp ugt i64 %226, 7
+  %249 = icmp eq i64 %247, 9
+  br i1 %249, label %337, label %225, !llvm.loop !26
 
-249:                                              ; preds = %235, %237
-  br i1 %226, label %336, label %250
+250:                                              ; preds = %236, %238
+  br i1 %227, label %337, label %251
 
-250:                                              ; preds = %249, %310
-  %251 = phi i32 [ 1, %310 ], [ %56, %249 ]
-  %252 = icmp eq i32 %251, 0
-  br i1 %252, label %253, label %324
+251:                                              ; preds = %250, %311
+  %252 = phi i32 [ 1, %311 ], [ %56, %250 ]
+  %253 = icmp eq i32 %252, 0
+  br i1 %253, label %254, label %325
 
-253:                                              ; preds = %250
-  %254 = load ptr, ptr %42, align 8
-  %255 = load ptr, ptr %43, align 8
-  %256 = getelementptr inbounds i8, ptr %255, i64 96
-  %257 = load ptr, ptr %256, align 8
-  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %257, align 8
-  %258 = load ptr, ptr %255, align 8
-  %259 = getelementptr inbounds i8, ptr %255, i64 192
-  %260 = load ptr, ptr %259, align 8
-  %261 = getelementptr inbounds i8, ptr %255, i64 8
-  %262 = load i64, ptr %261, align 8
-  %263 = load ptr, ptr %1, align 8
-  %264 = load ptr, ptr %263, align 8
-  %265 = getelementptr inbounds i8, ptr %264, i64 24
-  %266 = load i64, ptr %265, align 8
-  %267 = load ptr, ptr %256, align 8
-  %268 = load ptr, ptr %44, align 8
-  %269 = load ptr, ptr %268, align 8
-  %270 = getelementptr inbounds i8, ptr %269, i64 16
-  %271 = load i64, ptr %270, align 8
-  tail call fastcc void @nested(ptr noundef %254, ptr noundef %258, ptr noundef %260, i64 noundef %262, i64 noundef %266, ptr noundef %267, i64 noundef %271) #8
-  %272 = load ptr, ptr %41, align 8
-  %273 = getelementptr inbounds i8, ptr %272, i64 8
-  %274 = load i64, ptr %273, align 8
-  %275 = icmp sgt i64 %274, 0
-  br i1 %275, label %281, label %276
+254:                                              ; preds = %251
+  %255 = load ptr, ptr %42, align 8
+  %256 = load ptr, ptr %43, align 8
+  %257 = getelementptr inbounds i8, ptr %256, i64 96
+  %258 = load ptr, ptr %257, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %258, align 8
+  %259 = load ptr, ptr %256, align 8
+  %260 = getelementptr inbounds i8, ptr %256, i64 192
+  %261 = load ptr, ptr %260, align 8
+  %262 = getelementptr inbounds i8, ptr %256, i64 8
+  %263 = load i64, ptr %262, align 8
+  %264 = load ptr, ptr %1, align 8
+  %265 = load ptr, ptr %264, align 8
+  %266 = getelementptr inbounds i8, ptr %265, i64 24
+  %267 = load i64, ptr %266, align 8
+  %268 = load ptr, ptr %257, align 8
+  %269 = load ptr, ptr %44, align 8
+  %270 = load ptr, ptr %269, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 16
+  %272 = load i64, ptr %271, align 8
+  tail call fastcc void @nested(ptr noundef %255, ptr noundef %259, ptr noundef %261, i64 noundef %263, i64 noundef %267, ptr noundef %268, i64 noundef %272) #8
+  %273 = load ptr, ptr %41, align 8
+  %274 = getelementptr inbounds i8, ptr %273, i64 8
+  %275 = load i64, ptr %274, align 8
+  %276 = icmp sgt i64 %275, 0
+  br i1 %276, label %282, label %277
 
-276:                                              ; preds = %281, %253
-  %277 = load ptr, ptr %47, align 8
-  store double %19, ptr %277, align 8
-  %278 = load i64, ptr %48, align 8
-  %279 = icmp sgt i64 %278, 0
-  br i1 %279, label %280, label %310
+277:                                              ; preds = %282, %254
+  %278 = load ptr, ptr %47, align 8
+  store double %19, ptr %278, align 8
+  %279 = load i64, ptr %48, align 8
+  %280 = icmp sgt i64 %279, 0
+  br i1 %280, label %281, label %311
 
-280:                                              ; preds = %276
+281:                                              ; preds = %277
   tail call fastcc void @sample(ptr noundef nonnull %41) #8
-  br label %310
+  br label %311
 
-281:                                              ; preds = %253, %281
-  %282 = phi i64 [ %305, %281 ], [ 0, %253 ]
-  %283 = load ptr, ptr %45, align 8
-  %284 = getelementptr inbounds double, ptr %283, i64 %282
-  %285 = load double, ptr %284, align 8
-  %286 = load ptr, ptr %46, align 8
-  %287 = getelementptr inbounds double, ptr %286, i64 %282
-  %288 = load double, ptr %287, align 8
-  %289 = load ptr, ptr %42, align 8
-  %290 = getelementptr inbounds double, ptr %289, i64 %282
-  %291 = load double, ptr %290, align 8
-  %292 = tail call double @llvm.fabs.f64(double %291)
-  %293 = fmul double %288, %292
-  %294 = fadd double %285, %293
-  %295 = and i64 %282, 1
-  %296 = icmp eq i64 %295, 0
-  %297 = urem i64 %282, 3
-  %298 = uitofp nneg i64 %297 to double
-  %299 = fmul double %298, 0x3FE3C6EF372FE950
-  %300 = fadd double %299, 1.000000e+00
-  %301 = fneg double %300
-  %302 = select i1 %296, double %300, double %301
-  %303 = fmul double %302, %294
-  %304 = fadd double %291, %303
-  store double %304, ptr %290, align 8
-  %305 = add nuw nsw i64 %282, 1
-  %306 = load ptr, ptr %41, align 8
-  %307 = getelementptr inbounds i8, ptr %306, i64 8
-  %308 = load i64, ptr %307, align 8
-  %309 = icmp slt i64 %305, %308
-  br i1 %309, label %281, label %276, !llvm.loop !26
+282:                                              ; preds = %254, %282
+  %283 = phi i64 [ %306, %282 ], [ 0, %254 ]
+  %284 = load ptr, ptr %45, align 8
+  %285 = getelementptr inbounds double, ptr %284, i64 %283
+  %286 = load double, ptr %285, align 8
+  %287 = load ptr, ptr %46, align 8
+  %288 = getelementptr inbounds double, ptr %287, i64 %283
+  %289 = load double, ptr %288, align 8
+  %290 = load ptr, ptr %42, align 8
+  %291 = getelementptr inbounds double, ptr %290, i64 %283
+  %292 = load double, ptr %291, align 8
+  %293 = tail call double @llvm.fabs.f64(double %292)
+  %294 = fmul double %289, %293
+  %295 = fadd double %286, %294
+  %296 = and i64 %283, 1
+  %297 = icmp eq i64 %296, 0
+  %298 = urem i64 %283, 3
+  %299 = uitofp nneg i64 %298 to double
+  %300 = fmul double %299, 0x3FE3C6EF372FE950
+  %301 = fadd double %300, 1.000000e+00
+  %302 = fneg double %301
+  %303 = select i1 %297, double %301, double %302
+  %304 = fmul double %303, %295
+  %305 = fadd double %292, %304
+  store double %305, ptr %291, align 8
+  %306 = add nuw nsw i64 %283, 1
+  %307 = load ptr, ptr %41, align 8
+  %308 = getelementptr inbounds i8, ptr %307, i64 8
+  %309 = load i64, ptr %308, align 8
+  %310 = icmp slt i64 %306, %309
+  br i1 %310, label %282, label %277, !llvm.loop !27
 
-310:                                              ; preds = %276, %280
-  %311 = load ptr, ptr %6, align 8
-  %312 = load i64, ptr %311, align 8
-  %313 = load ptr, ptr %49, align 8
-  %314 = load ptr, ptr %42, align 8
-  %315 = load ptr, ptr %50, align 8
-  %316 = load ptr, ptr %51, align 8
-  %317 = load ptr, ptr %28, align 8
-  %318 = getelementptr inbounds i8, ptr %311, i64 8
-  %319 = load i64, ptr %318, align 8
-  %320 = getelementptr inbounds double, ptr %317, i64 %319
-  %321 = inttoptr i64 %312 to ptr
-  %322 = tail call i32 %321(ptr noundef %313, ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %320) #9
-  %323 = icmp slt i32 %322, 0
-  br i1 %323, label %336, label %250, !llvm.loop !27
+311:                                              ; preds = %277, %281
+  %312 = load ptr, ptr %6, align 8
+  %313 = load i64, ptr %312, align 8
+  %314 = load ptr, ptr %49, align 8
+  %315 = load ptr, ptr %42, align 8
+  %316 = load ptr, ptr %50, align 8
+  %317 = load ptr, ptr %51, align 8
+  %318 = load ptr, ptr %28, align 8
+  %319 = getelementptr inbounds i8, ptr %312, i64 8
+  %320 = load i64, ptr %319, align 8
+  %321 = getelementptr inbounds double, ptr %318, i64 %320
+  %322 = inttoptr i64 %313 to ptr
+  %323 = tail call i32 %322(ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %317, ptr noundef %321) #9
+  %324 = icmp slt i32 %323, 0
+  br i1 %324, label %337, label %251, !llvm.loop !28
 
-324:                                              ; preds = %250
-  %325 = load ptr, ptr %28, align 8
-  %326 = getelementptr double, ptr %325, i64 %9
-  %327 = getelementptr double, ptr %326, i64 %57
-  %328 = load double, ptr %327, align 8
-  %329 = getelementptr inbounds i8, ptr %60, i64 %52
-  %330 = load double, ptr %329, align 8
-  %331 = fsub double %328, %330
-  %332 = tail call double @llvm.fabs.f64(double %331)
-  %333 = fcmp ogt double %216, %332
-  %334 = zext i1 %333 to i32
-  %335 = select i1 %333, i64 -6, i64 %54
-  br label %336
+325:                                              ; preds = %251
+  %326 = load ptr, ptr %28, align 8
+  %327 = getelementptr double, ptr %326, i64 %9
+  %328 = getelementptr double, ptr %327, i64 %57
+  %329 = load double, ptr %328, align 8
+  %330 = getelementptr inbounds i8, ptr %60, i64 %52
+  %331 = load double, ptr %330, align 8
+  %332 = fsub double %329, %331
+  %333 = tail call double @llvm.fabs.f64(double %332)
+  %334 = fcmp ogt double %217, %333
+  %335 = zext i1 %334 to i32
+  %336 = select i1 %334, i64 -6, i64 %54
+  br label %337
 
-336:                                              ; preds = %245, %310, %324, %154, %249
-  %337 = phi i32 [ 4, %249 ], [ 4, %154 ], [ %334, %324 ], [ 1, %310 ], [ 4, %245 ]
-  %338 = phi i32 [ %56, %249 ], [ %56, %154 ], [ %251, %324 ], [ %251, %310 ], [ %56, %245 ]
-  %339 = phi i64 [ %54, %249 ], [ %54, %154 ], [ %335, %324 ], [ -4, %310 ], [ %54, %245 ]
-  br label %342
+337:                                              ; preds = %246, %311, %325, %155, %250
+  %338 = phi i32 [ 4, %250 ], [ 4, %155 ], [ %335, %325 ], [ 1, %311 ], [ 4, %246 ]
+  %339 = phi i32 [ %56, %250 ], [ %56, %155 ], [ %252, %325 ], [ %252, %311 ], [ %56, %246 ]
+  %340 = phi i64 [ %54, %250 ], [ %54, %155 ], [ %336, %325 ], [ -4, %311 ], [ %54, %246 ]
+  br label %343
 
-340:                                              ; preds = %136
-  %341 = trunc nsw i64 %99 to i32
-  br label %342
+341:                                              ; preds = %137
+  %342 = trunc nsw i64 %100 to i32
+  br label %343
 
-342:                                              ; preds = %340, %53, %93, %336
-  %343 = phi i32 [ %337, %336 ], [ 4, %93 ], [ 4, %53 ], [ 1, %340 ]
-  %344 = phi i32 [ %338, %336 ], [ %56, %93 ], [ %56, %53 ], [ %56, %340 ]
-  %345 = phi i32 [ %155, %336 ], [ %55, %93 ], [ %55, %53 ], [ %341, %340 ]
-  %346 = phi i64 [ %339, %336 ], [ %54, %93 ], [ %54, %53 ], [ -4, %340 ]
-  switch i32 %343, label %350 [
-    i32 0, label %347
-    i32 4, label %347
+343:                                              ; preds = %341, %53, %94, %337
+  %344 = phi i32 [ %338, %337 ], [ 4, %94 ], [ 4, %53 ], [ 1, %341 ]
+  %345 = phi i32 [ %339, %337 ], [ %56, %94 ], [ %56, %53 ], [ %56, %341 ]
+  %346 = phi i32 [ %156, %337 ], [ %55, %94 ], [ %55, %53 ], [ %342, %341 ]
+  %347 = phi i64 [ %340, %337 ], [ %54, %94 ], [ %54, %53 ], [ -4, %341 ]
+  switch i32 %344, label %351 [
+    i32 0, label %348
+    i32 4, label %348
   ]
 
-347:                                              ; preds = %342, %342
-  %348 = add nuw nsw i64 %57, 1
-  %349 = icmp eq i64 %348, %9
-  br i1 %349, label %350, label %53, !llvm.loop !28
+348:                                              ; preds = %343, %343
+  %349 = add nuw nsw i64 %57, 1
+  %350 = icmp eq i64 %349, %9
+  br i1 %350, label %351, label %53, !llvm.loop !29
 
-350:                                              ; preds = %347, %342, %4
-  %351 = phi i64 [ 0, %4 ], [ %346, %342 ], [ 0, %347 ]
-  ret i64 %351
+351:                                              ; preds = %348, %343, %4
+  %352 = phi i64 [ 0, %4 ], [ %347, %343 ], [ 0, %348 ]
+  ret i64 %352
 }
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
   %8 = getelementptr inbounds i8, ptr %0, i64 720
-  %9 = getelementptr inbounds i8, ptr %0, i64 864
+  %9 = getelementptr inbounds i8, ptr %0, i64 888
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %6
   %12 = load i64, ptr %11, align 8
   %13 = sitofp i64 %12 to double
-  %14 = getelementptr inbounds i8, ptr %0, i64 912
+  %14 = getelementptr inbounds i8, ptr %0, i64 936
   %15 = load ptr, ptr %14, align 8
   %16 = load ptr, ptr %8, align 8
   %17 = getelementptr inbounds i8, ptr %16, i64 8
@@ -1815,7 +1856,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %26 = fmul double %25, 0x3CB0000000000000
   %27 = fdiv double %26, %3
   %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 960
+  %29 = getelementptr inbounds i8, ptr %0, i64 984
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %1, i64 16
   %32 = load ptr, ptr %31, align 8
@@ -1935,7 +1976,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !29
+  br i1 %128, label %129, label %79, !llvm.loop !30
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -2060,7 +2101,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !30
+  br i1 %31, label %20, label %19, !llvm.loop !31
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2074,7 +2115,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !31
+  br i1 %43, label %32, label %24, !llvm.loop !32
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -2148,7 +2189,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !32
+  br i1 %55, label %44, label %56, !llvm.loop !33
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2180,7 +2221,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !33
+  br i1 %83, label %13, label %12, !llvm.loop !34
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -2190,7 +2231,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 912
+  %13 = getelementptr inbounds i8, ptr %0, i64 936
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %4
   %16 = add nsw i32 %6, 2
@@ -2237,7 +2278,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
   %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
-  %58 = getelementptr inbounds i8, ptr %0, i64 960
+  %58 = getelementptr inbounds i8, ptr %0, i64 984
   %59 = getelementptr inbounds i8, ptr %1, i64 16
   %60 = getelementptr inbounds i8, ptr %1, i64 8
   %61 = getelementptr inbounds i8, ptr %0, i64 168
@@ -2253,7 +2294,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %207, label %72, !llvm.loop !34
+  br i1 %71, label %207, label %72, !llvm.loop !35
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
@@ -2478,8 +2519,8 @@ attributes #9 = { nounwind }
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
-!16 = distinct !{!16, !5}
-!17 = distinct !{!17, !4, !5}
+!16 = distinct !{!16, !4, !5}
+!17 = distinct !{!17, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
@@ -2491,9 +2532,10 @@ attributes #9 = { nounwind }
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
-!29 = distinct !{!29, !5}
-!30 = distinct !{!30, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !5}
 !31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5}

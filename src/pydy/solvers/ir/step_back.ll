@@ -1,4 +1,4 @@
-; sources 545351d3f79e6156512b0ea92ac17b2aa42c6157b35805a0ef23add938d7fce2
+; sources 21b3c79ec122445a4d9ee99b9df358249f020245237ed1a882632819cfcaf4e6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

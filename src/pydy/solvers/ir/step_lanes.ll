@@ -1,4 +1,4 @@
-; sources 2bb27cc949f0446654a111285e32419b07489a563ad2107621887872cf883b28
+; sources 370eb53eb101277f27d7ff19e64bc47a4a8fc29067ef9ed65a866c0e41bbfe5f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

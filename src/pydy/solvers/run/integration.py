@@ -102,8 +102,8 @@ class Extension:
     after it.
     """
 
-    def __init__(self, make: Callable[[], Workspace], rows: np.ndarray) -> None:
-        self._make, self._rows = make, rows
+    def __init__(self, make: Callable[[], Workspace], rows: np.ndarray, n: int) -> None:
+        self._make, self._rows, self._n = make, rows, n
         self._in_use = _forks.Lock()  # by one of several threads
         # Not the ends of steps that an event cut short.
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
@@ -115,12 +115,12 @@ class Extension:
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return states, with all beside them, at ascending times of the run, shape (m, n)."""
-        work, n, m = self._workspace, self._workspace.n, len(times)
-        places = np.searchsorted(self.starts, times, side="right") - 1
-        out = np.full(m * n + BLOCK, np.nan)
-        wanted = Wanted(
-            self._rows, np.array(times, dtype=float), self._steps[np.maximum(places, 0)], out
-        )
+        n, m = self._n, len(times)
+        places = np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
+        if np.array_equal(self.starts[places], times):
+            return self._rows[self._steps[places], 2 : 2 + n]
+        work, out = self._workspace, np.full(m * n + BLOCK, np.nan)
+        wanted = Wanted(self._rows, np.array(times, dtype=float), self._steps[places], out)
         table = table_of(rows_of(wanted))
         with self._in_use:
             function_of("extend", bool(work.callbacks))(work.place, address(table))
@@ -368,8 +368,7 @@ class Integration(Workspace):
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values = call.evaluate(wanted.values, x, t)
-        n, told = len(values), call.evaluate(wanted.rates, x, t)
-        rates, self.watch.slopes[:] = told[:n], told[2 * n :].reshape(self.watch.slopes.shape)
+        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
             if k in forced:
                 value = call.evaluate(wanted.values, x, forced[k])[k]
@@ -574,7 +573,7 @@ class Integration(Workspace):
         rows = self.kept_steps()
         if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
             return None
-        return Extension(self.again(), rows)
+        return Extension(self.again(), rows, self.n)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()

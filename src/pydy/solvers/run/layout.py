@@ -47,7 +47,11 @@ RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
 # columns.
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
-WATCHER, EVENTS, SCAN = range(3)
+# The last are the address of what tells how far events may come in a step, or 0, the place in
+# Watch.reach of how far the first state does, and the number of these.
+WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING = range(6)
+# Watch.kinds
+LINEAR, TURNS = 1, 2  # added up
 # The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
 # and two more
 PARTS = 4
@@ -161,8 +165,11 @@ class Watch(NamedTuple):
     c: Numbers
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
-    linear: Words  # whether the expression is, in states and time
-    slopes: NumberRows  # (events, states + 1): by states and time, if all are linear
+    kinds: Words  # LINEAR in states and time; TURNS: where the one before it is lowest
+    # What the kernel that tells how far events may come takes as r: specifieds, which it does not
+    # read, how far each state may come, and the time; and a block more.
+    reach: Numbers
+    reach_c: Numbers
     sides: Words  # the sign last seen, 0 before there was one
     fired: Words
     values: Numbers  # (PROBES, events), then the time that the last step's end is known at

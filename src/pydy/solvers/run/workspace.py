@@ -325,15 +325,26 @@ class Workspace:
         acting = [end or resets for end, resets in stops]
         rows = _LOG + number if number else 0
         # Steps of fixed size are as the user set them.
-        linear = [known or self.options.step is not None for known in wanted.linear]
-        shape = wanted.rates.program.blocks[-1].shape if all(wanted.linear) else (0, 1)
+        fixed = self.options.step is not None
+        kinds = [
+            at.LINEAR * (linear or fixed) + at.TURNS * turns
+            for linear, turns in zip(wanted.linear, wanted.turns, strict=True)
+        ]
+        reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
+        if (far := wanted.reach) is not None and far.addresses is not None and not self.callbacks:
+            assert self.call is not None
+            bound = self._bind_native(far, self.call.p)
+            size, moving = far.program.num_specifieds, far.program.num_states
+            reacher, reach_c = [bound.address, size - moving - 1, moving], bound.c
+            reach = np.zeros(size + BLOCK)
         return Watch(
-            words=np.array([place, number, shipped.address_of("scan_events")]),
+            words=np.array([place, number, shipped.address_of("scan_events"), *reacher]),
             c=c,
             directions=np.array(wanted.directions, dtype=np.int64),
             acting=np.array(acting, dtype=np.int64),
-            linear=np.array(linear, dtype=np.int64),
-            slopes=np.full(shape, np.inf),
+            kinds=np.array(kinds, dtype=np.int64),
+            reach=reach,
+            reach_c=reach_c,
             sides=np.zeros(number, dtype=np.int64),
             fired=np.zeros(number, dtype=np.int64),
             values=np.zeros(at.PROBES * number + 1),
