@@ -106,11 +106,11 @@ def on_a_belt():
     return Contacts(system, [rub], {belt: 0.1, mu: 0.3, static: 0.6})
 
 
-def tumbling(friction, start):
+def tumbling(friction, start, hypothesis="newton"):
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=e, mu=mu)
     system.constants.update({J: 0.4, e: 0.3})
     system.initial_conditions, system.times = start, [0.0, 0.6]
-    return Contacts(system, feet, {mu: friction})
+    return Contacts(system, feet, {mu: friction}, hypothesis=hypothesis)
 
 
 def rimless():
@@ -171,6 +171,9 @@ CASES = {
     ),
     "feet that slide": (
         lambda: tumbling(0.3, {y: 1.0, a: 0.4, vx: 1.0}), [mu, e, J, a, vx], ["x", "a", "w"],
+    ),
+    "Poisson's hypothesis": (
+        lambda: tumbling(2.0, {y: 1.0, a: 0.4, vx: 1.0}, "poisson"), [mu, e, J, a], ["x", "w"],
     ),
     "two feet at one instant": (
         lambda: tumbling(0.3, {y: 1.0, vx: 1.0}), [mu, e, J, y, vx], ["x", "y", "v_x"],

@@ -174,10 +174,6 @@ def test_what_hypotheses_may_be_is_named():
     system, floor = ball()
     with pytest.raises(ValueError, match="`hypothesis` must be"):
         Contacts(system, [floor], hypothesis="stronge")
-    contacts = Contacts(system, [Unilateral(y, name="floor")], hypothesis="poisson")
-    system.times = [0.0, 1.0]
-    with pytest.raises(NotImplementedError, match="hypothesis='newton'"):
-        contacts.simulate(sensitivities=[y])
 
 
 def test_feet_that_chatter_while_they_slide_come_to_rest():

@@ -111,16 +111,44 @@ def compared(contacts, parameters, names, steps=1e-5, **options):
     return exact
 
 
+@pytest.mark.parametrize("hypothesis", ["newton", "poisson"])
 @pytest.mark.parametrize(("friction", "end"), [(0.3, 0.8), (2.0, 0.6)])
-def test_a_body_that_tumbles_on_two_feet(friction, end):
+def test_a_body_that_tumbles_on_two_feet(friction, end, hypothesis):
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=e, mu=mu)
     system.constants.update({J: 0.4, e: 0.3})
     system.initial_conditions = {y: 1.0, a: 0.4, vx: 1.0}
     system.times = [0.0, end]
-    contacts = Contacts(system, feet, {mu: friction})
+    contacts = Contacts(system, feet, {mu: friction}, hypothesis=hypothesis)
     names = ["x", "y", "a", "v_x", "v_y", "w", "foot0_normal"]
     exact = compared(contacts, [mu, e, J, a, vx], names, **TIGHT)
     assert len(exact.impacts) >= 2
+
+
+@pytest.mark.parametrize("ratio", [0.2, 0.9])
+def test_a_blow_through_bodies_that_touch(ratio):
+    """By Poisson's hypothesis one of them gives back more if the other presses it."""
+    places, rates = me.dynamicsymbols("x1:4"), me.dynamicsymbols("v1:4")
+    masses, ratios = sm.symbols("m1:4"), sm.symbols("e1:3")
+    points = [O.locatenew(f"P{k}", place * N.x) for k, place in enumerate(places)]
+    for point, rate in zip(points, rates, strict=True):
+        point.set_vel(N, rate * N.x)
+    bodies = [me.Particle(f"b{k}", *one) for k, one in enumerate(zip(points, masses, strict=True))]
+    loads = [(one, -mass * k * N.x) for one, mass in zip(points, masses, strict=True)]
+    system = System(
+        Definition(N, places, rates, bodies=bodies, loads=loads),
+        dict(zip(masses, (1.0, 1.5, 0.8), strict=True)) | {k: 0.1}, {}, "dop853",
+        dict(zip([*places, rates[0]], (0.0, 0.5, 1.0, 1.0), strict=True)), [0.0, 1.0],
+    )  # fmt: skip
+    gaps = [places[1] - places[0], places[2] - places[1] - 0.5]
+    touching = [
+        Unilateral(gap, restitution=own, name=str(own))
+        for gap, own in zip(gaps, ratios, strict=True)
+    ]
+    values = dict(zip(ratios, (0.7, ratio), strict=True))
+    contacts = Contacts(system, touching, values, hypothesis="poisson")
+    names = ["x1", "x2", "x3", "v1", "v2", "v3"]
+    exact = compared(contacts, [*masses, *ratios, rates[0]], names, **TIGHT)
+    assert len(exact.impacts) == 1
 
 
 def test_rebounds_that_accumulate_have_the_derivatives_of_their_limit():

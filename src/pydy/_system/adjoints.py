@@ -673,7 +673,7 @@ class Gradients(Setup):
         SingularMatrixError, IntegrationError
             As in `integrate`; also if the motion only grazes an event that changes it.
         NotImplementedError
-            With contacts: Poisson's hypothesis, events with resets, and what `Contacts.simulate`
+            With contacts: events with resets, and what `Contacts.simulate`
             has no sensitivities of; or an integral that jumps where a body stops in a plane.
         IntegrationInterrupted
             The user interrupted it; the error holds the motion so far, or all of it if it was

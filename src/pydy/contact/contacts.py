@@ -183,7 +183,7 @@ class Contacts:
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.
         NotImplementedError
-            Events with resets, sensitivities by samples, and those with Poisson's hypothesis.
+            Events with resets, and sensitivities by samples.
         IntegrationError
             As in `System.simulate`.
 
@@ -318,11 +318,6 @@ class Contacts:
             raise ValueError(
                 "`times` must have at least two values that differ, got "
                 f"{shown(times.tolist())}. Set `system.times`."
-            )
-        if columns is not None and self.hypothesis == "poisson":
-            raise NotImplementedError(
-                "Derivatives are not supported with `hypothesis='poisson'`. Use "
-                "`hypothesis='newton'`."
             )
         carried = columns and columns(kept.rows, now, self.system._dependent)
         return Run(kept, self.system, now, times, given, solver_kwargs, carried)

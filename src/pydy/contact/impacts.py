@@ -67,13 +67,29 @@ def contradiction(hypothesis: str, e: np.ndarray) -> str:
 
 
 @dataclass(frozen=True)
+class Phase:
+    """What a phase of an impact does."""
+
+    # (rows,), impulses beside those that are given, and the velocities after them.
+    forces: np.ndarray
+    rates: np.ndarray
+    modes: tuple[str, ...]
+    given: np.ndarray  # (contacts,), e Λ_C
+    leaves: Collection[int] = ()  # contacts with P = 0, which may move apart
+
+
+@dataclass(frozen=True)
 class Blow:
     """What an impact does."""
 
-    # (rows,), impulses, and the velocities after them.
-    forces: np.ndarray
-    rates: np.ndarray
-    modes: tuple[str, ...]  # at its end
+    forces: np.ndarray  # (rows,), all impulses
+    rates: np.ndarray  # the velocities after them
+    phases: tuple[Phase, ...]
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """The modes at its end."""
+        return self.phases[-1].modes
 
     def work(self, speed: np.ndarray) -> tuple[float, bool]:
         """Return the work of the impulses, and whether it would raise the energy."""
@@ -101,7 +117,8 @@ def newton(
     found = chosen(replace(problem, free=start, sizes=None), _options(problem))
     if found is None:
         return None
-    return Blow(found.forces, speed + problem.square @ found.forces, found.modes)
+    rates = speed + problem.square @ found.forces
+    return Blow(found.forces, rates, (Phase(found.forces, rates, found.modes, np.zeros(len(e))),))
 
 
 def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
@@ -114,8 +131,9 @@ def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
         normal = problem.normal[i]
         if normal is not None and pressing.modes[i] != OPEN:
             given[i] = known[normal] = e[i] * max(float(pressing.forces[normal]), 0.0)
+    first = Phase(pressing.forces, pressing.rates, pressing.modes, np.zeros(len(e)))
     if not given.any():
-        return Blow(pressing.forces, pressing.rates, pressing.modes)
+        return Blow(pressing.forces, pressing.rates, (first,))
     free = pressing.rates + problem.square @ known
     pushed = [int(i) for i in np.flatnonzero(given)]
     every = _options(problem)
@@ -140,7 +158,8 @@ def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
             apart = [n for i in leaves if (n := problem.normal[i]) is not None]
             if (found.rates[apart] < -SLACK * sizes[apart]).any():
                 continue
-            return Blow(pressing.forces + known + found.forces, found.rates, found.modes)
+            last = Phase(found.forces, found.rates, found.modes, given, leaves)
+            return Blow(pressing.forces + known + found.forces, found.rates, (first, last))
     return None
 
 

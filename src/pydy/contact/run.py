@@ -328,10 +328,10 @@ class Run:
             kept_of = {
                 i: 0.0 if i in rests else float(e[i])
                 for i in hit & closing
-                if p.speed[normals[i]] < 0.0
+                if p.speed[normals[i]] < 0.0 and not by_phases
             }
-            values = self.values(state.t, before)
-            d = self.carried.impact(values, p, blow, kept_of, frozenset(state.touching))
+            still = frozenset(() if by_phases else state.touching)
+            d = self.carried.impact(self.values(state.t, before), p, blow, kept_of, still)
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ blow.forces
@@ -370,6 +370,8 @@ class Run:
                     slower = v * later * a * by_e + v / a * by_free[normal]
                     faster = -e[i] * by_speed[normal] - p.speed[normal] * by_e
                     moved = self.carried.time + 2.0 * later * (faster + slower)
+                    if by_phases:  # others change the ratio from one rebound to the next
+                        moved = np.full(len(moved), np.nan)
                     record = replace(record, time_sensitivity=moved)
                 if limit <= self.times[-1]:
                     self.records.append(record)

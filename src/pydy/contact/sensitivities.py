@@ -28,7 +28,7 @@ from pydy._rank import DEPENDENT
 from pydy._system.sensitivities import Sensitive, Wanted
 from pydy._system.snapshot import Snapshot
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
-from pydy.contact.impacts import Blow
+from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers, by_name
 from pydy.contact.trajectory import Piece, PieceSensitivities
@@ -128,30 +128,59 @@ class Transitions:
     ) -> dict[str, np.ndarray]:
         """Apply the derivatives of an impact; return those of the rows before it.
 
-        The `values` are numbers before it, and it is `found` by Newton's hypothesis. `kept` is the
-        restitution of each contact that closes, zero where it rests; those that are `still` touched
-        before it.
+        The `values` are numbers before it. By Newton's hypothesis, `kept` is the restitution of
+        each contact that closes, zero where it rests; those that are `still` touched before it.
         """
-        d, f = self.slopes(values), found.forces
-        size, columns = len(f), len(self.time)
-        # Velocities after it are those of `start`, by Newton's hypothesis, and A p.
-        start = d["speed"].copy()
+        d = self.slopes(values)
+        # Velocities before impulses; normal ones are those of them that impulses take away.
+        moved = d["speed"].copy()
         for i, normal in enumerate(self.rows.normal):
             if normal is None:
                 continue
             if i in kept:
                 more = d["restitution"][i] if kept[i] > 0.0 else 0.0
-                start[normal] = d["speed"][normal] * (1.0 + kept[i]) + p.speed[normal] * more
+                moved[normal] = d["speed"][normal] * (1.0 + kept[i]) + p.speed[normal] * more
             elif i in still:
-                start[normal] = 0.0
-        moved = start + np.einsum("ijk,j->ik", d["square"], f)
-        matrix, right = np.eye(size), np.zeros((size, columns))
-        told: set[int] = set()  # rows whose accelerations are given; of the others forces are
-        for i, mode in enumerate(found.modes):
+                moved[normal] = 0.0
+        total = np.zeros_like(moved)  # of the impulses
+        for phase in found.phases:
+            impulses, slopes = phase.forces.copy(), np.zeros_like(moved)
+            given = np.zeros((len(phase.given), len(self.time)))
+            for i in np.flatnonzero(phase.given).tolist():  # e Λ_C, where e is not zero
+                e, normal = p.restitution[i], self.rows.normal[i]
+                given[i] = d["restitution"][i] * phase.given[i] / e + e * total[normal]
+                impulses[normal] += phase.given[i]
+                slopes[normal] = given[i]
+            moved = moved + np.einsum("ijk,j->ik", d["square"], impulses) + p.square @ slopes
+            own = self._impulses(d, p, phase, given, moved)
+            moved = moved + p.square @ own
+            total = total + slopes + own
+        change = np.einsum("ijk,j->ik", d["moves"], found.forces) + p.moves @ total
+        self.total = self.total.copy()
+        self.total[self._first : self._first + len(change)] += change
+        return d
+
+    def _impulses(
+        self,
+        d: Mapping[str, np.ndarray],
+        p: Numbers,
+        phase: Phase,
+        given: np.ndarray,
+        moved: np.ndarray,
+    ) -> np.ndarray:
+        """Return the derivatives of a phase's impulses beside what is `given`.
+
+        What is `moved` are velocities after it but for what these derivatives add.
+        """
+        f = phase.forces
+        matrix, right = np.eye(len(f)), np.zeros_like(moved)
+        told: set[int] = set()  # rows whose velocities are given; of the others impulses are
+        for i, mode in enumerate(phase.modes):
             normal, tangent = self.rows.normal[i], list(self.rows.tangent[i])
             if mode == OPEN or normal is None:
                 continue
-            held = [normal, *(tangent if mode in (STICKS, CLOSED) else ())]
+            held = [] if i in phase.leaves else [normal]
+            held += tangent if mode in (STICKS, CLOSED) else ()
             matrix[held], right[held] = p.square[held], -moved[held]
             told.update(held)
             if mode not in SLIDES:
@@ -159,23 +188,21 @@ class Transitions:
             if mode != STARTING:
                 unit, turning = np.array([SLIDES[mode]]), np.zeros((1, 1))
             else:
-                after = found.rates[tangent]
+                after = phase.rates[tangent]
                 unit = after / np.linalg.norm(after)
                 turning = (np.eye(2) - np.outer(unit, unit)) / np.linalg.norm(after)
-            push = p.mu[i] * f[normal]
+            press = phase.given[i] + f[normal]
+            push = p.mu[i] * press
             matrix[tangent, normal] += p.mu[i] * unit
             matrix[tangent] += push * turning @ p.square[tangent]
             right[tangent] = (
-                -np.outer(unit, d["mu"][i] * f[normal]) - push * turning @ moved[tangent]
+                -np.outer(unit, d["mu"][i] * press + p.mu[i] * given[i])
+                - push * turning @ moved[tangent]
             )
-        for row in {*range(size)} - told:
+        for row in {*range(len(f))} - told:
             matrix[row] *= p.square[row, row]
             right[row] *= p.square[row, row]
-        slope = _least(matrix, right, p.square.diagonal())
-        change = np.einsum("ijk,j->ik", d["moves"], f) + p.moves @ slope
-        self.total = self.total.copy()
-        self.total[self._first : self._first + len(change)] += change
-        return d
+        return _least(matrix, right, p.square.diagonal())
 
     def project(self, values: Mapping[Any, float], p: Numbers, held: Sequence[int]) -> None:
         """Project D on what rows that are held leave free."""
