@@ -277,9 +277,10 @@ def test_a_mesh_that_is_much_too_coarse_warns():
         problem.solve()
 
 
-def test_errors_of_intervals_that_add_up_are_warned_of():
+def test_errors_of_intervals_that_add_up_are_warned_of(monkeypatch):
     # In the middle of intervals the angle may be a turn off, which the equations do not see: the
     # objective is right, and the control between the points brings the bead elsewhere.
+    monkeypatch.setattr("pydy.control.search._without_turns", lambda nlp, z, parts: z)
     system, (x, y, v, angle) = optima.brachistochrone()
     asked = {"end": {x: 2.0, y: 2.0}, "bounds": {TF: (0.1, 5.0)}, "method": "hermite-simpson"}
     guess = {v: [0.0, 6.0], angle: [0.0, 1.5]}
@@ -289,6 +290,24 @@ def test_errors_of_intervals_that_add_up_are_warned_of():
     system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, dop853
     missed = np.abs(system.simulate(rtol=1e-9, atol=1e-9).states[-1] - found.states[-1])
     assert missed.max() > 1.0
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
+def test_an_angle_as_a_control_has_no_turns_that_nothing_depends_on(method):
+    system, (x, y, v, angle) = optima.brachistochrone()
+    asked = {"end": {x: 2.0, y: 2.0}, "bounds": {TF: (0.1, 5.0)}, "method": method}
+    found = system.optimize_trajectory(
+        TF, TF, guess={v: [0.0, 6.0], angle: [0.0, 1.5]}, mesh=40, **asked
+    )
+    assert np.abs(np.diff(found[angle])).max() < 0.1
+    assert -0.1 < found[angle].min() < found[angle].max() < 1.5
+    assert found.error.max() < 1e-3
+    # A number that is no angle stays where its square says.
+    system, (x, v, F) = optima.double_integrator()
+    found = system.optimize_trajectory(
+        sm.Integral((F - 100 * T) ** 2, T), 1.0, mesh=2, order=2, end={v: 50.0}
+    )
+    np.testing.assert_allclose(found[F], 100 * found.times, atol=1e-6)
 
 
 def test_a_duration_of_zero_is_told():

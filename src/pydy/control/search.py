@@ -25,7 +25,7 @@ from pydy.control.refine import (
 from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
 from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription, sizes_of
-from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS
+from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS, TOLERANCE
 
 Found = TypeVar("Found")
 # A problem on its mesh: its program, and where its unknowns are in the whole one.
@@ -285,6 +285,8 @@ class Search(Generic[Found]):
         if isinstance(last, OptimalTrajectory) and last.is_on(parts[0][0]):
             warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
         solution: Solution = search(nlp, start, watch=watch, warm=warm)
+        if solution.status in SOLVED:
+            solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
         phases, first = [], 0
         for problem, (one, program, at) in zip(self._problems, parts, strict=True):
             part = solution
@@ -322,6 +324,30 @@ class Search(Generic[Found]):
                 found,
             )
         return found, phases
+
+
+def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray:
+    """Return the unknowns without jumps of controls by whole turns, if nothing depends on those.
+
+    The equations of a point see an angle but for turns; between the points its polynomial does not.
+    """
+    for made, _, own in parts:
+        order = np.argsort(made.control_places, kind="stable")
+        for i in range(len(made.problem.controls)):
+            at = own[made.sizes[0] + i * len(order) + order]
+            turns = np.append(0.0, np.cumsum(np.round(np.diff(z[at]) / (2 * np.pi))))
+            if not turns.any():
+                continue
+            other = z.copy()
+            other[at] -= 2 * np.pi * (turns - np.median(turns).round())
+            both = [
+                np.append(nlp.native("rows", y)[0], nlp.native("cost", y)[0])
+                for y in (z / nlp.sizes, other / nlp.sizes)
+            ]
+            allowed = (nlp.lower <= other) & (other <= nlp.upper)
+            if allowed.all() and (np.abs(both[1] - both[0]) <= TOLERANCE).all():
+                z = other
+    return z
 
 
 def _check_freedom(nlp: Nlp) -> None:
