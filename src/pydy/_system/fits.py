@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
 from itertools import pairwise
@@ -34,15 +35,18 @@ from pydy._names import few, some, unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
+from pydy._system.scipy_solvers import SolveIvp, call_odeint, is_odeint
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial
 from pydy._system.tuning import FIT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.analysis.tuning import LEAST_SIZE
+from pydy.solvers.solver import SOLVERS
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
+_IMPLICIT = 2  # what odeint calls its method for stiff equations
 # Iterations that solvers can count to.
 _MOST = 2**31 - 1
 # The size of a state from which the first simulations are done again with its tolerance.
@@ -148,6 +152,29 @@ class _Fit:
         x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
         start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.plan.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
+
+    def choose_solver(self) -> None:
+        """Take 'radau' for SciPy's implicit methods, and where odeint goes over to its own.
+
+        Equations are stiff there: an explicit method takes as many steps as keep it stable,
+        whatever its tolerance.
+        """
+        own, part, times = self.system.ode_solver, self.parts[0][0], self.data[0].times
+        times = np.unique(np.append(part.begin, times[part.first : part.last]))
+        stiff = isinstance(own, SolveIvp) and own.method.__name__ in ("Radau", "BDF")
+        if is_odeint(own) and "events" not in self.options and len(times) > 1:
+            self._set(self.start, 0, part, times)
+            now = self.runner._now()
+
+            def rates(x: np.ndarray, t: float) -> np.ndarray:
+                found: np.ndarray = now.derivatives(np.array([t]), x[None])[0]
+                return found
+
+            with suppress(RuntimeError, SingularMatrixError):  # which the fit itself tells
+                _, info = call_odeint(rates, now.x, times, (), self.order, {})
+                stiff = bool(np.mean(info["mused"] == _IMPLICIT) > 0.5)
+        if stiff:
+            self.runner.ode_solver = SOLVERS["radau"]
 
     def _split(self, d: Data, segments: int) -> list[_Part]:
         m = len(d.times)
@@ -647,8 +674,9 @@ class Fitting(Setup):
         progress : bool, optional
             Show a progress bar; requires tqdm.
         **solver_kwargs
-            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
-            `atol` are 1e-9 by default. With collocation, those of `solver`.
+            Options of the native solver; `rtol` and `atol` are 1e-9 by default. If `ode_solver` is
+            not native it is ``'radau'`` for SciPy's implicit methods, and where odeint takes its
+            own for stiff equations, else ``'dop853'``. With collocation, those of `solver`.
 
         Returns
         -------
@@ -692,6 +720,8 @@ class Fitting(Setup):
         own = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
         _check_method(collocated, segments, own, solver_kwargs)
         work = _Fit(self, parameters, given, segments, {} if collocated else solver_kwargs)
+        if not collocated:
+            work.choose_solver()
         z = work.guess()
         work.limits = _bounds(work, bounds, len(z))
         z = np.clip(z, *work.limits)
