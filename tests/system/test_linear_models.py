@@ -410,3 +410,61 @@ def test_what_is_not_finite_is_an_error_and_no_warning_of_numpy(constraints, fun
     if not function:
         with pytest.raises(ValueError, match=r"not finite|cannot be solved"):
             system.eigenvalues({force: [0.0, 1.0]}, at=np.zeros(4))
+
+
+def on_a_line(force, at):
+    """A particle that a force pushes, at x, with the input F and the constant k."""
+    x, push = me.dynamicsymbols("x F")
+    k = sm.Symbol("k")
+    frame, place = me.ReferenceFrame("N"), me.Point("P")
+    place.set_vel(frame, x.diff() * frame.x)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, force(x, push, k) * frame.x)]
+    system = System(Definition(frame, [x], bodies=bodies, loads=loads))
+    system.constants = dict.fromkeys(system.constants_symbols, 1.0)
+    system.initial_conditions = {x: at}
+    return system
+
+
+@pytest.mark.parametrize(
+    ("force", "at", "what"),
+    [
+        (
+            lambda x, F, k: -k * sm.Abs(x),
+            0.0,
+            r"x\(t\) = 0: .* slope -1 on one side .* 1 on",
+        ),
+        (
+            lambda x, F, k: -k * sm.Max(k, x),
+            1.0,
+            r"x\(t\) = 1: .* slope -?[01] .* and -?[01] on the",
+        ),
+        (
+            lambda x, F, k: sm.Piecewise((-x, x < 0), (-3 * k * x, True)),
+            0.0,
+            "slope -[13] .* -[13]",
+        ),
+        (lambda x, F, k: -k * x - sm.sign(x.diff()), 0.0, r"\(x\(t\), t\) = 0: .* jumps by 2"),
+        (lambda x, F, k: -k * x + sm.Max(F, 0), 0.5, r"F\(t\) = 0: .* slope [01] .* and [01] on"),
+    ],
+)
+def test_a_kink_is_told_with_its_place_and_both_slopes(force, at, what):
+    system = on_a_line(force, at)
+    with pytest.warns(PyDyUserWarning, match=what) as told:
+        system.linearize()
+    assert len(told) == 1
+    system.linearize({"x": at + 0.1, system.speeds[0]: 0.1}, inputs=[])
+
+
+@pytest.mark.parametrize(
+    "force",
+    [
+        lambda x, F, k: -k * x * sm.Abs(x),
+        lambda x, F, k: -k * sm.Max(0, x) ** sm.Rational(3, 2),
+        lambda x, F, k: -k * sm.sin(sm.atan2(x, -1)),
+        lambda x, F, k: sm.Piecewise((-k * x, x < 0), (-k * sm.sin(x), True)),
+        lambda x, F, k: sm.Piecewise((-x, k < 1), (-2 * x, True)),
+        lambda x, F, k: -x * sm.Abs(k - 1),
+    ],
+)
+def test_what_is_smooth_is_not_told_of(force):
+    on_a_line(force, 0.0).linearize()  # a warning would be an error

@@ -9,6 +9,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 
 _COMPARED = ("lt", "le", "eq", "ne")
+_EXTREMES = ("max", "min")
 _WHOLE = ("floor", "ceil")
 
 
@@ -30,7 +31,7 @@ def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[in
             branching.update(operands if graph.ops[n] != "log" else ())
     for n in branching:
         args = graph.args[n]
-        if graph.ops[n] in ("max", "min", "lt", "le"):
+        if graph.ops[n] in (*_EXTREMES, "lt", "le"):
             found.add(graph.scaled(graph.sub(*args))[1])
         elif graph.ops[n] in ("abs", "sign"):
             found.add(graph.scaled(args[0])[1])
@@ -48,8 +49,13 @@ def _turning(graph: Graph, node: int) -> int:
     return graph.call("sin", graph.mul(graph.const(math.pi), node))
 
 
-def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], list[int]]:
-    """Return what nodes are above and below one of their switches, each continued beyond it."""
+def sides(
+    graph: Graph, nodes: Sequence[int], switch: int, bends: bool = False
+) -> tuple[list[int], list[int]]:
+    """Return what nodes are above and below one of their switches, each continued beyond it.
+
+    The larger and smaller of two are continued if what only `bends` there is to be, too.
+    """
     above: dict[int, int] = {}
     below: dict[int, int] = {}
     for node in graph.reachable(nodes):
@@ -60,9 +66,10 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
             above[node], below[node] = floor, graph.sub(floor, graph.one)
         if op == "log" and graph.ops[args[0]] == "abs":
             above[node] = below[node] = node
-        if op not in (*_COMPARED, "abs", "sign", "atan2"):
+        extremes = _EXTREMES if bends else ()
+        if op not in (*_COMPARED, *extremes, "abs", "sign", "atan2"):
             continue
-        own = graph.sub(*args) if op in _COMPARED else args[0]
+        own = graph.sub(*args) if op in (*_COMPARED, *extremes) else args[0]
         size, core = graph.scaled(own)
         if switch not in (core, graph.neg(core)):
             continue
@@ -73,6 +80,8 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
                 ahead = graph.call("atan", graph.mul(args[0], graph.powi(args[1], -1)))
                 behind = graph.call("lt", args[1], graph.zero)
                 made[node] = graph.call("select", behind, graph.add(ahead, turn), node)
+            elif op in extremes:
+                made[node] = args[0] if positive == (op == "max") else args[1]
             elif op in _COMPARED:
                 made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
             else:

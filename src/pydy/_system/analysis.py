@@ -13,6 +13,7 @@ from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._names import unique_names
 from pydy._system.balance import Point
+from pydy._system.jumps import warn_of_kinks
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot, samples
@@ -108,7 +109,8 @@ class LinearModels(Setup):
         Warns
         -----
         PyDyUserWarning
-            A state does not satisfy the constraints.
+            A state does not satisfy the constraints; or a load or rate has a kink or a jump there,
+            of which the model knows one side.
 
         Examples
         --------
@@ -166,6 +168,7 @@ class LinearModels(Setup):
                 f"{_which(k, len(x))}: there is no linear model. `evaluate_ode` and "
                 "`evaluate_jacobian` say where they are not."
             )
+        warn_of_kinks(point, T, free, columns)
         A, B, C, D, rates = (part[0] if single else part for part in parts)
         return LinearModel(
             A, B, C, D,

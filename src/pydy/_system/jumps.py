@@ -15,7 +15,8 @@ from pydy._errors import warn_user
 from pydy._graph.branches import sides, switches
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rewrite import substitute
-from pydy._rank import HALF
+from pydy._graph.rounding import rounding_bounds
+from pydy._rank import HALF, ROUNDING
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
 
@@ -23,19 +24,47 @@ _IN_TIME = 4096  # times that functions of time alone are looked at
 
 
 def _switched(
-    assembly: Assembly, nodes: Sequence[int], searched: Sequence[int], inputs: str, others: str = ""
+    assembly: Assembly,
+    nodes: Sequence[int],
+    searched: Sequence[int],
+    inputs: str,
+    others: str = "",
+    bends: bool = False,
 ) -> tuple[list[int], dict[str, list[int]]]:
     """Return what the `searched` switch at by `inputs`, and `others`, and blocks of nodes."""
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
     for switch in switches(graph, searched, whole=True):
-        above, below = sides(graph, nodes, switch)
+        above, below = sides(graph, nodes, switch, bends)
         held = graph.inputs_of([switch])
         if above != below and held & {*inputs} and held <= {*inputs, *others}:
             found.append(switch)
             steps += map(graph.sub, above, below)
     return found, {"nodes": [*nodes] if found else [], "switches": found, "steps": steps}
+
+
+def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], list[int]]:
+    """Return rates, with loads in place of u' where they tell all; and what is searched in them."""
+    graph, nodes = assembly.graph, [*assembly.rates]
+    if len(assembly.forcing) != len(assembly.speeds):
+        return nodes, nodes
+    # Without the pivots by which constraints reduce the mass matrix, which switch, too.
+    matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
+    if switches(graph, matrix, whole=True):
+        return nodes, nodes
+    own = slice(coordinates, coordinates + len(assembly.speeds))
+    # What else holds u', as the rates of what residuals give for speeds, is searched with loads in
+    # its place.
+    pairs = zip(nodes[own], assembly.forcing, strict=True)
+    loads = {u: load for u, load in pairs if graph.operands(u)}
+    nodes[own] = assembly.forcing
+    return nodes, substitute(graph, nodes, loads)
+
+
+def _inputs(assembly: Assembly, groups: str) -> list[int]:
+    sizes = dict(zip("xrp", assembly.sizes, strict=True))
+    return [assembly.graph.input(group, k) for group in groups for k in range(sizes[group])]
 
 
 @dataclass(frozen=True)
@@ -46,25 +75,28 @@ class Jumps:
     integral: Any = None
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph, nodes = assembly.graph, [*assembly.rates]
+        nodes, searched = _loads_and_rates(assembly, self.coordinates)
         if self.integral is not None:
-            nodes.append(node_of(assembly, self.integral, "`integral`"))
-        searched = nodes
-        if len(assembly.forcing) == len(assembly.speeds):
-            # Without the pivots by which constraints reduce it, which switch, too.
-            matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
-            if not switches(graph, matrix, whole=True):
-                own = slice(self.coordinates, self.coordinates + len(assembly.speeds))
-                # What else holds u', as the rates of what residuals give for speeds, is searched
-                # with loads in its place.
-                pairs = zip(nodes[own], assembly.forcing, strict=True)
-                loads = {u: load for u, load in pairs if graph.operands(u)}
-                nodes[own] = assembly.forcing
-                searched = substitute(graph, nodes, loads)
+            more = node_of(assembly, self.integral, "`integral`")
+            nodes, searched = [*nodes, more], [*searched, more]
         found, blocks = _switched(assembly, nodes, searched, "xrp", "t")
-        groups = zip("xrp", assembly.sizes, strict=True)
-        by = [graph.input(group, k) for group, size in groups for k in range(size)]
-        return {**blocks, "slopes": dense_jacobian(graph, found, by)}
+        return {**blocks, "slopes": dense_jacobian(assembly.graph, found, _inputs(assembly, "xrp"))}
+
+
+@dataclass(frozen=True)
+class Kinks:
+    """What rates switch at, what rounding makes of that, and their derivatives on both sides."""
+
+    coordinates: int
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph, by = assembly.graph, _inputs(assembly, "xr")
+        nodes, searched = _loads_and_rates(assembly, self.coordinates)
+        found, blocks = _switched(assembly, nodes, searched, "xr", "tp", bends=True)
+        both = [n for switch in found for side in sides(graph, nodes, switch, True) for n in side]
+        moves, slopes = (dense_jacobian(graph, nodes, by) for nodes in (found, both))
+        bounds = rounding_bounds(graph, found)
+        return {**blocks, "moves": moves, "slopes": slopes, "bounds": bounds}
 
 
 def node_of(assembly: Assembly, term: Any, argument: str) -> int:
@@ -140,6 +172,48 @@ def warn_of_jumps(
         Passed.of(motion.times, motion._dense, motion.events, columns), found, evaluate
     ):
         warn_user(told)
+
+
+def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int]) -> None:
+    """Warn of the first state in which rates have a kink or jump along what they are linear in.
+
+    That is along the tangents T, (m, n, k) of the `free` states, and the specifieds in `columns`.
+    """
+    definition, (m, n, _) = at.definition, T.shape
+    equations, states = definition.equations, definition.states
+    parts = Kinks(len(equations.coordinates))
+    if not _switches(at, parts):
+        return
+    found, w = at.values(parts), len(definition.specifieds)
+    near = np.abs(found["switches"]) <= ROUNDING * found["bounds"]
+    count, width = near.shape[1], found["nodes"].shape[1]
+    steps = np.abs(found["steps"].reshape(m, count, width))
+    steps[steps <= HALF * np.abs(found["nodes"])[:, None]] = 0.0
+    moves = found["moves"].reshape(m, count, 1, n + w)
+    sides = found["slopes"].reshape(m, count, 2 * width, n + w)
+    own, rows = np.concatenate([moves, sides], axis=2), np.broadcast_to(at.r, (m, w))
+    for k, switch in np.argwhere(near):
+        with np.errstate(all="ignore"):  # what is not finite is told of where it is used
+            along = own[k, switch, :, :n] @ T[k]
+            along = np.concatenate([along, own[k, switch, :, n:][:, [*columns]]], axis=1)
+        above, below = along[1 : 1 + width], along[1 + width :]
+        largest = np.maximum(np.abs(above), np.abs(below))
+        turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
+        for row, place in np.argwhere(turns & (along[0] != 0.0))[:1]:
+            symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
+            value = [*at.x[k, free], *rows[k, [*columns]]][place]
+            speed = row < len(states) and states[row] in equations.speeds
+            what = f"jumps by {steps[k, switch, row]:.3g}"
+            if not steps[k, switch, row]:
+                what = f"has the slope {above[row, place]:.3g} on one side by it"
+                what += f" and {below[row, place]:.3g} on the other"
+            warn_user(
+                f"There is no linear model for both sides of t = {at.t[k]:.6g}, "
+                f"{symbols[place]} = {value:.6g}: the {'load on' if speed else 'rate of'} "
+                f"{states[row]} {what}. What is returned takes one side. Linearize beside it, or "
+                "give a smooth expression."
+            )
+            return
 
 
 def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
