@@ -48,6 +48,30 @@ def test_transitions_and_users_events_are_told_of_each_sample():
     assert result["y"].shape == (2,)
 
 
+def test_samples_have_the_sensitivities_that_they_have_alone():
+    system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=e, mu=mu)
+    system.constants.update({J: 0.4, e: 0.3, mu: 0.3})
+    system.initial_conditions = {y: 1.0, a: 0.4, vx: 1.0}
+    system.times = np.linspace(0.0, 0.6, 4)
+    contacts, wrt = Contacts(system, feet), [mu, e, a]
+    given = {"contacts": contacts, "constants": {mu: [0.3, 2.0]}, "sensitivities": iter(wrt)}
+    whole = system.integrate_ensemble(**given, workers=2, **TIGHT)
+    reduced = ["final", ("events", 1), ("max", "v_x")]
+    given["sensitivities"] = wrt
+    few = system.integrate_ensemble(**given, reduce=reduced, **TIGHT)
+    for row, friction in enumerate([0.3, 2.0]):
+        system.constants[mu] = friction
+        alone = contacts.simulate(sensitivities=wrt, **TIGHT)
+        first = next(one for one in alone.events if one.name == "foot0 closes")
+        for name in ("x", "w", "foot0_normal", "foot1_gap"):
+            slopes = whole.sensitivity.sel(quantity=name).values[row]
+            wanted = np.stack([alone.sensitivity[name, one] for one in wrt], axis=1)
+            assert slopes == pytest.approx(wanted, abs=1e-12)
+            assert few.sensitivity.sel(quantity=name).values[row] == pytest.approx(wanted[-1])
+        times = few["foot0 closes_times_sensitivity"].values[row, 0]
+        assert times == pytest.approx(first.time_sensitivity)
+
+
 def test_a_sample_without_a_motion_is_lost_alone():
     # Painlevé's paradox: J + cos a (cos a − μ sin a) < 0 for the largest friction.
     system, feet = falling_body([(-1.0, 0.0)], mu=mu)
@@ -57,6 +81,11 @@ def test_a_sample_without_a_motion_is_lost_alone():
     contacts = Contacts(system, feet, {mu: 0.5})
     result = system.integrate_ensemble(contacts=contacts, constants={mu: [0.3, 3.0, 0.6]})
     assert list(result.status.values) == [0, 22, 0]
+    slopes = system.integrate_ensemble(
+        contacts=contacts, constants={mu: [0.3, 3.0, 0.6]}, sensitivities=[mu]
+    ).sensitivity
+    assert np.isfinite(slopes.values[[0, 2]]).all()
+    assert np.isnan(slopes.values[1]).all()
     assert "contacts_impossible" in result.status.attrs["flag_meanings"].split()
     assert np.isnan(result["x"].values[1]).all()
     assert np.isfinite(result["foot0_normal"].values[[0, 2]]).all()
@@ -99,8 +128,6 @@ def test_what_is_no_contacts_of_the_system_is_named():
         other.integrate_ensemble(contacts=contacts, initial_conditions={y: [1.0]})
     with pytest.raises(TypeError, match="`contacts` must be Contacts of this System, got"):
         system.integrate_ensemble(contacts=[floor], initial_conditions={y: [1.0]})
-    with pytest.raises(NotImplementedError, match="`sensitivities` of ensembles with contacts"):
-        system.integrate_ensemble(contacts=contacts, sensitivities=[g])
 
 
 def test_a_sample_that_begins_below_the_floor_is_told_and_others_go_on():

@@ -61,7 +61,7 @@ def differentiated(
     tied, wanted = sensitive.tied, sensitive.columns.wanted
     events = options.get("events")
     return EnsembleSensitivities(
-        names=column_names({p.symbol: p.count for p in sensitive.parameters}),
+        columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
         rates=sensitive.tangent(),
         outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
         start=sensitive.independent(),
@@ -478,14 +478,11 @@ class Ensembles(Setup):
         workers = None if workers is None else whole(workers, "`workers`")
         motions = None
         if contacts is not None:
-            if sensitivities is not None:
-                raise NotImplementedError(
-                    "`sensitivities` of ensembles with contacts are not supported yet: simulate "
-                    "the samples one by one, with `Contacts.simulate`."
-                )
             columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()
-            motions = contacts.motions(now, solver, common, columns, solver_kwargs)
-            names = _Names(definition, (), motions.outputs)
+            wanted = {"sensitivities": sensitivities, "control_sensitivities": control}
+            motions = contacts.motions(now, solver, common, columns, {**solver_kwargs, **wanted})
+            more = (SENSITIVITY, QUANTITY, PARAMETER) if motions.columns else ()
+            names = _Names(definition, more, motions.outputs)
         else:
             names = _Names.latest(now, sensitivities is not None)
         axes = _Axes(product, names)
@@ -527,7 +524,7 @@ class Ensembles(Setup):
         if ready is None or not ready.suits(plan, solver, given):
             ready = Ready(definition, now.model, plan, solver, given)
         integrated, options, beside = ready.model, ready.options, None
-        if sensitivities is not None:
+        if sensitivities is not None and motions is None:
             sensitive = Sensitive.of(now, integrated, plan, sensitivities, self._dependent)
             options = sensitive.stepped(solver, options)
             beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)

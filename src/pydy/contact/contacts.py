@@ -12,7 +12,9 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
+from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
+from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.analysis.adjoint import AdjointGradient
@@ -349,6 +351,13 @@ class Motions:
         self.contacts.system = system = copy(contacts.system)
         system.ode_solver = solver
         system.specifieds = {**system.specifieds, **specifieds}
+        self.columns: tuple[str, ...] = ()
+        wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
+        if wanted is not None:
+            made = Sensitive.of(now, now.model, now.plan, wanted, system._dependent)
+            wanted = [p.symbol for p in made.parameters]
+            self.columns = column_names({p.symbol: p.count for p in made.parameters})
+        self._wanted = _columns(wanted, self._control)
         given = self.options.pop("events", None)
         self._given = (
             [] if given is None else [*check_events(given, now.definition.places["states"])]
@@ -364,7 +373,8 @@ class Motions:
         """What tells them from others of the same equations, numbers and options."""
         events = [(e.name, e.expression, e.direction, e.terminal) for e in self._given]
         held = self.options.get("constraints")
-        return self.contacts.hypothesis, events, held, self.contacts._now()[1].rows.identity
+        about = self.contacts.hypothesis, events, held, self.columns, self._control
+        return *about, self.contacts._now()[1].rows.identity
 
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
@@ -379,7 +389,7 @@ class Motions:
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
         system.specifieds = {**system.specifieds, **varied}
         system.times = times
-        run = contacts._run(self._given, **self.options)
+        run = contacts._run(self._given, self._wanted, **self.options)
         code, motion = FINISHED, None
         try:
             motion = run.trajectory()
@@ -396,4 +406,7 @@ class Motions:
         info = {**run.totals, "code": code, "time": end, "events": records, "nearness": 1.0}
         if motion is None:
             return np.empty((0, len(x))), np.empty((0, len(self.outputs))), info
+        if self.columns:
+            found = motion.sensitivity
+            info["columns"] = np.concatenate([found.values, found.outputs], axis=1)
         return motion.states, motion.outputs, info

@@ -50,10 +50,10 @@ class Ensemble:
     @cached_property
     def sizes(self) -> tuple[int, ...]:
         """The sizes of blocks along each dimension."""
-        model, beside = self.work.model, self.work.model.sensitivities
+        model = self.work.model
         # Work with few samples goes to all threads; large results come in pieces.
         row = 8.0 * len(self.work.names) * (8 if self.work.reductions else len(model.times))
-        row *= 1 if beside is None else 1 + len(beside.names)
+        row *= 1 + len(model.columns)
         # One by one takes long: an interrupt should find blocks that are finished.
         most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
         default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 class EnsembleSensitivities:
     """Derivatives of all trajectories by the same parameters."""
 
-    names: tuple[str, ...]  # of the k columns
+    columns: tuple[str, ...]  # the names of the k columns
     rates: Tangent  # the derivatives of states and columns by time
     outputs: Program | None  # the derivatives of the outputs, shape (o, k)
     start: np.ndarray  # (n, k): those of the initial states; zero for the dependent ones
@@ -68,7 +68,7 @@ class EnsembleSensitivities:
     def identity(self) -> Any:
         """What tells it from others, besides the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
-        return self.names, self.start, self.dependent, samples, self.sized
+        return self.columns, self.start, self.dependent, samples, self.sized
 
     @property
     def further(self) -> int:
@@ -135,6 +135,7 @@ class Motions(Protocol):
     """How samples move that have transitions of their own, as with contacts."""
 
     events: tuple[str, ...]  # their names; records hold the places
+    columns: tuple[str, ...]  # what sensitivities are by
 
     @property
     def identity(self) -> Any:
@@ -143,7 +144,10 @@ class Motions(Protocol):
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
-        """Return states and outputs up to where a motion came, and what `Results.note` needs."""
+        """Return states and outputs up to where a motion came, and what `Results.note` needs.
+
+        With sensitivities that has their ``'columns'``, (times, n + o, k).
+        """
         ...
 
 
@@ -181,6 +185,12 @@ class Model:
         return self.method != "radau" and not self.functions and not asks
 
     @property
+    def columns(self) -> tuple[str, ...]:
+        """What sensitivities are by."""
+        beside = self.motions or self.sensitivities
+        return () if beside is None else beside.columns
+
+    @property
     def event_names(self) -> tuple[str, ...]:
         """What may happen."""
         if self.motions is not None:
@@ -197,7 +207,8 @@ class Results:
     # integrated, and 'nearness', how near constraints that projection holds came to losing rank
     told: dict[str, np.ndarray]
     records: dict[int, list[EventRecord]] = field(default_factory=dict)  # by sample
-    columns: np.ndarray | None = None  # (n, k, m, times): sensitivities of the states
+    # (n, k, m, times): sensitivities of the states, and of the outputs of `Motions` after them.
+    columns: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
     stretches: list[str] = field(default_factory=list)  # what is to be told of events at zero
 
@@ -303,12 +314,17 @@ class Batch:
         m, n = self.x.shape
         results = self._begun(times, states, n)
         results.outputs = np.full((len(self.model.output_names), m, len(times)), np.nan)
+        if motions.columns:
+            shape = n + len(results.outputs), len(motions.columns), m, len(times)
+            results.columns = np.full(shape, np.nan)
         for k in range(m):
             if self.stopped():
                 raise KeyboardInterrupt
             found, outputs, info = motions(self.x[k], self.r[k], self.p[k], times)
             results.states[:, k, : len(found)] = found.T
             results.outputs[:, k, : len(outputs)] = outputs.T
+            if results.columns is not None and len(found):
+                results.columns[:, :, k, : len(found)] = np.moveaxis(info["columns"], 0, -1)
             results.note(k, info)
         return results
 
@@ -382,7 +398,7 @@ class Batch:
         """Integrate states with their sensitivities, where these are determined at the start."""
         from pydy._errors import warn_user
 
-        (m, n), columns = self.x.shape, len(beside.names)
+        (m, n), columns = self.x.shape, len(beside.columns)
         whole = np.empty((n * (1 + columns), m, len(times)))
         batch, codes = self._begun_with_columns(beside, float(times[0]))
         started = codes == FINISHED
@@ -488,7 +504,8 @@ class Batch:
     ) -> np.ndarray:
         """Return the sensitivities of the outputs, (o, k, m, times), from those of the states."""
         beside = self.model.sensitivities
-        assert beside is not None
+        if beside is None:  # those of `Motions` have them
+            return columns[:0]
         n, k, m, number = columns.shape
         whole = np.concatenate([states, columns.reshape(n * k, m, number)])
         found = self.beside().evaluate(beside.outputs, times, whole)

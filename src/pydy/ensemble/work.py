@@ -335,18 +335,17 @@ class Work:
     @property
     def labels(self) -> dict[str, list[str]]:
         """What stands along the dimensions of sensitivities."""
-        if self.model.sensitivities is None:
+        if not self.model.columns:
             return {}
         quantities = [*self.names]
         if self.reductions and not self.function:
             others = [e for e in self.reductions if not isinstance(e, _EventTimes)]
             quantities = [name for entry in others for name in _produced(entry, self.model)]
-        return {QUANTITY: quantities, PARAMETER: list(self.model.sensitivities.names)}
+        return {QUANTITY: quantities, PARAMETER: list(self.model.columns)}
 
     def _events(self, results: Results, occurrences: int) -> dict[str, Variable]:
         """Return how often each event happened, its first times, and their derivatives."""
-        beside = self.model.sensitivities
-        m, columns = len(results.told["status"]), 0 if beside is None else len(beside.names)
+        m, columns = len(results.told["status"]), len(self.model.columns)
         found = {}
         for index, name in enumerate(self.model.event_names):
             when = np.full((m, occurrences), np.nan)
@@ -357,7 +356,7 @@ class Work:
                 count[k] = len(mine)
                 for place, record in enumerate(mine[:occurrences]):
                     when[k, place] = record.time
-                    if columns:
+                    if record.time_sensitivity is not None:
                         slopes[k, place] = record.time_sensitivity
             found[f"{name}_count"] = Variable((), count, {"role": "event"})
             found[f"{name}_times"] = Variable(("occurrence",), when, {"role": "event"})
