@@ -14,6 +14,8 @@ from cases import close
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.solvers import Event
+from pydy.solvers.run.integration import Integration
+from pydy.solvers.run.workspace import Workspace
 from pydy.system import System
 
 T = me.dynamicsymbols._t
@@ -411,6 +413,40 @@ def test_a_bouncing_ball_bounces_as_the_closed_form_says(solver):
     up = np.sqrt(2 * 9.81) * factor ** (k + 1)
     height = np.where(k < 0, 1 - 9.81 * times**2 / 2, up * since - 9.81 * since**2 / 2)
     close(x[:, 0], height, 1e-8)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_resets_in_compiled_code_are_those_of_python(solver, monkeypatch):
+    own, seen, acted = Workspace._acting, Integration._act, []
+    monkeypatch.setattr(Integration, "_act", lambda one: acted.append(one) or seen(one))
+    times = np.linspace(0.0, 12.0, num=31)
+    few = [bounce(0.95), Event(V, name="top"), Event(T - 5, reset={V: V + 1}, name="push")]
+    found = []
+    for alone in (own, lambda *given: ([0] * 3, np.zeros(1), np.zeros(1))):
+        monkeypatch.setattr(Workspace, "_acting", alone)
+        acted.clear()
+        x, info = run(ball(solver, times=times), few, dense_output=True)
+        assert (len(acted) > 10) == (alone is not own)
+        told = [(r.time, r.name, *r.before, *r.after) for r in info["events"]]
+        dense = info["dense_output"](np.linspace(0.0, 12.0, num=999))
+        found.append((x, told, dense, info["evaluations"], info["steps"], info["status"]))
+    for one, other in zip(*found, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_more_resets_than_the_log_holds_are_all_recorded():
+    system = ball(times=[0.0, 600.0])
+    _, info = run(system, [bounce(1), Event(V, name="top")])
+    close(moments(info, "bounce"), impacts(1.0, 664), 1e-7)
+    close(moments(info, "top")[1:], (impacts(1.0, 665)[1:] + impacts(1.0, 664)) / 2, 1e-7)
+
+
+def test_a_reset_that_is_no_number_is_an_error_after_others_that_were():
+    first = Event(T - 0.3, reset={V: V + 1}, name="push")
+    wrong = Event(Z, direction=-1, reset={V: sm.sqrt(V)}, name="wrong")
+    with pytest.raises(IntegrationError, match="`wrong`") as caught:
+        run(ball(), [first, wrong])
+    assert [r.name for r in caught.value.info["events"]] == ["push"]
 
 
 @pytest.mark.parametrize("solver", ALL)

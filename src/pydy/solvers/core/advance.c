@@ -36,12 +36,9 @@ INLINE int stays_clear(const Run *run, double t, double h)
     return are_clear(run, t, h);
 }
 
-/* Step until the end, or until BUDGET steps are taken, or something else happens. Where `fresh` is 1
-   an integration begins here. */
-ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
+/* Step until the end, or until BUDGET steps are taken, or something else happens. */
+INLINE int64_t step_on(const Run *run, double *flat)
 {
-    if (fresh == 1)
-        begin(run, flat);
     const Stepper stepper = STEPPER(run), *s = &stepper;
     const Memory *m = &run->memory;
     double *state = run->progress.state.at, *new = m->new.at;
@@ -178,4 +175,17 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
             return FINISHED;
         }
     }
+}
+
+/* The same through events after which nothing else is to be done. Where `fresh` is 1 an integration
+   begins here. */
+ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
+{
+    int64_t code;
+    if (fresh == 1)
+        begin(run, flat);
+    do
+        code = step_on(run, flat);
+    while (goes_on(run, code));
+    return code;
 }

@@ -21,6 +21,14 @@ enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
 /* Parts that are compiled apart, and called by their addresses. */
 typedef int64_t Project(const Run *run, double t, double *x, const double *from);
 typedef int64_t Scan(const Run *run, double t, double h);
+typedef int64_t Act(const Run *run);
+
+/* Tell whether a step that ended with a code is followed by others: after an event that has acted. */
+INLINE int goes_on(const Run *run, int64_t code)
+{
+    const int64_t act = run->watch.words.at[ACT];
+    return code == EVENT && act != 0 && ((Act *)act)(run) != 0;
+}
 
 INLINE int64_t hold(const Run *run, double t, double *x, const double *from)
 {

@@ -84,7 +84,7 @@ INLINE void log_event(const Run *run, double t, int64_t event)
     w->log_times.at[line] = t;
     w->log_events.at[line] = event;
     for (int64_t i = 0; i < n; i++)
-        w->log_states.at[line * w->log_states.columns + i] = w->trial.at[i];
+        w->log_states.at[line * n + i] = w->log_after.at[line * n + i] = w->trial.at[i];
     run->progress.counts.at[LOGGED] = line + 1;
 }
 

@@ -1,4 +1,4 @@
-; sources 52f3645339b926b950d5dea25032c8004a948a3c5de0df14d8ea2b5ed0c70b44
+; sources 25d7f93258a69a1b435e1d04b29fe5a1dc2c53682d10f25f76e3fc0a0d6904e2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1080
+  %25 = getelementptr inbounds i8, ptr %0, i64 1224
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1104
+  %43 = getelementptr inbounds i8, ptr %0, i64 1248
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -109,2464 +109,2501 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
   %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1176
+  %78 = getelementptr inbounds i8, ptr %0, i64 1320
   %79 = getelementptr inbounds i8, ptr %0, i64 576
-  %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 1200
-  %82 = load ptr, ptr %81, align 8
-  %83 = getelementptr inbounds i8, ptr %0, i64 600
-  %84 = load ptr, ptr %83, align 8
-  %85 = load ptr, ptr %78, align 8
-  %86 = getelementptr inbounds i8, ptr %84, i64 56
-  %87 = load i64, ptr %86, align 8
-  %88 = icmp eq i64 %87, 0
-  br i1 %88, label %1895, label %89
+  %80 = getelementptr inbounds i8, ptr %0, i64 1344
+  %81 = getelementptr inbounds i8, ptr %0, i64 600
+  %82 = getelementptr inbounds i8, ptr %0, i64 624
+  %83 = getelementptr inbounds i8, ptr %0, i64 632
+  %84 = getelementptr inbounds i8, ptr %0, i64 648
+  %85 = getelementptr inbounds i8, ptr %0, i64 720
+  %86 = getelementptr inbounds i8, ptr %0, i64 528
+  %87 = getelementptr inbounds i8, ptr %0, i64 480
+  %88 = getelementptr inbounds i8, ptr %0, i64 168
+  %89 = getelementptr inbounds i8, ptr %0, i64 248
+  %90 = getelementptr inbounds i8, ptr %0, i64 192
+  %91 = getelementptr inbounds i8, ptr %0, i64 216
+  %92 = getelementptr inbounds i8, ptr %0, i64 480
+  %93 = getelementptr inbounds i8, ptr %0, i64 1272
+  %94 = getelementptr inbounds i8, ptr %0, i64 1392
+  %95 = getelementptr inbounds i8, ptr %0, i64 168
+  %96 = getelementptr inbounds i8, ptr %0, i64 248
+  %97 = getelementptr inbounds i8, ptr %0, i64 168
+  %98 = getelementptr inbounds i8, ptr %0, i64 192
+  %99 = getelementptr inbounds i8, ptr %0, i64 1368
+  %100 = getelementptr inbounds i8, ptr %0, i64 360
+  %101 = getelementptr inbounds i8, ptr %0, i64 360
+  %102 = getelementptr inbounds i8, ptr %0, i64 336
+  %103 = getelementptr inbounds i8, ptr %0, i64 168
+  %104 = getelementptr inbounds i8, ptr %0, i64 248
+  %105 = getelementptr inbounds i8, ptr %0, i64 192
+  %106 = getelementptr inbounds i8, ptr %0, i64 216
+  %107 = getelementptr inbounds i8, ptr %0, i64 480
+  %108 = getelementptr inbounds i8, ptr %0, i64 1400
+  %109 = getelementptr inbounds i8, ptr %0, i64 1464
+  %110 = getelementptr inbounds i8, ptr %0, i64 1472
+  %111 = getelementptr inbounds i8, ptr %0, i64 1416
+  %112 = getelementptr inbounds i8, ptr %0, i64 1440
+  %113 = getelementptr inbounds i8, ptr %0, i64 1392
+  %114 = getelementptr inbounds i8, ptr %0, i64 1488
+  %115 = getelementptr inbounds i8, ptr %0, i64 1584
+  %116 = getelementptr inbounds i8, ptr %0, i64 1512
+  %117 = getelementptr inbounds i8, ptr %0, i64 1536
+  %118 = getelementptr inbounds i8, ptr %0, i64 1560
+  %119 = getelementptr inbounds i8, ptr %0, i64 1608
+  %120 = getelementptr inbounds i8, ptr %0, i64 1632
+  %121 = getelementptr inbounds i8, ptr %0, i64 360
+  %122 = getelementptr inbounds i8, ptr %0, i64 168
+  %123 = getelementptr inbounds i8, ptr %0, i64 248
+  %124 = getelementptr inbounds i8, ptr %0, i64 360
+  %125 = getelementptr inbounds i8, ptr %0, i64 192
+  %126 = getelementptr inbounds i8, ptr %0, i64 216
+  %127 = getelementptr inbounds i8, ptr %0, i64 552
+  %128 = getelementptr inbounds i8, ptr %0, i64 528
+  %129 = getelementptr inbounds i8, ptr %0, i64 1464
+  %130 = getelementptr inbounds i8, ptr %0, i64 1472
+  %131 = getelementptr inbounds i8, ptr %0, i64 1416
+  %132 = getelementptr inbounds i8, ptr %0, i64 1440
+  %133 = getelementptr inbounds i8, ptr %0, i64 1488
+  %134 = getelementptr inbounds i8, ptr %0, i64 552
+  %135 = getelementptr inbounds i8, ptr %0, i64 528
+  %136 = getelementptr inbounds i8, ptr %0, i64 1472
+  %137 = getelementptr inbounds i8, ptr %0, i64 1536
+  %138 = getelementptr inbounds i8, ptr %0, i64 1552
+  %139 = getelementptr inbounds i8, ptr %0, i64 1608
+  %140 = getelementptr inbounds i8, ptr %0, i64 1632
+  %141 = getelementptr inbounds i8, ptr %0, i64 336
+  %142 = getelementptr inbounds i8, ptr %0, i64 1464
+  %143 = getelementptr inbounds i8, ptr %0, i64 1472
+  %144 = getelementptr inbounds i8, ptr %0, i64 1656
+  %145 = getelementptr inbounds i8, ptr %0, i64 480
+  %146 = getelementptr inbounds i8, ptr %0, i64 1416
+  %147 = getelementptr inbounds i8, ptr %0, i64 336
+  %148 = getelementptr inbounds i8, ptr %0, i64 360
+  %149 = getelementptr inbounds i8, ptr %0, i64 360
+  %150 = getelementptr inbounds i8, ptr %0, i64 168
+  %151 = getelementptr inbounds i8, ptr %0, i64 248
+  %152 = getelementptr inbounds i8, ptr %0, i64 192
+  %153 = getelementptr inbounds i8, ptr %0, i64 216
+  %154 = getelementptr inbounds i8, ptr %0, i64 320
+  %155 = getelementptr inbounds i8, ptr %0, i64 504
+  %156 = getelementptr inbounds i8, ptr %8, i64 8
+  %157 = getelementptr inbounds i8, ptr %8, i64 16
+  %158 = getelementptr inbounds i8, ptr %9, i64 8
+  %159 = getelementptr inbounds i8, ptr %9, i64 16
+  %160 = getelementptr inbounds i8, ptr %0, i64 1296
+  %161 = getelementptr inbounds i8, ptr %0, i64 1312
+  %162 = getelementptr inbounds i8, ptr %0, i64 840
+  %163 = getelementptr inbounds i8, ptr %0, i64 168
+  %164 = getelementptr inbounds i8, ptr %0, i64 936
+  %165 = getelementptr inbounds i8, ptr %0, i64 864
+  %166 = getelementptr inbounds i8, ptr %0, i64 816
+  %167 = getelementptr inbounds i8, ptr %0, i64 888
+  %168 = getelementptr inbounds i8, ptr %0, i64 408
+  %169 = getelementptr inbounds i8, ptr %0, i64 504
+  %170 = getelementptr inbounds i8, ptr %0, i64 320
+  %171 = getelementptr inbounds i8, ptr %0, i64 360
+  %172 = getelementptr inbounds i8, ptr %0, i64 408
+  %173 = getelementptr inbounds i8, ptr %0, i64 504
+  %174 = getelementptr inbounds i8, ptr %0, i64 320
+  %175 = getelementptr inbounds i8, ptr %0, i64 480
+  %176 = getelementptr inbounds i8, ptr %0, i64 168
+  %177 = getelementptr inbounds i8, ptr %0, i64 248
+  %178 = getelementptr inbounds i8, ptr %0, i64 192
+  %179 = getelementptr inbounds i8, ptr %0, i64 216
+  %180 = getelementptr inbounds i8, ptr %0, i64 1392
+  %181 = getelementptr inbounds i8, ptr %0, i64 1400
+  %182 = getelementptr inbounds i8, ptr %0, i64 720
+  br label %183
 
-89:                                               ; preds = %75
-  %90 = load ptr, ptr %76, align 8
-  %91 = getelementptr inbounds i8, ptr %90, i64 8
-  %92 = load i64, ptr %91, align 8
-  %93 = getelementptr inbounds i8, ptr %0, i64 624
-  %94 = load ptr, ptr %93, align 8
-  %95 = getelementptr inbounds i8, ptr %0, i64 632
-  %96 = load i64, ptr %95, align 8
-  %97 = getelementptr double, ptr %94, i64 %96
-  %98 = getelementptr i8, ptr %97, i64 -8
-  %99 = load double, ptr %98, align 8
-  %100 = getelementptr inbounds i8, ptr %0, i64 648
-  %101 = load ptr, ptr %100, align 8
-  %102 = load i64, ptr %101, align 8
-  %103 = icmp eq i64 %102, 1
-  %104 = getelementptr inbounds i8, ptr %0, i64 720
-  %105 = load ptr, ptr %104, align 8
-  %106 = getelementptr inbounds i8, ptr %105, i64 8
-  %107 = load i64, ptr %106, align 8
-  %108 = icmp sgt i64 %107, 0
-  %109 = getelementptr inbounds i8, ptr %0, i64 528
-  %110 = load ptr, ptr %109, align 8
-  %111 = load double, ptr %110, align 8
-  %112 = icmp sgt i64 %92, 0
-  br i1 %112, label %128, label %113
+183:                                              ; preds = %1922, %75
+  %184 = phi double [ undef, %75 ], [ %1906, %1922 ]
+  %185 = phi i32 [ undef, %75 ], [ %1907, %1922 ]
+  %186 = phi i64 [ undef, %75 ], [ %1908, %1922 ]
+  %187 = phi i64 [ undef, %75 ], [ %1909, %1922 ]
+  %188 = load ptr, ptr %79, align 8
+  %189 = load ptr, ptr %80, align 8
+  %190 = load ptr, ptr %81, align 8
+  %191 = load ptr, ptr %78, align 8
+  %192 = getelementptr inbounds i8, ptr %190, i64 56
+  %193 = load i64, ptr %192, align 8
+  %194 = icmp eq i64 %193, 0
+  br i1 %194, label %1905, label %195
 
-113:                                              ; preds = %128, %89
-  %114 = phi double [ %111, %89 ], [ %134, %128 ]
-  %115 = tail call double @llvm.sqrt.f64(double %114)
-  %116 = fcmp olt double %115, 3.000000e-02
-  %117 = select i1 %116, double %115, double 3.000000e-02
-  %118 = fcmp olt double %114, 0x3CB0000000000000
-  %119 = select i1 %118, double 0x3CB0000000000000, double %114
-  %120 = fdiv double 0x3CE4000000000000, %119
-  %121 = fcmp ogt double %117, %120
-  %122 = select i1 %121, double %117, double %120
-  %123 = load double, ptr %80, align 8
-  %124 = getelementptr inbounds i8, ptr %80, i64 8
-  %125 = load double, ptr %124, align 8
-  %126 = load i64, ptr %84, align 8
-  %127 = icmp eq i64 %126, 0
-  br i1 %127, label %137, label %235
-
-128:                                              ; preds = %89, %128
-  %129 = phi double [ %134, %128 ], [ %111, %89 ]
-  %130 = phi i64 [ %135, %128 ], [ 0, %89 ]
-  %131 = getelementptr inbounds double, ptr %110, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = fcmp olt double %132, %129
-  %134 = select i1 %133, double %132, double %129
-  %135 = add nuw nsw i64 %130, 1
-  %136 = icmp eq i64 %135, %92
-  br i1 %136, label %113, label %128, !llvm.loop !8
-
-137:                                              ; preds = %113
-  %138 = getelementptr inbounds i8, ptr %84, i64 24
-  %139 = load i64, ptr %138, align 8
-  %140 = add nsw i64 %139, 1
-  store i64 %140, ptr %138, align 8
-  %141 = load ptr, ptr %77, align 8
-  %142 = getelementptr inbounds i8, ptr %0, i64 480
-  %143 = load ptr, ptr %142, align 8
-  %144 = getelementptr inbounds i8, ptr %0, i64 168
-  %145 = load ptr, ptr %144, align 8
-  store double %123, ptr %145, align 8
-  %146 = getelementptr inbounds i8, ptr %0, i64 248
-  %147 = load i64, ptr %146, align 8
-  %148 = icmp sgt i64 %147, 0
-  br i1 %148, label %149, label %150
-
-149:                                              ; preds = %137
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %150
-
-150:                                              ; preds = %137, %149
-  %151 = load ptr, ptr %76, align 8
-  %152 = load i64, ptr %151, align 8
-  %153 = load ptr, ptr %144, align 8
-  %154 = getelementptr inbounds i8, ptr %0, i64 192
-  %155 = load ptr, ptr %154, align 8
-  %156 = getelementptr inbounds i8, ptr %0, i64 216
-  %157 = load ptr, ptr %156, align 8
-  %158 = inttoptr i64 %152 to ptr
-  %159 = tail call i32 %158(ptr noundef %153, ptr noundef %141, ptr noundef %155, ptr noundef %157, ptr noundef %143) #11
-  %160 = icmp eq i32 %159, 0
-  br i1 %160, label %165, label %161
-
-161:                                              ; preds = %150
-  %162 = getelementptr inbounds i8, ptr %84, i64 72
-  store i64 3, ptr %162, align 8
-  %163 = icmp slt i32 %159, 0
-  %164 = select i1 %163, i64 -4, i64 2
-  br label %1895
-
-165:                                              ; preds = %150
-  store i64 1, ptr %84, align 8
-  %166 = getelementptr inbounds i8, ptr %80, i64 24
-  store double 0.000000e+00, ptr %166, align 8
-  %167 = getelementptr inbounds i8, ptr %85, i64 32
-  store i64 1, ptr %167, align 8
-  %168 = getelementptr inbounds i8, ptr %85, i64 8
-  store i64 1, ptr %168, align 8
-  %169 = getelementptr inbounds i8, ptr %82, i64 8
-  store double 0.000000e+00, ptr %169, align 8
-  %170 = load ptr, ptr %77, align 8
-  %171 = load ptr, ptr %76, align 8
-  %172 = getelementptr inbounds i8, ptr %171, i64 8
-  %173 = load i64, ptr %172, align 8
-  %174 = load i64, ptr %95, align 8
-  %175 = load ptr, ptr %93, align 8
-  %176 = load ptr, ptr %83, align 8
-  %177 = getelementptr inbounds i8, ptr %176, i64 48
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp slt i64 %178, %174
-  br i1 %179, label %180, label %203
-
-180:                                              ; preds = %165
-  %181 = icmp sgt i64 %173, 0
-  br label %182
-
-182:                                              ; preds = %180, %193
-  %183 = phi i64 [ %178, %180 ], [ %194, %193 ]
-  %184 = getelementptr inbounds double, ptr %175, i64 %183
-  %185 = load double, ptr %184, align 8
-  %186 = load ptr, ptr %79, align 8
-  %187 = load double, ptr %186, align 8
-  %188 = fcmp ugt double %185, %187
-  br i1 %188, label %203, label %189
-
-189:                                              ; preds = %182
-  br i1 %181, label %190, label %193
-
-190:                                              ; preds = %189
-  %191 = mul nsw i64 %183, %173
-  %192 = getelementptr double, ptr %1, i64 %191
-  br label %196
-
-193:                                              ; preds = %196, %189
-  %194 = add i64 %183, 1
-  %195 = icmp eq i64 %194, %174
-  br i1 %195, label %203, label %182, !llvm.loop !9
-
-196:                                              ; preds = %190, %196
-  %197 = phi i64 [ 0, %190 ], [ %201, %196 ]
-  %198 = getelementptr inbounds double, ptr %170, i64 %197
-  %199 = load double, ptr %198, align 8
-  %200 = getelementptr double, ptr %192, i64 %197
-  store double %199, ptr %200, align 8
-  %201 = add nuw nsw i64 %197, 1
-  %202 = icmp eq i64 %201, %173
-  br i1 %202, label %193, label %196, !llvm.loop !10
-
-203:                                              ; preds = %182, %193, %165
-  %204 = phi i64 [ %178, %165 ], [ %183, %182 ], [ %174, %193 ]
-  %205 = load ptr, ptr %83, align 8
-  %206 = getelementptr inbounds i8, ptr %205, i64 48
-  store i64 %204, ptr %206, align 8
-  %207 = icmp eq i64 %204, %174
-  br i1 %207, label %1895, label %208
-
-208:                                              ; preds = %203
-  %209 = fcmp oeq double %125, 0.000000e+00
-  br i1 %209, label %210, label %235
-
-210:                                              ; preds = %208
-  %211 = getelementptr inbounds i8, ptr %80, i64 16
+195:                                              ; preds = %183
+  %196 = load ptr, ptr %76, align 8
+  %197 = getelementptr inbounds i8, ptr %196, i64 8
+  %198 = load i64, ptr %197, align 8
+  %199 = load ptr, ptr %82, align 8
+  %200 = load i64, ptr %83, align 8
+  %201 = getelementptr double, ptr %199, i64 %200
+  %202 = getelementptr i8, ptr %201, i64 -8
+  %203 = load double, ptr %202, align 8
+  %204 = load ptr, ptr %84, align 8
+  %205 = load i64, ptr %204, align 8
+  %206 = icmp eq i64 %205, 1
+  %207 = load ptr, ptr %85, align 8
+  %208 = getelementptr inbounds i8, ptr %207, i64 8
+  %209 = load i64, ptr %208, align 8
+  %210 = icmp sgt i64 %209, 0
+  %211 = load ptr, ptr %86, align 8
   %212 = load double, ptr %211, align 8
-  %213 = load ptr, ptr %77, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %213, ptr noundef %213, ptr noundef nonnull %77, i64 noundef %92) #10
-  %214 = load double, ptr %4, align 8
-  %215 = getelementptr inbounds i8, ptr %0, i64 480
-  %216 = load ptr, ptr %215, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %216, ptr noundef %213, ptr noundef nonnull %77, i64 noundef %92) #10
-  %217 = load double, ptr %5, align 8
-  %218 = fcmp uge double %214, 1.000000e-05
-  %219 = fcmp uge double %217, 1.000000e-05
-  %220 = and i1 %218, %219
-  %221 = fmul double %214, 1.000000e-02
-  %222 = fdiv double %221, %217
-  %223 = select i1 %220, double %222, double 0x3EB0C6F7A0B5ED8D
-  %224 = fcmp olt double %212, %223
-  %225 = select i1 %224, double %212, double %223
-  %226 = tail call double @llvm.fabs.f64(double %123)
-  %227 = fmul double %226, 0x3D30000000000000
-  %228 = fcmp ogt double %227, %225
-  %229 = select i1 %228, double %227, double %225
-  %230 = fcmp olt double %212, %229
-  %231 = select i1 %230, double %212, double %229
-  %232 = tail call i1 @llvm.is.fpclass.f64(double %231, i32 639)
-  br i1 %232, label %233, label %235
+  %213 = icmp sgt i64 %198, 0
+  br i1 %213, label %229, label %214
 
-233:                                              ; preds = %210
-  %234 = getelementptr inbounds i8, ptr %84, i64 72
-  store i64 4, ptr %234, align 8
-  br label %235
+214:                                              ; preds = %229, %195
+  %215 = phi double [ %212, %195 ], [ %235, %229 ]
+  %216 = tail call double @llvm.sqrt.f64(double %215)
+  %217 = fcmp olt double %216, 3.000000e-02
+  %218 = select i1 %217, double %216, double 3.000000e-02
+  %219 = fcmp olt double %215, 0x3CB0000000000000
+  %220 = select i1 %219, double 0x3CB0000000000000, double %215
+  %221 = fdiv double 0x3CE4000000000000, %220
+  %222 = fcmp ogt double %218, %221
+  %223 = select i1 %222, double %218, double %221
+  %224 = load double, ptr %188, align 8
+  %225 = getelementptr inbounds i8, ptr %188, i64 8
+  %226 = load double, ptr %225, align 8
+  %227 = load i64, ptr %190, align 8
+  %228 = icmp eq i64 %227, 0
+  br i1 %228, label %238, label %330
 
-235:                                              ; preds = %210, %233, %208, %113
-  %236 = phi double [ %125, %208 ], [ %125, %113 ], [ %231, %233 ], [ %231, %210 ]
-  %237 = load i64, ptr %86, align 8
-  %238 = icmp eq i64 %237, 0
-  br i1 %238, label %363, label %239
+229:                                              ; preds = %195, %229
+  %230 = phi double [ %235, %229 ], [ %212, %195 ]
+  %231 = phi i64 [ %236, %229 ], [ 0, %195 ]
+  %232 = getelementptr inbounds double, ptr %211, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = fcmp olt double %233, %230
+  %235 = select i1 %234, double %233, double %230
+  %236 = add nuw nsw i64 %231, 1
+  %237 = icmp eq i64 %236, %198
+  br i1 %237, label %214, label %229, !llvm.loop !8
 
-239:                                              ; preds = %235
-  %240 = getelementptr inbounds i8, ptr %0, i64 1128
-  %241 = getelementptr inbounds i8, ptr %84, i64 8
-  %242 = getelementptr inbounds i8, ptr %84, i64 16
-  %243 = getelementptr inbounds i8, ptr %84, i64 64
-  %244 = getelementptr inbounds i8, ptr %80, i64 16
-  %245 = getelementptr inbounds i8, ptr %85, i64 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1248
-  %247 = getelementptr inbounds i8, ptr %0, i64 168
-  %248 = getelementptr inbounds i8, ptr %0, i64 248
-  %249 = getelementptr inbounds i8, ptr %0, i64 168
-  %250 = getelementptr inbounds i8, ptr %0, i64 192
-  %251 = getelementptr inbounds i8, ptr %0, i64 1224
-  %252 = getelementptr inbounds i8, ptr %0, i64 360
-  %253 = getelementptr inbounds i8, ptr %0, i64 360
-  %254 = getelementptr inbounds i8, ptr %0, i64 336
-  %255 = getelementptr inbounds i8, ptr %0, i64 168
-  %256 = getelementptr inbounds i8, ptr %0, i64 248
-  %257 = getelementptr inbounds i8, ptr %0, i64 192
-  %258 = getelementptr inbounds i8, ptr %0, i64 216
-  %259 = getelementptr inbounds i8, ptr %0, i64 480
-  %260 = getelementptr inbounds i8, ptr %0, i64 1256
-  %261 = getelementptr inbounds i8, ptr %85, i64 16
-  %262 = getelementptr inbounds i8, ptr %85, i64 24
-  %263 = getelementptr inbounds i8, ptr %85, i64 24
-  %264 = getelementptr inbounds i8, ptr %84, i64 40
-  %265 = getelementptr inbounds i8, ptr %0, i64 1320
-  %266 = getelementptr inbounds i8, ptr %0, i64 1328
-  %267 = getelementptr inbounds i8, ptr %0, i64 1272
-  %268 = getelementptr inbounds i8, ptr %0, i64 1296
-  %269 = getelementptr inbounds i8, ptr %0, i64 1248
-  %270 = getelementptr inbounds i8, ptr %0, i64 1344
-  %271 = getelementptr inbounds i8, ptr %82, i64 8
-  %272 = getelementptr inbounds i8, ptr %0, i64 1440
-  %273 = getelementptr inbounds i8, ptr %0, i64 1368
-  %274 = getelementptr inbounds i8, ptr %0, i64 1392
-  %275 = fmul double %114, %122
-  %276 = getelementptr inbounds i8, ptr %0, i64 1416
-  %277 = getelementptr inbounds i8, ptr %0, i64 1464
-  %278 = getelementptr inbounds i8, ptr %0, i64 1488
-  %279 = getelementptr inbounds i8, ptr %0, i64 360
-  %280 = getelementptr inbounds i8, ptr %0, i64 168
-  %281 = getelementptr inbounds i8, ptr %0, i64 248
-  %282 = getelementptr inbounds i8, ptr %0, i64 360
-  %283 = getelementptr inbounds i8, ptr %0, i64 192
-  %284 = getelementptr inbounds i8, ptr %0, i64 216
-  %285 = getelementptr inbounds i8, ptr %0, i64 552
-  %286 = getelementptr inbounds i8, ptr %0, i64 528
-  %287 = getelementptr inbounds i8, ptr %0, i64 1320
-  %288 = getelementptr inbounds i8, ptr %0, i64 1328
-  %289 = getelementptr inbounds i8, ptr %0, i64 1272
-  %290 = getelementptr inbounds i8, ptr %0, i64 1296
-  %291 = getelementptr inbounds i8, ptr %0, i64 1344
-  %292 = getelementptr inbounds i8, ptr %0, i64 552
-  %293 = getelementptr inbounds i8, ptr %0, i64 528
-  %294 = getelementptr inbounds i8, ptr %0, i64 1328
-  %295 = getelementptr inbounds i8, ptr %0, i64 1392
-  %296 = getelementptr inbounds i8, ptr %0, i64 1408
-  %297 = getelementptr inbounds i8, ptr %0, i64 1464
-  %298 = getelementptr inbounds i8, ptr %0, i64 1488
-  %299 = fmul double %275, %275
-  %300 = icmp sgt i64 %92, 0
-  %301 = shl i64 %92, 4
-  %302 = getelementptr inbounds i8, ptr %0, i64 336
-  %303 = getelementptr inbounds i8, ptr %85, i64 32
-  %304 = getelementptr inbounds i8, ptr %0, i64 1320
-  %305 = getelementptr inbounds i8, ptr %0, i64 1328
-  %306 = getelementptr inbounds i8, ptr %0, i64 1512
-  %307 = getelementptr inbounds i8, ptr %0, i64 480
-  %308 = getelementptr inbounds i8, ptr %0, i64 1272
-  %309 = getelementptr inbounds i8, ptr %0, i64 336
-  %310 = getelementptr inbounds i8, ptr %0, i64 360
-  %311 = getelementptr inbounds i8, ptr %0, i64 360
-  %312 = getelementptr inbounds i8, ptr %0, i64 168
-  %313 = getelementptr inbounds i8, ptr %0, i64 248
-  %314 = getelementptr inbounds i8, ptr %0, i64 192
-  %315 = getelementptr inbounds i8, ptr %0, i64 216
-  %316 = getelementptr inbounds i8, ptr %84, i64 72
-  %317 = getelementptr inbounds i8, ptr %85, i64 16
-  %318 = getelementptr inbounds i8, ptr %84, i64 72
-  %319 = getelementptr inbounds i8, ptr %85, i64 16
-  %320 = getelementptr inbounds i8, ptr %80, i64 24
-  %321 = getelementptr inbounds i8, ptr %80, i64 32
-  %322 = getelementptr inbounds i8, ptr %80, i64 32
-  %323 = getelementptr inbounds i8, ptr %0, i64 320
-  %324 = getelementptr inbounds i8, ptr %0, i64 504
-  %325 = getelementptr inbounds i8, ptr %8, i64 8
-  %326 = getelementptr inbounds i8, ptr %8, i64 16
-  %327 = getelementptr inbounds i8, ptr %9, i64 8
-  %328 = getelementptr inbounds i8, ptr %9, i64 16
-  %329 = getelementptr inbounds i8, ptr %0, i64 1152
-  %330 = getelementptr inbounds i8, ptr %0, i64 1168
-  %331 = getelementptr inbounds i8, ptr %0, i64 840
-  %332 = getelementptr inbounds i8, ptr %0, i64 168
-  %333 = getelementptr inbounds i8, ptr %0, i64 936
-  %334 = getelementptr inbounds i8, ptr %0, i64 864
-  %335 = getelementptr inbounds i8, ptr %0, i64 816
-  %336 = getelementptr inbounds i8, ptr %0, i64 888
-  %337 = getelementptr inbounds i8, ptr %84, i64 48
-  %338 = getelementptr inbounds i8, ptr %0, i64 408
-  %339 = getelementptr inbounds i8, ptr %0, i64 504
-  %340 = getelementptr inbounds i8, ptr %0, i64 320
-  %341 = getelementptr inbounds i8, ptr %0, i64 360
-  %342 = getelementptr inbounds i8, ptr %0, i64 408
-  %343 = getelementptr inbounds i8, ptr %0, i64 504
-  %344 = getelementptr inbounds i8, ptr %0, i64 320
-  %345 = icmp sgt i64 %92, 0
-  %346 = getelementptr inbounds i8, ptr %84, i64 24
-  %347 = getelementptr inbounds i8, ptr %0, i64 480
-  %348 = getelementptr inbounds i8, ptr %0, i64 168
-  %349 = getelementptr inbounds i8, ptr %0, i64 248
-  %350 = getelementptr inbounds i8, ptr %0, i64 192
-  %351 = getelementptr inbounds i8, ptr %0, i64 216
-  %352 = getelementptr inbounds i8, ptr %84, i64 72
-  %353 = getelementptr inbounds i8, ptr %85, i64 16
-  %354 = getelementptr inbounds i8, ptr %84, i64 48
-  %355 = getelementptr inbounds i8, ptr %85, i64 16
-  %356 = getelementptr inbounds i8, ptr %84, i64 72
-  %357 = getelementptr inbounds i8, ptr %84, i64 72
-  %358 = getelementptr inbounds i8, ptr %85, i64 16
-  %359 = getelementptr inbounds i8, ptr %0, i64 1248
-  %360 = getelementptr inbounds i8, ptr %0, i64 1256
-  %361 = getelementptr inbounds i8, ptr %84, i64 72
-  %362 = getelementptr inbounds i8, ptr %85, i64 16
-  br label %365
+238:                                              ; preds = %214
+  %239 = getelementptr inbounds i8, ptr %190, i64 24
+  %240 = load i64, ptr %239, align 8
+  %241 = add nsw i64 %240, 1
+  store i64 %241, ptr %239, align 8
+  %242 = load ptr, ptr %77, align 8
+  %243 = load ptr, ptr %87, align 8
+  %244 = load ptr, ptr %88, align 8
+  store double %224, ptr %244, align 8
+  %245 = load i64, ptr %89, align 8
+  %246 = icmp sgt i64 %245, 0
+  br i1 %246, label %247, label %248
 
-363:                                              ; preds = %1892, %235
-  %364 = phi double [ %236, %235 ], [ %1888, %1892 ]
-  store double %364, ptr %124, align 8
-  br label %1895
-
-365:                                              ; preds = %239, %1892
-  %366 = phi i64 [ %237, %239 ], [ %1893, %1892 ]
-  %367 = phi i64 [ undef, %239 ], [ %1891, %1892 ]
-  %368 = phi double [ %123, %239 ], [ %1889, %1892 ]
-  %369 = phi double [ %236, %239 ], [ %1888, %1892 ]
-  %370 = phi i64 [ undef, %239 ], [ %1887, %1892 ]
-  %371 = phi i64 [ undef, %239 ], [ %1886, %1892 ]
-  %372 = phi i32 [ undef, %239 ], [ %1885, %1892 ]
-  %373 = phi double [ undef, %239 ], [ %1884, %1892 ]
-  %374 = load ptr, ptr %240, align 8
-  %375 = getelementptr inbounds i8, ptr %374, i64 8
-  %376 = load i64, ptr %375, align 8
-  %377 = icmp sgt i64 %376, 0
-  br i1 %377, label %378, label %383
-
-378:                                              ; preds = %365
-  %379 = load i64, ptr %374, align 8
-  %380 = add nsw i64 %379, 3
-  %381 = icmp slt i64 %376, %380
-  %382 = zext i1 %381 to i32
-  br label %383
-
-383:                                              ; preds = %365, %378
-  %384 = phi i32 [ 0, %365 ], [ %382, %378 ]
-  %385 = icmp eq i32 %384, 0
-  br i1 %385, label %387, label %386
-
-386:                                              ; preds = %383
-  store double %369, ptr %124, align 8
-  br label %1895
-
-387:                                              ; preds = %383
-  %388 = add nsw i64 %366, -1
-  store i64 %388, ptr %86, align 8
-  %389 = load i64, ptr %241, align 8
-  %390 = load i64, ptr %242, align 8
-  %391 = add nsw i64 %390, %389
-  %392 = load i64, ptr %243, align 8
-  %393 = icmp slt i64 %391, %392
-  br i1 %393, label %395, label %394
-
-394:                                              ; preds = %387
-  store double %369, ptr %124, align 8
-  br label %1895
-
-395:                                              ; preds = %387
-  %396 = load double, ptr %244, align 8
-  %397 = fcmp olt double %369, %396
-  %398 = select i1 %397, double %369, double %396
-  %399 = fadd double %368, %398
-  %400 = fmul double %398, 1.000000e-03
-  %401 = fsub double %99, %400
-  %402 = fcmp ule double %399, %401
-  %403 = fsub double %99, %368
-  %404 = select i1 %402, double %398, double %403
-  %405 = select i1 %402, double %399, double %99
-  %406 = fmul double %404, 6.250000e-02
-  %407 = fadd double %368, %406
-  %408 = fcmp ule double %407, %368
-  %409 = fcmp une double %405, %99
-  %410 = and i1 %409, %408
-  br i1 %410, label %411, label %412
-
-411:                                              ; preds = %395
-  store double %404, ptr %124, align 8
-  br label %1883
-
-412:                                              ; preds = %395
-  %413 = load i64, ptr %245, align 8
-  %414 = icmp eq i64 %413, 1
-  br i1 %414, label %415, label %533
-
-415:                                              ; preds = %412
-  %416 = load ptr, ptr %83, align 8
-  %417 = getelementptr inbounds i8, ptr %416, i64 32
-  %418 = load i64, ptr %417, align 8
-  %419 = add nsw i64 %418, 1
-  store i64 %419, ptr %417, align 8
-  %420 = load ptr, ptr %76, align 8
-  %421 = getelementptr inbounds i8, ptr %420, i64 8
-  %422 = load i64, ptr %421, align 8
-  %423 = load ptr, ptr %78, align 8
-  %424 = load i64, ptr %423, align 8
-  %425 = icmp eq i64 %424, 0
-  br i1 %425, label %426, label %428
-
-426:                                              ; preds = %415
-  %427 = icmp sgt i64 %422, 0
-  br i1 %427, label %446, label %444
-
-428:                                              ; preds = %415
-  %429 = load ptr, ptr %247, align 8
-  store double %368, ptr %429, align 8
-  %430 = load i64, ptr %248, align 8
-  %431 = icmp sgt i64 %430, 0
-  br i1 %431, label %432, label %433
-
-432:                                              ; preds = %428
+247:                                              ; preds = %238
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %433
+  br label %248
 
-433:                                              ; preds = %432, %428
-  %434 = load ptr, ptr %78, align 8
-  %435 = load i64, ptr %434, align 8
-  %436 = load ptr, ptr %249, align 8
-  %437 = load ptr, ptr %77, align 8
-  %438 = load ptr, ptr %250, align 8
-  %439 = load ptr, ptr %251, align 8
-  %440 = load ptr, ptr %246, align 8
-  %441 = inttoptr i64 %435 to ptr
-  %442 = tail call i32 %441(ptr noundef %436, ptr noundef %437, ptr noundef %438, ptr noundef %439, ptr noundef %440) #11
-  %443 = sext i32 %442 to i64
-  br label %514
+248:                                              ; preds = %238, %247
+  %249 = load ptr, ptr %76, align 8
+  %250 = load i64, ptr %249, align 8
+  %251 = load ptr, ptr %88, align 8
+  %252 = load ptr, ptr %90, align 8
+  %253 = load ptr, ptr %91, align 8
+  %254 = inttoptr i64 %250 to ptr
+  %255 = tail call i32 %254(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #11
+  %256 = icmp eq i32 %255, 0
+  br i1 %256, label %261, label %257
 
-444:                                              ; preds = %446, %426
-  %445 = icmp sgt i64 %422, 0
-  br i1 %445, label %458, label %514
+257:                                              ; preds = %248
+  %258 = getelementptr inbounds i8, ptr %190, i64 72
+  store i64 3, ptr %258, align 8
+  %259 = icmp slt i32 %255, 0
+  %260 = select i1 %259, i64 -4, i64 2
+  br label %1905
 
-446:                                              ; preds = %426, %446
-  %447 = phi i64 [ %453, %446 ], [ 0, %426 ]
-  %448 = load ptr, ptr %77, align 8
-  %449 = getelementptr inbounds double, ptr %448, i64 %447
-  %450 = load double, ptr %449, align 8
-  %451 = load ptr, ptr %252, align 8
-  %452 = getelementptr inbounds double, ptr %451, i64 %447
-  store double %450, ptr %452, align 8
-  %453 = add nuw nsw i64 %447, 1
-  %454 = icmp eq i64 %453, %422
-  br i1 %454, label %444, label %446, !llvm.loop !11
-
-455:                                              ; preds = %512
-  %456 = add nuw nsw i64 %460, 1
-  %457 = icmp eq i64 %456, %422
-  br i1 %457, label %514, label %458, !llvm.loop !12
-
-458:                                              ; preds = %444, %455
-  %459 = phi i64 [ %513, %455 ], [ undef, %444 ]
-  %460 = phi i64 [ %456, %455 ], [ 0, %444 ]
-  %461 = load ptr, ptr %77, align 8
-  %462 = getelementptr inbounds double, ptr %461, i64 %460
-  %463 = load double, ptr %462, align 8
-  %464 = tail call double @llvm.fabs.f64(double %463)
-  %465 = fcmp olt double %464, 1.000000e-05
-  %466 = select i1 %465, double 1.000000e-05, double %464
-  %467 = fmul double %466, 1.500000e-08
-  %468 = fadd double %463, %467
-  %469 = load ptr, ptr %253, align 8
-  %470 = getelementptr inbounds double, ptr %469, i64 %460
-  store double %468, ptr %470, align 8
-  %471 = load ptr, ptr %83, align 8
-  %472 = getelementptr inbounds i8, ptr %471, i64 24
-  %473 = load i64, ptr %472, align 8
-  %474 = add nsw i64 %473, 1
-  store i64 %474, ptr %472, align 8
-  %475 = load ptr, ptr %253, align 8
-  %476 = load ptr, ptr %254, align 8
-  %477 = load ptr, ptr %255, align 8
-  store double %368, ptr %477, align 8
-  %478 = load i64, ptr %256, align 8
-  %479 = icmp sgt i64 %478, 0
-  br i1 %479, label %480, label %481
-
-480:                                              ; preds = %458
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %481
-
-481:                                              ; preds = %480, %458
-  %482 = load ptr, ptr %76, align 8
-  %483 = load i64, ptr %482, align 8
-  %484 = load ptr, ptr %255, align 8
-  %485 = load ptr, ptr %257, align 8
-  %486 = load ptr, ptr %258, align 8
-  %487 = inttoptr i64 %483 to ptr
-  %488 = tail call i32 %487(ptr noundef %484, ptr noundef %475, ptr noundef %485, ptr noundef %486, ptr noundef %476) #11
-  %489 = sext i32 %488 to i64
-  %490 = icmp eq i32 %488, 0
-  br i1 %490, label %491, label %512
-
-491:                                              ; preds = %481
-  %492 = fsub double %468, %463
-  br label %496
-
-493:                                              ; preds = %496
-  %494 = load ptr, ptr %253, align 8
-  %495 = getelementptr inbounds double, ptr %494, i64 %460
-  store double %463, ptr %495, align 8
-  br label %512
-
-496:                                              ; preds = %491, %496
-  %497 = phi i64 [ 0, %491 ], [ %510, %496 ]
-  %498 = load ptr, ptr %254, align 8
-  %499 = getelementptr inbounds double, ptr %498, i64 %497
-  %500 = load double, ptr %499, align 8
-  %501 = load ptr, ptr %259, align 8
-  %502 = getelementptr inbounds double, ptr %501, i64 %497
-  %503 = load double, ptr %502, align 8
-  %504 = fsub double %500, %503
-  %505 = fdiv double %504, %492
-  %506 = load ptr, ptr %246, align 8
-  %507 = mul nuw nsw i64 %497, %422
-  %508 = getelementptr double, ptr %506, i64 %507
-  %509 = getelementptr double, ptr %508, i64 %460
-  store double %505, ptr %509, align 8
-  %510 = add nuw nsw i64 %497, 1
-  %511 = icmp eq i64 %510, %422
-  br i1 %511, label %493, label %496, !llvm.loop !13
-
-512:                                              ; preds = %493, %481
-  %513 = phi i64 [ %459, %493 ], [ %489, %481 ]
-  br i1 %490, label %455, label %514
-
-514:                                              ; preds = %512, %455, %444, %433
-  %515 = phi i64 [ %443, %433 ], [ 0, %444 ], [ 0, %455 ], [ %513, %512 ]
-  %516 = load i64, ptr %260, align 8
-  %517 = icmp sgt i64 %516, 0
-  br i1 %517, label %518, label %530
-
-518:                                              ; preds = %514, %526
-  %519 = phi i64 [ %527, %526 ], [ 0, %514 ]
-  %520 = load ptr, ptr %246, align 8
-  %521 = getelementptr inbounds double, ptr %520, i64 %519
-  %522 = load double, ptr %521, align 8
-  %523 = tail call double @llvm.fabs.f64(double %522)
-  %524 = fcmp ueq double %523, 0x7FF0000000000000
-  br i1 %524, label %525, label %526
-
-525:                                              ; preds = %518
-  store double 0.000000e+00, ptr %521, align 8
-  br label %526
-
-526:                                              ; preds = %525, %518
-  %527 = add nuw nsw i64 %519, 1
-  %528 = load i64, ptr %260, align 8
-  %529 = icmp slt i64 %527, %528
-  br i1 %529, label %518, label %530, !llvm.loop !14
-
-530:                                              ; preds = %526, %514
-  %531 = icmp slt i64 %515, 0
-  br i1 %531, label %1883, label %532
-
-532:                                              ; preds = %530
-  store i64 0, ptr %245, align 8
-  store i64 1, ptr %261, align 8
-  store i64 0, ptr %262, align 8
-  br label %533
-
-533:                                              ; preds = %532, %412
-  %534 = load i64, ptr %263, align 8
-  %535 = icmp eq i64 %534, 0
-  br i1 %535, label %539, label %536
-
-536:                                              ; preds = %533
-  %537 = load double, ptr %82, align 8
-  %538 = fcmp une double %404, %537
-  br i1 %538, label %539, label %602
-
-539:                                              ; preds = %536, %533
-  %540 = load i64, ptr %264, align 8
-  %541 = add nsw i64 %540, 1
-  store i64 %541, ptr %264, align 8
-  %542 = load i64, ptr %266, align 8
-  %543 = load ptr, ptr %267, align 8
-  %544 = load ptr, ptr %268, align 8
-  %545 = icmp sgt i64 %542, 0
-  br i1 %545, label %546, label %554
-
-546:                                              ; preds = %539
-  %547 = fdiv double 0x400D1A48D83E731D, %404
-  %548 = add nuw i64 %542, 1
-  %549 = fdiv double 0x400572DB93E0C672, %404
-  %550 = fdiv double 0x40086747F2C3FCB6, %404
-  br label %551
-
-551:                                              ; preds = %546, %558
-  %552 = phi i64 [ 0, %546 ], [ %569, %558 ]
-  %553 = mul nuw nsw i64 %552, %542
-  br label %571
-
-554:                                              ; preds = %558, %539
-  %555 = load ptr, ptr %265, align 8
-  %556 = tail call fastcc i32 @real_factorise(ptr noundef %543, i64 noundef %542, ptr noundef %555) #10
-  %557 = icmp eq i32 %556, 0
-  br i1 %557, label %592, label %587
-
-558:                                              ; preds = %571
-  %559 = mul i64 %552, %548
-  %560 = getelementptr inbounds double, ptr %543, i64 %559
-  %561 = load double, ptr %560, align 8
-  %562 = fadd double %547, %561
-  store double %562, ptr %560, align 8
-  %563 = getelementptr inbounds { double, double }, ptr %544, i64 %559
-  %564 = load double, ptr %563, align 8
-  %565 = getelementptr inbounds i8, ptr %563, i64 8
-  %566 = load double, ptr %565, align 8
-  %567 = fadd double %549, %564
-  %568 = fsub double %566, %550
-  store double %567, ptr %563, align 8
-  store double %568, ptr %565, align 8
-  %569 = add nuw nsw i64 %552, 1
-  %570 = icmp eq i64 %569, %542
-  br i1 %570, label %554, label %551, !llvm.loop !15
-
-571:                                              ; preds = %551, %571
-  %572 = phi i64 [ 0, %551 ], [ %585, %571 ]
-  %573 = load ptr, ptr %269, align 8
-  %574 = add nuw nsw i64 %572, %553
-  %575 = getelementptr inbounds double, ptr %573, i64 %574
-  %576 = load double, ptr %575, align 8
-  %577 = fneg double %576
-  %578 = getelementptr inbounds double, ptr %543, i64 %574
-  store double %577, ptr %578, align 8
-  %579 = load ptr, ptr %269, align 8
-  %580 = getelementptr inbounds double, ptr %579, i64 %574
-  %581 = load double, ptr %580, align 8
-  %582 = fneg double %581
-  %583 = getelementptr inbounds { double, double }, ptr %544, i64 %574
-  %584 = getelementptr inbounds i8, ptr %583, i64 8
-  store double %582, ptr %583, align 8
-  store double 0.000000e+00, ptr %584, align 8
-  %585 = add nuw nsw i64 %572, 1
-  %586 = icmp eq i64 %585, %542
-  br i1 %586, label %558, label %571, !llvm.loop !16
-
-587:                                              ; preds = %554
-  %588 = load ptr, ptr %270, align 8
-  %589 = tail call fastcc i32 @pair_factorise(ptr noundef %544, i64 noundef %542, ptr noundef %588) #10
-  %590 = icmp ne i32 %589, 0
-  %591 = zext i1 %590 to i32
-  br label %592
-
-592:                                              ; preds = %554, %587
-  %593 = phi i32 [ 0, %554 ], [ %591, %587 ]
-  %594 = icmp eq i32 %593, 0
-  br i1 %594, label %595, label %601
-
-595:                                              ; preds = %592
-  store i64 4, ptr %361, align 8
-  %596 = load i64, ptr %242, align 8
-  %597 = add nsw i64 %596, 1
-  store i64 %597, ptr %242, align 8
-  %598 = fmul double %404, 5.000000e-01
-  %599 = load i64, ptr %362, align 8
-  %600 = sub nsw i64 1, %599
-  store i64 %600, ptr %245, align 8
-  store i64 0, ptr %263, align 8
-  br label %1883, !llvm.loop !17
-
-601:                                              ; preds = %592
+261:                                              ; preds = %248
+  store i64 1, ptr %190, align 8
+  %262 = getelementptr inbounds i8, ptr %188, i64 24
+  store double 0.000000e+00, ptr %262, align 8
+  %263 = getelementptr inbounds i8, ptr %191, i64 32
   store i64 1, ptr %263, align 8
-  store double %404, ptr %82, align 8
+  %264 = getelementptr inbounds i8, ptr %191, i64 8
+  store i64 1, ptr %264, align 8
+  %265 = getelementptr inbounds i8, ptr %189, i64 8
+  store double 0.000000e+00, ptr %265, align 8
+  %266 = load ptr, ptr %77, align 8
+  %267 = load ptr, ptr %76, align 8
+  %268 = getelementptr inbounds i8, ptr %267, i64 8
+  %269 = load i64, ptr %268, align 8
+  %270 = load i64, ptr %83, align 8
+  %271 = load ptr, ptr %82, align 8
+  %272 = load ptr, ptr %81, align 8
+  %273 = getelementptr inbounds i8, ptr %272, i64 48
+  %274 = load i64, ptr %273, align 8
+  %275 = icmp slt i64 %274, %270
+  br i1 %275, label %276, label %299
+
+276:                                              ; preds = %261
+  %277 = icmp sgt i64 %269, 0
+  br label %278
+
+278:                                              ; preds = %276, %289
+  %279 = phi i64 [ %274, %276 ], [ %290, %289 ]
+  %280 = getelementptr inbounds double, ptr %271, i64 %279
+  %281 = load double, ptr %280, align 8
+  %282 = load ptr, ptr %79, align 8
+  %283 = load double, ptr %282, align 8
+  %284 = fcmp ugt double %281, %283
+  br i1 %284, label %299, label %285
+
+285:                                              ; preds = %278
+  br i1 %277, label %286, label %289
+
+286:                                              ; preds = %285
+  %287 = mul nsw i64 %279, %269
+  %288 = getelementptr double, ptr %1, i64 %287
+  br label %292
+
+289:                                              ; preds = %292, %285
+  %290 = add i64 %279, 1
+  %291 = icmp eq i64 %290, %270
+  br i1 %291, label %299, label %278, !llvm.loop !9
+
+292:                                              ; preds = %286, %292
+  %293 = phi i64 [ 0, %286 ], [ %297, %292 ]
+  %294 = getelementptr inbounds double, ptr %266, i64 %293
+  %295 = load double, ptr %294, align 8
+  %296 = getelementptr double, ptr %288, i64 %293
+  store double %295, ptr %296, align 8
+  %297 = add nuw nsw i64 %293, 1
+  %298 = icmp eq i64 %297, %269
+  br i1 %298, label %289, label %292, !llvm.loop !10
+
+299:                                              ; preds = %278, %289, %261
+  %300 = phi i64 [ %274, %261 ], [ %279, %278 ], [ %270, %289 ]
+  %301 = load ptr, ptr %81, align 8
+  %302 = getelementptr inbounds i8, ptr %301, i64 48
+  store i64 %300, ptr %302, align 8
+  %303 = icmp eq i64 %300, %270
+  br i1 %303, label %1905, label %304
+
+304:                                              ; preds = %299
+  %305 = fcmp oeq double %226, 0.000000e+00
+  br i1 %305, label %306, label %330
+
+306:                                              ; preds = %304
+  %307 = getelementptr inbounds i8, ptr %188, i64 16
+  %308 = load double, ptr %307, align 8
+  %309 = load ptr, ptr %77, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %309, ptr noundef %309, ptr noundef nonnull %77, i64 noundef %198) #10
+  %310 = load double, ptr %4, align 8
+  %311 = load ptr, ptr %92, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %311, ptr noundef %309, ptr noundef nonnull %77, i64 noundef %198) #10
+  %312 = load double, ptr %5, align 8
+  %313 = fcmp uge double %310, 1.000000e-05
+  %314 = fcmp uge double %312, 1.000000e-05
+  %315 = and i1 %313, %314
+  %316 = fmul double %310, 1.000000e-02
+  %317 = fdiv double %316, %312
+  %318 = select i1 %315, double %317, double 0x3EB0C6F7A0B5ED8D
+  %319 = fcmp olt double %308, %318
+  %320 = select i1 %319, double %308, double %318
+  %321 = tail call double @llvm.fabs.f64(double %224)
+  %322 = fmul double %321, 0x3D30000000000000
+  %323 = fcmp ogt double %322, %320
+  %324 = select i1 %323, double %322, double %320
+  %325 = fcmp olt double %308, %324
+  %326 = select i1 %325, double %308, double %324
+  %327 = tail call i1 @llvm.is.fpclass.f64(double %326, i32 639)
+  br i1 %327, label %328, label %330
+
+328:                                              ; preds = %306
+  %329 = getelementptr inbounds i8, ptr %190, i64 72
+  store i64 4, ptr %329, align 8
+  br label %330
+
+330:                                              ; preds = %306, %328, %304, %214
+  %331 = phi double [ %226, %304 ], [ %226, %214 ], [ %326, %328 ], [ %326, %306 ]
+  %332 = load i64, ptr %192, align 8
+  %333 = icmp eq i64 %332, 0
+  br i1 %333, label %369, label %334
+
+334:                                              ; preds = %330
+  %335 = getelementptr inbounds i8, ptr %190, i64 8
+  %336 = getelementptr inbounds i8, ptr %190, i64 16
+  %337 = getelementptr inbounds i8, ptr %190, i64 64
+  %338 = getelementptr inbounds i8, ptr %188, i64 16
+  %339 = getelementptr inbounds i8, ptr %191, i64 8
+  %340 = getelementptr inbounds i8, ptr %191, i64 16
+  %341 = getelementptr inbounds i8, ptr %191, i64 24
+  %342 = getelementptr inbounds i8, ptr %191, i64 24
+  %343 = getelementptr inbounds i8, ptr %190, i64 40
+  %344 = getelementptr inbounds i8, ptr %189, i64 8
+  %345 = fmul double %215, %223
+  %346 = fmul double %345, %345
+  %347 = icmp sgt i64 %198, 0
+  %348 = shl i64 %198, 4
+  %349 = getelementptr inbounds i8, ptr %191, i64 32
+  %350 = getelementptr inbounds i8, ptr %190, i64 72
+  %351 = getelementptr inbounds i8, ptr %191, i64 16
+  %352 = getelementptr inbounds i8, ptr %190, i64 72
+  %353 = getelementptr inbounds i8, ptr %191, i64 16
+  %354 = getelementptr inbounds i8, ptr %188, i64 24
+  %355 = getelementptr inbounds i8, ptr %188, i64 32
+  %356 = getelementptr inbounds i8, ptr %188, i64 32
+  %357 = getelementptr inbounds i8, ptr %190, i64 48
+  %358 = icmp sgt i64 %198, 0
+  %359 = getelementptr inbounds i8, ptr %190, i64 24
+  %360 = getelementptr inbounds i8, ptr %190, i64 72
+  %361 = getelementptr inbounds i8, ptr %191, i64 16
+  %362 = getelementptr inbounds i8, ptr %190, i64 48
+  %363 = getelementptr inbounds i8, ptr %191, i64 16
+  %364 = getelementptr inbounds i8, ptr %190, i64 72
+  %365 = getelementptr inbounds i8, ptr %190, i64 72
+  %366 = getelementptr inbounds i8, ptr %191, i64 16
+  %367 = getelementptr inbounds i8, ptr %190, i64 72
+  %368 = getelementptr inbounds i8, ptr %191, i64 16
+  br label %375
+
+369:                                              ; preds = %1902, %330
+  %370 = phi double [ %184, %330 ], [ %1894, %1902 ]
+  %371 = phi i32 [ %185, %330 ], [ %1895, %1902 ]
+  %372 = phi i64 [ %186, %330 ], [ %1896, %1902 ]
+  %373 = phi i64 [ %187, %330 ], [ %1897, %1902 ]
+  %374 = phi double [ %331, %330 ], [ %1898, %1902 ]
+  store double %374, ptr %225, align 8
+  br label %1905
+
+375:                                              ; preds = %334, %1902
+  %376 = phi i64 [ %332, %334 ], [ %1903, %1902 ]
+  %377 = phi i64 [ undef, %334 ], [ %1901, %1902 ]
+  %378 = phi double [ %224, %334 ], [ %1899, %1902 ]
+  %379 = phi double [ %331, %334 ], [ %1898, %1902 ]
+  %380 = phi i64 [ %187, %334 ], [ %1897, %1902 ]
+  %381 = phi i64 [ %186, %334 ], [ %1896, %1902 ]
+  %382 = phi i32 [ %185, %334 ], [ %1895, %1902 ]
+  %383 = phi double [ %184, %334 ], [ %1894, %1902 ]
+  %384 = load ptr, ptr %93, align 8
+  %385 = getelementptr inbounds i8, ptr %384, i64 8
+  %386 = load i64, ptr %385, align 8
+  %387 = icmp sgt i64 %386, 0
+  br i1 %387, label %388, label %393
+
+388:                                              ; preds = %375
+  %389 = load i64, ptr %384, align 8
+  %390 = add nsw i64 %389, 3
+  %391 = icmp slt i64 %386, %390
+  %392 = zext i1 %391 to i32
+  br label %393
+
+393:                                              ; preds = %375, %388
+  %394 = phi i32 [ 0, %375 ], [ %392, %388 ]
+  %395 = icmp eq i32 %394, 0
+  br i1 %395, label %397, label %396
+
+396:                                              ; preds = %393
+  store double %379, ptr %225, align 8
+  br label %1905
+
+397:                                              ; preds = %393
+  %398 = add nsw i64 %376, -1
+  store i64 %398, ptr %192, align 8
+  %399 = load i64, ptr %335, align 8
+  %400 = load i64, ptr %336, align 8
+  %401 = add nsw i64 %400, %399
+  %402 = load i64, ptr %337, align 8
+  %403 = icmp slt i64 %401, %402
+  br i1 %403, label %405, label %404
+
+404:                                              ; preds = %397
+  store double %379, ptr %225, align 8
+  br label %1905
+
+405:                                              ; preds = %397
+  %406 = load double, ptr %338, align 8
+  %407 = fcmp olt double %379, %406
+  %408 = select i1 %407, double %379, double %406
+  %409 = fadd double %378, %408
+  %410 = fmul double %408, 1.000000e-03
+  %411 = fsub double %203, %410
+  %412 = fcmp ule double %409, %411
+  %413 = fsub double %203, %378
+  %414 = select i1 %412, double %408, double %413
+  %415 = select i1 %412, double %409, double %203
+  %416 = fmul double %414, 6.250000e-02
+  %417 = fadd double %378, %416
+  %418 = fcmp ule double %417, %378
+  %419 = fcmp une double %415, %203
+  %420 = and i1 %419, %418
+  br i1 %420, label %421, label %422
+
+421:                                              ; preds = %405
+  store double %414, ptr %225, align 8
+  br label %1893
+
+422:                                              ; preds = %405
+  %423 = load i64, ptr %339, align 8
+  %424 = icmp eq i64 %423, 1
+  br i1 %424, label %425, label %543
+
+425:                                              ; preds = %422
+  %426 = load ptr, ptr %81, align 8
+  %427 = getelementptr inbounds i8, ptr %426, i64 32
+  %428 = load i64, ptr %427, align 8
+  %429 = add nsw i64 %428, 1
+  store i64 %429, ptr %427, align 8
+  %430 = load ptr, ptr %76, align 8
+  %431 = getelementptr inbounds i8, ptr %430, i64 8
+  %432 = load i64, ptr %431, align 8
+  %433 = load ptr, ptr %78, align 8
+  %434 = load i64, ptr %433, align 8
+  %435 = icmp eq i64 %434, 0
+  br i1 %435, label %436, label %438
+
+436:                                              ; preds = %425
+  %437 = icmp sgt i64 %432, 0
+  br i1 %437, label %456, label %454
+
+438:                                              ; preds = %425
+  %439 = load ptr, ptr %95, align 8
+  store double %378, ptr %439, align 8
+  %440 = load i64, ptr %96, align 8
+  %441 = icmp sgt i64 %440, 0
+  br i1 %441, label %442, label %443
+
+442:                                              ; preds = %438
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %443
+
+443:                                              ; preds = %442, %438
+  %444 = load ptr, ptr %78, align 8
+  %445 = load i64, ptr %444, align 8
+  %446 = load ptr, ptr %97, align 8
+  %447 = load ptr, ptr %77, align 8
+  %448 = load ptr, ptr %98, align 8
+  %449 = load ptr, ptr %99, align 8
+  %450 = load ptr, ptr %94, align 8
+  %451 = inttoptr i64 %445 to ptr
+  %452 = tail call i32 %451(ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449, ptr noundef %450) #11
+  %453 = sext i32 %452 to i64
+  br label %524
+
+454:                                              ; preds = %456, %436
+  %455 = icmp sgt i64 %432, 0
+  br i1 %455, label %468, label %524
+
+456:                                              ; preds = %436, %456
+  %457 = phi i64 [ %463, %456 ], [ 0, %436 ]
+  %458 = load ptr, ptr %77, align 8
+  %459 = getelementptr inbounds double, ptr %458, i64 %457
+  %460 = load double, ptr %459, align 8
+  %461 = load ptr, ptr %100, align 8
+  %462 = getelementptr inbounds double, ptr %461, i64 %457
+  store double %460, ptr %462, align 8
+  %463 = add nuw nsw i64 %457, 1
+  %464 = icmp eq i64 %463, %432
+  br i1 %464, label %454, label %456, !llvm.loop !11
+
+465:                                              ; preds = %522
+  %466 = add nuw nsw i64 %470, 1
+  %467 = icmp eq i64 %466, %432
+  br i1 %467, label %524, label %468, !llvm.loop !12
+
+468:                                              ; preds = %454, %465
+  %469 = phi i64 [ %523, %465 ], [ undef, %454 ]
+  %470 = phi i64 [ %466, %465 ], [ 0, %454 ]
+  %471 = load ptr, ptr %77, align 8
+  %472 = getelementptr inbounds double, ptr %471, i64 %470
+  %473 = load double, ptr %472, align 8
+  %474 = tail call double @llvm.fabs.f64(double %473)
+  %475 = fcmp olt double %474, 1.000000e-05
+  %476 = select i1 %475, double 1.000000e-05, double %474
+  %477 = fmul double %476, 1.500000e-08
+  %478 = fadd double %473, %477
+  %479 = load ptr, ptr %101, align 8
+  %480 = getelementptr inbounds double, ptr %479, i64 %470
+  store double %478, ptr %480, align 8
+  %481 = load ptr, ptr %81, align 8
+  %482 = getelementptr inbounds i8, ptr %481, i64 24
+  %483 = load i64, ptr %482, align 8
+  %484 = add nsw i64 %483, 1
+  store i64 %484, ptr %482, align 8
+  %485 = load ptr, ptr %101, align 8
+  %486 = load ptr, ptr %102, align 8
+  %487 = load ptr, ptr %103, align 8
+  store double %378, ptr %487, align 8
+  %488 = load i64, ptr %104, align 8
+  %489 = icmp sgt i64 %488, 0
+  br i1 %489, label %490, label %491
+
+490:                                              ; preds = %468
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %491
+
+491:                                              ; preds = %490, %468
+  %492 = load ptr, ptr %76, align 8
+  %493 = load i64, ptr %492, align 8
+  %494 = load ptr, ptr %103, align 8
+  %495 = load ptr, ptr %105, align 8
+  %496 = load ptr, ptr %106, align 8
+  %497 = inttoptr i64 %493 to ptr
+  %498 = tail call i32 %497(ptr noundef %494, ptr noundef %485, ptr noundef %495, ptr noundef %496, ptr noundef %486) #11
+  %499 = sext i32 %498 to i64
+  %500 = icmp eq i32 %498, 0
+  br i1 %500, label %501, label %522
+
+501:                                              ; preds = %491
+  %502 = fsub double %478, %473
+  br label %506
+
+503:                                              ; preds = %506
+  %504 = load ptr, ptr %101, align 8
+  %505 = getelementptr inbounds double, ptr %504, i64 %470
+  store double %473, ptr %505, align 8
+  br label %522
+
+506:                                              ; preds = %501, %506
+  %507 = phi i64 [ 0, %501 ], [ %520, %506 ]
+  %508 = load ptr, ptr %102, align 8
+  %509 = getelementptr inbounds double, ptr %508, i64 %507
+  %510 = load double, ptr %509, align 8
+  %511 = load ptr, ptr %107, align 8
+  %512 = getelementptr inbounds double, ptr %511, i64 %507
+  %513 = load double, ptr %512, align 8
+  %514 = fsub double %510, %513
+  %515 = fdiv double %514, %502
+  %516 = load ptr, ptr %94, align 8
+  %517 = mul nuw nsw i64 %507, %432
+  %518 = getelementptr double, ptr %516, i64 %517
+  %519 = getelementptr double, ptr %518, i64 %470
+  store double %515, ptr %519, align 8
+  %520 = add nuw nsw i64 %507, 1
+  %521 = icmp eq i64 %520, %432
+  br i1 %521, label %503, label %506, !llvm.loop !13
+
+522:                                              ; preds = %503, %491
+  %523 = phi i64 [ %469, %503 ], [ %499, %491 ]
+  br i1 %500, label %465, label %524
+
+524:                                              ; preds = %522, %465, %454, %443
+  %525 = phi i64 [ %453, %443 ], [ 0, %454 ], [ 0, %465 ], [ %523, %522 ]
+  %526 = load i64, ptr %108, align 8
+  %527 = icmp sgt i64 %526, 0
+  br i1 %527, label %528, label %540
+
+528:                                              ; preds = %524, %536
+  %529 = phi i64 [ %537, %536 ], [ 0, %524 ]
+  %530 = load ptr, ptr %94, align 8
+  %531 = getelementptr inbounds double, ptr %530, i64 %529
+  %532 = load double, ptr %531, align 8
+  %533 = tail call double @llvm.fabs.f64(double %532)
+  %534 = fcmp ueq double %533, 0x7FF0000000000000
+  br i1 %534, label %535, label %536
+
+535:                                              ; preds = %528
+  store double 0.000000e+00, ptr %531, align 8
+  br label %536
+
+536:                                              ; preds = %535, %528
+  %537 = add nuw nsw i64 %529, 1
+  %538 = load i64, ptr %108, align 8
+  %539 = icmp slt i64 %537, %538
+  br i1 %539, label %528, label %540, !llvm.loop !14
+
+540:                                              ; preds = %536, %524
+  %541 = icmp slt i64 %525, 0
+  br i1 %541, label %1893, label %542
+
+542:                                              ; preds = %540
+  store i64 0, ptr %339, align 8
+  store i64 1, ptr %340, align 8
+  store i64 0, ptr %341, align 8
+  br label %543
+
+543:                                              ; preds = %542, %422
+  %544 = load i64, ptr %342, align 8
+  %545 = icmp eq i64 %544, 0
+  br i1 %545, label %549, label %546
+
+546:                                              ; preds = %543
+  %547 = load double, ptr %189, align 8
+  %548 = fcmp une double %414, %547
+  br i1 %548, label %549, label %612
+
+549:                                              ; preds = %546, %543
+  %550 = load i64, ptr %343, align 8
+  %551 = add nsw i64 %550, 1
+  store i64 %551, ptr %343, align 8
+  %552 = load i64, ptr %110, align 8
+  %553 = load ptr, ptr %111, align 8
+  %554 = load ptr, ptr %112, align 8
+  %555 = icmp sgt i64 %552, 0
+  br i1 %555, label %556, label %564
+
+556:                                              ; preds = %549
+  %557 = fdiv double 0x400D1A48D83E731D, %414
+  %558 = add nuw i64 %552, 1
+  %559 = fdiv double 0x400572DB93E0C672, %414
+  %560 = fdiv double 0x40086747F2C3FCB6, %414
+  br label %561
+
+561:                                              ; preds = %556, %568
+  %562 = phi i64 [ 0, %556 ], [ %579, %568 ]
+  %563 = mul nuw nsw i64 %562, %552
+  br label %581
+
+564:                                              ; preds = %568, %549
+  %565 = load ptr, ptr %109, align 8
+  %566 = tail call fastcc i32 @real_factorise(ptr noundef %553, i64 noundef %552, ptr noundef %565) #10
+  %567 = icmp eq i32 %566, 0
+  br i1 %567, label %602, label %597
+
+568:                                              ; preds = %581
+  %569 = mul i64 %562, %558
+  %570 = getelementptr inbounds double, ptr %553, i64 %569
+  %571 = load double, ptr %570, align 8
+  %572 = fadd double %557, %571
+  store double %572, ptr %570, align 8
+  %573 = getelementptr inbounds { double, double }, ptr %554, i64 %569
+  %574 = load double, ptr %573, align 8
+  %575 = getelementptr inbounds i8, ptr %573, i64 8
+  %576 = load double, ptr %575, align 8
+  %577 = fadd double %559, %574
+  %578 = fsub double %576, %560
+  store double %577, ptr %573, align 8
+  store double %578, ptr %575, align 8
+  %579 = add nuw nsw i64 %562, 1
+  %580 = icmp eq i64 %579, %552
+  br i1 %580, label %564, label %561, !llvm.loop !15
+
+581:                                              ; preds = %561, %581
+  %582 = phi i64 [ 0, %561 ], [ %595, %581 ]
+  %583 = load ptr, ptr %113, align 8
+  %584 = add nuw nsw i64 %582, %563
+  %585 = getelementptr inbounds double, ptr %583, i64 %584
+  %586 = load double, ptr %585, align 8
+  %587 = fneg double %586
+  %588 = getelementptr inbounds double, ptr %553, i64 %584
+  store double %587, ptr %588, align 8
+  %589 = load ptr, ptr %113, align 8
+  %590 = getelementptr inbounds double, ptr %589, i64 %584
+  %591 = load double, ptr %590, align 8
+  %592 = fneg double %591
+  %593 = getelementptr inbounds { double, double }, ptr %554, i64 %584
+  %594 = getelementptr inbounds i8, ptr %593, i64 8
+  store double %592, ptr %593, align 8
+  store double 0.000000e+00, ptr %594, align 8
+  %595 = add nuw nsw i64 %582, 1
+  %596 = icmp eq i64 %595, %552
+  br i1 %596, label %568, label %581, !llvm.loop !16
+
+597:                                              ; preds = %564
+  %598 = load ptr, ptr %114, align 8
+  %599 = tail call fastcc i32 @pair_factorise(ptr noundef %554, i64 noundef %552, ptr noundef %598) #10
+  %600 = icmp ne i32 %599, 0
+  %601 = zext i1 %600 to i32
   br label %602
 
-602:                                              ; preds = %601, %536
-  %603 = load double, ptr %271, align 8
-  %604 = load ptr, ptr %76, align 8
-  %605 = getelementptr inbounds i8, ptr %604, i64 8
-  %606 = load i64, ptr %605, align 8
-  %607 = load ptr, ptr %272, align 8
-  %608 = load ptr, ptr %77, align 8
-  %609 = load ptr, ptr %273, align 8
-  %610 = load ptr, ptr %274, align 8
-  %611 = fcmp ogt double %603, 0.000000e+00
-  %612 = icmp sgt i64 %606, 0
-  %613 = shl i64 %606, 4
-  %614 = getelementptr i8, ptr %607, i64 %613
-  %615 = mul i64 %606, 24
-  %616 = getelementptr i8, ptr %607, i64 %615
-  %617 = getelementptr double, ptr %607, i64 %606
-  br label %623
+602:                                              ; preds = %564, %597
+  %603 = phi i32 [ 0, %564 ], [ %601, %597 ]
+  %604 = icmp eq i32 %603, 0
+  br i1 %604, label %605, label %611
 
-618:                                              ; preds = %637
-  %619 = icmp sgt i64 %606, 0
-  %620 = getelementptr double, ptr %609, i64 %606
-  %621 = shl i64 %606, 4
-  %622 = getelementptr i8, ptr %609, i64 %621
-  br label %664
+605:                                              ; preds = %602
+  store i64 4, ptr %367, align 8
+  %606 = load i64, ptr %336, align 8
+  %607 = add nsw i64 %606, 1
+  store i64 %607, ptr %336, align 8
+  %608 = fmul double %414, 5.000000e-01
+  %609 = load i64, ptr %368, align 8
+  %610 = sub nsw i64 1, %609
+  store i64 %610, ptr %339, align 8
+  store i64 0, ptr %342, align 8
+  br label %1893, !llvm.loop !17
 
-623:                                              ; preds = %602, %637
-  %624 = phi i64 [ 0, %602 ], [ %638, %637 ]
-  br i1 %611, label %625, label %631
+611:                                              ; preds = %602
+  store i64 1, ptr %342, align 8
+  store double %414, ptr %189, align 8
+  br label %612
 
-625:                                              ; preds = %623
-  %626 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %624
-  %627 = load double, ptr %626, align 8
-  %628 = fmul double %404, %627
-  %629 = fdiv double %628, %603
-  %630 = fadd double %629, 1.000000e+00
-  br label %631
+612:                                              ; preds = %611, %546
+  %613 = load double, ptr %344, align 8
+  %614 = load ptr, ptr %76, align 8
+  %615 = getelementptr inbounds i8, ptr %614, i64 8
+  %616 = load i64, ptr %615, align 8
+  %617 = load ptr, ptr %115, align 8
+  %618 = load ptr, ptr %77, align 8
+  %619 = load ptr, ptr %116, align 8
+  %620 = load ptr, ptr %117, align 8
+  %621 = fcmp ogt double %613, 0.000000e+00
+  %622 = icmp sgt i64 %616, 0
+  %623 = shl i64 %616, 4
+  %624 = getelementptr i8, ptr %617, i64 %623
+  %625 = mul i64 %616, 24
+  %626 = getelementptr i8, ptr %617, i64 %625
+  %627 = getelementptr double, ptr %617, i64 %616
+  br label %633
 
-631:                                              ; preds = %625, %623
-  %632 = phi double [ %630, %625 ], [ 0.000000e+00, %623 ]
-  br i1 %612, label %633, label %637
+628:                                              ; preds = %647
+  %629 = icmp sgt i64 %616, 0
+  %630 = getelementptr double, ptr %619, i64 %616
+  %631 = shl i64 %616, 4
+  %632 = getelementptr i8, ptr %619, i64 %631
+  br label %674
 
-633:                                              ; preds = %631
-  %634 = mul nuw nsw i64 %606, %624
-  %635 = getelementptr double, ptr %609, i64 %634
-  %636 = fsub double 1.000000e+00, %632
-  br label %640
+633:                                              ; preds = %612, %647
+  %634 = phi i64 [ 0, %612 ], [ %648, %647 ]
+  br i1 %621, label %635, label %641
 
-637:                                              ; preds = %661, %631
-  %638 = add nuw nsw i64 %624, 1
-  %639 = icmp eq i64 %638, 3
-  br i1 %639, label %618, label %623, !llvm.loop !18
+635:                                              ; preds = %633
+  %636 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %634
+  %637 = load double, ptr %636, align 8
+  %638 = fmul double %414, %637
+  %639 = fdiv double %638, %613
+  %640 = fadd double %639, 1.000000e+00
+  br label %641
 
-640:                                              ; preds = %633, %661
-  %641 = phi i64 [ 0, %633 ], [ %662, %661 ]
-  %642 = getelementptr double, ptr %635, i64 %641
-  store double 0.000000e+00, ptr %642, align 8
-  br i1 %611, label %643, label %661
+641:                                              ; preds = %635, %633
+  %642 = phi double [ %640, %635 ], [ 0.000000e+00, %633 ]
+  br i1 %622, label %643, label %647
 
-643:                                              ; preds = %640
-  %644 = getelementptr double, ptr %614, i64 %641
-  %645 = load double, ptr %644, align 8
-  %646 = getelementptr double, ptr %616, i64 %641
-  %647 = load double, ptr %646, align 8
-  %648 = fmul double %632, %647
-  %649 = fadd double %645, %648
-  %650 = fmul double %636, %649
-  %651 = getelementptr inbounds double, ptr %607, i64 %641
-  %652 = load double, ptr %651, align 8
-  %653 = getelementptr double, ptr %617, i64 %641
-  %654 = load double, ptr %653, align 8
-  %655 = fadd double %654, %650
-  %656 = fmul double %632, %655
-  %657 = fadd double %652, %656
-  %658 = getelementptr inbounds double, ptr %608, i64 %641
-  %659 = load double, ptr %658, align 8
-  %660 = fsub double %657, %659
-  store double %660, ptr %642, align 8
-  br label %661
+643:                                              ; preds = %641
+  %644 = mul nuw nsw i64 %616, %634
+  %645 = getelementptr double, ptr %619, i64 %644
+  %646 = fsub double 1.000000e+00, %642
+  br label %650
 
-661:                                              ; preds = %643, %640
-  %662 = add nuw nsw i64 %641, 1
-  %663 = icmp eq i64 %662, %606
-  br i1 %663, label %637, label %640, !llvm.loop !19
+647:                                              ; preds = %671, %641
+  %648 = add nuw nsw i64 %634, 1
+  %649 = icmp eq i64 %648, 3
+  br i1 %649, label %628, label %633, !llvm.loop !18
 
-664:                                              ; preds = %618, %675
-  %665 = phi i64 [ 0, %618 ], [ %676, %675 ]
-  br i1 %619, label %666, label %675
+650:                                              ; preds = %643, %671
+  %651 = phi i64 [ 0, %643 ], [ %672, %671 ]
+  %652 = getelementptr double, ptr %645, i64 %651
+  store double 0.000000e+00, ptr %652, align 8
+  br i1 %621, label %653, label %671
 
-666:                                              ; preds = %664
-  %667 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %665
-  %668 = load double, ptr %667, align 8
-  %669 = getelementptr inbounds i8, ptr %667, i64 8
-  %670 = load double, ptr %669, align 8
-  %671 = getelementptr inbounds i8, ptr %667, i64 16
-  %672 = load double, ptr %671, align 8
-  %673 = mul nuw nsw i64 %606, %665
-  %674 = getelementptr double, ptr %610, i64 %673
-  br label %678
+653:                                              ; preds = %650
+  %654 = getelementptr double, ptr %624, i64 %651
+  %655 = load double, ptr %654, align 8
+  %656 = getelementptr double, ptr %626, i64 %651
+  %657 = load double, ptr %656, align 8
+  %658 = fmul double %642, %657
+  %659 = fadd double %655, %658
+  %660 = fmul double %646, %659
+  %661 = getelementptr inbounds double, ptr %617, i64 %651
+  %662 = load double, ptr %661, align 8
+  %663 = getelementptr double, ptr %627, i64 %651
+  %664 = load double, ptr %663, align 8
+  %665 = fadd double %664, %660
+  %666 = fmul double %642, %665
+  %667 = fadd double %662, %666
+  %668 = getelementptr inbounds double, ptr %618, i64 %651
+  %669 = load double, ptr %668, align 8
+  %670 = fsub double %667, %669
+  store double %670, ptr %652, align 8
+  br label %671
 
-675:                                              ; preds = %678, %664
-  %676 = add nuw nsw i64 %665, 1
-  %677 = icmp eq i64 %676, 3
-  br i1 %677, label %694, label %664, !llvm.loop !20
+671:                                              ; preds = %653, %650
+  %672 = add nuw nsw i64 %651, 1
+  %673 = icmp eq i64 %672, %616
+  br i1 %673, label %647, label %650, !llvm.loop !19
 
-678:                                              ; preds = %666, %678
-  %679 = phi i64 [ 0, %666 ], [ %692, %678 ]
-  %680 = getelementptr inbounds double, ptr %609, i64 %679
-  %681 = load double, ptr %680, align 8
-  %682 = fmul double %668, %681
-  %683 = getelementptr double, ptr %620, i64 %679
-  %684 = load double, ptr %683, align 8
-  %685 = fmul double %670, %684
-  %686 = fadd double %682, %685
-  %687 = getelementptr double, ptr %622, i64 %679
-  %688 = load double, ptr %687, align 8
-  %689 = fmul double %672, %688
-  %690 = fadd double %686, %689
-  %691 = getelementptr double, ptr %674, i64 %679
-  store double %690, ptr %691, align 8
-  %692 = add nuw nsw i64 %679, 1
-  %693 = icmp eq i64 %692, %606
-  br i1 %693, label %675, label %678, !llvm.loop !21
+674:                                              ; preds = %628, %685
+  %675 = phi i64 [ 0, %628 ], [ %686, %685 ]
+  br i1 %629, label %676, label %685
 
-694:                                              ; preds = %675
-  %695 = load ptr, ptr %76, align 8, !noalias !22
-  %696 = getelementptr inbounds i8, ptr %695, i64 8
-  %697 = load i64, ptr %696, align 8, !noalias !22
-  %698 = load ptr, ptr %78, align 8, !noalias !22
-  %699 = getelementptr inbounds i8, ptr %698, i64 40
-  %700 = load i64, ptr %699, align 8, !noalias !22
-  %701 = load ptr, ptr %273, align 8, !noalias !22
-  %702 = load ptr, ptr %274, align 8, !noalias !22
-  %703 = load ptr, ptr %276, align 8, !noalias !22
-  %704 = load ptr, ptr %277, align 8, !noalias !22
-  %705 = load ptr, ptr %278, align 8, !noalias !22
-  %706 = icmp sgt i64 %700, 0
-  %707 = select i1 %706, i64 10, i64 6
-  %708 = icmp sgt i64 %697, 0
-  %709 = fdiv double 0x400D1A48D83E731D, %404
-  %710 = fdiv double 0x400572DB93E0C672, %404
-  %711 = fdiv double 0xC0086747F2C3FCB6, %404
-  %712 = icmp sgt i64 %697, 0
-  %713 = getelementptr double, ptr %702, i64 %697
-  %714 = shl i64 %697, 4
-  %715 = getelementptr i8, ptr %702, i64 %714
-  %716 = icmp eq i64 %700, 0
-  br label %717
+676:                                              ; preds = %674
+  %677 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %675
+  %678 = load double, ptr %677, align 8
+  %679 = getelementptr inbounds i8, ptr %677, i64 8
+  %680 = load double, ptr %679, align 8
+  %681 = getelementptr inbounds i8, ptr %677, i64 16
+  %682 = load double, ptr %681, align 8
+  %683 = mul nuw nsw i64 %616, %675
+  %684 = getelementptr double, ptr %620, i64 %683
+  br label %688
 
-717:                                              ; preds = %694, %1120
-  %718 = phi double [ -1.000000e+00, %694 ], [ %1119, %1120 ]
-  %719 = phi double [ 0.000000e+00, %694 ], [ %1118, %1120 ]
-  %720 = phi i64 [ 0, %694 ], [ %1117, %1120 ]
-  %721 = phi i64 [ 0, %694 ], [ %1121, %1120 ]
-  %722 = phi i64 [ %370, %694 ], [ %1114, %1120 ]
-  %723 = phi i64 [ %371, %694 ], [ %1113, %1120 ]
-  %724 = phi i32 [ %372, %694 ], [ %1112, %1120 ]
-  %725 = phi double [ %373, %694 ], [ %1111, %1120 ]
-  %726 = icmp ugt i64 %721, 5
-  %727 = icmp eq i64 %720, 0
-  %728 = select i1 %726, i1 %727, i1 false
-  br i1 %728, label %1123, label %733
+685:                                              ; preds = %688, %674
+  %686 = add nuw nsw i64 %675, 1
+  %687 = icmp eq i64 %686, 3
+  br i1 %687, label %704, label %674, !llvm.loop !20
 
-729:                                              ; preds = %755
-  %730 = add nuw nsw i64 %734, 1
-  %731 = icmp ugt i64 %734, 1
-  %732 = icmp eq i64 %730, 3
-  br i1 %732, label %778, label %733, !llvm.loop !25
+688:                                              ; preds = %676, %688
+  %689 = phi i64 [ 0, %676 ], [ %702, %688 ]
+  %690 = getelementptr inbounds double, ptr %619, i64 %689
+  %691 = load double, ptr %690, align 8
+  %692 = fmul double %678, %691
+  %693 = getelementptr double, ptr %630, i64 %689
+  %694 = load double, ptr %693, align 8
+  %695 = fmul double %680, %694
+  %696 = fadd double %692, %695
+  %697 = getelementptr double, ptr %632, i64 %689
+  %698 = load double, ptr %697, align 8
+  %699 = fmul double %682, %698
+  %700 = fadd double %696, %699
+  %701 = getelementptr double, ptr %684, i64 %689
+  store double %700, ptr %701, align 8
+  %702 = add nuw nsw i64 %689, 1
+  %703 = icmp eq i64 %702, %616
+  br i1 %703, label %685, label %688, !llvm.loop !21
 
-733:                                              ; preds = %717, %729
-  %734 = phi i64 [ %730, %729 ], [ 0, %717 ]
-  %735 = phi i1 [ %731, %729 ], [ false, %717 ]
-  br i1 %708, label %736, label %739
+704:                                              ; preds = %685
+  %705 = load ptr, ptr %76, align 8, !noalias !22
+  %706 = getelementptr inbounds i8, ptr %705, i64 8
+  %707 = load i64, ptr %706, align 8, !noalias !22
+  %708 = load ptr, ptr %78, align 8, !noalias !22
+  %709 = getelementptr inbounds i8, ptr %708, i64 40
+  %710 = load i64, ptr %709, align 8, !noalias !22
+  %711 = load ptr, ptr %116, align 8, !noalias !22
+  %712 = load ptr, ptr %117, align 8, !noalias !22
+  %713 = load ptr, ptr %118, align 8, !noalias !22
+  %714 = load ptr, ptr %119, align 8, !noalias !22
+  %715 = load ptr, ptr %120, align 8, !noalias !22
+  %716 = icmp sgt i64 %710, 0
+  %717 = select i1 %716, i64 10, i64 6
+  %718 = icmp sgt i64 %707, 0
+  %719 = fdiv double 0x400D1A48D83E731D, %414
+  %720 = fdiv double 0x400572DB93E0C672, %414
+  %721 = fdiv double 0xC0086747F2C3FCB6, %414
+  %722 = icmp sgt i64 %707, 0
+  %723 = getelementptr double, ptr %712, i64 %707
+  %724 = shl i64 %707, 4
+  %725 = getelementptr i8, ptr %712, i64 %724
+  %726 = icmp eq i64 %710, 0
+  br label %727
 
-736:                                              ; preds = %733
-  %737 = mul nuw nsw i64 %697, %734
-  %738 = getelementptr double, ptr %701, i64 %737
-  br label %764
+727:                                              ; preds = %704, %1130
+  %728 = phi double [ -1.000000e+00, %704 ], [ %1129, %1130 ]
+  %729 = phi double [ 0.000000e+00, %704 ], [ %1128, %1130 ]
+  %730 = phi i64 [ 0, %704 ], [ %1127, %1130 ]
+  %731 = phi i64 [ 0, %704 ], [ %1131, %1130 ]
+  %732 = phi i64 [ %380, %704 ], [ %1124, %1130 ]
+  %733 = phi i64 [ %381, %704 ], [ %1123, %1130 ]
+  %734 = phi i32 [ %382, %704 ], [ %1122, %1130 ]
+  %735 = phi double [ %383, %704 ], [ %1121, %1130 ]
+  %736 = icmp ugt i64 %731, 5
+  %737 = icmp eq i64 %730, 0
+  %738 = select i1 %736, i1 %737, i1 false
+  br i1 %738, label %1133, label %743
 
-739:                                              ; preds = %764, %733
-  %740 = load ptr, ptr %83, align 8, !noalias !22
-  %741 = getelementptr inbounds i8, ptr %740, i64 24
-  %742 = load i64, ptr %741, align 8, !noalias !22
-  %743 = add nsw i64 %742, 1
-  store i64 %743, ptr %741, align 8, !noalias !22
-  %744 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %734
-  %745 = load double, ptr %744, align 8, !noalias !22
-  %746 = fmul double %404, %745
-  %747 = fadd double %368, %746
-  %748 = load ptr, ptr %279, align 8, !noalias !22
-  %749 = mul nsw i64 %697, %734
-  %750 = getelementptr inbounds double, ptr %703, i64 %749
-  %751 = load ptr, ptr %280, align 8, !noalias !22
-  store double %747, ptr %751, align 8, !noalias !22
-  %752 = load i64, ptr %281, align 8, !noalias !22
-  %753 = icmp sgt i64 %752, 0
-  br i1 %753, label %754, label %755
+739:                                              ; preds = %765
+  %740 = add nuw nsw i64 %744, 1
+  %741 = icmp ugt i64 %744, 1
+  %742 = icmp eq i64 %740, 3
+  br i1 %742, label %788, label %743, !llvm.loop !25
 
-754:                                              ; preds = %739
+743:                                              ; preds = %727, %739
+  %744 = phi i64 [ %740, %739 ], [ 0, %727 ]
+  %745 = phi i1 [ %741, %739 ], [ false, %727 ]
+  br i1 %718, label %746, label %749
+
+746:                                              ; preds = %743
+  %747 = mul nuw nsw i64 %707, %744
+  %748 = getelementptr double, ptr %711, i64 %747
+  br label %774
+
+749:                                              ; preds = %774, %743
+  %750 = load ptr, ptr %81, align 8, !noalias !22
+  %751 = getelementptr inbounds i8, ptr %750, i64 24
+  %752 = load i64, ptr %751, align 8, !noalias !22
+  %753 = add nsw i64 %752, 1
+  store i64 %753, ptr %751, align 8, !noalias !22
+  %754 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %744
+  %755 = load double, ptr %754, align 8, !noalias !22
+  %756 = fmul double %414, %755
+  %757 = fadd double %378, %756
+  %758 = load ptr, ptr %121, align 8, !noalias !22
+  %759 = mul nsw i64 %707, %744
+  %760 = getelementptr inbounds double, ptr %713, i64 %759
+  %761 = load ptr, ptr %122, align 8, !noalias !22
+  store double %757, ptr %761, align 8, !noalias !22
+  %762 = load i64, ptr %123, align 8, !noalias !22
+  %763 = icmp sgt i64 %762, 0
+  br i1 %763, label %764, label %765
+
+764:                                              ; preds = %749
   tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
-  br label %755
+  br label %765
 
-755:                                              ; preds = %739, %754
-  %756 = load ptr, ptr %76, align 8, !noalias !22
-  %757 = load i64, ptr %756, align 8, !noalias !22
-  %758 = load ptr, ptr %280, align 8, !noalias !22
-  %759 = load ptr, ptr %283, align 8, !noalias !22
-  %760 = load ptr, ptr %284, align 8, !noalias !22
-  %761 = inttoptr i64 %757 to ptr
-  %762 = tail call i32 %761(ptr noundef %758, ptr noundef %748, ptr noundef %759, ptr noundef %760, ptr noundef %750) #11, !noalias !22
-  %763 = icmp eq i32 %762, 0
-  br i1 %763, label %729, label %776
+765:                                              ; preds = %749, %764
+  %766 = load ptr, ptr %76, align 8, !noalias !22
+  %767 = load i64, ptr %766, align 8, !noalias !22
+  %768 = load ptr, ptr %122, align 8, !noalias !22
+  %769 = load ptr, ptr %125, align 8, !noalias !22
+  %770 = load ptr, ptr %126, align 8, !noalias !22
+  %771 = inttoptr i64 %767 to ptr
+  %772 = tail call i32 %771(ptr noundef %768, ptr noundef %758, ptr noundef %769, ptr noundef %770, ptr noundef %760) #11, !noalias !22
+  %773 = icmp eq i32 %772, 0
+  br i1 %773, label %739, label %786
 
-764:                                              ; preds = %736, %764
-  %765 = phi i64 [ 0, %736 ], [ %774, %764 ]
-  %766 = load ptr, ptr %77, align 8, !noalias !22
-  %767 = getelementptr inbounds double, ptr %766, i64 %765
-  %768 = load double, ptr %767, align 8, !noalias !22
-  %769 = getelementptr double, ptr %738, i64 %765
-  %770 = load double, ptr %769, align 8, !noalias !22
-  %771 = fadd double %768, %770
-  %772 = load ptr, ptr %282, align 8, !noalias !22
-  %773 = getelementptr inbounds double, ptr %772, i64 %765
-  store double %771, ptr %773, align 8, !noalias !22
-  %774 = add nuw nsw i64 %765, 1
-  %775 = icmp eq i64 %774, %697
-  br i1 %775, label %739, label %764, !llvm.loop !26
+774:                                              ; preds = %746, %774
+  %775 = phi i64 [ 0, %746 ], [ %784, %774 ]
+  %776 = load ptr, ptr %77, align 8, !noalias !22
+  %777 = getelementptr inbounds double, ptr %776, i64 %775
+  %778 = load double, ptr %777, align 8, !noalias !22
+  %779 = getelementptr double, ptr %748, i64 %775
+  %780 = load double, ptr %779, align 8, !noalias !22
+  %781 = fadd double %778, %780
+  %782 = load ptr, ptr %124, align 8, !noalias !22
+  %783 = getelementptr inbounds double, ptr %782, i64 %775
+  store double %781, ptr %783, align 8, !noalias !22
+  %784 = add nuw nsw i64 %775, 1
+  %785 = icmp eq i64 %784, %707
+  br i1 %785, label %749, label %774, !llvm.loop !26
 
-776:                                              ; preds = %755
-  %777 = sext i32 %762 to i64
-  br label %778
+786:                                              ; preds = %765
+  %787 = sext i32 %772 to i64
+  br label %788
 
-778:                                              ; preds = %729, %776
-  %779 = phi i1 [ %735, %776 ], [ %731, %729 ]
-  %780 = phi double [ 0.000000e+00, %776 ], [ %725, %729 ]
-  %781 = phi i32 [ 0, %776 ], [ %724, %729 ]
-  %782 = phi i64 [ %721, %776 ], [ %723, %729 ]
-  %783 = phi i64 [ %777, %776 ], [ %722, %729 ]
-  %784 = phi i32 [ 1, %776 ], [ 5, %729 ]
-  br i1 %779, label %785, label %1123
+788:                                              ; preds = %739, %786
+  %789 = phi i1 [ %745, %786 ], [ %741, %739 ]
+  %790 = phi double [ 0.000000e+00, %786 ], [ %735, %739 ]
+  %791 = phi i32 [ 0, %786 ], [ %734, %739 ]
+  %792 = phi i64 [ %731, %786 ], [ %733, %739 ]
+  %793 = phi i64 [ %787, %786 ], [ %732, %739 ]
+  %794 = phi i32 [ 1, %786 ], [ 5, %739 ]
+  br i1 %789, label %795, label %1133
 
-785:                                              ; preds = %778
-  %786 = load ptr, ptr %76, align 8, !noalias !22
-  %787 = getelementptr inbounds i8, ptr %786, i64 8
-  %788 = load i64, ptr %787, align 8, !noalias !22
-  %789 = load ptr, ptr %276, align 8, !noalias !22
-  %790 = load ptr, ptr %274, align 8, !noalias !22
-  %791 = load ptr, ptr %277, align 8, !noalias !22
-  %792 = load ptr, ptr %278, align 8, !noalias !22
-  %793 = icmp sgt i64 %788, 0
-  br i1 %793, label %794, label %899
+795:                                              ; preds = %788
+  %796 = load ptr, ptr %76, align 8, !noalias !22
+  %797 = getelementptr inbounds i8, ptr %796, i64 8
+  %798 = load i64, ptr %797, align 8, !noalias !22
+  %799 = load ptr, ptr %118, align 8, !noalias !22
+  %800 = load ptr, ptr %117, align 8, !noalias !22
+  %801 = load ptr, ptr %119, align 8, !noalias !22
+  %802 = load ptr, ptr %120, align 8, !noalias !22
+  %803 = icmp sgt i64 %798, 0
+  br i1 %803, label %804, label %909
 
-794:                                              ; preds = %785
-  %795 = shl nuw nsw i64 %788, 1
-  %796 = getelementptr double, ptr %789, i64 %788
-  %797 = shl i64 %788, 4
-  %798 = getelementptr i8, ptr %789, i64 %797
-  %799 = load double, ptr %789, align 8, !noalias !22
-  %800 = getelementptr inbounds double, ptr %789, i64 %788
-  %801 = load double, ptr %800, align 8, !noalias !22
-  %802 = fadd double %799, %801
-  %803 = getelementptr inbounds double, ptr %789, i64 %795
-  %804 = load double, ptr %803, align 8, !noalias !22
-  %805 = fadd double %802, %804
-  %806 = tail call double @llvm.fabs.f64(double %805)
-  %807 = fcmp ueq double %806, 0x7FF0000000000000
-  br i1 %807, label %896, label %808
+804:                                              ; preds = %795
+  %805 = shl nuw nsw i64 %798, 1
+  %806 = getelementptr double, ptr %799, i64 %798
+  %807 = shl i64 %798, 4
+  %808 = getelementptr i8, ptr %799, i64 %807
+  %809 = load double, ptr %799, align 8, !noalias !22
+  %810 = getelementptr inbounds double, ptr %799, i64 %798
+  %811 = load double, ptr %810, align 8, !noalias !22
+  %812 = fadd double %809, %811
+  %813 = getelementptr inbounds double, ptr %799, i64 %805
+  %814 = load double, ptr %813, align 8, !noalias !22
+  %815 = fadd double %812, %814
+  %816 = tail call double @llvm.fabs.f64(double %815)
+  %817 = fcmp ueq double %816, 0x7FF0000000000000
+  br i1 %817, label %906, label %818
 
-808:                                              ; preds = %794
-  %809 = getelementptr double, ptr %790, i64 %788
-  %810 = getelementptr inbounds double, ptr %790, i64 %795
-  %811 = getelementptr double, ptr %789, i64 %788
-  %812 = getelementptr inbounds double, ptr %789, i64 %795
-  br label %824
+818:                                              ; preds = %804
+  %819 = getelementptr double, ptr %800, i64 %798
+  %820 = getelementptr inbounds double, ptr %800, i64 %805
+  %821 = getelementptr double, ptr %799, i64 %798
+  %822 = getelementptr inbounds double, ptr %799, i64 %805
+  br label %834
 
-813:                                              ; preds = %824
-  %814 = getelementptr inbounds double, ptr %789, i64 %892
-  %815 = load double, ptr %814, align 8, !noalias !22
-  %816 = getelementptr double, ptr %811, i64 %892
-  %817 = load double, ptr %816, align 8, !noalias !22
-  %818 = fadd double %815, %817
-  %819 = getelementptr inbounds double, ptr %812, i64 %892
-  %820 = load double, ptr %819, align 8, !noalias !22
-  %821 = fadd double %818, %820
-  %822 = tail call double @llvm.fabs.f64(double %821)
-  %823 = fcmp ueq double %822, 0x7FF0000000000000
-  br i1 %823, label %894, label %824, !llvm.loop !27
+823:                                              ; preds = %834
+  %824 = getelementptr inbounds double, ptr %799, i64 %902
+  %825 = load double, ptr %824, align 8, !noalias !22
+  %826 = getelementptr double, ptr %821, i64 %902
+  %827 = load double, ptr %826, align 8, !noalias !22
+  %828 = fadd double %825, %827
+  %829 = getelementptr inbounds double, ptr %822, i64 %902
+  %830 = load double, ptr %829, align 8, !noalias !22
+  %831 = fadd double %828, %830
+  %832 = tail call double @llvm.fabs.f64(double %831)
+  %833 = fcmp ueq double %832, 0x7FF0000000000000
+  br i1 %833, label %904, label %834, !llvm.loop !27
 
-824:                                              ; preds = %808, %813
-  %825 = phi double [ %815, %813 ], [ %799, %808 ]
-  %826 = phi double [ %891, %813 ], [ 0.000000e+00, %808 ]
-  %827 = phi i64 [ %892, %813 ], [ 0, %808 ]
-  %828 = getelementptr inbounds double, ptr %789, i64 %827
-  %829 = fmul double %825, 0x4010B70201A79C46
-  %830 = getelementptr double, ptr %796, i64 %827
-  %831 = load double, ptr %830, align 8, !noalias !22
-  %832 = fmul double %831, 0x3FD4F8C15DA84E86
-  %833 = fadd double %829, %832
-  %834 = getelementptr double, ptr %798, i64 %827
-  %835 = load double, ptr %834, align 8, !noalias !22
-  %836 = fmul double %835, 0x3FE0BF7FF59D56EF
-  %837 = fadd double %833, %836
-  %838 = getelementptr inbounds double, ptr %790, i64 %827
-  %839 = load double, ptr %838, align 8, !noalias !22
-  %840 = fmul double %709, %839
-  %841 = fsub double %837, %840
-  %842 = getelementptr inbounds double, ptr %791, i64 %827
-  store double %841, ptr %842, align 8, !noalias !22
-  %843 = load double, ptr %828, align 8, !noalias !22
-  %844 = fmul double %843, 0xC010B70201A79C46
-  %845 = load double, ptr %830, align 8, !noalias !22
-  %846 = fmul double %845, 0x3FD4F8C15DA84E86
-  %847 = fsub double %844, %846
-  %848 = load double, ptr %834, align 8, !noalias !22
-  %849 = fmul double %848, 0x3FDE810014C55221
-  %850 = fadd double %847, %849
-  %851 = fmul double %843, 0x3FE017885A24A7F2
-  %852 = fmul double %845, 0x4004934E6FCAA598
-  %853 = fsub double %851, %852
-  %854 = fmul double %848, 0x3FE312C0CF7BDFD1
-  %855 = fadd double %853, %854
-  %856 = getelementptr double, ptr %809, i64 %827
-  %857 = load double, ptr %856, align 8, !noalias !22
-  %858 = getelementptr inbounds double, ptr %810, i64 %827
-  %859 = load double, ptr %858, align 8, !noalias !22
-  %860 = fmul double %710, %857
-  %861 = fmul double %711, %859
-  %862 = fmul double %710, %859
-  %863 = fmul double %711, %857
-  %864 = fsub double %860, %861
-  %865 = fadd double %863, %862
-  %866 = fsub double %850, %864
-  %867 = fsub double %855, %865
-  %868 = getelementptr inbounds { double, double }, ptr %792, i64 %827
-  %869 = getelementptr inbounds i8, ptr %868, i64 8
-  store double %866, ptr %868, align 8, !noalias !22
-  store double %867, ptr %869, align 8, !noalias !22
-  %870 = load double, ptr %842, align 8, !noalias !22
-  %871 = tail call double @llvm.fabs.f64(double %870)
-  %872 = tail call double @llvm.fabs.f64(double %866)
-  %873 = fadd double %871, %872
-  %874 = tail call double @llvm.fabs.f64(double %867)
-  %875 = fadd double %874, %873
-  %876 = fmul double %404, %875
-  %877 = load ptr, ptr %77, align 8, !noalias !22
-  %878 = getelementptr inbounds double, ptr %877, i64 %827
-  %879 = load double, ptr %878, align 8, !noalias !22
-  %880 = load ptr, ptr %285, align 8, !noalias !22
-  %881 = getelementptr inbounds double, ptr %880, i64 %827
-  %882 = load double, ptr %881, align 8, !noalias !22
-  %883 = load ptr, ptr %286, align 8, !noalias !22
-  %884 = getelementptr inbounds double, ptr %883, i64 %827
-  %885 = load double, ptr %884, align 8, !noalias !22
-  %886 = tail call double @llvm.fabs.f64(double %879)
-  %887 = fmul double %886, %885
-  %888 = fadd double %882, %887
-  %889 = fdiv double %876, %888
-  %890 = fmul double %889, %889
-  %891 = fadd double %826, %890
-  %892 = add nuw nsw i64 %827, 1
-  %893 = icmp eq i64 %892, %788
-  br i1 %893, label %899, label %813, !llvm.loop !27
+834:                                              ; preds = %818, %823
+  %835 = phi double [ %825, %823 ], [ %809, %818 ]
+  %836 = phi double [ %901, %823 ], [ 0.000000e+00, %818 ]
+  %837 = phi i64 [ %902, %823 ], [ 0, %818 ]
+  %838 = getelementptr inbounds double, ptr %799, i64 %837
+  %839 = fmul double %835, 0x4010B70201A79C46
+  %840 = getelementptr double, ptr %806, i64 %837
+  %841 = load double, ptr %840, align 8, !noalias !22
+  %842 = fmul double %841, 0x3FD4F8C15DA84E86
+  %843 = fadd double %839, %842
+  %844 = getelementptr double, ptr %808, i64 %837
+  %845 = load double, ptr %844, align 8, !noalias !22
+  %846 = fmul double %845, 0x3FE0BF7FF59D56EF
+  %847 = fadd double %843, %846
+  %848 = getelementptr inbounds double, ptr %800, i64 %837
+  %849 = load double, ptr %848, align 8, !noalias !22
+  %850 = fmul double %719, %849
+  %851 = fsub double %847, %850
+  %852 = getelementptr inbounds double, ptr %801, i64 %837
+  store double %851, ptr %852, align 8, !noalias !22
+  %853 = load double, ptr %838, align 8, !noalias !22
+  %854 = fmul double %853, 0xC010B70201A79C46
+  %855 = load double, ptr %840, align 8, !noalias !22
+  %856 = fmul double %855, 0x3FD4F8C15DA84E86
+  %857 = fsub double %854, %856
+  %858 = load double, ptr %844, align 8, !noalias !22
+  %859 = fmul double %858, 0x3FDE810014C55221
+  %860 = fadd double %857, %859
+  %861 = fmul double %853, 0x3FE017885A24A7F2
+  %862 = fmul double %855, 0x4004934E6FCAA598
+  %863 = fsub double %861, %862
+  %864 = fmul double %858, 0x3FE312C0CF7BDFD1
+  %865 = fadd double %863, %864
+  %866 = getelementptr double, ptr %819, i64 %837
+  %867 = load double, ptr %866, align 8, !noalias !22
+  %868 = getelementptr inbounds double, ptr %820, i64 %837
+  %869 = load double, ptr %868, align 8, !noalias !22
+  %870 = fmul double %720, %867
+  %871 = fmul double %721, %869
+  %872 = fmul double %720, %869
+  %873 = fmul double %721, %867
+  %874 = fsub double %870, %871
+  %875 = fadd double %873, %872
+  %876 = fsub double %860, %874
+  %877 = fsub double %865, %875
+  %878 = getelementptr inbounds { double, double }, ptr %802, i64 %837
+  %879 = getelementptr inbounds i8, ptr %878, i64 8
+  store double %876, ptr %878, align 8, !noalias !22
+  store double %877, ptr %879, align 8, !noalias !22
+  %880 = load double, ptr %852, align 8, !noalias !22
+  %881 = tail call double @llvm.fabs.f64(double %880)
+  %882 = tail call double @llvm.fabs.f64(double %876)
+  %883 = fadd double %881, %882
+  %884 = tail call double @llvm.fabs.f64(double %877)
+  %885 = fadd double %884, %883
+  %886 = fmul double %414, %885
+  %887 = load ptr, ptr %77, align 8, !noalias !22
+  %888 = getelementptr inbounds double, ptr %887, i64 %837
+  %889 = load double, ptr %888, align 8, !noalias !22
+  %890 = load ptr, ptr %127, align 8, !noalias !22
+  %891 = getelementptr inbounds double, ptr %890, i64 %837
+  %892 = load double, ptr %891, align 8, !noalias !22
+  %893 = load ptr, ptr %128, align 8, !noalias !22
+  %894 = getelementptr inbounds double, ptr %893, i64 %837
+  %895 = load double, ptr %894, align 8, !noalias !22
+  %896 = tail call double @llvm.fabs.f64(double %889)
+  %897 = fmul double %896, %895
+  %898 = fadd double %892, %897
+  %899 = fdiv double %886, %898
+  %900 = fmul double %899, %899
+  %901 = fadd double %836, %900
+  %902 = add nuw nsw i64 %837, 1
+  %903 = icmp eq i64 %902, %798
+  br i1 %903, label %909, label %823, !llvm.loop !27
 
-894:                                              ; preds = %813
-  %895 = icmp slt i64 %892, %788
-  br label %896
+904:                                              ; preds = %823
+  %905 = icmp slt i64 %902, %798
+  br label %906
 
-896:                                              ; preds = %894, %794
-  %897 = phi i1 [ %895, %894 ], [ %793, %794 ]
-  %898 = phi double [ %891, %894 ], [ 0.000000e+00, %794 ]
-  br i1 %897, label %1123, label %899
+906:                                              ; preds = %904, %804
+  %907 = phi i1 [ %905, %904 ], [ %803, %804 ]
+  %908 = phi double [ %901, %904 ], [ 0.000000e+00, %804 ]
+  br i1 %907, label %1133, label %909
 
-899:                                              ; preds = %824, %785, %896
-  %900 = phi double [ %898, %896 ], [ 0.000000e+00, %785 ], [ %891, %824 ]
-  %901 = load ptr, ptr %76, align 8, !noalias !22
-  %902 = getelementptr inbounds i8, ptr %901, i64 8
-  %903 = load i64, ptr %902, align 8, !noalias !22
-  %904 = load i64, ptr %288, align 8, !noalias !22
-  %905 = load ptr, ptr %78, align 8, !noalias !22
-  %906 = getelementptr inbounds i8, ptr %905, i64 40
-  %907 = load i64, ptr %906, align 8, !noalias !22
-  %908 = load ptr, ptr %277, align 8, !noalias !22
-  %909 = load ptr, ptr %278, align 8, !noalias !22
-  %910 = load ptr, ptr %289, align 8, !noalias !22
-  %911 = load ptr, ptr %287, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %910, i64 noundef %904, ptr noundef %911, ptr noundef %908) #10, !noalias !22
-  %912 = load ptr, ptr %290, align 8, !noalias !22
-  %913 = load ptr, ptr %291, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %912, i64 noundef %904, ptr noundef %913, ptr noundef %909) #10, !noalias !22
-  %914 = icmp sgt i64 %907, 0
-  br i1 %914, label %915, label %920
+909:                                              ; preds = %834, %795, %906
+  %910 = phi double [ %908, %906 ], [ 0.000000e+00, %795 ], [ %901, %834 ]
+  %911 = load ptr, ptr %76, align 8, !noalias !22
+  %912 = getelementptr inbounds i8, ptr %911, i64 8
+  %913 = load i64, ptr %912, align 8, !noalias !22
+  %914 = load i64, ptr %130, align 8, !noalias !22
+  %915 = load ptr, ptr %78, align 8, !noalias !22
+  %916 = getelementptr inbounds i8, ptr %915, i64 40
+  %917 = load i64, ptr %916, align 8, !noalias !22
+  %918 = load ptr, ptr %119, align 8, !noalias !22
+  %919 = load ptr, ptr %120, align 8, !noalias !22
+  %920 = load ptr, ptr %131, align 8, !noalias !22
+  %921 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %920, i64 noundef %914, ptr noundef %921, ptr noundef %918) #10, !noalias !22
+  %922 = load ptr, ptr %132, align 8, !noalias !22
+  %923 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve(ptr noundef %922, i64 noundef %914, ptr noundef %923, ptr noundef %919) #10, !noalias !22
+  %924 = icmp sgt i64 %917, 0
+  br i1 %924, label %925, label %930
 
-915:                                              ; preds = %899
-  %916 = load ptr, ptr %289, align 8, !noalias !22
-  %917 = load ptr, ptr %287, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %916, i64 noundef %904, ptr noundef %917, ptr noundef %908, i64 noundef %907) #10, !noalias !22
-  %918 = load ptr, ptr %290, align 8, !noalias !22
-  %919 = load ptr, ptr %291, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %918, i64 noundef %904, ptr noundef %919, ptr noundef %909, i64 noundef %907) #10, !noalias !22
-  br label %920
+925:                                              ; preds = %909
+  %926 = load ptr, ptr %131, align 8, !noalias !22
+  %927 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %926, i64 noundef %914, ptr noundef %927, ptr noundef %918, i64 noundef %917) #10, !noalias !22
+  %928 = load ptr, ptr %132, align 8, !noalias !22
+  %929 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %928, i64 noundef %914, ptr noundef %929, ptr noundef %919, i64 noundef %917) #10, !noalias !22
+  br label %930
 
-920:                                              ; preds = %915, %899
-  %921 = icmp sgt i64 %903, 0
-  br i1 %921, label %922, label %955
+930:                                              ; preds = %925, %909
+  %931 = icmp sgt i64 %913, 0
+  br i1 %931, label %932, label %965
 
-922:                                              ; preds = %920
-  %923 = load ptr, ptr %77, align 8, !noalias !22
-  %924 = load ptr, ptr %292, align 8, !noalias !22
-  %925 = load ptr, ptr %293, align 8, !noalias !22
-  br label %926
+932:                                              ; preds = %930
+  %933 = load ptr, ptr %77, align 8, !noalias !22
+  %934 = load ptr, ptr %134, align 8, !noalias !22
+  %935 = load ptr, ptr %135, align 8, !noalias !22
+  br label %936
 
-926:                                              ; preds = %922, %926
-  %927 = phi double [ 0.000000e+00, %922 ], [ %952, %926 ]
-  %928 = phi i64 [ 0, %922 ], [ %953, %926 ]
-  %929 = getelementptr inbounds double, ptr %923, i64 %928
-  %930 = load double, ptr %929, align 8, !noalias !22
-  %931 = getelementptr inbounds double, ptr %924, i64 %928
-  %932 = load double, ptr %931, align 8, !noalias !22
-  %933 = getelementptr inbounds double, ptr %925, i64 %928
-  %934 = load double, ptr %933, align 8, !noalias !22
-  %935 = tail call double @llvm.fabs.f64(double %930)
-  %936 = fmul double %935, %934
-  %937 = fadd double %932, %936
-  %938 = getelementptr inbounds double, ptr %908, i64 %928
-  %939 = load double, ptr %938, align 8, !noalias !22
-  %940 = fdiv double %939, %937
-  %941 = getelementptr inbounds { double, double }, ptr %909, i64 %928
+936:                                              ; preds = %932, %936
+  %937 = phi double [ 0.000000e+00, %932 ], [ %962, %936 ]
+  %938 = phi i64 [ 0, %932 ], [ %963, %936 ]
+  %939 = getelementptr inbounds double, ptr %933, i64 %938
+  %940 = load double, ptr %939, align 8, !noalias !22
+  %941 = getelementptr inbounds double, ptr %934, i64 %938
   %942 = load double, ptr %941, align 8, !noalias !22
-  %943 = getelementptr inbounds i8, ptr %941, i64 8
-  %944 = fdiv double %942, %937
-  %945 = load double, ptr %943, align 8, !noalias !22
-  %946 = fdiv double %945, %937
-  %947 = fmul double %940, %940
-  %948 = fmul double %944, %944
-  %949 = fadd double %947, %948
-  %950 = fmul double %946, %946
-  %951 = fadd double %949, %950
-  %952 = fadd double %927, %951
-  %953 = add nuw nsw i64 %928, 1
-  %954 = icmp eq i64 %953, %903
-  br i1 %954, label %955, label %926, !llvm.loop !28
+  %943 = getelementptr inbounds double, ptr %935, i64 %938
+  %944 = load double, ptr %943, align 8, !noalias !22
+  %945 = tail call double @llvm.fabs.f64(double %940)
+  %946 = fmul double %945, %944
+  %947 = fadd double %942, %946
+  %948 = getelementptr inbounds double, ptr %918, i64 %938
+  %949 = load double, ptr %948, align 8, !noalias !22
+  %950 = fdiv double %949, %947
+  %951 = getelementptr inbounds { double, double }, ptr %919, i64 %938
+  %952 = load double, ptr %951, align 8, !noalias !22
+  %953 = getelementptr inbounds i8, ptr %951, i64 8
+  %954 = fdiv double %952, %947
+  %955 = load double, ptr %953, align 8, !noalias !22
+  %956 = fdiv double %955, %947
+  %957 = fmul double %950, %950
+  %958 = fmul double %954, %954
+  %959 = fadd double %957, %958
+  %960 = fmul double %956, %956
+  %961 = fadd double %959, %960
+  %962 = fadd double %937, %961
+  %963 = add nuw nsw i64 %938, 1
+  %964 = icmp eq i64 %963, %913
+  br i1 %964, label %965, label %936, !llvm.loop !28
 
-955:                                              ; preds = %926, %920
-  %956 = phi double [ 0.000000e+00, %920 ], [ %952, %926 ]
-  %957 = mul nsw i64 %903, 3
-  %958 = sitofp i64 %957 to double
-  %959 = fdiv double %956, %958
-  %960 = tail call double @llvm.sqrt.f64(double %959)
-  %961 = fcmp oeq double %960, 0.000000e+00
-  %962 = fcmp ogt double %900, 0.000000e+00
-  %963 = select i1 %961, i1 %962, i1 false
-  br i1 %963, label %964, label %966
+965:                                              ; preds = %936, %930
+  %966 = phi double [ 0.000000e+00, %930 ], [ %962, %936 ]
+  %967 = mul nsw i64 %913, 3
+  %968 = sitofp i64 %967 to double
+  %969 = fdiv double %966, %968
+  %970 = tail call double @llvm.sqrt.f64(double %969)
+  %971 = fcmp oeq double %970, 0.000000e+00
+  %972 = fcmp ogt double %910, 0.000000e+00
+  %973 = select i1 %971, i1 %972, i1 false
+  br i1 %973, label %974, label %976
 
-964:                                              ; preds = %955
-  %965 = add nuw nsw i64 %721, 1
-  br label %1110
+974:                                              ; preds = %965
+  %975 = add nuw nsw i64 %731, 1
+  br label %1120
 
-966:                                              ; preds = %955
-  %967 = fcmp ogt double %718, 0.000000e+00
-  %968 = select i1 %967, i1 %727, i1 false
-  br i1 %968, label %969, label %982
+976:                                              ; preds = %965
+  %977 = fcmp ogt double %728, 0.000000e+00
+  %978 = select i1 %977, i1 %737, i1 false
+  br i1 %978, label %979, label %992
 
-969:                                              ; preds = %966
-  %970 = fdiv double %960, %718
-  %971 = fcmp ult double %970, 1.000000e+00
-  br i1 %971, label %972, label %980
+979:                                              ; preds = %976
+  %980 = fdiv double %970, %728
+  %981 = fcmp ult double %980, 1.000000e+00
+  br i1 %981, label %982, label %990
 
-972:                                              ; preds = %969
-  %973 = sub nsw i64 5, %721
-  %974 = sitofp i64 %973 to double
-  %975 = tail call double @llvm.pow.f64(double %970, double %974)
-  %976 = fsub double 1.000000e+00, %970
-  %977 = fdiv double %975, %976
-  %978 = fmul double %960, %977
-  %979 = fcmp ogt double %978, %122
-  br i1 %979, label %980, label %982
+982:                                              ; preds = %979
+  %983 = sub nsw i64 5, %731
+  %984 = sitofp i64 %983 to double
+  %985 = tail call double @llvm.pow.f64(double %980, double %984)
+  %986 = fsub double 1.000000e+00, %980
+  %987 = fdiv double %985, %986
+  %988 = fmul double %970, %987
+  %989 = fcmp ogt double %988, %223
+  br i1 %989, label %990, label %992
 
-980:                                              ; preds = %972, %969
-  %981 = add nuw nsw i64 %721, 1
-  br label %1110
+990:                                              ; preds = %982, %979
+  %991 = add nuw nsw i64 %731, 1
+  br label %1120
 
-982:                                              ; preds = %972, %966
-  %983 = phi double [ %719, %966 ], [ %970, %972 ]
-  br i1 %712, label %995, label %984
+992:                                              ; preds = %982, %976
+  %993 = phi double [ %729, %976 ], [ %980, %982 ]
+  br i1 %722, label %1005, label %994
 
-984:                                              ; preds = %1013, %982
-  %985 = fsub double 1.000000e+00, %983
-  %986 = fdiv double %983, %985
-  %987 = fmul double %960, %986
-  %988 = fcmp olt double %987, %122
-  %989 = select i1 %967, i1 %988, i1 false
-  %990 = select i1 %961, i1 true, i1 %989
-  %991 = add nuw nsw i64 %721, 1
-  %992 = select i1 %990, i64 %991, i64 0
-  %993 = select i1 %727, i64 %992, i64 %720
-  %994 = icmp sgt i64 %993, 0
-  br i1 %994, label %1036, label %1109
+994:                                              ; preds = %1023, %992
+  %995 = fsub double 1.000000e+00, %993
+  %996 = fdiv double %993, %995
+  %997 = fmul double %970, %996
+  %998 = fcmp olt double %997, %223
+  %999 = select i1 %977, i1 %998, i1 false
+  %1000 = select i1 %971, i1 true, i1 %999
+  %1001 = add nuw nsw i64 %731, 1
+  %1002 = select i1 %1000, i64 %1001, i64 0
+  %1003 = select i1 %737, i64 %1002, i64 %730
+  %1004 = icmp sgt i64 %1003, 0
+  br i1 %1004, label %1046, label %1119
 
-995:                                              ; preds = %982, %1013
-  %996 = phi i64 [ %1014, %1013 ], [ 0, %982 ]
-  %997 = getelementptr inbounds double, ptr %704, i64 %996
-  %998 = load double, ptr %997, align 8, !noalias !22
-  %999 = getelementptr inbounds double, ptr %702, i64 %996
-  %1000 = load double, ptr %999, align 8, !noalias !22
-  %1001 = fadd double %998, %1000
-  store double %1001, ptr %999, align 8, !noalias !22
-  %1002 = getelementptr inbounds { double, double }, ptr %705, i64 %996
-  %1003 = load double, ptr %1002, align 8, !noalias !22
-  %1004 = getelementptr inbounds i8, ptr %1002, i64 8
-  %1005 = getelementptr double, ptr %713, i64 %996
-  %1006 = load double, ptr %1005, align 8, !noalias !22
-  %1007 = fadd double %1003, %1006
-  store double %1007, ptr %1005, align 8, !noalias !22
-  %1008 = load double, ptr %1004, align 8, !noalias !22
-  %1009 = getelementptr double, ptr %715, i64 %996
+1005:                                             ; preds = %992, %1023
+  %1006 = phi i64 [ %1024, %1023 ], [ 0, %992 ]
+  %1007 = getelementptr inbounds double, ptr %714, i64 %1006
+  %1008 = load double, ptr %1007, align 8, !noalias !22
+  %1009 = getelementptr inbounds double, ptr %712, i64 %1006
   %1010 = load double, ptr %1009, align 8, !noalias !22
   %1011 = fadd double %1008, %1010
   store double %1011, ptr %1009, align 8, !noalias !22
-  %1012 = getelementptr double, ptr %701, i64 %996
-  br label %1016
+  %1012 = getelementptr inbounds { double, double }, ptr %715, i64 %1006
+  %1013 = load double, ptr %1012, align 8, !noalias !22
+  %1014 = getelementptr inbounds i8, ptr %1012, i64 8
+  %1015 = getelementptr double, ptr %723, i64 %1006
+  %1016 = load double, ptr %1015, align 8, !noalias !22
+  %1017 = fadd double %1013, %1016
+  store double %1017, ptr %1015, align 8, !noalias !22
+  %1018 = load double, ptr %1014, align 8, !noalias !22
+  %1019 = getelementptr double, ptr %725, i64 %1006
+  %1020 = load double, ptr %1019, align 8, !noalias !22
+  %1021 = fadd double %1018, %1020
+  store double %1021, ptr %1019, align 8, !noalias !22
+  %1022 = getelementptr double, ptr %711, i64 %1006
+  br label %1026
 
-1013:                                             ; preds = %1016
-  %1014 = add nuw nsw i64 %996, 1
-  %1015 = icmp eq i64 %1014, %697
-  br i1 %1015, label %984, label %995, !llvm.loop !29
+1023:                                             ; preds = %1026
+  %1024 = add nuw nsw i64 %1006, 1
+  %1025 = icmp eq i64 %1024, %707
+  br i1 %1025, label %994, label %1005, !llvm.loop !29
 
-1016:                                             ; preds = %995, %1016
-  %1017 = phi i64 [ 0, %995 ], [ %1034, %1016 ]
-  %1018 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1017
-  %1019 = load double, ptr %1018, align 8, !noalias !22
-  %1020 = load double, ptr %999, align 8, !noalias !22
-  %1021 = fmul double %1019, %1020
-  %1022 = getelementptr inbounds i8, ptr %1018, i64 8
-  %1023 = load double, ptr %1022, align 8, !noalias !22
-  %1024 = load double, ptr %1005, align 8, !noalias !22
-  %1025 = fmul double %1023, %1024
-  %1026 = fadd double %1021, %1025
-  %1027 = getelementptr inbounds i8, ptr %1018, i64 16
-  %1028 = load double, ptr %1027, align 8, !noalias !22
-  %1029 = load double, ptr %1009, align 8, !noalias !22
-  %1030 = fmul double %1028, %1029
-  %1031 = fadd double %1026, %1030
-  %1032 = mul nuw nsw i64 %697, %1017
-  %1033 = getelementptr double, ptr %1012, i64 %1032
-  store double %1031, ptr %1033, align 8, !noalias !22
-  %1034 = add nuw nsw i64 %1017, 1
-  %1035 = icmp eq i64 %1034, 3
-  br i1 %1035, label %1013, label %1016, !llvm.loop !30
+1026:                                             ; preds = %1005, %1026
+  %1027 = phi i64 [ 0, %1005 ], [ %1044, %1026 ]
+  %1028 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1027
+  %1029 = load double, ptr %1028, align 8, !noalias !22
+  %1030 = load double, ptr %1009, align 8, !noalias !22
+  %1031 = fmul double %1029, %1030
+  %1032 = getelementptr inbounds i8, ptr %1028, i64 8
+  %1033 = load double, ptr %1032, align 8, !noalias !22
+  %1034 = load double, ptr %1015, align 8, !noalias !22
+  %1035 = fmul double %1033, %1034
+  %1036 = fadd double %1031, %1035
+  %1037 = getelementptr inbounds i8, ptr %1028, i64 16
+  %1038 = load double, ptr %1037, align 8, !noalias !22
+  %1039 = load double, ptr %1019, align 8, !noalias !22
+  %1040 = fmul double %1038, %1039
+  %1041 = fadd double %1036, %1040
+  %1042 = mul nuw nsw i64 %707, %1027
+  %1043 = getelementptr double, ptr %1022, i64 %1042
+  store double %1041, ptr %1043, align 8, !noalias !22
+  %1044 = add nuw nsw i64 %1027, 1
+  %1045 = icmp eq i64 %1044, 3
+  br i1 %1045, label %1023, label %1026, !llvm.loop !30
 
-1036:                                             ; preds = %984
-  br i1 %716, label %1110, label %1037
+1046:                                             ; preds = %994
+  br i1 %726, label %1120, label %1047
 
-1037:                                             ; preds = %1036
-  %1038 = load i64, ptr %294, align 8, !noalias !22
-  %1039 = load ptr, ptr %78, align 8, !noalias !22
-  %1040 = getelementptr inbounds i8, ptr %1039, i64 40
-  %1041 = load i64, ptr %1040, align 8, !noalias !22
-  %1042 = load ptr, ptr %297, align 8, !noalias !22
-  %1043 = load ptr, ptr %295, align 8, !noalias !22
-  %1044 = load ptr, ptr %298, align 8, !noalias !22
-  %1045 = icmp sgt i64 %1041, 0
-  br i1 %1045, label %1046, label %1106
+1047:                                             ; preds = %1046
+  %1048 = load i64, ptr %136, align 8, !noalias !22
+  %1049 = load ptr, ptr %78, align 8, !noalias !22
+  %1050 = getelementptr inbounds i8, ptr %1049, i64 40
+  %1051 = load i64, ptr %1050, align 8, !noalias !22
+  %1052 = load ptr, ptr %139, align 8, !noalias !22
+  %1053 = load ptr, ptr %137, align 8, !noalias !22
+  %1054 = load ptr, ptr %140, align 8, !noalias !22
+  %1055 = icmp sgt i64 %1051, 0
+  br i1 %1055, label %1056, label %1116
 
-1046:                                             ; preds = %1037
-  %1047 = load i64, ptr %296, align 8, !noalias !22
-  %1048 = icmp sgt i64 %1038, 0
-  %1049 = getelementptr double, ptr %1043, i64 %1047
-  %1050 = shl i64 %1047, 4
-  %1051 = getelementptr i8, ptr %1043, i64 %1050
-  br label %1052
+1056:                                             ; preds = %1047
+  %1057 = load i64, ptr %138, align 8, !noalias !22
+  %1058 = icmp sgt i64 %1048, 0
+  %1059 = getelementptr double, ptr %1053, i64 %1057
+  %1060 = shl i64 %1057, 4
+  %1061 = getelementptr i8, ptr %1053, i64 %1060
+  br label %1062
 
-1052:                                             ; preds = %1046, %1102
-  %1053 = phi double [ 0.000000e+00, %1046 ], [ %1103, %1102 ]
-  %1054 = phi i64 [ 0, %1046 ], [ %1104, %1102 ]
-  br i1 %1048, label %1055, label %1058
+1062:                                             ; preds = %1056, %1112
+  %1063 = phi double [ 0.000000e+00, %1056 ], [ %1113, %1112 ]
+  %1064 = phi i64 [ 0, %1056 ], [ %1114, %1112 ]
+  br i1 %1058, label %1065, label %1068
 
-1055:                                             ; preds = %1052
-  %1056 = add nuw i64 %1054, %1038
-  %1057 = load ptr, ptr %77, align 8, !noalias !22
-  br label %1063
+1065:                                             ; preds = %1062
+  %1066 = add nuw i64 %1064, %1048
+  %1067 = load ptr, ptr %77, align 8, !noalias !22
+  br label %1073
 
-1058:                                             ; preds = %1063, %1052
-  %1059 = phi double [ 0.000000e+00, %1052 ], [ %1095, %1063 ]
-  %1060 = phi double [ 0.000000e+00, %1052 ], [ %1079, %1063 ]
-  %1061 = fmul double %1053, %1059
-  %1062 = fcmp ogt double %1060, %1061
-  br i1 %1062, label %1098, label %1102
+1068:                                             ; preds = %1073, %1062
+  %1069 = phi double [ 0.000000e+00, %1062 ], [ %1105, %1073 ]
+  %1070 = phi double [ 0.000000e+00, %1062 ], [ %1089, %1073 ]
+  %1071 = fmul double %1063, %1069
+  %1072 = fcmp ogt double %1070, %1071
+  br i1 %1072, label %1108, label %1112
 
-1063:                                             ; preds = %1055, %1063
-  %1064 = phi double [ 0.000000e+00, %1055 ], [ %1079, %1063 ]
-  %1065 = phi double [ 0.000000e+00, %1055 ], [ %1095, %1063 ]
-  %1066 = phi i64 [ 0, %1055 ], [ %1096, %1063 ]
-  %1067 = mul nuw nsw i64 %1066, %1041
-  %1068 = add i64 %1056, %1067
-  %1069 = getelementptr inbounds double, ptr %1042, i64 %1068
-  %1070 = load double, ptr %1069, align 8, !noalias !22
-  %1071 = fmul double %1070, %1070
-  %1072 = getelementptr inbounds { double, double }, ptr %1044, i64 %1068
-  %1073 = load double, ptr %1072, align 8, !noalias !22
-  %1074 = getelementptr inbounds i8, ptr %1072, i64 8
-  %1075 = load double, ptr %1074, align 8, !noalias !22
-  %1076 = tail call double @hypot(double noundef %1073, double noundef %1075) #13
-  %1077 = fmul double %1076, %1076
-  %1078 = fadd double %1071, %1077
-  %1079 = fadd double %1064, %1078
-  %1080 = getelementptr inbounds double, ptr %1057, i64 %1068
-  %1081 = load double, ptr %1080, align 8, !noalias !22
-  %1082 = fmul double %1081, %1081
-  %1083 = fadd double %1065, %1082
-  %1084 = getelementptr inbounds double, ptr %1043, i64 %1068
+1073:                                             ; preds = %1065, %1073
+  %1074 = phi double [ 0.000000e+00, %1065 ], [ %1089, %1073 ]
+  %1075 = phi double [ 0.000000e+00, %1065 ], [ %1105, %1073 ]
+  %1076 = phi i64 [ 0, %1065 ], [ %1106, %1073 ]
+  %1077 = mul nuw nsw i64 %1076, %1051
+  %1078 = add i64 %1066, %1077
+  %1079 = getelementptr inbounds double, ptr %1052, i64 %1078
+  %1080 = load double, ptr %1079, align 8, !noalias !22
+  %1081 = fmul double %1080, %1080
+  %1082 = getelementptr inbounds { double, double }, ptr %1054, i64 %1078
+  %1083 = load double, ptr %1082, align 8, !noalias !22
+  %1084 = getelementptr inbounds i8, ptr %1082, i64 8
   %1085 = load double, ptr %1084, align 8, !noalias !22
-  %1086 = fmul double %1085, %1085
-  %1087 = getelementptr double, ptr %1049, i64 %1068
-  %1088 = load double, ptr %1087, align 8, !noalias !22
-  %1089 = fmul double %1088, %1088
-  %1090 = fadd double %1086, %1089
-  %1091 = getelementptr double, ptr %1051, i64 %1068
-  %1092 = load double, ptr %1091, align 8, !noalias !22
-  %1093 = fmul double %1092, %1092
-  %1094 = fadd double %1090, %1093
-  %1095 = fadd double %1083, %1094
-  %1096 = add nuw nsw i64 %1066, 1
-  %1097 = icmp eq i64 %1096, %1038
-  br i1 %1097, label %1058, label %1063, !llvm.loop !31
+  %1086 = tail call double @hypot(double noundef %1083, double noundef %1085) #13
+  %1087 = fmul double %1086, %1086
+  %1088 = fadd double %1081, %1087
+  %1089 = fadd double %1074, %1088
+  %1090 = getelementptr inbounds double, ptr %1067, i64 %1078
+  %1091 = load double, ptr %1090, align 8, !noalias !22
+  %1092 = fmul double %1091, %1091
+  %1093 = fadd double %1075, %1092
+  %1094 = getelementptr inbounds double, ptr %1053, i64 %1078
+  %1095 = load double, ptr %1094, align 8, !noalias !22
+  %1096 = fmul double %1095, %1095
+  %1097 = getelementptr double, ptr %1059, i64 %1078
+  %1098 = load double, ptr %1097, align 8, !noalias !22
+  %1099 = fmul double %1098, %1098
+  %1100 = fadd double %1096, %1099
+  %1101 = getelementptr double, ptr %1061, i64 %1078
+  %1102 = load double, ptr %1101, align 8, !noalias !22
+  %1103 = fmul double %1102, %1102
+  %1104 = fadd double %1100, %1103
+  %1105 = fadd double %1093, %1104
+  %1106 = add nuw nsw i64 %1076, 1
+  %1107 = icmp eq i64 %1106, %1048
+  br i1 %1107, label %1068, label %1073, !llvm.loop !31
 
-1098:                                             ; preds = %1058
-  %1099 = fcmp ogt double %1059, 0.000000e+00
-  %1100 = fdiv double %1060, %1059
-  %1101 = select i1 %1099, double %1100, double 1.000000e+00
-  br label %1102
+1108:                                             ; preds = %1068
+  %1109 = fcmp ogt double %1069, 0.000000e+00
+  %1110 = fdiv double %1070, %1069
+  %1111 = select i1 %1109, double %1110, double 1.000000e+00
+  br label %1112
 
-1102:                                             ; preds = %1098, %1058
-  %1103 = phi double [ %1101, %1098 ], [ %1053, %1058 ]
-  %1104 = add nuw nsw i64 %1054, 1
-  %1105 = icmp eq i64 %1104, %1041
-  br i1 %1105, label %1106, label %1052, !llvm.loop !32
+1112:                                             ; preds = %1108, %1068
+  %1113 = phi double [ %1111, %1108 ], [ %1063, %1068 ]
+  %1114 = add nuw nsw i64 %1064, 1
+  %1115 = icmp eq i64 %1114, %1051
+  br i1 %1115, label %1116, label %1062, !llvm.loop !32
 
-1106:                                             ; preds = %1102, %1037
-  %1107 = phi double [ 0.000000e+00, %1037 ], [ %1103, %1102 ]
-  %1108 = fcmp ugt double %1107, %299
-  br i1 %1108, label %1109, label %1110
+1116:                                             ; preds = %1112, %1047
+  %1117 = phi double [ 0.000000e+00, %1047 ], [ %1113, %1112 ]
+  %1118 = fcmp ugt double %1117, %346
+  br i1 %1118, label %1119, label %1120
 
-1109:                                             ; preds = %1106, %984
-  br label %1110
+1119:                                             ; preds = %1116, %994
+  br label %1120
 
-1110:                                             ; preds = %1109, %1106, %1036, %980, %964
-  %1111 = phi double [ %719, %964 ], [ %970, %980 ], [ %780, %1036 ], [ %780, %1109 ], [ %780, %1106 ]
-  %1112 = phi i32 [ 0, %964 ], [ 0, %980 ], [ %781, %1036 ], [ %781, %1109 ], [ %781, %1106 ]
-  %1113 = phi i64 [ %965, %964 ], [ %981, %980 ], [ %782, %1036 ], [ %782, %1109 ], [ %782, %1106 ]
-  %1114 = phi i64 [ 0, %964 ], [ 0, %980 ], [ %783, %1036 ], [ %783, %1109 ], [ %783, %1106 ]
-  %1115 = phi i1 [ false, %964 ], [ false, %980 ], [ false, %1036 ], [ true, %1109 ], [ false, %1106 ]
-  %1116 = phi i32 [ 1, %964 ], [ 1, %980 ], [ 2, %1036 ], [ 0, %1109 ], [ 2, %1106 ]
-  %1117 = phi i64 [ %720, %964 ], [ 0, %980 ], [ %993, %1036 ], [ %993, %1109 ], [ %993, %1106 ]
-  %1118 = phi double [ %719, %964 ], [ %970, %980 ], [ %983, %1036 ], [ %983, %1109 ], [ %983, %1106 ]
-  %1119 = phi double [ %718, %964 ], [ %718, %980 ], [ %718, %1036 ], [ %960, %1109 ], [ %718, %1106 ]
-  br i1 %1115, label %1120, label %1123
+1120:                                             ; preds = %1119, %1116, %1046, %990, %974
+  %1121 = phi double [ %729, %974 ], [ %980, %990 ], [ %790, %1046 ], [ %790, %1119 ], [ %790, %1116 ]
+  %1122 = phi i32 [ 0, %974 ], [ 0, %990 ], [ %791, %1046 ], [ %791, %1119 ], [ %791, %1116 ]
+  %1123 = phi i64 [ %975, %974 ], [ %991, %990 ], [ %792, %1046 ], [ %792, %1119 ], [ %792, %1116 ]
+  %1124 = phi i64 [ 0, %974 ], [ 0, %990 ], [ %793, %1046 ], [ %793, %1119 ], [ %793, %1116 ]
+  %1125 = phi i1 [ false, %974 ], [ false, %990 ], [ false, %1046 ], [ true, %1119 ], [ false, %1116 ]
+  %1126 = phi i32 [ 1, %974 ], [ 1, %990 ], [ 2, %1046 ], [ 0, %1119 ], [ 2, %1116 ]
+  %1127 = phi i64 [ %730, %974 ], [ 0, %990 ], [ %1003, %1046 ], [ %1003, %1119 ], [ %1003, %1116 ]
+  %1128 = phi double [ %729, %974 ], [ %980, %990 ], [ %993, %1046 ], [ %993, %1119 ], [ %993, %1116 ]
+  %1129 = phi double [ %728, %974 ], [ %728, %990 ], [ %728, %1046 ], [ %970, %1119 ], [ %728, %1116 ]
+  br i1 %1125, label %1130, label %1133
 
-1120:                                             ; preds = %1110
-  %1121 = add nuw nsw i64 %721, 1
-  %1122 = icmp eq i64 %1121, %707
-  br i1 %1122, label %1123, label %717, !llvm.loop !33
+1130:                                             ; preds = %1120
+  %1131 = add nuw nsw i64 %731, 1
+  %1132 = icmp eq i64 %1131, %717
+  br i1 %1132, label %1133, label %727, !llvm.loop !33
 
-1123:                                             ; preds = %896, %1110, %778, %717, %1120
-  %1124 = phi double [ %725, %717 ], [ %1111, %1110 ], [ %780, %778 ], [ %1111, %1120 ], [ 0x7FF0000000000000, %896 ]
-  %1125 = phi i32 [ %724, %717 ], [ %1112, %1110 ], [ %781, %778 ], [ %1112, %1120 ], [ 0, %896 ]
-  %1126 = phi i64 [ %723, %717 ], [ %1113, %1110 ], [ %782, %778 ], [ %1113, %1120 ], [ %721, %896 ]
-  %1127 = phi i64 [ %722, %717 ], [ %1114, %1110 ], [ %783, %778 ], [ %1114, %1120 ], [ 0, %896 ]
-  %1128 = phi i32 [ 2, %717 ], [ %1116, %1110 ], [ %784, %778 ], [ 2, %1120 ], [ 1, %896 ]
-  %1129 = phi i64 [ 0, %717 ], [ %1117, %1110 ], [ %720, %778 ], [ %1117, %1120 ], [ %720, %896 ]
-  %1130 = phi double [ %719, %717 ], [ %1118, %1110 ], [ %719, %778 ], [ %1118, %1120 ], [ %719, %896 ]
-  %1131 = icmp eq i32 %1128, 2
-  br i1 %1131, label %1132, label %1136
+1133:                                             ; preds = %906, %1120, %788, %727, %1130
+  %1134 = phi double [ %735, %727 ], [ %1121, %1120 ], [ %790, %788 ], [ %1121, %1130 ], [ 0x7FF0000000000000, %906 ]
+  %1135 = phi i32 [ %734, %727 ], [ %1122, %1120 ], [ %791, %788 ], [ %1122, %1130 ], [ 0, %906 ]
+  %1136 = phi i64 [ %733, %727 ], [ %1123, %1120 ], [ %792, %788 ], [ %1123, %1130 ], [ %731, %906 ]
+  %1137 = phi i64 [ %732, %727 ], [ %1124, %1120 ], [ %793, %788 ], [ %1124, %1130 ], [ 0, %906 ]
+  %1138 = phi i32 [ 2, %727 ], [ %1126, %1120 ], [ %794, %788 ], [ 2, %1130 ], [ 1, %906 ]
+  %1139 = phi i64 [ 0, %727 ], [ %1127, %1120 ], [ %730, %788 ], [ %1127, %1130 ], [ %730, %906 ]
+  %1140 = phi double [ %729, %727 ], [ %1128, %1120 ], [ %729, %788 ], [ %1128, %1130 ], [ %729, %906 ]
+  %1141 = icmp eq i32 %1138, 2
+  br i1 %1141, label %1142, label %1146
 
-1132:                                             ; preds = %1123
-  %1133 = icmp sgt i64 %1129, 0
-  %1134 = select i1 %1133, i64 %1129, i64 6
-  %1135 = zext i1 %1133 to i32
-  br label %1136
+1142:                                             ; preds = %1133
+  %1143 = icmp sgt i64 %1139, 0
+  %1144 = select i1 %1143, i64 %1139, i64 6
+  %1145 = zext i1 %1143 to i32
+  br label %1146
 
-1136:                                             ; preds = %1123, %1132
-  %1137 = phi double [ %1130, %1132 ], [ %1124, %1123 ]
-  %1138 = phi i32 [ %1135, %1132 ], [ %1125, %1123 ]
-  %1139 = phi i64 [ %1134, %1132 ], [ %1126, %1123 ]
-  %1140 = phi i64 [ 0, %1132 ], [ %1127, %1123 ]
-  %1141 = icmp slt i64 %1140, 0
-  br i1 %1141, label %1883, label %1142
+1146:                                             ; preds = %1133, %1142
+  %1147 = phi double [ %1140, %1142 ], [ %1134, %1133 ]
+  %1148 = phi i32 [ %1145, %1142 ], [ %1135, %1133 ]
+  %1149 = phi i64 [ %1144, %1142 ], [ %1136, %1133 ]
+  %1150 = phi i64 [ 0, %1142 ], [ %1137, %1133 ]
+  %1151 = icmp slt i64 %1150, 0
+  br i1 %1151, label %1893, label %1152
 
-1142:                                             ; preds = %1136
-  %1143 = icmp eq i32 %1138, 0
-  br i1 %1143, label %1145, label %1144
+1152:                                             ; preds = %1146
+  %1153 = icmp eq i32 %1148, 0
+  br i1 %1153, label %1155, label %1154
 
-1144:                                             ; preds = %1142
-  br i1 %300, label %1296, label %1195
+1154:                                             ; preds = %1152
+  br i1 %347, label %1306, label %1205
 
-1145:                                             ; preds = %1142
-  %1146 = load i64, ptr %242, align 8
-  %1147 = add nsw i64 %1146, 1
-  store i64 %1147, ptr %242, align 8
-  %1148 = tail call double @llvm.fabs.f64(double %1137)
-  %1149 = fcmp ueq double %1148, 0x7FF0000000000000
-  %1150 = select i1 %1149, i64 4, i64 7
-  %1151 = icmp eq i64 %1140, 0
-  %1152 = select i1 %1151, i64 %1150, i64 3
-  store i64 %1152, ptr %357, align 8
-  %1153 = load i64, ptr %358, align 8
-  %1154 = icmp eq i64 %1153, 1
-  %1155 = and i1 %1151, %1154
-  br i1 %1155, label %1156, label %1182
+1155:                                             ; preds = %1152
+  %1156 = load i64, ptr %336, align 8
+  %1157 = add nsw i64 %1156, 1
+  store i64 %1157, ptr %336, align 8
+  %1158 = tail call double @llvm.fabs.f64(double %1147)
+  %1159 = fcmp ueq double %1158, 0x7FF0000000000000
+  %1160 = select i1 %1159, i64 4, i64 7
+  %1161 = icmp eq i64 %1150, 0
+  %1162 = select i1 %1161, i64 %1160, i64 3
+  store i64 %1162, ptr %365, align 8
+  %1163 = load i64, ptr %366, align 8
+  %1164 = icmp eq i64 %1163, 1
+  %1165 = and i1 %1161, %1164
+  br i1 %1165, label %1166, label %1192
 
-1156:                                             ; preds = %1145
-  %1157 = load i64, ptr %360, align 8
-  %1158 = icmp sgt i64 %1157, 0
-  br i1 %1158, label %1159, label %1176
+1166:                                             ; preds = %1155
+  %1167 = load i64, ptr %181, align 8
+  %1168 = icmp sgt i64 %1167, 0
+  br i1 %1168, label %1169, label %1186
 
-1159:                                             ; preds = %1156, %1168
-  %1160 = phi i64 [ %1173, %1168 ], [ 0, %1156 ]
-  %1161 = phi i32 [ %1170, %1168 ], [ 0, %1156 ]
-  %1162 = icmp eq i32 %1161, 0
-  br i1 %1162, label %1163, label %1168
+1169:                                             ; preds = %1166, %1178
+  %1170 = phi i64 [ %1183, %1178 ], [ 0, %1166 ]
+  %1171 = phi i32 [ %1180, %1178 ], [ 0, %1166 ]
+  %1172 = icmp eq i32 %1171, 0
+  br i1 %1172, label %1173, label %1178
 
-1163:                                             ; preds = %1159
-  %1164 = load ptr, ptr %359, align 8
-  %1165 = getelementptr inbounds double, ptr %1164, i64 %1160
-  %1166 = load double, ptr %1165, align 8
-  %1167 = fcmp une double %1166, 0.000000e+00
-  br label %1168
+1173:                                             ; preds = %1169
+  %1174 = load ptr, ptr %180, align 8
+  %1175 = getelementptr inbounds double, ptr %1174, i64 %1170
+  %1176 = load double, ptr %1175, align 8
+  %1177 = fcmp une double %1176, 0.000000e+00
+  br label %1178
 
-1168:                                             ; preds = %1163, %1159
-  %1169 = phi i1 [ true, %1159 ], [ %1167, %1163 ]
-  %1170 = zext i1 %1169 to i32
-  %1171 = load ptr, ptr %359, align 8
-  %1172 = getelementptr inbounds double, ptr %1171, i64 %1160
-  store double 0.000000e+00, ptr %1172, align 8
-  %1173 = add nuw nsw i64 %1160, 1
-  %1174 = load i64, ptr %360, align 8
-  %1175 = icmp slt i64 %1173, %1174
-  br i1 %1175, label %1159, label %1176, !llvm.loop !34
+1178:                                             ; preds = %1173, %1169
+  %1179 = phi i1 [ true, %1169 ], [ %1177, %1173 ]
+  %1180 = zext i1 %1179 to i32
+  %1181 = load ptr, ptr %180, align 8
+  %1182 = getelementptr inbounds double, ptr %1181, i64 %1170
+  store double 0.000000e+00, ptr %1182, align 8
+  %1183 = add nuw nsw i64 %1170, 1
+  %1184 = load i64, ptr %181, align 8
+  %1185 = icmp slt i64 %1183, %1184
+  br i1 %1185, label %1169, label %1186, !llvm.loop !34
 
-1176:                                             ; preds = %1168, %1156
-  %1177 = phi i32 [ 0, %1156 ], [ %1170, %1168 ]
-  %1178 = icmp eq i32 %1177, 0
-  br i1 %1178, label %1180, label %1179
+1186:                                             ; preds = %1178, %1166
+  %1187 = phi i32 [ 0, %1166 ], [ %1180, %1178 ]
+  %1188 = icmp eq i32 %1187, 0
+  br i1 %1188, label %1190, label %1189
 
-1179:                                             ; preds = %1176
-  store i64 0, ptr %263, align 8
-  br label %1883, !llvm.loop !17
+1189:                                             ; preds = %1186
+  store i64 0, ptr %342, align 8
+  br label %1893, !llvm.loop !17
 
-1180:                                             ; preds = %1176
-  store i64 0, ptr %358, align 8
-  %1181 = fmul double %404, 5.000000e-01
-  br label %1182
+1190:                                             ; preds = %1186
+  store i64 0, ptr %366, align 8
+  %1191 = fmul double %414, 5.000000e-01
+  br label %1192
 
-1182:                                             ; preds = %1180, %1145
-  %1183 = phi double [ %1181, %1180 ], [ %369, %1145 ]
-  %1184 = load i64, ptr %358, align 8
-  %1185 = icmp eq i64 %1184, 1
-  %1186 = icmp ne i64 %1140, 0
-  %1187 = or i1 %1186, %1185
-  br i1 %1187, label %1188, label %1191
+1192:                                             ; preds = %1190, %1155
+  %1193 = phi double [ %1191, %1190 ], [ %379, %1155 ]
+  %1194 = load i64, ptr %366, align 8
+  %1195 = icmp eq i64 %1194, 1
+  %1196 = icmp ne i64 %1150, 0
+  %1197 = or i1 %1196, %1195
+  br i1 %1197, label %1198, label %1201
 
-1188:                                             ; preds = %1182
-  %1189 = select i1 %1151, double 5.000000e-01, double 2.500000e-01
-  %1190 = fmul double %404, %1189
-  store double 0.000000e+00, ptr %271, align 8
-  br label %1191
+1198:                                             ; preds = %1192
+  %1199 = select i1 %1161, double 5.000000e-01, double 2.500000e-01
+  %1200 = fmul double %414, %1199
+  store double 0.000000e+00, ptr %344, align 8
+  br label %1201
 
-1191:                                             ; preds = %1182, %1188
-  %1192 = phi double [ %1190, %1188 ], [ %1183, %1182 ]
-  %1193 = load i64, ptr %358, align 8
-  %1194 = sub nsw i64 1, %1193
-  store i64 %1194, ptr %245, align 8
-  br label %1883, !llvm.loop !17
+1201:                                             ; preds = %1198, %1192
+  %1202 = phi double [ %1200, %1198 ], [ %1193, %1192 ]
+  %1203 = load i64, ptr %366, align 8
+  %1204 = sub nsw i64 1, %1203
+  store i64 %1204, ptr %339, align 8
+  br label %1893, !llvm.loop !17
 
-1195:                                             ; preds = %1296, %1144
-  %1196 = load i64, ptr %303, align 8
-  %1197 = icmp eq i64 %1196, 1
-  %1198 = load ptr, ptr %76, align 8
-  %1199 = getelementptr inbounds i8, ptr %1198, i64 8
-  %1200 = load i64, ptr %1199, align 8
-  %1201 = load i64, ptr %305, align 8
-  %1202 = load ptr, ptr %306, align 8
-  %1203 = load ptr, ptr %277, align 8
-  %1204 = icmp sgt i64 %1200, 0
-  br i1 %1204, label %1205, label %1207
+1205:                                             ; preds = %1306, %1154
+  %1206 = load i64, ptr %349, align 8
+  %1207 = icmp eq i64 %1206, 1
+  %1208 = load ptr, ptr %76, align 8
+  %1209 = getelementptr inbounds i8, ptr %1208, i64 8
+  %1210 = load i64, ptr %1209, align 8
+  %1211 = load i64, ptr %143, align 8
+  %1212 = load ptr, ptr %144, align 8
+  %1213 = load ptr, ptr %119, align 8
+  %1214 = icmp sgt i64 %1210, 0
+  br i1 %1214, label %1215, label %1217
 
-1205:                                             ; preds = %1195
-  %1206 = shl i64 %1200, 4
-  br label %1216
+1215:                                             ; preds = %1205
+  %1216 = shl i64 %1210, 4
+  br label %1226
 
-1207:                                             ; preds = %1216, %1195
-  %1208 = load ptr, ptr %308, align 8
-  %1209 = load ptr, ptr %304, align 8
-  tail call fastcc void @real_solve(ptr noundef %1208, i64 noundef %1201, ptr noundef %1209, ptr noundef %1203) #10
-  %1210 = load ptr, ptr %309, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1203, ptr noundef %1210, ptr noundef nonnull %77, i64 noundef %1200) #10
-  %1211 = load double, ptr %6, align 8
-  %1212 = fcmp uge double %1211, 1.000000e+00
-  %1213 = and i1 %1197, %1212
-  br i1 %1213, label %1214, label %1292
+1217:                                             ; preds = %1226, %1205
+  %1218 = load ptr, ptr %146, align 8
+  %1219 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1218, i64 noundef %1211, ptr noundef %1219, ptr noundef %1213) #10
+  %1220 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1213, ptr noundef %1220, ptr noundef nonnull %77, i64 noundef %1210) #10
+  %1221 = load double, ptr %6, align 8
+  %1222 = fcmp uge double %1221, 1.000000e+00
+  %1223 = and i1 %1207, %1222
+  br i1 %1223, label %1224, label %1302
 
-1214:                                             ; preds = %1207
-  %1215 = icmp sgt i64 %1200, 0
-  br i1 %1215, label %1264, label %1241
+1224:                                             ; preds = %1217
+  %1225 = icmp sgt i64 %1210, 0
+  br i1 %1225, label %1274, label %1251
 
-1216:                                             ; preds = %1205, %1216
-  %1217 = phi i64 [ 0, %1205 ], [ %1239, %1216 ]
-  %1218 = load ptr, ptr %273, align 8
-  %1219 = getelementptr inbounds double, ptr %1218, i64 %1217
-  %1220 = load double, ptr %1219, align 8
-  %1221 = fmul double %1220, 0x402418FD8BAFFE05
-  %1222 = getelementptr double, ptr %1218, i64 %1200
-  %1223 = getelementptr double, ptr %1222, i64 %1217
-  %1224 = load double, ptr %1223, align 8
-  %1225 = fmul double %1224, 0x3FF61D41B2D54580
-  %1226 = fsub double %1225, %1221
-  %1227 = getelementptr i8, ptr %1218, i64 %1206
-  %1228 = getelementptr double, ptr %1227, i64 %1217
-  %1229 = load double, ptr %1228, align 8
-  %1230 = fmul double %1229, 0x3FD5555555555555
-  %1231 = fsub double %1226, %1230
-  %1232 = fdiv double %1231, %404
-  %1233 = getelementptr inbounds double, ptr %1202, i64 %1217
-  store double %1232, ptr %1233, align 8
-  %1234 = load ptr, ptr %307, align 8
-  %1235 = getelementptr inbounds double, ptr %1234, i64 %1217
-  %1236 = load double, ptr %1235, align 8
-  %1237 = fadd double %1236, %1232
-  %1238 = getelementptr inbounds double, ptr %1203, i64 %1217
-  store double %1237, ptr %1238, align 8
-  %1239 = add nuw nsw i64 %1217, 1
-  %1240 = icmp eq i64 %1239, %1200
-  br i1 %1240, label %1207, label %1216, !llvm.loop !35
+1226:                                             ; preds = %1215, %1226
+  %1227 = phi i64 [ 0, %1215 ], [ %1249, %1226 ]
+  %1228 = load ptr, ptr %116, align 8
+  %1229 = getelementptr inbounds double, ptr %1228, i64 %1227
+  %1230 = load double, ptr %1229, align 8
+  %1231 = fmul double %1230, 0x402418FD8BAFFE05
+  %1232 = getelementptr double, ptr %1228, i64 %1210
+  %1233 = getelementptr double, ptr %1232, i64 %1227
+  %1234 = load double, ptr %1233, align 8
+  %1235 = fmul double %1234, 0x3FF61D41B2D54580
+  %1236 = fsub double %1235, %1231
+  %1237 = getelementptr i8, ptr %1228, i64 %1216
+  %1238 = getelementptr double, ptr %1237, i64 %1227
+  %1239 = load double, ptr %1238, align 8
+  %1240 = fmul double %1239, 0x3FD5555555555555
+  %1241 = fsub double %1236, %1240
+  %1242 = fdiv double %1241, %414
+  %1243 = getelementptr inbounds double, ptr %1212, i64 %1227
+  store double %1242, ptr %1243, align 8
+  %1244 = load ptr, ptr %145, align 8
+  %1245 = getelementptr inbounds double, ptr %1244, i64 %1227
+  %1246 = load double, ptr %1245, align 8
+  %1247 = fadd double %1246, %1242
+  %1248 = getelementptr inbounds double, ptr %1213, i64 %1227
+  store double %1247, ptr %1248, align 8
+  %1249 = add nuw nsw i64 %1227, 1
+  %1250 = icmp eq i64 %1249, %1210
+  br i1 %1250, label %1217, label %1226, !llvm.loop !35
 
-1241:                                             ; preds = %1264, %1214
-  %1242 = load ptr, ptr %83, align 8
-  %1243 = getelementptr inbounds i8, ptr %1242, i64 24
-  %1244 = load i64, ptr %1243, align 8
-  %1245 = add nsw i64 %1244, 1
-  store i64 %1245, ptr %1243, align 8
-  %1246 = load ptr, ptr %311, align 8
-  %1247 = load ptr, ptr %276, align 8
-  %1248 = load ptr, ptr %312, align 8
-  store double %368, ptr %1248, align 8
-  %1249 = load i64, ptr %313, align 8
-  %1250 = icmp sgt i64 %1249, 0
-  br i1 %1250, label %1251, label %1252
-
-1251:                                             ; preds = %1241
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1252
-
-1252:                                             ; preds = %1241, %1251
-  %1253 = load ptr, ptr %76, align 8
+1251:                                             ; preds = %1274, %1224
+  %1252 = load ptr, ptr %81, align 8
+  %1253 = getelementptr inbounds i8, ptr %1252, i64 24
   %1254 = load i64, ptr %1253, align 8
-  %1255 = load ptr, ptr %312, align 8
-  %1256 = load ptr, ptr %314, align 8
-  %1257 = load ptr, ptr %315, align 8
-  %1258 = inttoptr i64 %1254 to ptr
-  %1259 = tail call i32 %1258(ptr noundef %1255, ptr noundef %1246, ptr noundef %1256, ptr noundef %1257, ptr noundef %1247) #11
-  %1260 = sext i32 %1259 to i64
-  %1261 = icmp eq i32 %1259, 0
-  br i1 %1261, label %1262, label %1292
-
-1262:                                             ; preds = %1252
-  %1263 = icmp sgt i64 %1200, 0
-  br i1 %1263, label %1281, label %1276
-
-1264:                                             ; preds = %1214, %1264
-  %1265 = phi i64 [ %1274, %1264 ], [ 0, %1214 ]
-  %1266 = load ptr, ptr %77, align 8
-  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
-  %1268 = load double, ptr %1267, align 8
-  %1269 = getelementptr inbounds double, ptr %1203, i64 %1265
-  %1270 = load double, ptr %1269, align 8
-  %1271 = fadd double %1268, %1270
-  %1272 = load ptr, ptr %310, align 8
-  %1273 = getelementptr inbounds double, ptr %1272, i64 %1265
-  store double %1271, ptr %1273, align 8
-  %1274 = add nuw nsw i64 %1265, 1
-  %1275 = icmp eq i64 %1274, %1200
-  br i1 %1275, label %1241, label %1264, !llvm.loop !36
-
-1276:                                             ; preds = %1281, %1262
-  %1277 = load ptr, ptr %308, align 8
-  %1278 = load ptr, ptr %304, align 8
-  tail call fastcc void @real_solve(ptr noundef %1277, i64 noundef %1201, ptr noundef %1278, ptr noundef %1203) #10
-  %1279 = load ptr, ptr %309, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1203, ptr noundef %1279, ptr noundef nonnull %77, i64 noundef %1200) #10
-  %1280 = load double, ptr %7, align 8
-  br label %1292
-
-1281:                                             ; preds = %1262, %1281
-  %1282 = phi i64 [ %1290, %1281 ], [ 0, %1262 ]
-  %1283 = load ptr, ptr %276, align 8
-  %1284 = getelementptr inbounds double, ptr %1283, i64 %1282
-  %1285 = load double, ptr %1284, align 8
-  %1286 = getelementptr inbounds double, ptr %1202, i64 %1282
-  %1287 = load double, ptr %1286, align 8
-  %1288 = fadd double %1285, %1287
-  %1289 = getelementptr inbounds double, ptr %1203, i64 %1282
-  store double %1288, ptr %1289, align 8
-  %1290 = add nuw nsw i64 %1282, 1
-  %1291 = icmp eq i64 %1290, %1200
-  br i1 %1291, label %1276, label %1281, !llvm.loop !37
-
-1292:                                             ; preds = %1207, %1252, %1276
-  %1293 = phi double [ %1280, %1276 ], [ %1211, %1252 ], [ %1211, %1207 ]
-  %1294 = phi i64 [ 0, %1276 ], [ %1260, %1252 ], [ 0, %1207 ]
-  %1295 = icmp slt i64 %1294, 0
-  br i1 %1295, label %1883, label %1310
-
-1296:                                             ; preds = %1144, %1296
-  %1297 = phi i64 [ %1308, %1296 ], [ 0, %1144 ]
-  %1298 = load ptr, ptr %77, align 8
-  %1299 = getelementptr inbounds double, ptr %1298, i64 %1297
-  %1300 = load double, ptr %1299, align 8
-  %1301 = load ptr, ptr %273, align 8
-  %1302 = getelementptr i8, ptr %1301, i64 %301
-  %1303 = getelementptr double, ptr %1302, i64 %1297
-  %1304 = load double, ptr %1303, align 8
-  %1305 = fadd double %1300, %1304
-  %1306 = load ptr, ptr %302, align 8
-  %1307 = getelementptr inbounds double, ptr %1306, i64 %1297
-  store double %1305, ptr %1307, align 8
-  %1308 = add nuw nsw i64 %1297, 1
-  %1309 = icmp eq i64 %1308, %92
-  br i1 %1309, label %1195, label %1296, !llvm.loop !38
-
-1310:                                             ; preds = %1292
-  %1311 = add nsw i64 %1139, 12
-  %1312 = sitofp i64 %1311 to double
-  %1313 = fdiv double 0x4027666666666667, %1312
-  %1314 = fcmp olt double %1293, 1.000000e-10
-  %1315 = select i1 %1314, double 1.000000e-10, double %1293
-  %1316 = tail call double @llvm.pow.f64(double %1315, double -2.500000e-01)
-  %1317 = icmp eq i64 %1294, 0
-  %1318 = fcmp olt double %1293, 1.000000e+00
-  %1319 = select i1 %1317, i1 %1318, i1 false
-  br i1 %1319, label %1335, label %1320
-
-1320:                                             ; preds = %1310
-  %1321 = load i64, ptr %242, align 8
-  %1322 = add nsw i64 %1321, 1
-  store i64 %1322, ptr %242, align 8
-  %1323 = select i1 %1317, i64 2, i64 3
-  store i64 %1323, ptr %316, align 8
-  %1324 = tail call double @llvm.fabs.f64(double %1293)
-  %1325 = fcmp ueq double %1324, 0x7FF0000000000000
-  br i1 %1325, label %1330, label %1326
-
-1326:                                             ; preds = %1320
-  %1327 = fmul double %1313, %1316
-  %1328 = fcmp ogt double %1327, 2.000000e-01
-  %1329 = select i1 %1328, double %1327, double 2.000000e-01
-  br label %1330
-
-1330:                                             ; preds = %1320, %1326
-  %1331 = phi double [ %1329, %1326 ], [ 2.500000e-01, %1320 ]
-  %1332 = fmul double %404, %1331
-  store i64 1, ptr %303, align 8
-  %1333 = load i64, ptr %317, align 8
-  %1334 = sub nsw i64 1, %1333
-  store i64 %1334, ptr %245, align 8
-  br label %1883, !llvm.loop !17
-
-1335:                                             ; preds = %1310
-  br i1 %103, label %1336, label %1351
-
-1336:                                             ; preds = %1335
-  %1337 = load ptr, ptr %309, align 8
-  %1338 = load ptr, ptr %77, align 8
-  %1339 = load ptr, ptr %100, align 8
-  %1340 = getelementptr inbounds i8, ptr %1339, i64 56
-  %1341 = load i64, ptr %1340, align 8
-  %1342 = inttoptr i64 %1341 to ptr
-  %1343 = tail call i64 %1342(ptr noundef %0, double noundef %405, ptr noundef %1337, ptr noundef %1338) #11
-  %1344 = icmp eq i64 %1343, 0
-  br i1 %1344, label %1351, label %1345
-
-1345:                                             ; preds = %1336
-  %1346 = load i64, ptr %242, align 8
-  %1347 = add nsw i64 %1346, 1
-  store i64 %1347, ptr %242, align 8
-  store i64 6, ptr %318, align 8
-  %1348 = fmul double %404, 2.500000e-01
-  store i64 1, ptr %303, align 8
-  %1349 = load i64, ptr %319, align 8
-  %1350 = sub nsw i64 1, %1349
-  store i64 %1350, ptr %245, align 8
-  br label %1883, !llvm.loop !17
-
-1351:                                             ; preds = %1336, %1335
-  %1352 = load i64, ptr %241, align 8
-  %1353 = add nsw i64 %1352, 1
-  store i64 %1353, ptr %241, align 8
-  %1354 = load double, ptr %320, align 8
-  %1355 = fcmp ogt double %1354, 0.000000e+00
-  br i1 %1355, label %1356, label %1365
-
-1356:                                             ; preds = %1351
-  %1357 = fdiv double %1354, %1315
-  %1358 = tail call double @llvm.pow.f64(double %1357, double 2.500000e-01)
-  %1359 = load double, ptr %321, align 8
-  %1360 = fdiv double %404, %1359
-  %1361 = fmul double %1358, %1360
-  %1362 = fcmp olt double %1361, 1.000000e+00
-  %1363 = select i1 %1362, double %1361, double 1.000000e+00
-  %1364 = fmul double %1316, %1363
-  br label %1365
-
-1365:                                             ; preds = %1356, %1351
-  %1366 = phi double [ %1364, %1356 ], [ %1316, %1351 ]
-  %1367 = fmul double %1313, %1366
-  %1368 = fcmp olt double %1367, 1.000000e+01
-  store double %405, ptr %80, align 8
-  store double %404, ptr %322, align 8
-  store double %1315, ptr %320, align 8
-  %1369 = load ptr, ptr %76, align 8
-  %1370 = getelementptr inbounds i8, ptr %1369, i64 8
-  %1371 = load i64, ptr %1370, align 8
-  %1372 = load i64, ptr %323, align 8
-  %1373 = load ptr, ptr %273, align 8
-  %1374 = load ptr, ptr %324, align 8
-  %1375 = load ptr, ptr %272, align 8
-  br label %1392
-
-1376:                                             ; preds = %1392
-  %1377 = select i1 %1368, double %1367, double 1.000000e+01
-  %1378 = icmp sgt i64 %1371, 0
-  br i1 %1378, label %1379, label %1452
-
-1379:                                             ; preds = %1376
-  %1380 = load double, ptr %8, align 16
-  %1381 = load double, ptr %325, align 8
-  %1382 = getelementptr double, ptr %1373, i64 %1371
-  %1383 = load double, ptr %326, align 16
-  %1384 = shl i64 %1371, 4
-  %1385 = getelementptr i8, ptr %1373, i64 %1384
-  %1386 = load double, ptr %9, align 16
-  %1387 = load double, ptr %327, align 8
-  %1388 = load double, ptr %328, align 16
-  %1389 = getelementptr double, ptr %1374, i64 %1372
-  %1390 = shl i64 %1372, 4
-  %1391 = getelementptr i8, ptr %1374, i64 %1390
-  br label %1403
-
-1392:                                             ; preds = %1365, %1392
-  %1393 = phi i64 [ 0, %1365 ], [ %1401, %1392 ]
-  %1394 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1393
-  %1395 = getelementptr inbounds i8, ptr %1394, i64 8
-  %1396 = load double, ptr %1395, align 8
-  %1397 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1393
-  store double %1396, ptr %1397, align 8
-  %1398 = getelementptr inbounds i8, ptr %1394, i64 16
-  %1399 = load double, ptr %1398, align 8
-  %1400 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1393
-  store double %1399, ptr %1400, align 8
-  %1401 = add nuw nsw i64 %1393, 1
-  %1402 = icmp eq i64 %1401, 3
-  br i1 %1402, label %1376, label %1392, !llvm.loop !39
-
-1403:                                             ; preds = %1379, %1440
-  %1404 = phi i64 [ 0, %1379 ], [ %1441, %1440 ]
-  %1405 = getelementptr inbounds double, ptr %1373, i64 %1404
-  %1406 = load double, ptr %1405, align 8
-  %1407 = fmul double %1380, %1406
-  %1408 = getelementptr double, ptr %1382, i64 %1404
-  %1409 = load double, ptr %1408, align 8
-  %1410 = fmul double %1381, %1409
-  %1411 = fadd double %1407, %1410
-  %1412 = getelementptr double, ptr %1385, i64 %1404
-  %1413 = load double, ptr %1412, align 8
-  %1414 = fmul double %1383, %1413
-  %1415 = fadd double %1411, %1414
-  %1416 = fmul double %1406, %1386
-  %1417 = fmul double %1409, %1387
-  %1418 = fadd double %1416, %1417
-  %1419 = fmul double %1413, %1388
-  %1420 = fadd double %1418, %1419
-  %1421 = load ptr, ptr %309, align 8
-  %1422 = getelementptr inbounds double, ptr %1421, i64 %1404
-  %1423 = load double, ptr %1422, align 8
-  %1424 = load ptr, ptr %77, align 8
-  %1425 = getelementptr inbounds double, ptr %1424, i64 %1404
-  %1426 = load double, ptr %1425, align 8
-  %1427 = fsub double %1423, %1426
-  %1428 = getelementptr inbounds double, ptr %1374, i64 %1404
-  store double %1427, ptr %1428, align 8
-  %1429 = fneg double %1415
-  %1430 = fsub double %1429, %1420
-  %1431 = getelementptr double, ptr %1389, i64 %1404
-  store double %1430, ptr %1431, align 8
-  %1432 = fneg double %1420
-  %1433 = getelementptr double, ptr %1391, i64 %1404
-  store double %1432, ptr %1433, align 8
-  %1434 = load ptr, ptr %77, align 8
-  %1435 = getelementptr inbounds double, ptr %1434, i64 %1404
-  %1436 = load double, ptr %1435, align 8
-  %1437 = getelementptr inbounds double, ptr %1375, i64 %1404
-  store double %1436, ptr %1437, align 8
-  %1438 = getelementptr double, ptr %1374, i64 %1404
-  %1439 = getelementptr double, ptr %1375, i64 %1404
-  br label %1443
-
-1440:                                             ; preds = %1443
-  %1441 = add nuw nsw i64 %1404, 1
-  %1442 = icmp eq i64 %1441, %1371
-  br i1 %1442, label %1452, label %1403, !llvm.loop !40
-
-1443:                                             ; preds = %1403, %1443
-  %1444 = phi i64 [ 0, %1403 ], [ %1448, %1443 ]
-  %1445 = mul nsw i64 %1372, %1444
-  %1446 = getelementptr double, ptr %1438, i64 %1445
-  %1447 = load double, ptr %1446, align 8
-  %1448 = add nuw nsw i64 %1444, 1
-  %1449 = mul nuw nsw i64 %1371, %1448
-  %1450 = getelementptr double, ptr %1439, i64 %1449
-  store double %1447, ptr %1450, align 8
-  %1451 = icmp eq i64 %1448, 3
-  br i1 %1451, label %1440, label %1443, !llvm.loop !41
-
-1452:                                             ; preds = %1440, %1376
-  store double %404, ptr %271, align 8
-  %1453 = load ptr, ptr %0, align 8
-  %1454 = getelementptr inbounds i8, ptr %1453, i64 24
-  %1455 = load i64, ptr %1454, align 8
-  %1456 = load ptr, ptr %240, align 8
-  %1457 = getelementptr inbounds i8, ptr %1456, i64 8
-  %1458 = load i64, ptr %1457, align 8
-  %1459 = icmp eq i64 %1458, 0
-  br i1 %1459, label %1506, label %1460
-
-1460:                                             ; preds = %1452
-  %1461 = load i64, ptr %1456, align 8
-  %1462 = load ptr, ptr %76, align 8
-  %1463 = getelementptr inbounds i8, ptr %1462, i64 8
-  %1464 = load i64, ptr %1463, align 8
-  %1465 = load ptr, ptr %329, align 8
-  %1466 = load i64, ptr %330, align 8
-  %1467 = mul nsw i64 %1466, %1461
-  %1468 = getelementptr inbounds double, ptr %1465, i64 %1467
-  %1469 = getelementptr inbounds double, ptr %1468, i64 %1466
-  store double %368, ptr %1468, align 8
-  %1470 = getelementptr inbounds i8, ptr %1468, i64 8
-  store double %404, ptr %1470, align 8
-  store double %405, ptr %1469, align 8
-  %1471 = getelementptr inbounds i8, ptr %1469, i64 8
-  store double 0.000000e+00, ptr %1471, align 8
-  %1472 = icmp sgt i64 %1464, 0
-  br i1 %1472, label %1473, label %1476
-
-1473:                                             ; preds = %1460
-  %1474 = getelementptr i8, ptr %1468, i64 16
-  %1475 = icmp sgt i64 %1455, 0
-  br label %1479
-
-1476:                                             ; preds = %1491, %1460
-  %1477 = add nsw i64 %1461, 1
-  %1478 = load ptr, ptr %240, align 8
-  store i64 %1477, ptr %1478, align 8
-  br label %1506
-
-1479:                                             ; preds = %1473, %1491
-  %1480 = phi i64 [ 0, %1473 ], [ %1492, %1491 ]
-  %1481 = load ptr, ptr %77, align 8
-  %1482 = getelementptr inbounds double, ptr %1481, i64 %1480
-  %1483 = load double, ptr %1482, align 8
-  %1484 = add nuw nsw i64 %1480, 2
-  %1485 = getelementptr inbounds double, ptr %1468, i64 %1484
-  store double %1483, ptr %1485, align 8
-  %1486 = load ptr, ptr %309, align 8
-  %1487 = getelementptr inbounds double, ptr %1486, i64 %1480
-  %1488 = load double, ptr %1487, align 8
-  %1489 = getelementptr inbounds double, ptr %1469, i64 %1484
-  store double %1488, ptr %1489, align 8
-  %1490 = getelementptr double, ptr %1474, i64 %1480
-  br i1 %1475, label %1494, label %1491
-
-1491:                                             ; preds = %1494, %1479
-  %1492 = add nuw nsw i64 %1480, 1
-  %1493 = icmp eq i64 %1492, %1464
-  br i1 %1493, label %1476, label %1479, !llvm.loop !42
-
-1494:                                             ; preds = %1479, %1494
-  %1495 = phi i64 [ %1502, %1494 ], [ 0, %1479 ]
-  %1496 = load ptr, ptr %324, align 8
-  %1497 = load i64, ptr %323, align 8
-  %1498 = mul nsw i64 %1497, %1495
-  %1499 = getelementptr double, ptr %1496, i64 %1498
-  %1500 = getelementptr double, ptr %1499, i64 %1480
-  %1501 = load double, ptr %1500, align 8
-  %1502 = add nuw nsw i64 %1495, 1
-  %1503 = mul nuw nsw i64 %1502, %1464
-  %1504 = getelementptr double, ptr %1490, i64 %1503
-  store double %1501, ptr %1504, align 8
-  %1505 = icmp eq i64 %1502, %1455
-  br i1 %1505, label %1491, label %1494, !llvm.loop !43
-
-1506:                                             ; preds = %1452, %1476
-  br i1 %108, label %1507, label %1614
-
-1507:                                             ; preds = %1506
-  %1508 = load ptr, ptr %104, align 8
-  %1509 = load ptr, ptr %76, align 8
-  %1510 = getelementptr inbounds i8, ptr %1509, i64 8
-  %1511 = load i64, ptr %1510, align 8
-  %1512 = load ptr, ptr %331, align 8
-  %1513 = getelementptr inbounds i8, ptr %1508, i64 32
-  %1514 = load i64, ptr %1513, align 8
-  %1515 = getelementptr inbounds double, ptr %1512, i64 %1514
-  %1516 = load ptr, ptr %273, align 8
-  %1517 = getelementptr inbounds i8, ptr %1508, i64 24
-  %1518 = load i64, ptr %1517, align 8
-  %1519 = icmp eq i64 %1518, 0
-  br i1 %1519, label %1611, label %1520
-
-1520:                                             ; preds = %1507
-  %1521 = getelementptr inbounds i8, ptr %1508, i64 40
-  %1522 = load i64, ptr %1521, align 8
-  %1523 = icmp sgt i64 %1522, 0
-  br i1 %1523, label %1524, label %1528
-
-1524:                                             ; preds = %1520
-  %1525 = getelementptr double, ptr %1516, i64 %1511
-  %1526 = shl i64 %1511, 4
-  %1527 = getelementptr i8, ptr %1516, i64 %1526
-  br label %1581
-
-1528:                                             ; preds = %1581, %1520
-  %1529 = load ptr, ptr %332, align 8
-  %1530 = load ptr, ptr %104, align 8
-  %1531 = getelementptr inbounds i8, ptr %1530, i64 8
-  %1532 = load i64, ptr %1531, align 8
-  %1533 = load ptr, ptr %333, align 8
-  %1534 = load ptr, ptr %331, align 8
-  %1535 = getelementptr inbounds i8, ptr %1530, i64 32
-  %1536 = load i64, ptr %1535, align 8
-  %1537 = getelementptr inbounds i8, ptr %1530, i64 40
-  %1538 = load i64, ptr %1537, align 8
-  %1539 = getelementptr double, ptr %1534, i64 %1536
-  %1540 = getelementptr double, ptr %1539, i64 %1538
-  store double %404, ptr %1540, align 8
-  %1541 = load ptr, ptr %332, align 8
-  store double %368, ptr %1541, align 8
-  %1542 = load ptr, ptr %104, align 8
-  %1543 = getelementptr inbounds i8, ptr %1542, i64 24
-  %1544 = load i64, ptr %1543, align 8
-  %1545 = load ptr, ptr %77, align 8
-  %1546 = load ptr, ptr %331, align 8
-  %1547 = load ptr, ptr %334, align 8
-  %1548 = inttoptr i64 %1544 to ptr
-  %1549 = tail call i32 %1548(ptr noundef %1529, ptr noundef %1545, ptr noundef %1546, ptr noundef %1547, ptr noundef %1533) #11
-  %1550 = icmp eq i32 %1549, 0
-  br i1 %1550, label %1551, label %1611
-
-1551:                                             ; preds = %1528
-  %1552 = icmp slt i64 %1532, 1
-  br i1 %1552, label %1578, label %1553
-
-1553:                                             ; preds = %1551
-  %1554 = load ptr, ptr %335, align 8
-  %1555 = getelementptr double, ptr %1533, i64 %1532
-  br label %1556
-
-1556:                                             ; preds = %1553, %1574
-  %1557 = phi i1 [ %1552, %1553 ], [ %1576, %1574 ]
-  %1558 = phi i64 [ 0, %1553 ], [ %1575, %1574 ]
-  %1559 = getelementptr inbounds i64, ptr %1554, i64 %1558
-  %1560 = load i64, ptr %1559, align 8
-  %1561 = and i64 %1560, 2
-  %1562 = icmp eq i64 %1561, 0
-  br i1 %1562, label %1563, label %1574
-
-1563:                                             ; preds = %1556
-  %1564 = getelementptr inbounds double, ptr %1533, i64 %1558
-  %1565 = load double, ptr %1564, align 8
-  %1566 = load ptr, ptr %336, align 8
-  %1567 = getelementptr inbounds i64, ptr %1566, i64 %1558
-  %1568 = load i64, ptr %1567, align 8
-  %1569 = sitofp i64 %1568 to double
-  %1570 = fmul double %1565, %1569
-  %1571 = getelementptr double, ptr %1555, i64 %1558
-  %1572 = load double, ptr %1571, align 8
-  %1573 = fcmp ogt double %1570, %1572
-  br i1 %1573, label %1574, label %1578
-
-1574:                                             ; preds = %1563, %1556
-  %1575 = add nuw nsw i64 %1558, 1
-  %1576 = icmp sge i64 %1575, %1532
-  %1577 = icmp eq i64 %1575, %1532
-  br i1 %1577, label %1578, label %1556, !llvm.loop !44
-
-1578:                                             ; preds = %1574, %1563, %1551
-  %1579 = phi i1 [ %1552, %1551 ], [ %1576, %1574 ], [ %1557, %1563 ]
-  %1580 = zext i1 %1579 to i32
-  br label %1611
-
-1581:                                             ; preds = %1524, %1581
-  %1582 = phi i64 [ 0, %1524 ], [ %1608, %1581 ]
-  %1583 = load ptr, ptr %309, align 8
-  %1584 = getelementptr inbounds double, ptr %1583, i64 %1582
-  %1585 = load double, ptr %1584, align 8
-  %1586 = load ptr, ptr %77, align 8
-  %1587 = getelementptr inbounds double, ptr %1586, i64 %1582
-  %1588 = load double, ptr %1587, align 8
-  %1589 = fsub double %1585, %1588
-  %1590 = tail call double @llvm.fabs.f64(double %1589)
-  %1591 = getelementptr inbounds double, ptr %1516, i64 %1582
-  %1592 = load double, ptr %1591, align 8
-  %1593 = tail call double @llvm.fabs.f64(double %1592)
-  %1594 = getelementptr double, ptr %1525, i64 %1582
-  %1595 = load double, ptr %1594, align 8
-  %1596 = tail call double @llvm.fabs.f64(double %1595)
-  %1597 = fcmp ogt double %1593, %1596
-  %1598 = select i1 %1597, double %1593, double %1596
-  %1599 = getelementptr double, ptr %1527, i64 %1582
-  %1600 = load double, ptr %1599, align 8
-  %1601 = tail call double @llvm.fabs.f64(double %1600)
-  %1602 = fcmp ogt double %1598, %1601
-  %1603 = select i1 %1602, double %1598, double %1601
-  %1604 = fcmp ogt double %1603, %1590
-  %1605 = select i1 %1604, double %1603, double %1590
-  %1606 = fmul double %1605, 8.000000e+00
-  %1607 = getelementptr inbounds double, ptr %1515, i64 %1582
-  store double %1606, ptr %1607, align 8
-  %1608 = add nuw nsw i64 %1582, 1
-  %1609 = load i64, ptr %1521, align 8
-  %1610 = icmp slt i64 %1608, %1609
-  br i1 %1610, label %1581, label %1528, !llvm.loop !45
-
-1611:                                             ; preds = %1578, %1528, %1507
-  %1612 = phi i32 [ 0, %1507 ], [ 0, %1528 ], [ %1580, %1578 ]
-  %1613 = icmp eq i32 %1612, 0
-  br label %1614
-
-1614:                                             ; preds = %1611, %1506
-  %1615 = phi i1 [ false, %1506 ], [ %1613, %1611 ]
-  br i1 %1615, label %1621, label %1616
-
-1616:                                             ; preds = %1614
-  %1617 = load i64, ptr %337, align 8
-  %1618 = getelementptr inbounds double, ptr %94, i64 %1617
-  %1619 = load double, ptr %1618, align 8
-  %1620 = fcmp ugt double %1619, %405
-  br i1 %1620, label %1833, label %1621
-
-1621:                                             ; preds = %1616, %1614
-  %1622 = load ptr, ptr %79, align 8
-  br i1 %1615, label %1623, label %1634
-
-1623:                                             ; preds = %1621
-  %1624 = load ptr, ptr %104, align 8
-  %1625 = getelementptr inbounds i8, ptr %1624, i64 16
-  %1626 = load i64, ptr %1625, align 8
-  %1627 = inttoptr i64 %1626 to ptr
-  %1628 = tail call i64 %1627(ptr noundef %0, double noundef %368, double noundef %404) #11
-  %1629 = icmp eq i64 %1628, -6
-  br i1 %1629, label %1630, label %1631
-
-1630:                                             ; preds = %1623
-  store double %368, ptr %1622, align 8
-  br label %1809
-
-1631:                                             ; preds = %1623
-  %1632 = getelementptr inbounds i8, ptr %1622, i64 48
-  %1633 = load double, ptr %1632, align 8
-  br label %1634
-
-1634:                                             ; preds = %1631, %1621
-  %1635 = phi double [ %1633, %1631 ], [ 1.000000e+00, %1621 ]
-  %1636 = phi i64 [ %1628, %1631 ], [ 0, %1621 ]
-  %1637 = fcmp oeq double %1635, 1.000000e+00
-  br i1 %1637, label %1638, label %1640
-
-1638:                                             ; preds = %1634
-  %1639 = load double, ptr %1622, align 8
-  br label %1643
-
-1640:                                             ; preds = %1634
-  %1641 = fmul double %404, %1635
-  %1642 = fadd double %368, %1641
-  br label %1643
-
-1643:                                             ; preds = %1640, %1638
-  %1644 = phi double [ %1639, %1638 ], [ %1642, %1640 ]
-  %1645 = icmp eq i64 %1636, -4
-  %1646 = select i1 %1645, i64 -4, i64 0
-  br i1 %1645, label %1704, label %1647
-
-1647:                                             ; preds = %1643
-  %1648 = fcmp olt double %1635, 1.000000e+00
-  %1649 = load ptr, ptr %76, align 8
-  %1650 = getelementptr inbounds i8, ptr %1649, i64 8
-  %1651 = load i64, ptr %1650, align 8
-  %1652 = load i64, ptr %95, align 8
-  %1653 = load ptr, ptr %93, align 8
-  %1654 = load ptr, ptr %83, align 8
-  %1655 = getelementptr inbounds i8, ptr %1654, i64 48
-  %1656 = load i64, ptr %1655, align 8
-  %1657 = icmp slt i64 %1656, %1652
-  br i1 %1657, label %1658, label %1700
-
-1658:                                             ; preds = %1647, %1696
-  %1659 = phi i64 [ %1697, %1696 ], [ undef, %1647 ]
-  %1660 = phi i64 [ %1698, %1696 ], [ %1656, %1647 ]
-  %1661 = getelementptr inbounds double, ptr %1653, i64 %1660
-  %1662 = load double, ptr %1661, align 8
-  %1663 = fcmp olt double %1662, %1644
-  %1664 = fcmp oeq double %1662, %1644
-  %1665 = and i1 %1648, %1664
-  %1666 = or i1 %1663, %1665
-  br i1 %1666, label %1667, label %1700
-
-1667:                                             ; preds = %1658
-  %1668 = fsub double %1662, %368
-  %1669 = fdiv double %1668, %404
-  %1670 = mul nsw i64 %1660, %1651
-  %1671 = getelementptr inbounds double, ptr %1, i64 %1670
-  %1672 = load ptr, ptr %338, align 8
-  %1673 = insertelement <8 x double> poison, double %1669, i64 0
-  %1674 = shufflevector <8 x double> %1673, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1674, ptr %1672, align 8
-  %1675 = load ptr, ptr %77, align 8
-  %1676 = load ptr, ptr %339, align 8
-  %1677 = load i64, ptr %340, align 8
-  %1678 = load ptr, ptr %0, align 8
-  %1679 = getelementptr inbounds i8, ptr %1678, i64 24
-  %1680 = load i64, ptr %1679, align 8
-  %1681 = load ptr, ptr %338, align 8
-  %1682 = load ptr, ptr %76, align 8
-  %1683 = getelementptr inbounds i8, ptr %1682, i64 16
-  %1684 = load i64, ptr %1683, align 8
-  tail call fastcc void @nested(ptr noundef %1671, ptr noundef %1675, ptr noundef %1676, i64 noundef %1677, i64 noundef %1680, ptr noundef %1681, i64 noundef %1684) #10
-  %1685 = load ptr, ptr %100, align 8
-  %1686 = load i64, ptr %1685, align 8
-  %1687 = icmp eq i64 %1686, 1
-  br i1 %1687, label %1688, label %1696
-
-1688:                                             ; preds = %1667
-  %1689 = load double, ptr %1661, align 8
-  %1690 = getelementptr inbounds i8, ptr %1685, i64 56
-  %1691 = load i64, ptr %1690, align 8
-  %1692 = inttoptr i64 %1691 to ptr
-  %1693 = tail call i64 %1692(ptr noundef %0, double noundef %1689, ptr noundef %1671, ptr noundef null) #11
-  %1694 = icmp eq i64 %1693, 0
-  %1695 = select i1 %1694, i64 %1659, i64 %1693
-  br i1 %1694, label %1696, label %1704
-
-1696:                                             ; preds = %1688, %1667
-  %1697 = phi i64 [ %1695, %1688 ], [ %1659, %1667 ]
-  %1698 = add i64 %1660, 1
-  %1699 = icmp eq i64 %1698, %1652
-  br i1 %1699, label %1700, label %1658, !llvm.loop !46
-
-1700:                                             ; preds = %1696, %1658, %1647
-  %1701 = phi i64 [ %1656, %1647 ], [ %1652, %1696 ], [ %1660, %1658 ]
-  %1702 = load ptr, ptr %83, align 8
-  %1703 = getelementptr inbounds i8, ptr %1702, i64 48
-  store i64 %1701, ptr %1703, align 8
-  br label %1704
-
-1704:                                             ; preds = %1688, %1700, %1643
-  %1705 = phi i64 [ %1646, %1643 ], [ 0, %1700 ], [ %1695, %1688 ]
-  %1706 = icmp eq i64 %1705, 0
-  %1707 = icmp ne i64 %1636, 0
-  %1708 = fcmp olt double %1635, 1.000000e+00
-  %1709 = and i1 %1708, %1706
-  %1710 = and i1 %1707, %1709
-  br i1 %1710, label %1711, label %1748
-
-1711:                                             ; preds = %1704
-  %1712 = load ptr, ptr %341, align 8
-  %1713 = load ptr, ptr %342, align 8
-  %1714 = insertelement <8 x double> poison, double %1635, i64 0
-  %1715 = shufflevector <8 x double> %1714, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1715, ptr %1713, align 8
-  %1716 = load ptr, ptr %77, align 8
-  %1717 = load ptr, ptr %343, align 8
-  %1718 = load i64, ptr %344, align 8
-  %1719 = load ptr, ptr %0, align 8
-  %1720 = getelementptr inbounds i8, ptr %1719, i64 24
-  %1721 = load i64, ptr %1720, align 8
-  %1722 = load ptr, ptr %342, align 8
-  %1723 = load ptr, ptr %76, align 8
-  %1724 = getelementptr inbounds i8, ptr %1723, i64 16
-  %1725 = load i64, ptr %1724, align 8
-  tail call fastcc void @nested(ptr noundef %1712, ptr noundef %1716, ptr noundef %1717, i64 noundef %1718, i64 noundef %1721, ptr noundef %1722, i64 noundef %1725) #10
-  %1726 = load i64, ptr %323, align 8
-  %1727 = icmp sgt i64 %1726, 0
-  br i1 %1727, label %1732, label %1728
-
-1728:                                             ; preds = %1732, %1711
-  %1729 = load ptr, ptr %100, align 8
-  %1730 = load i64, ptr %1729, align 8
-  %1731 = icmp eq i64 %1730, 1
-  br i1 %1731, label %1742, label %1748
-
-1732:                                             ; preds = %1711, %1732
-  %1733 = phi i64 [ %1739, %1732 ], [ 0, %1711 ]
-  %1734 = load ptr, ptr %341, align 8
-  %1735 = getelementptr inbounds double, ptr %1734, i64 %1733
-  %1736 = load double, ptr %1735, align 8
-  %1737 = load ptr, ptr %309, align 8
-  %1738 = getelementptr inbounds double, ptr %1737, i64 %1733
-  store double %1736, ptr %1738, align 8
-  %1739 = add nuw nsw i64 %1733, 1
-  %1740 = load i64, ptr %323, align 8
-  %1741 = icmp slt i64 %1739, %1740
-  br i1 %1741, label %1732, label %1728, !llvm.loop !47
-
-1742:                                             ; preds = %1728
-  %1743 = load ptr, ptr %309, align 8
-  %1744 = getelementptr inbounds i8, ptr %1729, i64 56
-  %1745 = load i64, ptr %1744, align 8
-  %1746 = inttoptr i64 %1745 to ptr
-  %1747 = tail call i64 %1746(ptr noundef %0, double noundef %1644, ptr noundef %1743, ptr noundef null) #11
-  br label %1748
-
-1748:                                             ; preds = %1742, %1728, %1704
-  %1749 = phi i64 [ %1747, %1742 ], [ 0, %1728 ], [ %1705, %1704 ]
-  %1750 = icmp eq i64 %1749, 0
-  br i1 %1750, label %1753, label %1751
-
-1751:                                             ; preds = %1748
-  store double %368, ptr %1622, align 8
-  %1752 = getelementptr inbounds i8, ptr %1622, i64 8
-  store double %404, ptr %1752, align 8
-  br label %1809
-
-1753:                                             ; preds = %1748
-  br i1 %1637, label %1754, label %1792
-
-1754:                                             ; preds = %1753
-  %1755 = load ptr, ptr %309, align 8
-  %1756 = load ptr, ptr %76, align 8
-  %1757 = getelementptr inbounds i8, ptr %1756, i64 8
-  %1758 = load i64, ptr %1757, align 8
-  %1759 = load i64, ptr %95, align 8
-  %1760 = load ptr, ptr %93, align 8
-  %1761 = load ptr, ptr %83, align 8
-  %1762 = getelementptr inbounds i8, ptr %1761, i64 48
-  %1763 = load i64, ptr %1762, align 8
-  %1764 = icmp slt i64 %1763, %1759
-  br i1 %1764, label %1765, label %1788
-
-1765:                                             ; preds = %1754
-  %1766 = icmp sgt i64 %1758, 0
-  br label %1767
-
-1767:                                             ; preds = %1765, %1778
-  %1768 = phi i64 [ %1763, %1765 ], [ %1779, %1778 ]
-  %1769 = getelementptr inbounds double, ptr %1760, i64 %1768
-  %1770 = load double, ptr %1769, align 8
-  %1771 = load ptr, ptr %79, align 8
-  %1772 = load double, ptr %1771, align 8
-  %1773 = fcmp ugt double %1770, %1772
-  br i1 %1773, label %1788, label %1774
-
-1774:                                             ; preds = %1767
-  br i1 %1766, label %1775, label %1778
-
-1775:                                             ; preds = %1774
-  %1776 = mul nsw i64 %1768, %1758
-  %1777 = getelementptr double, ptr %1, i64 %1776
-  br label %1781
-
-1778:                                             ; preds = %1781, %1774
-  %1779 = add i64 %1768, 1
-  %1780 = icmp eq i64 %1779, %1759
-  br i1 %1780, label %1788, label %1767, !llvm.loop !9
-
-1781:                                             ; preds = %1775, %1781
-  %1782 = phi i64 [ 0, %1775 ], [ %1786, %1781 ]
-  %1783 = getelementptr inbounds double, ptr %1755, i64 %1782
-  %1784 = load double, ptr %1783, align 8
-  %1785 = getelementptr double, ptr %1777, i64 %1782
-  store double %1784, ptr %1785, align 8
-  %1786 = add nuw nsw i64 %1782, 1
-  %1787 = icmp eq i64 %1786, %1758
-  br i1 %1787, label %1778, label %1781, !llvm.loop !10
-
-1788:                                             ; preds = %1778, %1767, %1754
-  %1789 = phi i64 [ %1763, %1754 ], [ %1759, %1778 ], [ %1768, %1767 ]
-  %1790 = load ptr, ptr %83, align 8
-  %1791 = getelementptr inbounds i8, ptr %1790, i64 48
-  store i64 %1789, ptr %1791, align 8
-  br label %1792
-
-1792:                                             ; preds = %1788, %1753
-  br i1 %1707, label %1793, label %1809
-
-1793:                                             ; preds = %1792
-  %1794 = load i64, ptr %323, align 8
-  %1795 = icmp sgt i64 %1794, 0
-  br i1 %1795, label %1799, label %1796
-
-1796:                                             ; preds = %1799, %1793
-  store double %1644, ptr %1622, align 8
-  %1797 = getelementptr inbounds i8, ptr %1622, i64 8
-  store double 0.000000e+00, ptr %1797, align 8
-  %1798 = load ptr, ptr %83, align 8
-  store i64 0, ptr %1798, align 8
-  br label %1809
-
-1799:                                             ; preds = %1793, %1799
-  %1800 = phi i64 [ %1806, %1799 ], [ 0, %1793 ]
-  %1801 = load ptr, ptr %309, align 8
-  %1802 = getelementptr inbounds double, ptr %1801, i64 %1800
-  %1803 = load double, ptr %1802, align 8
-  %1804 = load ptr, ptr %77, align 8
-  %1805 = getelementptr inbounds double, ptr %1804, i64 %1800
-  store double %1803, ptr %1805, align 8
-  %1806 = add nuw nsw i64 %1800, 1
-  %1807 = load i64, ptr %323, align 8
-  %1808 = icmp slt i64 %1806, %1807
-  br i1 %1808, label %1799, label %1796, !llvm.loop !48
-
-1809:                                             ; preds = %1630, %1751, %1792, %1796
-  %1810 = phi i64 [ -6, %1630 ], [ %1749, %1751 ], [ %1636, %1796 ], [ %1636, %1792 ]
-  %1811 = icmp eq i64 %1810, -6
-  br i1 %1811, label %1815, label %1812
-
-1812:                                             ; preds = %1809
-  %1813 = icmp ne i64 %1810, 6
-  %1814 = select i1 %1813, i1 true, i1 %108
-  br i1 %1814, label %1827, label %1815
-
-1815:                                             ; preds = %1812, %1809
-  %1816 = phi i64 [ %1810, %1812 ], [ 2, %1809 ]
-  %1817 = load i64, ptr %241, align 8
-  %1818 = add nsw i64 %1817, -1
-  store i64 %1818, ptr %241, align 8
-  %1819 = load ptr, ptr %240, align 8
-  %1820 = load i64, ptr %1819, align 8
-  %1821 = add nsw i64 %1820, -1
-  store i64 %1821, ptr %1819, align 8
-  store i64 1, ptr %303, align 8
-  %1822 = load i64, ptr %355, align 8
-  %1823 = sub nsw i64 1, %1822
-  store i64 %1823, ptr %245, align 8
-  store double 0.000000e+00, ptr %271, align 8
-  %1824 = load i64, ptr %242, align 8
-  %1825 = add nsw i64 %1824, 1
-  store i64 %1825, ptr %242, align 8
-  store i64 %1816, ptr %356, align 8
-  %1826 = fmul double %404, 2.500000e-01
-  br label %1883, !llvm.loop !17
-
-1827:                                             ; preds = %1812
-  %1828 = icmp eq i64 %1810, 0
-  br i1 %1828, label %1833, label %1829
-
-1829:                                             ; preds = %1827
-  %1830 = load ptr, ptr %240, align 8
-  %1831 = load i64, ptr %1830, align 8
-  %1832 = add nsw i64 %1831, 1
-  store i64 %1832, ptr %1830, align 8
-  br label %1883
-
-1833:                                             ; preds = %1827, %1616
-  br i1 %345, label %1852, label %1834
-
-1834:                                             ; preds = %1852, %1833
-  %1835 = load i64, ptr %346, align 8
-  %1836 = add nsw i64 %1835, 1
-  store i64 %1836, ptr %346, align 8
-  %1837 = load ptr, ptr %77, align 8
-  %1838 = load ptr, ptr %347, align 8
-  %1839 = load ptr, ptr %348, align 8
-  store double %405, ptr %1839, align 8
-  %1840 = load i64, ptr %349, align 8
-  %1841 = icmp sgt i64 %1840, 0
-  br i1 %1841, label %1842, label %1843
-
-1842:                                             ; preds = %1834
+  %1255 = add nsw i64 %1254, 1
+  store i64 %1255, ptr %1253, align 8
+  %1256 = load ptr, ptr %149, align 8
+  %1257 = load ptr, ptr %118, align 8
+  %1258 = load ptr, ptr %150, align 8
+  store double %378, ptr %1258, align 8
+  %1259 = load i64, ptr %151, align 8
+  %1260 = icmp sgt i64 %1259, 0
+  br i1 %1260, label %1261, label %1262
+
+1261:                                             ; preds = %1251
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1843
+  br label %1262
 
-1843:                                             ; preds = %1834, %1842
-  %1844 = load ptr, ptr %76, align 8
-  %1845 = load i64, ptr %1844, align 8
-  %1846 = load ptr, ptr %348, align 8
-  %1847 = load ptr, ptr %350, align 8
-  %1848 = load ptr, ptr %351, align 8
-  %1849 = inttoptr i64 %1845 to ptr
-  %1850 = tail call i32 %1849(ptr noundef %1846, ptr noundef %1837, ptr noundef %1847, ptr noundef %1848, ptr noundef %1838) #11
-  %1851 = icmp eq i32 %1850, 0
-  br i1 %1851, label %1864, label %1861
+1262:                                             ; preds = %1251, %1261
+  %1263 = load ptr, ptr %76, align 8
+  %1264 = load i64, ptr %1263, align 8
+  %1265 = load ptr, ptr %150, align 8
+  %1266 = load ptr, ptr %152, align 8
+  %1267 = load ptr, ptr %153, align 8
+  %1268 = inttoptr i64 %1264 to ptr
+  %1269 = tail call i32 %1268(ptr noundef %1265, ptr noundef %1256, ptr noundef %1266, ptr noundef %1267, ptr noundef %1257) #11
+  %1270 = sext i32 %1269 to i64
+  %1271 = icmp eq i32 %1269, 0
+  br i1 %1271, label %1272, label %1302
 
-1852:                                             ; preds = %1833, %1852
-  %1853 = phi i64 [ %1859, %1852 ], [ 0, %1833 ]
-  %1854 = load ptr, ptr %309, align 8
-  %1855 = getelementptr inbounds double, ptr %1854, i64 %1853
-  %1856 = load double, ptr %1855, align 8
-  %1857 = load ptr, ptr %77, align 8
-  %1858 = getelementptr inbounds double, ptr %1857, i64 %1853
-  store double %1856, ptr %1858, align 8
-  %1859 = add nuw nsw i64 %1853, 1
-  %1860 = icmp eq i64 %1859, %92
-  br i1 %1860, label %1834, label %1852, !llvm.loop !49
+1272:                                             ; preds = %1262
+  %1273 = icmp sgt i64 %1210, 0
+  br i1 %1273, label %1291, label %1286
 
-1861:                                             ; preds = %1843
-  store i64 3, ptr %352, align 8
-  store double %404, ptr %124, align 8
-  %1862 = icmp slt i32 %1850, 0
-  %1863 = select i1 %1862, i64 -4, i64 2
-  br label %1883
+1274:                                             ; preds = %1224, %1274
+  %1275 = phi i64 [ %1284, %1274 ], [ 0, %1224 ]
+  %1276 = load ptr, ptr %77, align 8
+  %1277 = getelementptr inbounds double, ptr %1276, i64 %1275
+  %1278 = load double, ptr %1277, align 8
+  %1279 = getelementptr inbounds double, ptr %1213, i64 %1275
+  %1280 = load double, ptr %1279, align 8
+  %1281 = fadd double %1278, %1280
+  %1282 = load ptr, ptr %148, align 8
+  %1283 = getelementptr inbounds double, ptr %1282, i64 %1275
+  store double %1281, ptr %1283, align 8
+  %1284 = add nuw nsw i64 %1275, 1
+  %1285 = icmp eq i64 %1284, %1210
+  br i1 %1285, label %1251, label %1274, !llvm.loop !36
 
-1864:                                             ; preds = %1843
-  %1865 = icmp sgt i64 %1139, 2
-  %1866 = fcmp ogt double %1137, 1.000000e-03
-  %1867 = select i1 %1865, i1 %1866, i1 false
-  %1868 = zext i1 %1867 to i64
-  store i64 %1868, ptr %245, align 8
-  store i64 0, ptr %353, align 8
-  store i64 0, ptr %303, align 8
-  %1869 = fcmp ule double %1377, 1.000000e+00
-  %1870 = fcmp uge double %1377, 1.200000e+00
-  %1871 = or i1 %1869, %1870
-  %1872 = select i1 %1871, i1 true, i1 %1867
-  br i1 %1872, label %1873, label %1877
+1286:                                             ; preds = %1291, %1272
+  %1287 = load ptr, ptr %146, align 8
+  %1288 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1287, i64 noundef %1211, ptr noundef %1288, ptr noundef %1213) #10
+  %1289 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1213, ptr noundef %1289, ptr noundef nonnull %77, i64 noundef %1210) #10
+  %1290 = load double, ptr %7, align 8
+  br label %1302
 
-1873:                                             ; preds = %1864
-  %1874 = fcmp ogt double %1377, 2.000000e-01
-  %1875 = select i1 %1874, double %1377, double 2.000000e-01
-  %1876 = fmul double %404, %1875
-  br label %1877
+1291:                                             ; preds = %1272, %1291
+  %1292 = phi i64 [ %1300, %1291 ], [ 0, %1272 ]
+  %1293 = load ptr, ptr %118, align 8
+  %1294 = getelementptr inbounds double, ptr %1293, i64 %1292
+  %1295 = load double, ptr %1294, align 8
+  %1296 = getelementptr inbounds double, ptr %1212, i64 %1292
+  %1297 = load double, ptr %1296, align 8
+  %1298 = fadd double %1295, %1297
+  %1299 = getelementptr inbounds double, ptr %1213, i64 %1292
+  store double %1298, ptr %1299, align 8
+  %1300 = add nuw nsw i64 %1292, 1
+  %1301 = icmp eq i64 %1300, %1210
+  br i1 %1301, label %1286, label %1291, !llvm.loop !37
 
-1877:                                             ; preds = %1864, %1873
-  %1878 = phi double [ %1876, %1873 ], [ %404, %1864 ]
-  %1879 = load i64, ptr %354, align 8
-  %1880 = load i64, ptr %95, align 8
-  %1881 = icmp eq i64 %1879, %1880
-  br i1 %1881, label %1882, label %1883
+1302:                                             ; preds = %1217, %1262, %1286
+  %1303 = phi double [ %1290, %1286 ], [ %1221, %1262 ], [ %1221, %1217 ]
+  %1304 = phi i64 [ 0, %1286 ], [ %1270, %1262 ], [ 0, %1217 ]
+  %1305 = icmp slt i64 %1304, 0
+  br i1 %1305, label %1893, label %1320
 
-1882:                                             ; preds = %1877
-  store double %1878, ptr %124, align 8
-  br label %1883
+1306:                                             ; preds = %1154, %1306
+  %1307 = phi i64 [ %1318, %1306 ], [ 0, %1154 ]
+  %1308 = load ptr, ptr %77, align 8
+  %1309 = getelementptr inbounds double, ptr %1308, i64 %1307
+  %1310 = load double, ptr %1309, align 8
+  %1311 = load ptr, ptr %116, align 8
+  %1312 = getelementptr i8, ptr %1311, i64 %348
+  %1313 = getelementptr double, ptr %1312, i64 %1307
+  %1314 = load double, ptr %1313, align 8
+  %1315 = fadd double %1310, %1314
+  %1316 = load ptr, ptr %141, align 8
+  %1317 = getelementptr inbounds double, ptr %1316, i64 %1307
+  store double %1315, ptr %1317, align 8
+  %1318 = add nuw nsw i64 %1307, 1
+  %1319 = icmp eq i64 %1318, %198
+  br i1 %1319, label %1205, label %1306, !llvm.loop !38
 
-1883:                                             ; preds = %1179, %1191, %1136, %1330, %1345, %1882, %1877, %1861, %1829, %1815, %1292, %530, %595, %411
-  %1884 = phi double [ %373, %411 ], [ %373, %530 ], [ %373, %595 ], [ %1137, %1292 ], [ %1137, %1815 ], [ %1137, %1829 ], [ %1137, %1861 ], [ %1137, %1877 ], [ %1137, %1882 ], [ %1137, %1345 ], [ %1137, %1330 ], [ %1137, %1136 ], [ %1137, %1191 ], [ %1137, %1179 ]
-  %1885 = phi i32 [ %372, %411 ], [ %372, %530 ], [ %372, %595 ], [ %1138, %1292 ], [ %1138, %1815 ], [ %1138, %1829 ], [ %1138, %1861 ], [ %1138, %1877 ], [ %1138, %1882 ], [ %1138, %1345 ], [ %1138, %1330 ], [ %1138, %1136 ], [ %1138, %1191 ], [ %1138, %1179 ]
-  %1886 = phi i64 [ %371, %411 ], [ %371, %530 ], [ %371, %595 ], [ %1139, %1292 ], [ %1139, %1815 ], [ %1139, %1829 ], [ %1139, %1861 ], [ %1139, %1877 ], [ %1139, %1882 ], [ %1139, %1345 ], [ %1139, %1330 ], [ %1139, %1136 ], [ %1139, %1191 ], [ %1139, %1179 ]
-  %1887 = phi i64 [ %370, %411 ], [ %370, %530 ], [ %370, %595 ], [ %1140, %1292 ], [ %1140, %1815 ], [ %1140, %1829 ], [ %1140, %1861 ], [ %1140, %1877 ], [ %1140, %1882 ], [ %1140, %1345 ], [ %1140, %1330 ], [ %1140, %1136 ], [ %1140, %1191 ], [ %1140, %1179 ]
-  %1888 = phi double [ %369, %411 ], [ %369, %530 ], [ %598, %595 ], [ %369, %1292 ], [ %1826, %1815 ], [ %369, %1829 ], [ %369, %1861 ], [ %1878, %1877 ], [ %1878, %1882 ], [ %1348, %1345 ], [ %1332, %1330 ], [ %369, %1136 ], [ %1192, %1191 ], [ %369, %1179 ]
-  %1889 = phi double [ %368, %411 ], [ %368, %530 ], [ %368, %595 ], [ %368, %1292 ], [ %368, %1815 ], [ %368, %1829 ], [ %405, %1861 ], [ %405, %1877 ], [ %405, %1882 ], [ %368, %1345 ], [ %368, %1330 ], [ %368, %1136 ], [ %368, %1191 ], [ %368, %1179 ]
-  %1890 = phi i32 [ 1, %411 ], [ 1, %530 ], [ 6, %595 ], [ 1, %1292 ], [ 6, %1815 ], [ 1, %1829 ], [ 1, %1861 ], [ 0, %1877 ], [ 1, %1882 ], [ 6, %1345 ], [ 6, %1330 ], [ 1, %1136 ], [ 6, %1191 ], [ 6, %1179 ]
-  %1891 = phi i64 [ 2, %411 ], [ -4, %530 ], [ %367, %595 ], [ -4, %1292 ], [ %367, %1815 ], [ %1810, %1829 ], [ %1863, %1861 ], [ %367, %1877 ], [ 0, %1882 ], [ %367, %1345 ], [ %367, %1330 ], [ -4, %1136 ], [ %367, %1191 ], [ %367, %1179 ]
-  switch i32 %1890, label %1895 [
-    i32 0, label %1892
-    i32 6, label %1892
+1320:                                             ; preds = %1302
+  %1321 = add nsw i64 %1149, 12
+  %1322 = sitofp i64 %1321 to double
+  %1323 = fdiv double 0x4027666666666667, %1322
+  %1324 = fcmp olt double %1303, 1.000000e-10
+  %1325 = select i1 %1324, double 1.000000e-10, double %1303
+  %1326 = tail call double @llvm.pow.f64(double %1325, double -2.500000e-01)
+  %1327 = icmp eq i64 %1304, 0
+  %1328 = fcmp olt double %1303, 1.000000e+00
+  %1329 = select i1 %1327, i1 %1328, i1 false
+  br i1 %1329, label %1345, label %1330
+
+1330:                                             ; preds = %1320
+  %1331 = load i64, ptr %336, align 8
+  %1332 = add nsw i64 %1331, 1
+  store i64 %1332, ptr %336, align 8
+  %1333 = select i1 %1327, i64 2, i64 3
+  store i64 %1333, ptr %350, align 8
+  %1334 = tail call double @llvm.fabs.f64(double %1303)
+  %1335 = fcmp ueq double %1334, 0x7FF0000000000000
+  br i1 %1335, label %1340, label %1336
+
+1336:                                             ; preds = %1330
+  %1337 = fmul double %1323, %1326
+  %1338 = fcmp ogt double %1337, 2.000000e-01
+  %1339 = select i1 %1338, double %1337, double 2.000000e-01
+  br label %1340
+
+1340:                                             ; preds = %1330, %1336
+  %1341 = phi double [ %1339, %1336 ], [ 2.500000e-01, %1330 ]
+  %1342 = fmul double %414, %1341
+  store i64 1, ptr %349, align 8
+  %1343 = load i64, ptr %351, align 8
+  %1344 = sub nsw i64 1, %1343
+  store i64 %1344, ptr %339, align 8
+  br label %1893, !llvm.loop !17
+
+1345:                                             ; preds = %1320
+  br i1 %206, label %1346, label %1361
+
+1346:                                             ; preds = %1345
+  %1347 = load ptr, ptr %147, align 8
+  %1348 = load ptr, ptr %77, align 8
+  %1349 = load ptr, ptr %84, align 8
+  %1350 = getelementptr inbounds i8, ptr %1349, i64 56
+  %1351 = load i64, ptr %1350, align 8
+  %1352 = inttoptr i64 %1351 to ptr
+  %1353 = tail call i64 %1352(ptr noundef %0, double noundef %415, ptr noundef %1347, ptr noundef %1348) #11
+  %1354 = icmp eq i64 %1353, 0
+  br i1 %1354, label %1361, label %1355
+
+1355:                                             ; preds = %1346
+  %1356 = load i64, ptr %336, align 8
+  %1357 = add nsw i64 %1356, 1
+  store i64 %1357, ptr %336, align 8
+  store i64 6, ptr %352, align 8
+  %1358 = fmul double %414, 2.500000e-01
+  store i64 1, ptr %349, align 8
+  %1359 = load i64, ptr %353, align 8
+  %1360 = sub nsw i64 1, %1359
+  store i64 %1360, ptr %339, align 8
+  br label %1893, !llvm.loop !17
+
+1361:                                             ; preds = %1346, %1345
+  %1362 = load i64, ptr %335, align 8
+  %1363 = add nsw i64 %1362, 1
+  store i64 %1363, ptr %335, align 8
+  %1364 = load double, ptr %354, align 8
+  %1365 = fcmp ogt double %1364, 0.000000e+00
+  br i1 %1365, label %1366, label %1375
+
+1366:                                             ; preds = %1361
+  %1367 = fdiv double %1364, %1325
+  %1368 = tail call double @llvm.pow.f64(double %1367, double 2.500000e-01)
+  %1369 = load double, ptr %355, align 8
+  %1370 = fdiv double %414, %1369
+  %1371 = fmul double %1368, %1370
+  %1372 = fcmp olt double %1371, 1.000000e+00
+  %1373 = select i1 %1372, double %1371, double 1.000000e+00
+  %1374 = fmul double %1326, %1373
+  br label %1375
+
+1375:                                             ; preds = %1366, %1361
+  %1376 = phi double [ %1374, %1366 ], [ %1326, %1361 ]
+  %1377 = fmul double %1323, %1376
+  %1378 = fcmp olt double %1377, 1.000000e+01
+  store double %415, ptr %188, align 8
+  store double %414, ptr %356, align 8
+  store double %1325, ptr %354, align 8
+  %1379 = load ptr, ptr %76, align 8
+  %1380 = getelementptr inbounds i8, ptr %1379, i64 8
+  %1381 = load i64, ptr %1380, align 8
+  %1382 = load i64, ptr %154, align 8
+  %1383 = load ptr, ptr %116, align 8
+  %1384 = load ptr, ptr %155, align 8
+  %1385 = load ptr, ptr %115, align 8
+  br label %1402
+
+1386:                                             ; preds = %1402
+  %1387 = select i1 %1378, double %1377, double 1.000000e+01
+  %1388 = icmp sgt i64 %1381, 0
+  br i1 %1388, label %1389, label %1462
+
+1389:                                             ; preds = %1386
+  %1390 = load double, ptr %8, align 16
+  %1391 = load double, ptr %156, align 8
+  %1392 = getelementptr double, ptr %1383, i64 %1381
+  %1393 = load double, ptr %157, align 16
+  %1394 = shl i64 %1381, 4
+  %1395 = getelementptr i8, ptr %1383, i64 %1394
+  %1396 = load double, ptr %9, align 16
+  %1397 = load double, ptr %158, align 8
+  %1398 = load double, ptr %159, align 16
+  %1399 = getelementptr double, ptr %1384, i64 %1382
+  %1400 = shl i64 %1382, 4
+  %1401 = getelementptr i8, ptr %1384, i64 %1400
+  br label %1413
+
+1402:                                             ; preds = %1375, %1402
+  %1403 = phi i64 [ 0, %1375 ], [ %1411, %1402 ]
+  %1404 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1403
+  %1405 = getelementptr inbounds i8, ptr %1404, i64 8
+  %1406 = load double, ptr %1405, align 8
+  %1407 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1403
+  store double %1406, ptr %1407, align 8
+  %1408 = getelementptr inbounds i8, ptr %1404, i64 16
+  %1409 = load double, ptr %1408, align 8
+  %1410 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1403
+  store double %1409, ptr %1410, align 8
+  %1411 = add nuw nsw i64 %1403, 1
+  %1412 = icmp eq i64 %1411, 3
+  br i1 %1412, label %1386, label %1402, !llvm.loop !39
+
+1413:                                             ; preds = %1389, %1450
+  %1414 = phi i64 [ 0, %1389 ], [ %1451, %1450 ]
+  %1415 = getelementptr inbounds double, ptr %1383, i64 %1414
+  %1416 = load double, ptr %1415, align 8
+  %1417 = fmul double %1390, %1416
+  %1418 = getelementptr double, ptr %1392, i64 %1414
+  %1419 = load double, ptr %1418, align 8
+  %1420 = fmul double %1391, %1419
+  %1421 = fadd double %1417, %1420
+  %1422 = getelementptr double, ptr %1395, i64 %1414
+  %1423 = load double, ptr %1422, align 8
+  %1424 = fmul double %1393, %1423
+  %1425 = fadd double %1421, %1424
+  %1426 = fmul double %1416, %1396
+  %1427 = fmul double %1419, %1397
+  %1428 = fadd double %1426, %1427
+  %1429 = fmul double %1423, %1398
+  %1430 = fadd double %1428, %1429
+  %1431 = load ptr, ptr %147, align 8
+  %1432 = getelementptr inbounds double, ptr %1431, i64 %1414
+  %1433 = load double, ptr %1432, align 8
+  %1434 = load ptr, ptr %77, align 8
+  %1435 = getelementptr inbounds double, ptr %1434, i64 %1414
+  %1436 = load double, ptr %1435, align 8
+  %1437 = fsub double %1433, %1436
+  %1438 = getelementptr inbounds double, ptr %1384, i64 %1414
+  store double %1437, ptr %1438, align 8
+  %1439 = fneg double %1425
+  %1440 = fsub double %1439, %1430
+  %1441 = getelementptr double, ptr %1399, i64 %1414
+  store double %1440, ptr %1441, align 8
+  %1442 = fneg double %1430
+  %1443 = getelementptr double, ptr %1401, i64 %1414
+  store double %1442, ptr %1443, align 8
+  %1444 = load ptr, ptr %77, align 8
+  %1445 = getelementptr inbounds double, ptr %1444, i64 %1414
+  %1446 = load double, ptr %1445, align 8
+  %1447 = getelementptr inbounds double, ptr %1385, i64 %1414
+  store double %1446, ptr %1447, align 8
+  %1448 = getelementptr double, ptr %1384, i64 %1414
+  %1449 = getelementptr double, ptr %1385, i64 %1414
+  br label %1453
+
+1450:                                             ; preds = %1453
+  %1451 = add nuw nsw i64 %1414, 1
+  %1452 = icmp eq i64 %1451, %1381
+  br i1 %1452, label %1462, label %1413, !llvm.loop !40
+
+1453:                                             ; preds = %1413, %1453
+  %1454 = phi i64 [ 0, %1413 ], [ %1458, %1453 ]
+  %1455 = mul nsw i64 %1382, %1454
+  %1456 = getelementptr double, ptr %1448, i64 %1455
+  %1457 = load double, ptr %1456, align 8
+  %1458 = add nuw nsw i64 %1454, 1
+  %1459 = mul nuw nsw i64 %1381, %1458
+  %1460 = getelementptr double, ptr %1449, i64 %1459
+  store double %1457, ptr %1460, align 8
+  %1461 = icmp eq i64 %1458, 3
+  br i1 %1461, label %1450, label %1453, !llvm.loop !41
+
+1462:                                             ; preds = %1450, %1386
+  store double %414, ptr %344, align 8
+  %1463 = load ptr, ptr %0, align 8
+  %1464 = getelementptr inbounds i8, ptr %1463, i64 24
+  %1465 = load i64, ptr %1464, align 8
+  %1466 = load ptr, ptr %93, align 8
+  %1467 = getelementptr inbounds i8, ptr %1466, i64 8
+  %1468 = load i64, ptr %1467, align 8
+  %1469 = icmp eq i64 %1468, 0
+  br i1 %1469, label %1516, label %1470
+
+1470:                                             ; preds = %1462
+  %1471 = load i64, ptr %1466, align 8
+  %1472 = load ptr, ptr %76, align 8
+  %1473 = getelementptr inbounds i8, ptr %1472, i64 8
+  %1474 = load i64, ptr %1473, align 8
+  %1475 = load ptr, ptr %160, align 8
+  %1476 = load i64, ptr %161, align 8
+  %1477 = mul nsw i64 %1476, %1471
+  %1478 = getelementptr inbounds double, ptr %1475, i64 %1477
+  %1479 = getelementptr inbounds double, ptr %1478, i64 %1476
+  store double %378, ptr %1478, align 8
+  %1480 = getelementptr inbounds i8, ptr %1478, i64 8
+  store double %414, ptr %1480, align 8
+  store double %415, ptr %1479, align 8
+  %1481 = getelementptr inbounds i8, ptr %1479, i64 8
+  store double 0.000000e+00, ptr %1481, align 8
+  %1482 = icmp sgt i64 %1474, 0
+  br i1 %1482, label %1483, label %1486
+
+1483:                                             ; preds = %1470
+  %1484 = getelementptr i8, ptr %1478, i64 16
+  %1485 = icmp sgt i64 %1465, 0
+  br label %1489
+
+1486:                                             ; preds = %1501, %1470
+  %1487 = add nsw i64 %1471, 1
+  %1488 = load ptr, ptr %93, align 8
+  store i64 %1487, ptr %1488, align 8
+  br label %1516
+
+1489:                                             ; preds = %1483, %1501
+  %1490 = phi i64 [ 0, %1483 ], [ %1502, %1501 ]
+  %1491 = load ptr, ptr %77, align 8
+  %1492 = getelementptr inbounds double, ptr %1491, i64 %1490
+  %1493 = load double, ptr %1492, align 8
+  %1494 = add nuw nsw i64 %1490, 2
+  %1495 = getelementptr inbounds double, ptr %1478, i64 %1494
+  store double %1493, ptr %1495, align 8
+  %1496 = load ptr, ptr %147, align 8
+  %1497 = getelementptr inbounds double, ptr %1496, i64 %1490
+  %1498 = load double, ptr %1497, align 8
+  %1499 = getelementptr inbounds double, ptr %1479, i64 %1494
+  store double %1498, ptr %1499, align 8
+  %1500 = getelementptr double, ptr %1484, i64 %1490
+  br i1 %1485, label %1504, label %1501
+
+1501:                                             ; preds = %1504, %1489
+  %1502 = add nuw nsw i64 %1490, 1
+  %1503 = icmp eq i64 %1502, %1474
+  br i1 %1503, label %1486, label %1489, !llvm.loop !42
+
+1504:                                             ; preds = %1489, %1504
+  %1505 = phi i64 [ %1512, %1504 ], [ 0, %1489 ]
+  %1506 = load ptr, ptr %155, align 8
+  %1507 = load i64, ptr %154, align 8
+  %1508 = mul nsw i64 %1507, %1505
+  %1509 = getelementptr double, ptr %1506, i64 %1508
+  %1510 = getelementptr double, ptr %1509, i64 %1490
+  %1511 = load double, ptr %1510, align 8
+  %1512 = add nuw nsw i64 %1505, 1
+  %1513 = mul nuw nsw i64 %1512, %1474
+  %1514 = getelementptr double, ptr %1500, i64 %1513
+  store double %1511, ptr %1514, align 8
+  %1515 = icmp eq i64 %1512, %1465
+  br i1 %1515, label %1501, label %1504, !llvm.loop !43
+
+1516:                                             ; preds = %1462, %1486
+  br i1 %210, label %1517, label %1624
+
+1517:                                             ; preds = %1516
+  %1518 = load ptr, ptr %85, align 8
+  %1519 = load ptr, ptr %76, align 8
+  %1520 = getelementptr inbounds i8, ptr %1519, i64 8
+  %1521 = load i64, ptr %1520, align 8
+  %1522 = load ptr, ptr %162, align 8
+  %1523 = getelementptr inbounds i8, ptr %1518, i64 32
+  %1524 = load i64, ptr %1523, align 8
+  %1525 = getelementptr inbounds double, ptr %1522, i64 %1524
+  %1526 = load ptr, ptr %116, align 8
+  %1527 = getelementptr inbounds i8, ptr %1518, i64 24
+  %1528 = load i64, ptr %1527, align 8
+  %1529 = icmp eq i64 %1528, 0
+  br i1 %1529, label %1621, label %1530
+
+1530:                                             ; preds = %1517
+  %1531 = getelementptr inbounds i8, ptr %1518, i64 40
+  %1532 = load i64, ptr %1531, align 8
+  %1533 = icmp sgt i64 %1532, 0
+  br i1 %1533, label %1534, label %1538
+
+1534:                                             ; preds = %1530
+  %1535 = getelementptr double, ptr %1526, i64 %1521
+  %1536 = shl i64 %1521, 4
+  %1537 = getelementptr i8, ptr %1526, i64 %1536
+  br label %1591
+
+1538:                                             ; preds = %1591, %1530
+  %1539 = load ptr, ptr %163, align 8
+  %1540 = load ptr, ptr %85, align 8
+  %1541 = getelementptr inbounds i8, ptr %1540, i64 8
+  %1542 = load i64, ptr %1541, align 8
+  %1543 = load ptr, ptr %164, align 8
+  %1544 = load ptr, ptr %162, align 8
+  %1545 = getelementptr inbounds i8, ptr %1540, i64 32
+  %1546 = load i64, ptr %1545, align 8
+  %1547 = getelementptr inbounds i8, ptr %1540, i64 40
+  %1548 = load i64, ptr %1547, align 8
+  %1549 = getelementptr double, ptr %1544, i64 %1546
+  %1550 = getelementptr double, ptr %1549, i64 %1548
+  store double %414, ptr %1550, align 8
+  %1551 = load ptr, ptr %163, align 8
+  store double %378, ptr %1551, align 8
+  %1552 = load ptr, ptr %85, align 8
+  %1553 = getelementptr inbounds i8, ptr %1552, i64 24
+  %1554 = load i64, ptr %1553, align 8
+  %1555 = load ptr, ptr %77, align 8
+  %1556 = load ptr, ptr %162, align 8
+  %1557 = load ptr, ptr %165, align 8
+  %1558 = inttoptr i64 %1554 to ptr
+  %1559 = tail call i32 %1558(ptr noundef %1539, ptr noundef %1555, ptr noundef %1556, ptr noundef %1557, ptr noundef %1543) #11
+  %1560 = icmp eq i32 %1559, 0
+  br i1 %1560, label %1561, label %1621
+
+1561:                                             ; preds = %1538
+  %1562 = icmp slt i64 %1542, 1
+  br i1 %1562, label %1588, label %1563
+
+1563:                                             ; preds = %1561
+  %1564 = load ptr, ptr %166, align 8
+  %1565 = getelementptr double, ptr %1543, i64 %1542
+  br label %1566
+
+1566:                                             ; preds = %1563, %1584
+  %1567 = phi i1 [ %1562, %1563 ], [ %1586, %1584 ]
+  %1568 = phi i64 [ 0, %1563 ], [ %1585, %1584 ]
+  %1569 = getelementptr inbounds i64, ptr %1564, i64 %1568
+  %1570 = load i64, ptr %1569, align 8
+  %1571 = and i64 %1570, 2
+  %1572 = icmp eq i64 %1571, 0
+  br i1 %1572, label %1573, label %1584
+
+1573:                                             ; preds = %1566
+  %1574 = getelementptr inbounds double, ptr %1543, i64 %1568
+  %1575 = load double, ptr %1574, align 8
+  %1576 = load ptr, ptr %167, align 8
+  %1577 = getelementptr inbounds i64, ptr %1576, i64 %1568
+  %1578 = load i64, ptr %1577, align 8
+  %1579 = sitofp i64 %1578 to double
+  %1580 = fmul double %1575, %1579
+  %1581 = getelementptr double, ptr %1565, i64 %1568
+  %1582 = load double, ptr %1581, align 8
+  %1583 = fcmp ogt double %1580, %1582
+  br i1 %1583, label %1584, label %1588
+
+1584:                                             ; preds = %1573, %1566
+  %1585 = add nuw nsw i64 %1568, 1
+  %1586 = icmp sge i64 %1585, %1542
+  %1587 = icmp eq i64 %1585, %1542
+  br i1 %1587, label %1588, label %1566, !llvm.loop !44
+
+1588:                                             ; preds = %1584, %1573, %1561
+  %1589 = phi i1 [ %1562, %1561 ], [ %1586, %1584 ], [ %1567, %1573 ]
+  %1590 = zext i1 %1589 to i32
+  br label %1621
+
+1591:                                             ; preds = %1534, %1591
+  %1592 = phi i64 [ 0, %1534 ], [ %1618, %1591 ]
+  %1593 = load ptr, ptr %147, align 8
+  %1594 = getelementptr inbounds double, ptr %1593, i64 %1592
+  %1595 = load double, ptr %1594, align 8
+  %1596 = load ptr, ptr %77, align 8
+  %1597 = getelementptr inbounds double, ptr %1596, i64 %1592
+  %1598 = load double, ptr %1597, align 8
+  %1599 = fsub double %1595, %1598
+  %1600 = tail call double @llvm.fabs.f64(double %1599)
+  %1601 = getelementptr inbounds double, ptr %1526, i64 %1592
+  %1602 = load double, ptr %1601, align 8
+  %1603 = tail call double @llvm.fabs.f64(double %1602)
+  %1604 = getelementptr double, ptr %1535, i64 %1592
+  %1605 = load double, ptr %1604, align 8
+  %1606 = tail call double @llvm.fabs.f64(double %1605)
+  %1607 = fcmp ogt double %1603, %1606
+  %1608 = select i1 %1607, double %1603, double %1606
+  %1609 = getelementptr double, ptr %1537, i64 %1592
+  %1610 = load double, ptr %1609, align 8
+  %1611 = tail call double @llvm.fabs.f64(double %1610)
+  %1612 = fcmp ogt double %1608, %1611
+  %1613 = select i1 %1612, double %1608, double %1611
+  %1614 = fcmp ogt double %1613, %1600
+  %1615 = select i1 %1614, double %1613, double %1600
+  %1616 = fmul double %1615, 8.000000e+00
+  %1617 = getelementptr inbounds double, ptr %1525, i64 %1592
+  store double %1616, ptr %1617, align 8
+  %1618 = add nuw nsw i64 %1592, 1
+  %1619 = load i64, ptr %1531, align 8
+  %1620 = icmp slt i64 %1618, %1619
+  br i1 %1620, label %1591, label %1538, !llvm.loop !45
+
+1621:                                             ; preds = %1588, %1538, %1517
+  %1622 = phi i32 [ 0, %1517 ], [ 0, %1538 ], [ %1590, %1588 ]
+  %1623 = icmp eq i32 %1622, 0
+  br label %1624
+
+1624:                                             ; preds = %1621, %1516
+  %1625 = phi i1 [ false, %1516 ], [ %1623, %1621 ]
+  br i1 %1625, label %1631, label %1626
+
+1626:                                             ; preds = %1624
+  %1627 = load i64, ptr %357, align 8
+  %1628 = getelementptr inbounds double, ptr %199, i64 %1627
+  %1629 = load double, ptr %1628, align 8
+  %1630 = fcmp ugt double %1629, %415
+  br i1 %1630, label %1843, label %1631
+
+1631:                                             ; preds = %1626, %1624
+  %1632 = load ptr, ptr %79, align 8
+  br i1 %1625, label %1633, label %1644
+
+1633:                                             ; preds = %1631
+  %1634 = load ptr, ptr %85, align 8
+  %1635 = getelementptr inbounds i8, ptr %1634, i64 16
+  %1636 = load i64, ptr %1635, align 8
+  %1637 = inttoptr i64 %1636 to ptr
+  %1638 = tail call i64 %1637(ptr noundef %0, double noundef %378, double noundef %414) #11
+  %1639 = icmp eq i64 %1638, -6
+  br i1 %1639, label %1640, label %1641
+
+1640:                                             ; preds = %1633
+  store double %378, ptr %1632, align 8
+  br label %1819
+
+1641:                                             ; preds = %1633
+  %1642 = getelementptr inbounds i8, ptr %1632, i64 48
+  %1643 = load double, ptr %1642, align 8
+  br label %1644
+
+1644:                                             ; preds = %1641, %1631
+  %1645 = phi double [ %1643, %1641 ], [ 1.000000e+00, %1631 ]
+  %1646 = phi i64 [ %1638, %1641 ], [ 0, %1631 ]
+  %1647 = fcmp oeq double %1645, 1.000000e+00
+  br i1 %1647, label %1648, label %1650
+
+1648:                                             ; preds = %1644
+  %1649 = load double, ptr %1632, align 8
+  br label %1653
+
+1650:                                             ; preds = %1644
+  %1651 = fmul double %414, %1645
+  %1652 = fadd double %378, %1651
+  br label %1653
+
+1653:                                             ; preds = %1650, %1648
+  %1654 = phi double [ %1649, %1648 ], [ %1652, %1650 ]
+  %1655 = icmp eq i64 %1646, -4
+  %1656 = select i1 %1655, i64 -4, i64 0
+  br i1 %1655, label %1714, label %1657
+
+1657:                                             ; preds = %1653
+  %1658 = fcmp olt double %1645, 1.000000e+00
+  %1659 = load ptr, ptr %76, align 8
+  %1660 = getelementptr inbounds i8, ptr %1659, i64 8
+  %1661 = load i64, ptr %1660, align 8
+  %1662 = load i64, ptr %83, align 8
+  %1663 = load ptr, ptr %82, align 8
+  %1664 = load ptr, ptr %81, align 8
+  %1665 = getelementptr inbounds i8, ptr %1664, i64 48
+  %1666 = load i64, ptr %1665, align 8
+  %1667 = icmp slt i64 %1666, %1662
+  br i1 %1667, label %1668, label %1710
+
+1668:                                             ; preds = %1657, %1706
+  %1669 = phi i64 [ %1707, %1706 ], [ undef, %1657 ]
+  %1670 = phi i64 [ %1708, %1706 ], [ %1666, %1657 ]
+  %1671 = getelementptr inbounds double, ptr %1663, i64 %1670
+  %1672 = load double, ptr %1671, align 8
+  %1673 = fcmp olt double %1672, %1654
+  %1674 = fcmp oeq double %1672, %1654
+  %1675 = and i1 %1658, %1674
+  %1676 = or i1 %1673, %1675
+  br i1 %1676, label %1677, label %1710
+
+1677:                                             ; preds = %1668
+  %1678 = fsub double %1672, %378
+  %1679 = fdiv double %1678, %414
+  %1680 = mul nsw i64 %1670, %1661
+  %1681 = getelementptr inbounds double, ptr %1, i64 %1680
+  %1682 = load ptr, ptr %168, align 8
+  %1683 = insertelement <8 x double> poison, double %1679, i64 0
+  %1684 = shufflevector <8 x double> %1683, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1684, ptr %1682, align 8
+  %1685 = load ptr, ptr %77, align 8
+  %1686 = load ptr, ptr %169, align 8
+  %1687 = load i64, ptr %170, align 8
+  %1688 = load ptr, ptr %0, align 8
+  %1689 = getelementptr inbounds i8, ptr %1688, i64 24
+  %1690 = load i64, ptr %1689, align 8
+  %1691 = load ptr, ptr %168, align 8
+  %1692 = load ptr, ptr %76, align 8
+  %1693 = getelementptr inbounds i8, ptr %1692, i64 16
+  %1694 = load i64, ptr %1693, align 8
+  tail call fastcc void @nested(ptr noundef %1681, ptr noundef %1685, ptr noundef %1686, i64 noundef %1687, i64 noundef %1690, ptr noundef %1691, i64 noundef %1694) #10
+  %1695 = load ptr, ptr %84, align 8
+  %1696 = load i64, ptr %1695, align 8
+  %1697 = icmp eq i64 %1696, 1
+  br i1 %1697, label %1698, label %1706
+
+1698:                                             ; preds = %1677
+  %1699 = load double, ptr %1671, align 8
+  %1700 = getelementptr inbounds i8, ptr %1695, i64 56
+  %1701 = load i64, ptr %1700, align 8
+  %1702 = inttoptr i64 %1701 to ptr
+  %1703 = tail call i64 %1702(ptr noundef %0, double noundef %1699, ptr noundef %1681, ptr noundef null) #11
+  %1704 = icmp eq i64 %1703, 0
+  %1705 = select i1 %1704, i64 %1669, i64 %1703
+  br i1 %1704, label %1706, label %1714
+
+1706:                                             ; preds = %1698, %1677
+  %1707 = phi i64 [ %1705, %1698 ], [ %1669, %1677 ]
+  %1708 = add i64 %1670, 1
+  %1709 = icmp eq i64 %1708, %1662
+  br i1 %1709, label %1710, label %1668, !llvm.loop !46
+
+1710:                                             ; preds = %1706, %1668, %1657
+  %1711 = phi i64 [ %1666, %1657 ], [ %1662, %1706 ], [ %1670, %1668 ]
+  %1712 = load ptr, ptr %81, align 8
+  %1713 = getelementptr inbounds i8, ptr %1712, i64 48
+  store i64 %1711, ptr %1713, align 8
+  br label %1714
+
+1714:                                             ; preds = %1698, %1710, %1653
+  %1715 = phi i64 [ %1656, %1653 ], [ 0, %1710 ], [ %1705, %1698 ]
+  %1716 = icmp eq i64 %1715, 0
+  %1717 = icmp ne i64 %1646, 0
+  %1718 = fcmp olt double %1645, 1.000000e+00
+  %1719 = and i1 %1718, %1716
+  %1720 = and i1 %1717, %1719
+  br i1 %1720, label %1721, label %1758
+
+1721:                                             ; preds = %1714
+  %1722 = load ptr, ptr %171, align 8
+  %1723 = load ptr, ptr %172, align 8
+  %1724 = insertelement <8 x double> poison, double %1645, i64 0
+  %1725 = shufflevector <8 x double> %1724, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1725, ptr %1723, align 8
+  %1726 = load ptr, ptr %77, align 8
+  %1727 = load ptr, ptr %173, align 8
+  %1728 = load i64, ptr %174, align 8
+  %1729 = load ptr, ptr %0, align 8
+  %1730 = getelementptr inbounds i8, ptr %1729, i64 24
+  %1731 = load i64, ptr %1730, align 8
+  %1732 = load ptr, ptr %172, align 8
+  %1733 = load ptr, ptr %76, align 8
+  %1734 = getelementptr inbounds i8, ptr %1733, i64 16
+  %1735 = load i64, ptr %1734, align 8
+  tail call fastcc void @nested(ptr noundef %1722, ptr noundef %1726, ptr noundef %1727, i64 noundef %1728, i64 noundef %1731, ptr noundef %1732, i64 noundef %1735) #10
+  %1736 = load i64, ptr %154, align 8
+  %1737 = icmp sgt i64 %1736, 0
+  br i1 %1737, label %1742, label %1738
+
+1738:                                             ; preds = %1742, %1721
+  %1739 = load ptr, ptr %84, align 8
+  %1740 = load i64, ptr %1739, align 8
+  %1741 = icmp eq i64 %1740, 1
+  br i1 %1741, label %1752, label %1758
+
+1742:                                             ; preds = %1721, %1742
+  %1743 = phi i64 [ %1749, %1742 ], [ 0, %1721 ]
+  %1744 = load ptr, ptr %171, align 8
+  %1745 = getelementptr inbounds double, ptr %1744, i64 %1743
+  %1746 = load double, ptr %1745, align 8
+  %1747 = load ptr, ptr %147, align 8
+  %1748 = getelementptr inbounds double, ptr %1747, i64 %1743
+  store double %1746, ptr %1748, align 8
+  %1749 = add nuw nsw i64 %1743, 1
+  %1750 = load i64, ptr %154, align 8
+  %1751 = icmp slt i64 %1749, %1750
+  br i1 %1751, label %1742, label %1738, !llvm.loop !47
+
+1752:                                             ; preds = %1738
+  %1753 = load ptr, ptr %147, align 8
+  %1754 = getelementptr inbounds i8, ptr %1739, i64 56
+  %1755 = load i64, ptr %1754, align 8
+  %1756 = inttoptr i64 %1755 to ptr
+  %1757 = tail call i64 %1756(ptr noundef %0, double noundef %1654, ptr noundef %1753, ptr noundef null) #11
+  br label %1758
+
+1758:                                             ; preds = %1752, %1738, %1714
+  %1759 = phi i64 [ %1757, %1752 ], [ 0, %1738 ], [ %1715, %1714 ]
+  %1760 = icmp eq i64 %1759, 0
+  br i1 %1760, label %1763, label %1761
+
+1761:                                             ; preds = %1758
+  store double %378, ptr %1632, align 8
+  %1762 = getelementptr inbounds i8, ptr %1632, i64 8
+  store double %414, ptr %1762, align 8
+  br label %1819
+
+1763:                                             ; preds = %1758
+  br i1 %1647, label %1764, label %1802
+
+1764:                                             ; preds = %1763
+  %1765 = load ptr, ptr %147, align 8
+  %1766 = load ptr, ptr %76, align 8
+  %1767 = getelementptr inbounds i8, ptr %1766, i64 8
+  %1768 = load i64, ptr %1767, align 8
+  %1769 = load i64, ptr %83, align 8
+  %1770 = load ptr, ptr %82, align 8
+  %1771 = load ptr, ptr %81, align 8
+  %1772 = getelementptr inbounds i8, ptr %1771, i64 48
+  %1773 = load i64, ptr %1772, align 8
+  %1774 = icmp slt i64 %1773, %1769
+  br i1 %1774, label %1775, label %1798
+
+1775:                                             ; preds = %1764
+  %1776 = icmp sgt i64 %1768, 0
+  br label %1777
+
+1777:                                             ; preds = %1775, %1788
+  %1778 = phi i64 [ %1773, %1775 ], [ %1789, %1788 ]
+  %1779 = getelementptr inbounds double, ptr %1770, i64 %1778
+  %1780 = load double, ptr %1779, align 8
+  %1781 = load ptr, ptr %79, align 8
+  %1782 = load double, ptr %1781, align 8
+  %1783 = fcmp ugt double %1780, %1782
+  br i1 %1783, label %1798, label %1784
+
+1784:                                             ; preds = %1777
+  br i1 %1776, label %1785, label %1788
+
+1785:                                             ; preds = %1784
+  %1786 = mul nsw i64 %1778, %1768
+  %1787 = getelementptr double, ptr %1, i64 %1786
+  br label %1791
+
+1788:                                             ; preds = %1791, %1784
+  %1789 = add i64 %1778, 1
+  %1790 = icmp eq i64 %1789, %1769
+  br i1 %1790, label %1798, label %1777, !llvm.loop !9
+
+1791:                                             ; preds = %1785, %1791
+  %1792 = phi i64 [ 0, %1785 ], [ %1796, %1791 ]
+  %1793 = getelementptr inbounds double, ptr %1765, i64 %1792
+  %1794 = load double, ptr %1793, align 8
+  %1795 = getelementptr double, ptr %1787, i64 %1792
+  store double %1794, ptr %1795, align 8
+  %1796 = add nuw nsw i64 %1792, 1
+  %1797 = icmp eq i64 %1796, %1768
+  br i1 %1797, label %1788, label %1791, !llvm.loop !10
+
+1798:                                             ; preds = %1788, %1777, %1764
+  %1799 = phi i64 [ %1773, %1764 ], [ %1769, %1788 ], [ %1778, %1777 ]
+  %1800 = load ptr, ptr %81, align 8
+  %1801 = getelementptr inbounds i8, ptr %1800, i64 48
+  store i64 %1799, ptr %1801, align 8
+  br label %1802
+
+1802:                                             ; preds = %1798, %1763
+  br i1 %1717, label %1803, label %1819
+
+1803:                                             ; preds = %1802
+  %1804 = load i64, ptr %154, align 8
+  %1805 = icmp sgt i64 %1804, 0
+  br i1 %1805, label %1809, label %1806
+
+1806:                                             ; preds = %1809, %1803
+  store double %1654, ptr %1632, align 8
+  %1807 = getelementptr inbounds i8, ptr %1632, i64 8
+  store double 0.000000e+00, ptr %1807, align 8
+  %1808 = load ptr, ptr %81, align 8
+  store i64 0, ptr %1808, align 8
+  br label %1819
+
+1809:                                             ; preds = %1803, %1809
+  %1810 = phi i64 [ %1816, %1809 ], [ 0, %1803 ]
+  %1811 = load ptr, ptr %147, align 8
+  %1812 = getelementptr inbounds double, ptr %1811, i64 %1810
+  %1813 = load double, ptr %1812, align 8
+  %1814 = load ptr, ptr %77, align 8
+  %1815 = getelementptr inbounds double, ptr %1814, i64 %1810
+  store double %1813, ptr %1815, align 8
+  %1816 = add nuw nsw i64 %1810, 1
+  %1817 = load i64, ptr %154, align 8
+  %1818 = icmp slt i64 %1816, %1817
+  br i1 %1818, label %1809, label %1806, !llvm.loop !48
+
+1819:                                             ; preds = %1640, %1761, %1802, %1806
+  %1820 = phi i64 [ -6, %1640 ], [ %1759, %1761 ], [ %1646, %1806 ], [ %1646, %1802 ]
+  %1821 = icmp eq i64 %1820, -6
+  br i1 %1821, label %1825, label %1822
+
+1822:                                             ; preds = %1819
+  %1823 = icmp ne i64 %1820, 6
+  %1824 = select i1 %1823, i1 true, i1 %210
+  br i1 %1824, label %1837, label %1825
+
+1825:                                             ; preds = %1822, %1819
+  %1826 = phi i64 [ %1820, %1822 ], [ 2, %1819 ]
+  %1827 = load i64, ptr %335, align 8
+  %1828 = add nsw i64 %1827, -1
+  store i64 %1828, ptr %335, align 8
+  %1829 = load ptr, ptr %93, align 8
+  %1830 = load i64, ptr %1829, align 8
+  %1831 = add nsw i64 %1830, -1
+  store i64 %1831, ptr %1829, align 8
+  store i64 1, ptr %349, align 8
+  %1832 = load i64, ptr %363, align 8
+  %1833 = sub nsw i64 1, %1832
+  store i64 %1833, ptr %339, align 8
+  store double 0.000000e+00, ptr %344, align 8
+  %1834 = load i64, ptr %336, align 8
+  %1835 = add nsw i64 %1834, 1
+  store i64 %1835, ptr %336, align 8
+  store i64 %1826, ptr %364, align 8
+  %1836 = fmul double %414, 2.500000e-01
+  br label %1893, !llvm.loop !17
+
+1837:                                             ; preds = %1822
+  %1838 = icmp eq i64 %1820, 0
+  br i1 %1838, label %1843, label %1839
+
+1839:                                             ; preds = %1837
+  %1840 = load ptr, ptr %93, align 8
+  %1841 = load i64, ptr %1840, align 8
+  %1842 = add nsw i64 %1841, 1
+  store i64 %1842, ptr %1840, align 8
+  br label %1893
+
+1843:                                             ; preds = %1837, %1626
+  br i1 %358, label %1862, label %1844
+
+1844:                                             ; preds = %1862, %1843
+  %1845 = load i64, ptr %359, align 8
+  %1846 = add nsw i64 %1845, 1
+  store i64 %1846, ptr %359, align 8
+  %1847 = load ptr, ptr %77, align 8
+  %1848 = load ptr, ptr %175, align 8
+  %1849 = load ptr, ptr %176, align 8
+  store double %415, ptr %1849, align 8
+  %1850 = load i64, ptr %177, align 8
+  %1851 = icmp sgt i64 %1850, 0
+  br i1 %1851, label %1852, label %1853
+
+1852:                                             ; preds = %1844
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1853
+
+1853:                                             ; preds = %1844, %1852
+  %1854 = load ptr, ptr %76, align 8
+  %1855 = load i64, ptr %1854, align 8
+  %1856 = load ptr, ptr %176, align 8
+  %1857 = load ptr, ptr %178, align 8
+  %1858 = load ptr, ptr %179, align 8
+  %1859 = inttoptr i64 %1855 to ptr
+  %1860 = tail call i32 %1859(ptr noundef %1856, ptr noundef %1847, ptr noundef %1857, ptr noundef %1858, ptr noundef %1848) #11
+  %1861 = icmp eq i32 %1860, 0
+  br i1 %1861, label %1874, label %1871
+
+1862:                                             ; preds = %1843, %1862
+  %1863 = phi i64 [ %1869, %1862 ], [ 0, %1843 ]
+  %1864 = load ptr, ptr %147, align 8
+  %1865 = getelementptr inbounds double, ptr %1864, i64 %1863
+  %1866 = load double, ptr %1865, align 8
+  %1867 = load ptr, ptr %77, align 8
+  %1868 = getelementptr inbounds double, ptr %1867, i64 %1863
+  store double %1866, ptr %1868, align 8
+  %1869 = add nuw nsw i64 %1863, 1
+  %1870 = icmp eq i64 %1869, %198
+  br i1 %1870, label %1844, label %1862, !llvm.loop !49
+
+1871:                                             ; preds = %1853
+  store i64 3, ptr %360, align 8
+  store double %414, ptr %225, align 8
+  %1872 = icmp slt i32 %1860, 0
+  %1873 = select i1 %1872, i64 -4, i64 2
+  br label %1893
+
+1874:                                             ; preds = %1853
+  %1875 = icmp sgt i64 %1149, 2
+  %1876 = fcmp ogt double %1147, 1.000000e-03
+  %1877 = select i1 %1875, i1 %1876, i1 false
+  %1878 = zext i1 %1877 to i64
+  store i64 %1878, ptr %339, align 8
+  store i64 0, ptr %361, align 8
+  store i64 0, ptr %349, align 8
+  %1879 = fcmp ule double %1387, 1.000000e+00
+  %1880 = fcmp uge double %1387, 1.200000e+00
+  %1881 = or i1 %1879, %1880
+  %1882 = select i1 %1881, i1 true, i1 %1877
+  br i1 %1882, label %1883, label %1887
+
+1883:                                             ; preds = %1874
+  %1884 = fcmp ogt double %1387, 2.000000e-01
+  %1885 = select i1 %1884, double %1387, double 2.000000e-01
+  %1886 = fmul double %414, %1885
+  br label %1887
+
+1887:                                             ; preds = %1874, %1883
+  %1888 = phi double [ %1886, %1883 ], [ %414, %1874 ]
+  %1889 = load i64, ptr %362, align 8
+  %1890 = load i64, ptr %83, align 8
+  %1891 = icmp eq i64 %1889, %1890
+  br i1 %1891, label %1892, label %1893
+
+1892:                                             ; preds = %1887
+  store double %1888, ptr %225, align 8
+  br label %1893
+
+1893:                                             ; preds = %1146, %1189, %1201, %1892, %1887, %1871, %1839, %1825, %1355, %1340, %1302, %605, %540, %421
+  %1894 = phi double [ %383, %421 ], [ %383, %540 ], [ %383, %605 ], [ %1147, %1302 ], [ %1147, %1340 ], [ %1147, %1355 ], [ %1147, %1825 ], [ %1147, %1839 ], [ %1147, %1871 ], [ %1147, %1887 ], [ %1147, %1892 ], [ %1147, %1201 ], [ %1147, %1189 ], [ %1147, %1146 ]
+  %1895 = phi i32 [ %382, %421 ], [ %382, %540 ], [ %382, %605 ], [ %1148, %1302 ], [ %1148, %1340 ], [ %1148, %1355 ], [ %1148, %1825 ], [ %1148, %1839 ], [ %1148, %1871 ], [ %1148, %1887 ], [ %1148, %1892 ], [ %1148, %1201 ], [ %1148, %1189 ], [ %1148, %1146 ]
+  %1896 = phi i64 [ %381, %421 ], [ %381, %540 ], [ %381, %605 ], [ %1149, %1302 ], [ %1149, %1340 ], [ %1149, %1355 ], [ %1149, %1825 ], [ %1149, %1839 ], [ %1149, %1871 ], [ %1149, %1887 ], [ %1149, %1892 ], [ %1149, %1201 ], [ %1149, %1189 ], [ %1149, %1146 ]
+  %1897 = phi i64 [ %380, %421 ], [ %380, %540 ], [ %380, %605 ], [ %1150, %1302 ], [ %1150, %1340 ], [ %1150, %1355 ], [ %1150, %1825 ], [ %1150, %1839 ], [ %1150, %1871 ], [ %1150, %1887 ], [ %1150, %1892 ], [ %1150, %1201 ], [ %1150, %1189 ], [ %1150, %1146 ]
+  %1898 = phi double [ %379, %421 ], [ %379, %540 ], [ %608, %605 ], [ %379, %1302 ], [ %1342, %1340 ], [ %1358, %1355 ], [ %1836, %1825 ], [ %379, %1839 ], [ %379, %1871 ], [ %1888, %1887 ], [ %1888, %1892 ], [ %1202, %1201 ], [ %379, %1189 ], [ %379, %1146 ]
+  %1899 = phi double [ %378, %421 ], [ %378, %540 ], [ %378, %605 ], [ %378, %1302 ], [ %378, %1340 ], [ %378, %1355 ], [ %378, %1825 ], [ %378, %1839 ], [ %415, %1871 ], [ %415, %1887 ], [ %415, %1892 ], [ %378, %1201 ], [ %378, %1189 ], [ %378, %1146 ]
+  %1900 = phi i32 [ 1, %421 ], [ 1, %540 ], [ 6, %605 ], [ 1, %1302 ], [ 6, %1340 ], [ 6, %1355 ], [ 6, %1825 ], [ 1, %1839 ], [ 1, %1871 ], [ 0, %1887 ], [ 1, %1892 ], [ 6, %1201 ], [ 6, %1189 ], [ 1, %1146 ]
+  %1901 = phi i64 [ 2, %421 ], [ -4, %540 ], [ %377, %605 ], [ -4, %1302 ], [ %377, %1340 ], [ %377, %1355 ], [ %377, %1825 ], [ %1820, %1839 ], [ %1873, %1871 ], [ %377, %1887 ], [ 0, %1892 ], [ %377, %1201 ], [ %377, %1189 ], [ -4, %1146 ]
+  switch i32 %1900, label %1905 [
+    i32 0, label %1902
+    i32 6, label %1902
   ]
 
-1892:                                             ; preds = %1883, %1883
-  %1893 = load i64, ptr %86, align 8
-  %1894 = icmp eq i64 %1893, 0
-  br i1 %1894, label %363, label %365, !llvm.loop !17
+1902:                                             ; preds = %1893, %1893
+  %1903 = load i64, ptr %192, align 8
+  %1904 = icmp eq i64 %1903, 0
+  br i1 %1904, label %369, label %375, !llvm.loop !17
 
-1895:                                             ; preds = %1883, %161, %363, %386, %394, %203, %75
-  %1896 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %363 ], [ -5, %386 ], [ 1, %394 ], [ 0, %203 ], [ %1891, %1883 ]
-  ret i64 %1896
+1905:                                             ; preds = %1893, %183, %257, %299, %369, %396, %404
+  %1906 = phi double [ %184, %183 ], [ %370, %369 ], [ %383, %404 ], [ %383, %396 ], [ %184, %299 ], [ %184, %257 ], [ %1894, %1893 ]
+  %1907 = phi i32 [ %185, %183 ], [ %371, %369 ], [ %382, %404 ], [ %382, %396 ], [ %185, %299 ], [ %185, %257 ], [ %1895, %1893 ]
+  %1908 = phi i64 [ %186, %183 ], [ %372, %369 ], [ %381, %404 ], [ %381, %396 ], [ %186, %299 ], [ %186, %257 ], [ %1896, %1893 ]
+  %1909 = phi i64 [ %187, %183 ], [ %373, %369 ], [ %380, %404 ], [ %380, %396 ], [ %187, %299 ], [ %187, %257 ], [ %1897, %1893 ]
+  %1910 = phi i64 [ -1, %183 ], [ -1, %369 ], [ 1, %404 ], [ -5, %396 ], [ 0, %299 ], [ %260, %257 ], [ %1901, %1893 ]
+  %1911 = load ptr, ptr %182, align 8
+  %1912 = getelementptr inbounds i8, ptr %1911, i64 48
+  %1913 = load i64, ptr %1912, align 8
+  %1914 = icmp eq i64 %1910, -2
+  %1915 = icmp ne i64 %1913, 0
+  %1916 = select i1 %1914, i1 %1915, i1 false
+  br i1 %1916, label %1917, label %1922
+
+1917:                                             ; preds = %1905
+  %1918 = inttoptr i64 %1913 to ptr
+  %1919 = tail call i64 %1918(ptr noundef %0) #11
+  %1920 = icmp ne i64 %1919, 0
+  %1921 = zext i1 %1920 to i32
+  br label %1922
+
+1922:                                             ; preds = %1905, %1917
+  %1923 = phi i32 [ 0, %1905 ], [ %1921, %1917 ]
+  %1924 = icmp eq i32 %1923, 0
+  br i1 %1924, label %1925, label %183, !llvm.loop !50
+
+1925:                                             ; preds = %1922
+  ret i64 %1910
 }
 
 
@@ -2644,7 +2681,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !50
+  br i1 %55, label %44, label %56, !llvm.loop !51
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2676,7 +2713,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !51
+  br i1 %83, label %13, label %12, !llvm.loop !52
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
@@ -2723,7 +2760,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !52
+  br i1 %41, label %13, label %18, !llvm.loop !53
 }
 
 declare double @llvm.fabs.f64(double) #2
@@ -2735,7 +2772,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %73, %50
   %6 = icmp sge i64 %16, %1
   %7 = icmp eq i64 %16, %1
-  br i1 %7, label %76, label %8, !llvm.loop !53
+  br i1 %7, label %76, label %8, !llvm.loop !54
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2771,7 +2808,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %34 = select i1 %32, i64 %26, i64 %25
   %35 = add nuw nsw i64 %26, 1
   %36 = icmp slt i64 %35, %1
-  br i1 %36, label %24, label %19, !llvm.loop !54
+  br i1 %36, label %24, label %19, !llvm.loop !55
 
 37:                                               ; preds = %19
   %38 = icmp eq i64 %21, %10
@@ -2792,7 +2829,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %45, ptr %46, align 8
   %48 = add nuw nsw i64 %43, 1
   %49 = icmp eq i64 %48, %1
-  br i1 %49, label %50, label %42, !llvm.loop !55
+  br i1 %49, label %50, label %42, !llvm.loop !56
 
 50:                                               ; preds = %42, %37
   %51 = load double, ptr %13, align 8
@@ -2825,12 +2862,12 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %70, ptr %68, align 8
   %71 = add nuw nsw i64 %64, 1
   %72 = icmp slt i64 %71, %1
-  br i1 %72, label %63, label %73, !llvm.loop !56
+  br i1 %72, label %63, label %73, !llvm.loop !57
 
 73:                                               ; preds = %63, %54
   %74 = add nuw nsw i64 %55, 1
   %75 = icmp slt i64 %74, %1
-  br i1 %75, label %54, label %5, !llvm.loop !57
+  br i1 %75, label %54, label %5, !llvm.loop !58
 
 76:                                               ; preds = %5, %19, %3
   %77 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %19 ]
@@ -2845,7 +2882,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %124, %82
   %6 = icmp sge i64 %18, %1
   %7 = icmp eq i64 %18, %1
-  br i1 %7, label %127, label %8, !llvm.loop !58
+  br i1 %7, label %127, label %8, !llvm.loop !59
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2885,7 +2922,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %38 = select i1 %36, i64 %29, i64 %27
   %39 = add nuw nsw i64 %29, 1
   %40 = icmp slt i64 %39, %1
-  br i1 %40, label %26, label %21, !llvm.loop !59
+  br i1 %40, label %26, label %21, !llvm.loop !60
 
 41:                                               ; preds = %21
   %42 = icmp eq i64 %23, %10
@@ -2912,7 +2949,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %51, ptr %54, align 8
   %56 = add nuw nsw i64 %47, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %58, label %46, !llvm.loop !60
+  br i1 %57, label %58, label %46, !llvm.loop !61
 
 58:                                               ; preds = %46, %41
   %59 = load double, ptr %13, align 8
@@ -2996,12 +3033,12 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %121, ptr %118, align 8
   %122 = add nuw nsw i64 %105, 1
   %123 = icmp slt i64 %122, %1
-  br i1 %123, label %104, label %124, !llvm.loop !61
+  br i1 %123, label %104, label %124, !llvm.loop !62
 
 124:                                              ; preds = %104, %86
   %125 = add nuw nsw i64 %87, 1
   %126 = icmp slt i64 %125, %1
-  br i1 %126, label %86, label %5, !llvm.loop !62
+  br i1 %126, label %86, label %5, !llvm.loop !63
 
 127:                                              ; preds = %5, %21, %3
   %128 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %21 ]
@@ -3033,7 +3070,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %11, ptr %17, align 8
   %18 = add nuw nsw i64 %9, 1
   %19 = icmp eq i64 %18, %1
-  br i1 %19, label %6, label %8, !llvm.loop !63
+  br i1 %19, label %6, label %8, !llvm.loop !64
 
 20:                                               ; preds = %32, %6
   %21 = icmp sgt i64 %1, 0
@@ -3060,7 +3097,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %33, ptr %26, align 8
   %34 = add nuw nsw i64 %25, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %20, label %24, !llvm.loop !64
+  br i1 %35, label %20, label %24, !llvm.loop !65
 
 36:                                               ; preds = %29, %36
   %37 = phi i64 [ 0, %29 ], [ %45, %36 ]
@@ -3073,7 +3110,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %44 = fsub double %38, %43
   %45 = add nuw nsw i64 %37, 1
   %46 = icmp eq i64 %45, %25
-  br i1 %46, label %32, label %36, !llvm.loop !65
+  br i1 %46, label %32, label %36, !llvm.loop !66
 
 47:                                               ; preds = %57, %20
   ret void
@@ -3099,7 +3136,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %62 = fdiv double %58, %61
   store double %62, ptr %51, align 8
   %63 = icmp sgt i64 %49, 1
-  br i1 %63, label %48, label %47, !llvm.loop !66
+  br i1 %63, label %48, label %47, !llvm.loop !67
 
 64:                                               ; preds = %54, %64
   %65 = phi i64 [ %49, %54 ], [ %73, %64 ]
@@ -3112,7 +3149,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %72 = fsub double %66, %71
   %73 = add nuw nsw i64 %65, 1
   %74 = icmp eq i64 %73, %1
-  br i1 %74, label %57, label %64, !llvm.loop !67
+  br i1 %74, label %57, label %64, !llvm.loop !68
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
@@ -3144,7 +3181,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %13, ptr %22, align 8
   %23 = add nuw nsw i64 %9, 1
   %24 = icmp eq i64 %23, %1
-  br i1 %24, label %6, label %8, !llvm.loop !68
+  br i1 %24, label %6, label %8, !llvm.loop !69
 
 25:                                               ; preds = %39, %6
   %26 = icmp sgt i64 %1, 0
@@ -3175,7 +3212,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %41, ptr %33, align 8
   %42 = add nuw nsw i64 %30, 1
   %43 = icmp eq i64 %42, %1
-  br i1 %43, label %25, label %29, !llvm.loop !69
+  br i1 %43, label %25, label %29, !llvm.loop !70
 
 44:                                               ; preds = %36, %44
   %45 = phi double [ %34, %36 ], [ %63, %44 ]
@@ -3199,7 +3236,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %63 = fsub double %45, %61
   %64 = add nuw nsw i64 %46, 1
   %65 = icmp eq i64 %64, %30
-  br i1 %65, label %39, label %44, !llvm.loop !70
+  br i1 %65, label %39, label %44, !llvm.loop !71
 
 66:                                               ; preds = %109, %25
   ret void
@@ -3262,7 +3299,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %110, ptr %70, align 8
   store double %111, ptr %72, align 8
   %112 = icmp sgt i64 %68, 1
-  br i1 %112, label %67, label %66, !llvm.loop !71
+  br i1 %112, label %67, label %66, !llvm.loop !72
 
 113:                                              ; preds = %75, %113
   %114 = phi i64 [ %68, %75 ], [ %133, %113 ]
@@ -3286,7 +3323,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = fsub double %116, %130
   %133 = add nuw nsw i64 %114, 1
   %134 = icmp eq i64 %133, %1
-  br i1 %134, label %78, label %113, !llvm.loop !72
+  br i1 %134, label %78, label %113, !llvm.loop !73
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3336,12 +3373,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %26, ptr %35, align 8
   %36 = add nuw nsw i64 %24, 1
   %37 = icmp eq i64 %36, %4
-  br i1 %37, label %38, label %23, !llvm.loop !73
+  br i1 %37, label %38, label %23, !llvm.loop !74
 
 38:                                               ; preds = %23, %14
   %39 = add nuw nsw i64 %15, 1
   %40 = icmp eq i64 %39, %1
-  br i1 %40, label %10, label %14, !llvm.loop !74
+  br i1 %40, label %10, label %14, !llvm.loop !75
 
 41:                                               ; preds = %12, %55
   %42 = phi i64 [ 0, %12 ], [ %56, %55 ]
@@ -3368,7 +3405,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 55:                                               ; preds = %74, %41
   %56 = add nuw nsw i64 %42, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %49, label %41, !llvm.loop !75
+  br i1 %57, label %49, label %41, !llvm.loop !76
 
 58:                                               ; preds = %44, %74
   %59 = phi i64 [ 0, %44 ], [ %75, %74 ]
@@ -3389,16 +3426,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %71, ptr %69, align 8
   %72 = add nuw nsw i64 %65, 1
   %73 = icmp eq i64 %72, %4
-  br i1 %73, label %74, label %64, !llvm.loop !76
+  br i1 %73, label %74, label %64, !llvm.loop !77
 
 74:                                               ; preds = %64, %58
   %75 = add nuw nsw i64 %59, 1
   %76 = icmp eq i64 %75, %42
-  br i1 %76, label %55, label %58, !llvm.loop !77
+  br i1 %76, label %55, label %58, !llvm.loop !78
 
 77:                                               ; preds = %116, %89
   %78 = icmp sgt i64 %80, 1
-  br i1 %78, label %79, label %88, !llvm.loop !78
+  br i1 %78, label %79, label %88, !llvm.loop !79
 
 79:                                               ; preds = %51, %77
   %80 = phi i64 [ %1, %51 ], [ %81, %77 ]
@@ -3447,12 +3484,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %110, ptr %108, align 8
   %111 = add nuw nsw i64 %104, 1
   %112 = icmp eq i64 %111, %4
-  br i1 %112, label %113, label %103, !llvm.loop !76
+  br i1 %112, label %113, label %103, !llvm.loop !77
 
 113:                                              ; preds = %103, %97
   %114 = add nuw nsw i64 %98, 1
   %115 = icmp eq i64 %114, %1
-  br i1 %115, label %89, label %97, !llvm.loop !79
+  br i1 %115, label %89, label %97, !llvm.loop !80
 
 116:                                              ; preds = %94, %116
   %117 = phi i64 [ 0, %94 ], [ %121, %116 ]
@@ -3462,7 +3499,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %120, ptr %118, align 8
   %121 = add nuw nsw i64 %117, 1
   %122 = icmp eq i64 %121, %4
-  br i1 %122, label %77, label %116, !llvm.loop !80
+  br i1 %122, label %77, label %116, !llvm.loop !81
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3519,12 +3556,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %28, ptr %40, align 8
   %41 = add nuw nsw i64 %24, 1
   %42 = icmp eq i64 %41, %4
-  br i1 %42, label %43, label %23, !llvm.loop !81
+  br i1 %42, label %43, label %23, !llvm.loop !82
 
 43:                                               ; preds = %23, %14
   %44 = add nuw nsw i64 %15, 1
   %45 = icmp eq i64 %44, %1
-  br i1 %45, label %10, label %14, !llvm.loop !82
+  br i1 %45, label %10, label %14, !llvm.loop !83
 
 46:                                               ; preds = %12, %60
   %47 = phi i64 [ 0, %12 ], [ %61, %60 ]
@@ -3551,7 +3588,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 60:                                               ; preds = %91, %46
   %61 = add nuw nsw i64 %47, 1
   %62 = icmp eq i64 %61, %1
-  br i1 %62, label %54, label %46, !llvm.loop !83
+  br i1 %62, label %54, label %46, !llvm.loop !84
 
 63:                                               ; preds = %49, %91
   %64 = phi i64 [ 0, %49 ], [ %92, %91 ]
@@ -3585,16 +3622,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %88, ptr %85, align 8
   %89 = add nuw nsw i64 %72, 1
   %90 = icmp eq i64 %89, %4
-  br i1 %90, label %91, label %71, !llvm.loop !84
+  br i1 %90, label %91, label %71, !llvm.loop !85
 
 91:                                               ; preds = %71, %63
   %92 = add nuw nsw i64 %64, 1
   %93 = icmp eq i64 %92, %47
-  br i1 %93, label %60, label %63, !llvm.loop !85
+  br i1 %93, label %60, label %63, !llvm.loop !86
 
 94:                                               ; preds = %170, %133
   %95 = icmp sgt i64 %97, 1
-  br i1 %95, label %96, label %105, !llvm.loop !86
+  br i1 %95, label %96, label %105, !llvm.loop !87
 
 96:                                               ; preds = %56, %94
   %97 = phi i64 [ %1, %56 ], [ %98, %94 ]
@@ -3687,12 +3724,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %164, ptr %161, align 8
   %165 = add nuw nsw i64 %148, 1
   %166 = icmp eq i64 %165, %4
-  br i1 %166, label %167, label %147, !llvm.loop !84
+  br i1 %166, label %167, label %147, !llvm.loop !85
 
 167:                                              ; preds = %147, %139
   %168 = add nuw nsw i64 %140, 1
   %169 = icmp eq i64 %168, %1
-  br i1 %169, label %106, label %139, !llvm.loop !87
+  br i1 %169, label %106, label %139, !llvm.loop !88
 
 170:                                              ; preds = %136, %170
   %171 = phi i64 [ 0, %136 ], [ %182, %170 ]
@@ -3710,7 +3747,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %181, ptr %174, align 8
   %182 = add nuw nsw i64 %171, 1
   %183 = icmp eq i64 %182, %4
-  br i1 %183, label %94, label %170, !llvm.loop !88
+  br i1 %183, label %94, label %170, !llvm.loop !89
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
@@ -3747,7 +3784,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !89
+  br i1 %31, label %20, label %19, !llvm.loop !90
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3761,7 +3798,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !90
+  br i1 %43, label %32, label %24, !llvm.loop !91
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
@@ -3875,3 +3912,4 @@ attributes #13 = { nounwind willreturn memory(none) }
 !88 = distinct !{!88, !4, !5}
 !89 = distinct !{!89, !4, !5}
 !90 = distinct !{!90, !4, !5}
+!91 = distinct !{!91, !4, !5}

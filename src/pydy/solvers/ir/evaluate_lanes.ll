@@ -1,4 +1,4 @@
-; sources 0dbcda2dc15ff8025bfee98afb54172907f3ca88a53855d2482518a65904d64f
+; sources 10bf207f2c8ea410053f40b202e09adca32839bd050ad243f3f45c7f9ebd72f6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

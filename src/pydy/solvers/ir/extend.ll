@@ -1,4 +1,4 @@
-; sources f7ac820dabae50abae5a0b732fbd95a9d5472830ca46f5e73cf71061dcb4e2f5
+; sources 85c947f08586f24cb0999ea02f809d66b257a2c07291e6e50d975ce268228e51
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

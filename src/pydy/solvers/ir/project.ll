@@ -1,4 +1,4 @@
-; sources 1df468f9d97a9cb56401340b017f37811b397e84c30e8f0a30870b48f79e9b8b
+; sources 604e217e111dee52cca5e76a61b652f4d2722bbfad2f0e53ee3c800fa3ffc96c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources e06901bb9d7ada0a4540c387e5fc87dbf9f4407d9dac321c2becb0cc5d218655
+; sources 7cd90869e56d1f80546bd13bb51b7dcd9d87d58ab39d5c92396407000ce6e15c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

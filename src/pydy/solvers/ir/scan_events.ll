@@ -1,4 +1,4 @@
-; sources 73a58049f8ccf3c264c6b39da7732675818f2c434286625100056ab98d30722c
+; sources 28678ec494f086ebceb0e677f773d54a0c82d957c2ca0c9cd13bad4aee6db980
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -119,7 +119,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %93 = getelementptr inbounds i8, ptr %92, i64 80
   store i64 %23, ptr %93, align 8
   %94 = load ptr, ptr %19, align 8
-  br label %963
+  br label %965
 
 95:                                               ; preds = %49, %115
   %96 = phi i64 [ 0, %49 ], [ %116, %115 ]
@@ -129,7 +129,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 
 99:                                               ; preds = %95, %115, %47
   %100 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %100, label %967 [
+  switch i64 %100, label %969 [
     i64 0, label %122
     i64 -4, label %118
   ]
@@ -165,7 +165,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %120 = getelementptr inbounds i8, ptr %119, i64 80
   store i64 %23, ptr %120, align 8
   %121 = load ptr, ptr %19, align 8
-  br label %963
+  br label %965
 
 122:                                              ; preds = %99
   store double 0x7FF8000000000000, ptr %30, align 8
@@ -208,8 +208,8 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %159 = getelementptr inbounds i8, ptr %0, i64 1016
   %160 = getelementptr inbounds i8, ptr %0, i64 1008
   %161 = getelementptr inbounds i8, ptr %0, i64 1032
-  %162 = getelementptr inbounds i8, ptr %0, i64 1056
-  %163 = getelementptr inbounds i8, ptr %0, i64 1072
+  %162 = getelementptr inbounds i8, ptr %0, i64 1080
+  %163 = getelementptr inbounds i8, ptr %0, i64 1056
   %164 = getelementptr inbounds i8, ptr %0, i64 624
   %165 = getelementptr inbounds i8, ptr %0, i64 632
   %166 = fadd double %1, %2
@@ -225,11 +225,11 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %176 = getelementptr inbounds i8, ptr %0, i64 960
   br label %177
 
-177:                                              ; preds = %122, %942
-  %178 = phi i1 [ false, %122 ], [ %946, %942 ]
-  %179 = phi i64 [ -4, %122 ], [ %940, %942 ]
-  %180 = phi double [ 0.000000e+00, %122 ], [ %939, %942 ]
-  %181 = phi i32 [ 1, %122 ], [ %945, %942 ]
+177:                                              ; preds = %122, %944
+  %178 = phi i1 [ false, %122 ], [ %948, %944 ]
+  %179 = phi i64 [ -4, %122 ], [ %942, %944 ]
+  %180 = phi double [ 0.000000e+00, %122 ], [ %941, %944 ]
+  %181 = phi i32 [ 1, %122 ], [ %947, %944 ]
   %182 = zext nneg i32 %181 to i64
   %183 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %182
   %184 = load double, ptr %183, align 8
@@ -302,7 +302,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 231:                                              ; preds = %228, %198, %177
   %232 = phi double [ 2.000000e+00, %177 ], [ -4.000000e+00, %228 ], [ %230, %198 ]
   %233 = fcmp olt double %232, 0.000000e+00
-  br i1 %233, label %932, label %234
+  br i1 %233, label %934, label %234
 
 234:                                              ; preds = %231
   %235 = getelementptr double, ptr %28, i64 %185
@@ -350,22 +350,22 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %267 = inttoptr i64 %261 to ptr
   %268 = tail call i32 %267(ptr noundef %262, ptr noundef %263, ptr noundef %264, ptr noundef %265, ptr noundef %266) #9
   %269 = icmp slt i32 %268, 0
-  br i1 %269, label %932, label %270
+  br i1 %269, label %934, label %270
 
 270:                                              ; preds = %259, %234
   %271 = phi double [ %232, %259 ], [ %184, %234 ]
   %272 = phi ptr [ %238, %259 ], [ %235, %234 ]
   br label %273
 
-273:                                              ; preds = %876, %270
-  %274 = phi double [ %180, %270 ], [ %878, %876 ]
-  %275 = phi i64 [ %179, %270 ], [ %879, %876 ]
+273:                                              ; preds = %878, %270
+  %274 = phi double [ %180, %270 ], [ %880, %878 ]
+  %275 = phi i64 [ %179, %270 ], [ %881, %878 ]
   br i1 %135, label %279, label %276
 
 276:                                              ; preds = %314, %273
   %277 = phi double [ 2.000000e+00, %273 ], [ %315, %314 ]
   %278 = fcmp ogt double %277, 1.000000e+00
-  br i1 %278, label %876, label %318
+  br i1 %278, label %878, label %318
 
 279:                                              ; preds = %273, %314
   %280 = phi i64 [ %316, %314 ], [ 0, %273 ]
@@ -477,7 +477,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %357 = load ptr, ptr %19, align 8
   %358 = getelementptr inbounds i8, ptr %357, i64 48
   store double 1.000000e+00, ptr %358, align 8
-  br label %876
+  br label %878
 
 359:                                              ; preds = %353, %449
   %360 = phi i1 [ %453, %449 ], [ %148, %353 ]
@@ -619,7 +619,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %457 = phi i32 [ 16, %353 ], [ 1, %447 ], [ 16, %449 ]
   %458 = phi double [ %277, %353 ], [ %407, %447 ], [ %450, %449 ]
   %459 = phi i64 [ %275, %353 ], [ %448, %447 ], [ %451, %449 ]
-  br i1 %456, label %876, label %460
+  br i1 %456, label %878, label %460
 
 460:                                              ; preds = %455
   br i1 %149, label %471, label %463
@@ -799,7 +799,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 578:                                              ; preds = %594, %562
   %579 = phi i32 [ 0, %562 ], [ %596, %594 ]
   %580 = icmp eq i32 %579, 0
-  br i1 %580, label %876, label %599
+  br i1 %580, label %878, label %599
 
 581:                                              ; preds = %562, %594
   %582 = phi i64 [ %597, %594 ], [ 0, %562 ]
@@ -834,7 +834,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %603 = select i1 %602, double %155, double %576
   %604 = fmul double %603, 0x3F50000000000000
   %605 = fcmp ugt double %601, %604
-  br i1 %605, label %606, label %876
+  br i1 %605, label %606, label %878
 
 606:                                              ; preds = %599
   %607 = fmul double %600, 0x3F50000000000000
@@ -886,7 +886,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 
 644:                                              ; preds = %629
   %645 = icmp sgt i64 %565, 0
-  br i1 %645, label %646, label %876
+  br i1 %645, label %646, label %878
 
 646:                                              ; preds = %644
   %647 = fmul double %458, %2
@@ -945,7 +945,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 680:                                              ; preds = %679, %674, %664, %660, %656, %650
   %681 = add nuw nsw i64 %651, 1
   %682 = icmp eq i64 %681, %565
-  br i1 %682, label %876, label %650, !llvm.loop !13
+  br i1 %682, label %878, label %650, !llvm.loop !13
 
 683:                                              ; preds = %629
   %684 = load ptr, ptr %20, align 8
@@ -954,9 +954,9 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %686 = load ptr, ptr %19, align 8
   %687 = getelementptr inbounds i8, ptr %686, i64 48
   store double 1.000000e+00, ptr %687, align 8
-  br label %876
+  br label %878
 
-688:                                              ; preds = %849, %467
+688:                                              ; preds = %851, %467
   %689 = load ptr, ptr %9, align 8
   %690 = getelementptr inbounds i8, ptr %689, i64 8
   %691 = load i64, ptr %690, align 8
@@ -977,7 +977,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 704:                                              ; preds = %720, %688
   %705 = phi i32 [ 0, %688 ], [ %722, %720 ]
   %706 = icmp eq i32 %705, 0
-  br i1 %706, label %857, label %725
+  br i1 %706, label %859, label %725
 
 707:                                              ; preds = %688, %720
   %708 = phi i64 [ %723, %720 ], [ 0, %688 ]
@@ -1012,7 +1012,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %729 = select i1 %728, double %167, double %702
   %730 = fmul double %729, 0x3F50000000000000
   %731 = fcmp ugt double %727, %730
-  br i1 %731, label %732, label %857
+  br i1 %731, label %732, label %859
 
 732:                                              ; preds = %725
   %733 = fmul double %726, 0x3F50000000000000
@@ -1060,11 +1060,11 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %767 = inttoptr i64 %757 to ptr
   %768 = tail call i32 %767(ptr noundef %758, ptr noundef %759, ptr noundef %760, ptr noundef %761, ptr noundef %766) #9
   %769 = icmp slt i32 %768, 0
-  br i1 %769, label %852, label %770
+  br i1 %769, label %854, label %770
 
 770:                                              ; preds = %755
   %771 = icmp sgt i64 %691, 0
-  br i1 %771, label %772, label %857
+  br i1 %771, label %772, label %859
 
 772:                                              ; preds = %770
   %773 = fmul double %458, %2
@@ -1123,14 +1123,14 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 806:                                              ; preds = %805, %800, %790, %786, %782, %776
   %807 = add nuw nsw i64 %777, 1
   %808 = icmp eq i64 %807, %691
-  br i1 %808, label %857, label %776, !llvm.loop !13
+  br i1 %808, label %859, label %776, !llvm.loop !13
 
-809:                                              ; preds = %468, %849
-  %810 = phi i64 [ 0, %468 ], [ %850, %849 ]
+809:                                              ; preds = %468, %851
+  %810 = phi i64 [ 0, %468 ], [ %852, %851 ]
   %811 = getelementptr inbounds i64, ptr %18, i64 %810
   %812 = load i64, ptr %811, align 8
   %813 = icmp eq i64 %812, 0
-  br i1 %813, label %849, label %814
+  br i1 %813, label %851, label %814
 
 814:                                              ; preds = %809
   %815 = load ptr, ptr %20, align 8
@@ -1141,7 +1141,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %820 = load i64, ptr %819, align 8
   %821 = load i64, ptr %159, align 8
   %822 = icmp eq i64 %821, 0
-  br i1 %822, label %845, label %823
+  br i1 %822, label %847, label %823
 
 823:                                              ; preds = %814
   %824 = load ptr, ptr %160, align 8
@@ -1151,240 +1151,245 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %827 = getelementptr inbounds i64, ptr %826, i64 %817
   store i64 %810, ptr %827, align 8
   %828 = icmp sgt i64 %820, 0
-  br i1 %828, label %833, label %829
+  br i1 %828, label %829, label %831
 
-829:                                              ; preds = %833, %823
-  %830 = add nsw i64 %817, 1
-  %831 = load ptr, ptr %20, align 8
-  %832 = getelementptr inbounds i8, ptr %831, i64 80
-  store i64 %830, ptr %832, align 8
-  br label %845
+829:                                              ; preds = %823
+  %830 = mul nsw i64 %820, %817
+  br label %835
 
-833:                                              ; preds = %823, %833
-  %834 = phi i64 [ %843, %833 ], [ 0, %823 ]
-  %835 = load ptr, ptr %136, align 8
-  %836 = getelementptr inbounds double, ptr %835, i64 %834
-  %837 = load double, ptr %836, align 8
-  %838 = load ptr, ptr %162, align 8
-  %839 = load i64, ptr %163, align 8
-  %840 = mul nsw i64 %839, %817
-  %841 = getelementptr double, ptr %838, i64 %840
-  %842 = getelementptr double, ptr %841, i64 %834
-  store double %837, ptr %842, align 8
-  %843 = add nuw nsw i64 %834, 1
-  %844 = icmp eq i64 %843, %820
-  br i1 %844, label %829, label %833, !llvm.loop !14
+831:                                              ; preds = %835, %823
+  %832 = add nsw i64 %817, 1
+  %833 = load ptr, ptr %20, align 8
+  %834 = getelementptr inbounds i8, ptr %833, i64 80
+  store i64 %832, ptr %834, align 8
+  br label %847
 
-845:                                              ; preds = %814, %829
-  %846 = getelementptr inbounds i64, ptr %16, i64 %810
-  %847 = load i64, ptr %846, align 8
-  %848 = sub nsw i64 0, %847
-  store i64 %848, ptr %846, align 8
-  br label %849
+835:                                              ; preds = %829, %835
+  %836 = phi i64 [ 0, %829 ], [ %845, %835 ]
+  %837 = load ptr, ptr %136, align 8
+  %838 = getelementptr inbounds double, ptr %837, i64 %836
+  %839 = load double, ptr %838, align 8
+  %840 = load ptr, ptr %162, align 8
+  %841 = add nsw i64 %836, %830
+  %842 = getelementptr inbounds double, ptr %840, i64 %841
+  store double %839, ptr %842, align 8
+  %843 = load ptr, ptr %163, align 8
+  %844 = getelementptr inbounds double, ptr %843, i64 %841
+  store double %839, ptr %844, align 8
+  %845 = add nuw nsw i64 %836, 1
+  %846 = icmp eq i64 %845, %820
+  br i1 %846, label %831, label %835, !llvm.loop !14
 
-849:                                              ; preds = %809, %845
-  %850 = add nuw nsw i64 %810, 1
-  %851 = icmp eq i64 %850, %12
-  br i1 %851, label %688, label %809, !llvm.loop !15
+847:                                              ; preds = %814, %831
+  %848 = getelementptr inbounds i64, ptr %16, i64 %810
+  %849 = load i64, ptr %848, align 8
+  %850 = sub nsw i64 0, %849
+  store i64 %850, ptr %848, align 8
+  br label %851
 
-852:                                              ; preds = %755
-  %853 = load ptr, ptr %20, align 8
-  %854 = getelementptr inbounds i8, ptr %853, i64 80
-  store i64 %23, ptr %854, align 8
-  %855 = load ptr, ptr %19, align 8
-  %856 = getelementptr inbounds i8, ptr %855, i64 48
-  store double 1.000000e+00, ptr %856, align 8
-  br label %876
+851:                                              ; preds = %809, %847
+  %852 = add nuw nsw i64 %810, 1
+  %853 = icmp eq i64 %852, %12
+  br i1 %853, label %688, label %809, !llvm.loop !15
 
-857:                                              ; preds = %806, %770, %725, %704
-  %858 = icmp sgt i64 %465, -1
-  br i1 %858, label %859, label %868
+854:                                              ; preds = %755
+  %855 = load ptr, ptr %20, align 8
+  %856 = getelementptr inbounds i8, ptr %855, i64 80
+  store i64 %23, ptr %856, align 8
+  %857 = load ptr, ptr %19, align 8
+  %858 = getelementptr inbounds i8, ptr %857, i64 48
+  store double 1.000000e+00, ptr %858, align 8
+  br label %878
 
-859:                                              ; preds = %857
-  br i1 %172, label %861, label %860
+859:                                              ; preds = %806, %770, %725, %704
+  %860 = icmp sgt i64 %465, -1
+  br i1 %860, label %861, label %870
 
-860:                                              ; preds = %861, %859
+861:                                              ; preds = %859
+  br i1 %172, label %863, label %862
+
+862:                                              ; preds = %863, %861
   store double %458, ptr %173, align 8
-  br label %876
+  br label %878
 
-861:                                              ; preds = %859, %861
-  %862 = phi i64 [ %866, %861 ], [ 0, %859 ]
-  %863 = icmp eq i64 %862, %465
-  %864 = zext i1 %863 to i64
-  %865 = getelementptr inbounds i64, ptr %18, i64 %862
-  store i64 %864, ptr %865, align 8
-  %866 = add nuw nsw i64 %862, 1
-  %867 = icmp eq i64 %866, %12
-  br i1 %867, label %860, label %861, !llvm.loop !16
+863:                                              ; preds = %861, %863
+  %864 = phi i64 [ %868, %863 ], [ 0, %861 ]
+  %865 = icmp eq i64 %864, %465
+  %866 = zext i1 %865 to i64
+  %867 = getelementptr inbounds i64, ptr %18, i64 %864
+  store i64 %866, ptr %867, align 8
+  %868 = add nuw nsw i64 %864, 1
+  %869 = icmp eq i64 %868, %12
+  br i1 %869, label %862, label %863, !llvm.loop !16
 
-868:                                              ; preds = %857
-  %869 = load i64, ptr %170, align 8
-  %870 = icmp sgt i64 %869, 0
-  br i1 %870, label %871, label %876
+870:                                              ; preds = %859
+  %871 = load i64, ptr %170, align 8
+  %872 = icmp sgt i64 %871, 0
+  br i1 %872, label %873, label %878
 
-871:                                              ; preds = %868
-  %872 = load i64, ptr %22, align 8
-  %873 = add nsw i64 %872, %12
-  %874 = icmp sgt i64 %873, %869
-  br i1 %874, label %875, label %876
+873:                                              ; preds = %870
+  %874 = load i64, ptr %22, align 8
+  %875 = add nsw i64 %874, %12
+  %876 = icmp sgt i64 %875, %871
+  br i1 %876, label %877, label %878
 
-875:                                              ; preds = %871
+877:                                              ; preds = %873
   store double %458, ptr %171, align 8
-  br label %876
+  br label %878
 
-876:                                              ; preds = %680, %644, %599, %578, %852, %860, %875, %683, %871, %868, %276, %455, %354
-  %877 = phi i32 [ 1, %354 ], [ %457, %455 ], [ 11, %276 ], [ 1, %852 ], [ 1, %860 ], [ 1, %875 ], [ 1, %683 ], [ 0, %871 ], [ 0, %868 ], [ 1, %578 ], [ 1, %599 ], [ 1, %644 ], [ 1, %680 ]
-  %878 = phi double [ %274, %354 ], [ %274, %455 ], [ %274, %276 ], [ %274, %852 ], [ %274, %860 ], [ %274, %875 ], [ %274, %683 ], [ %458, %871 ], [ %458, %868 ], [ %274, %578 ], [ %274, %599 ], [ %274, %644 ], [ %274, %680 ]
-  %879 = phi i64 [ -4, %354 ], [ %459, %455 ], [ %275, %276 ], [ -4, %852 ], [ 21, %860 ], [ -3, %875 ], [ -4, %683 ], [ %459, %871 ], [ %459, %868 ], [ -2, %578 ], [ -2, %599 ], [ -2, %644 ], [ -2, %680 ]
-  switch i32 %877, label %937 [
+878:                                              ; preds = %680, %644, %599, %578, %854, %862, %877, %683, %873, %870, %276, %455, %354
+  %879 = phi i32 [ 1, %354 ], [ %457, %455 ], [ 11, %276 ], [ 1, %854 ], [ 1, %862 ], [ 1, %877 ], [ 1, %683 ], [ 0, %873 ], [ 0, %870 ], [ 1, %578 ], [ 1, %599 ], [ 1, %644 ], [ 1, %680 ]
+  %880 = phi double [ %274, %354 ], [ %274, %455 ], [ %274, %276 ], [ %274, %854 ], [ %274, %862 ], [ %274, %877 ], [ %274, %683 ], [ %458, %873 ], [ %458, %870 ], [ %274, %578 ], [ %274, %599 ], [ %274, %644 ], [ %274, %680 ]
+  %881 = phi i64 [ -4, %354 ], [ %459, %455 ], [ %275, %276 ], [ -4, %854 ], [ 21, %862 ], [ -3, %877 ], [ -4, %683 ], [ %459, %873 ], [ %459, %870 ], [ -2, %578 ], [ -2, %599 ], [ -2, %644 ], [ -2, %680 ]
+  switch i32 %879, label %939 [
     i32 0, label %273
-    i32 11, label %880
+    i32 11, label %882
   ], !llvm.loop !17
 
-880:                                              ; preds = %876
-  br i1 %174, label %881, label %937
+882:                                              ; preds = %878
+  br i1 %174, label %883, label %939
 
-881:                                              ; preds = %880
-  %882 = fcmp oeq double %271, %184
-  %883 = add nsw i32 %181, -1
-  %884 = sext i32 %883 to i64
-  %885 = mul nsw i64 %12, %884
-  %886 = getelementptr double, ptr %28, i64 %885
-  %887 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %884
-  %888 = fmul double %271, %2
-  %889 = fadd double %888, %1
-  br label %890
+883:                                              ; preds = %882
+  %884 = fcmp oeq double %271, %184
+  %885 = add nsw i32 %181, -1
+  %886 = sext i32 %885 to i64
+  %887 = mul nsw i64 %12, %886
+  %888 = getelementptr double, ptr %28, i64 %887
+  %889 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %886
+  %890 = fmul double %271, %2
+  %891 = fadd double %890, %1
+  br label %892
 
-890:                                              ; preds = %881, %929
-  %891 = phi i64 [ 0, %881 ], [ %930, %929 ]
-  %892 = getelementptr inbounds double, ptr %272, i64 %891
-  %893 = load double, ptr %892, align 8
-  %894 = fcmp ogt double %893, 0.000000e+00
-  br i1 %894, label %897, label %895
+892:                                              ; preds = %883, %931
+  %893 = phi i64 [ 0, %883 ], [ %932, %931 ]
+  %894 = getelementptr inbounds double, ptr %272, i64 %893
+  %895 = load double, ptr %894, align 8
+  %896 = fcmp ogt double %895, 0.000000e+00
+  br i1 %896, label %899, label %897
 
-895:                                              ; preds = %890
-  %896 = fcmp olt double %893, 0.000000e+00
-  br i1 %896, label %897, label %900
+897:                                              ; preds = %892
+  %898 = fcmp olt double %895, 0.000000e+00
+  br i1 %898, label %899, label %902
 
-897:                                              ; preds = %895, %890
-  %898 = phi i64 [ 1, %890 ], [ -1, %895 ]
-  %899 = getelementptr inbounds i64, ptr %16, i64 %891
-  store i64 %898, ptr %899, align 8
-  br label %900
+899:                                              ; preds = %897, %892
+  %900 = phi i64 [ 1, %892 ], [ -1, %897 ]
+  %901 = getelementptr inbounds i64, ptr %16, i64 %893
+  store i64 %900, ptr %901, align 8
+  br label %902
 
-900:                                              ; preds = %897, %895
-  br i1 %882, label %901, label %929
+902:                                              ; preds = %899, %897
+  br i1 %884, label %903, label %931
 
-901:                                              ; preds = %900
-  %902 = getelementptr double, ptr %886, i64 %891
-  %903 = load double, ptr %902, align 8
-  %904 = fcmp oeq double %903, 0.000000e+00
-  br i1 %904, label %905, label %929
+903:                                              ; preds = %902
+  %904 = getelementptr double, ptr %888, i64 %893
+  %905 = load double, ptr %904, align 8
+  %906 = fcmp oeq double %905, 0.000000e+00
+  br i1 %906, label %907, label %931
 
-905:                                              ; preds = %901
-  %906 = getelementptr double, ptr %235, i64 %891
-  %907 = load double, ptr %906, align 8
-  %908 = fcmp oeq double %907, 0.000000e+00
-  br i1 %908, label %909, label %929
+907:                                              ; preds = %903
+  %908 = getelementptr double, ptr %235, i64 %893
+  %909 = load double, ptr %908, align 8
+  %910 = fcmp oeq double %909, 0.000000e+00
+  br i1 %910, label %911, label %931
 
-909:                                              ; preds = %905
-  %910 = load double, ptr %887, align 8
-  %911 = fmul double %910, %2
-  %912 = fadd double %911, %1
-  %913 = load i64, ptr %175, align 8
-  %914 = icmp eq i64 %913, 0
-  br i1 %914, label %929, label %915
+911:                                              ; preds = %907
+  %912 = load double, ptr %889, align 8
+  %913 = fmul double %912, %2
+  %914 = fadd double %913, %1
+  %915 = load i64, ptr %175, align 8
+  %916 = icmp eq i64 %915, 0
+  br i1 %916, label %931, label %917
 
-915:                                              ; preds = %909
-  %916 = load ptr, ptr %176, align 8
-  %917 = shl nsw i64 %891, 4
-  %918 = getelementptr inbounds i8, ptr %916, i64 %917
-  %919 = getelementptr inbounds i8, ptr %918, i64 8
-  %920 = load double, ptr %919, align 8
-  %921 = fcmp oeq double %920, %912
-  br i1 %921, label %928, label %922
+917:                                              ; preds = %911
+  %918 = load ptr, ptr %176, align 8
+  %919 = shl nsw i64 %893, 4
+  %920 = getelementptr inbounds i8, ptr %918, i64 %919
+  %921 = getelementptr inbounds i8, ptr %920, i64 8
+  %922 = load double, ptr %921, align 8
+  %923 = fcmp oeq double %922, %914
+  br i1 %923, label %930, label %924
 
-922:                                              ; preds = %915
-  %923 = load double, ptr %918, align 8
-  %924 = fsub double %920, %923
-  %925 = fsub double %889, %912
-  %926 = fcmp ult double %924, %925
-  br i1 %926, label %927, label %929
+924:                                              ; preds = %917
+  %925 = load double, ptr %920, align 8
+  %926 = fsub double %922, %925
+  %927 = fsub double %891, %914
+  %928 = fcmp ult double %926, %927
+  br i1 %928, label %929, label %931
 
-927:                                              ; preds = %922
-  store double %912, ptr %918, align 8
-  br label %928
+929:                                              ; preds = %924
+  store double %914, ptr %920, align 8
+  br label %930
 
-928:                                              ; preds = %915, %927
-  store double %889, ptr %919, align 8
-  br label %929
+930:                                              ; preds = %917, %929
+  store double %891, ptr %921, align 8
+  br label %931
 
-929:                                              ; preds = %928, %922, %909, %900, %901, %905
-  %930 = add nuw nsw i64 %891, 1
-  %931 = icmp eq i64 %930, %12
-  br i1 %931, label %937, label %890, !llvm.loop !18
+931:                                              ; preds = %930, %924, %911, %902, %903, %907
+  %932 = add nuw nsw i64 %893, 1
+  %933 = icmp eq i64 %932, %12
+  br i1 %933, label %939, label %892, !llvm.loop !18
 
-932:                                              ; preds = %259, %231
-  %933 = load ptr, ptr %20, align 8
-  %934 = getelementptr inbounds i8, ptr %933, i64 80
-  store i64 %23, ptr %934, align 8
-  %935 = load ptr, ptr %19, align 8
-  %936 = getelementptr inbounds i8, ptr %935, i64 48
-  store double 1.000000e+00, ptr %936, align 8
-  br label %937
+934:                                              ; preds = %259, %231
+  %935 = load ptr, ptr %20, align 8
+  %936 = getelementptr inbounds i8, ptr %935, i64 80
+  store i64 %23, ptr %936, align 8
+  %937 = load ptr, ptr %19, align 8
+  %938 = getelementptr inbounds i8, ptr %937, i64 48
+  store double 1.000000e+00, ptr %938, align 8
+  br label %939
 
-937:                                              ; preds = %876, %929, %932, %880
-  %938 = phi i32 [ 0, %880 ], [ 1, %932 ], [ 0, %929 ], [ %877, %876 ]
-  %939 = phi double [ %271, %880 ], [ %180, %932 ], [ %271, %929 ], [ %878, %876 ]
-  %940 = phi i64 [ %879, %880 ], [ -4, %932 ], [ %879, %929 ], [ %879, %876 ]
-  %941 = icmp eq i32 %938, 0
-  br i1 %941, label %942, label %947
+939:                                              ; preds = %878, %931, %934, %882
+  %940 = phi i32 [ 0, %882 ], [ 1, %934 ], [ 0, %931 ], [ %879, %878 ]
+  %941 = phi double [ %271, %882 ], [ %180, %934 ], [ %271, %931 ], [ %880, %878 ]
+  %942 = phi i64 [ %881, %882 ], [ -4, %934 ], [ %881, %931 ], [ %881, %878 ]
+  %943 = icmp eq i32 %940, 0
+  br i1 %943, label %944, label %949
 
-942:                                              ; preds = %937
-  %943 = fcmp oeq double %939, %184
-  %944 = zext i1 %943 to i32
-  %945 = add nuw nsw i32 %181, %944
-  %946 = icmp ugt i32 %945, 4
-  br i1 %946, label %947, label %177, !llvm.loop !19
+944:                                              ; preds = %939
+  %945 = fcmp oeq double %941, %184
+  %946 = zext i1 %945 to i32
+  %947 = add nuw nsw i32 %181, %946
+  %948 = icmp ugt i32 %947, 4
+  br i1 %948, label %949, label %177, !llvm.loop !19
 
-947:                                              ; preds = %942, %937
-  %948 = phi i1 [ %946, %942 ], [ %178, %937 ]
-  br i1 %948, label %949, label %967
-
-949:                                              ; preds = %947
-  %950 = icmp sgt i64 %12, 0
-  br i1 %950, label %951, label %954
+949:                                              ; preds = %944, %939
+  %950 = phi i1 [ %948, %944 ], [ %178, %939 ]
+  br i1 %950, label %951, label %969
 
 951:                                              ; preds = %949
-  %952 = shl i64 %12, 5
-  %953 = getelementptr i8, ptr %28, i64 %952
-  br label %956
+  %952 = icmp sgt i64 %12, 0
+  br i1 %952, label %953, label %956
 
-954:                                              ; preds = %956, %949
-  %955 = load double, ptr %24, align 8
-  store double %955, ptr %30, align 8
-  br label %963
+953:                                              ; preds = %951
+  %954 = shl i64 %12, 5
+  %955 = getelementptr i8, ptr %28, i64 %954
+  br label %958
 
-956:                                              ; preds = %951, %956
-  %957 = phi i64 [ 0, %951 ], [ %961, %956 ]
-  %958 = getelementptr double, ptr %953, i64 %957
-  %959 = load double, ptr %958, align 8
-  %960 = getelementptr inbounds double, ptr %28, i64 %957
-  store double %959, ptr %960, align 8
-  %961 = add nuw nsw i64 %957, 1
-  %962 = icmp eq i64 %961, %12
-  br i1 %962, label %954, label %956, !llvm.loop !20
+956:                                              ; preds = %958, %951
+  %957 = load double, ptr %24, align 8
+  store double %957, ptr %30, align 8
+  br label %965
 
-963:                                              ; preds = %118, %954, %91
-  %964 = phi ptr [ %94, %91 ], [ %24, %954 ], [ %121, %118 ]
-  %965 = phi i64 [ -4, %91 ], [ 0, %954 ], [ -4, %118 ]
-  %966 = getelementptr inbounds i8, ptr %964, i64 48
-  store double 1.000000e+00, ptr %966, align 8
-  br label %967
+958:                                              ; preds = %953, %958
+  %959 = phi i64 [ 0, %953 ], [ %963, %958 ]
+  %960 = getelementptr double, ptr %955, i64 %959
+  %961 = load double, ptr %960, align 8
+  %962 = getelementptr inbounds double, ptr %28, i64 %959
+  store double %961, ptr %962, align 8
+  %963 = add nuw nsw i64 %959, 1
+  %964 = icmp eq i64 %963, %12
+  br i1 %964, label %956, label %958, !llvm.loop !20
 
-967:                                              ; preds = %963, %947, %99
-  %968 = phi i64 [ %940, %947 ], [ %100, %99 ], [ %965, %963 ]
-  ret i64 %968
+965:                                              ; preds = %118, %956, %91
+  %966 = phi ptr [ %94, %91 ], [ %24, %956 ], [ %121, %118 ]
+  %967 = phi i64 [ -4, %91 ], [ 0, %956 ], [ -4, %118 ]
+  %968 = getelementptr inbounds i8, ptr %966, i64 48
+  store double 1.000000e+00, ptr %968, align 8
+  br label %969
+
+969:                                              ; preds = %965, %949, %99
+  %970 = phi i64 [ %942, %949 ], [ %100, %99 ], [ %967, %965 ]
+  ret i64 %970
 }
 
 

@@ -1,4 +1,4 @@
-; sources 21b3c79ec122445a4d9ee99b9df358249f020245237ed1a882632819cfcaf4e6
+; sources 4c667105afc72174d777920fe7fc3b47789578fb240755065da6f0f8269822c0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

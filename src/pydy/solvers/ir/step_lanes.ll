@@ -1,4 +1,4 @@
-; sources 370eb53eb101277f27d7ff19e64bc47a4a8fc29067ef9ed65a866c0e41bbfe5f
+; sources fd674529b58db699e92b35817881229ac6b96b751ec7e540ed8bb95ce55081ad
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -202,7 +202,7 @@ class Integration(Workspace):
         if self.keeps:
             self.forget_steps()
         if self.options.events is not None:
-            self.watch.rests[:] = np.nan
+            self.watch.rests[:], self.watch.latest[:] = np.nan, self.progress.times[0]
         return self._advance(self._rows, True)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
@@ -415,6 +415,7 @@ class Integration(Workspace):
         self._empty_log()
         t = float(self.progress.state[at.TIME])
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
+        self.watch.latest[list(fired)] = t
         before = self.memory.x[: self.n].copy()
         moments = {k: forcing_time(call, wanted, k, before, t) for k in fired}
         zero = set(fired)
@@ -497,9 +498,8 @@ class Integration(Workspace):
             return
         for k in range(count[at.LOGGED]):
             event = int(self.watch.log_events[k])
-            x = self.watch.log_states[k].copy()
-            t = float(self.watch.log_times[k])
-            self.records.append(self._record(t, event, x, x))
+            x, after = self.watch.log_states[k], self.watch.log_after[k]
+            self.records.append(self._record(float(self.watch.log_times[k]), event, x, after))
         count[at.LOGGED] = 0
 
     def _record(

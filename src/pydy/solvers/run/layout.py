@@ -48,10 +48,11 @@ RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
 # The last are the address of what tells how far events may come in a step, or 0, the place in
-# Watch.reach of how far the first state does, and the number of these.
-WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING = range(6)
+# Watch.reach of how far the first state does, and the number of these. ACT is the address of what
+# acts on events, or 0, with those of the kernels of their rates and resets.
+WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
-LINEAR, TURNS = 1, 2  # added up
+LINEAR, TURNS, RESETS = 1, 2, 4  # added up
 # The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
 # and two more
 PARTS = 4
@@ -165,7 +166,8 @@ class Watch(NamedTuple):
     c: Numbers
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
-    kinds: Words  # LINEAR in states and time; TURNS: where the one before it is lowest
+    # LINEAR in states and time; TURNS: where the one before it is lowest; RESETS, and goes on
+    kinds: Words
     # What the kernel that tells how far events may come takes as r: specifieds, which it does not
     # read, how far each state may come, and the time; and a block more.
     reach: Numbers
@@ -178,6 +180,14 @@ class Watch(NamedTuple):
     log_times: Numbers
     log_events: Words
     log_states: NumberRows  # (·, states)
+    log_after: NumberRows
+    # Of events that act without Python: constants of the kernels, what they give, and when each
+    # happened last, or the first time.
+    rates_c: Numbers
+    resets_c: Numbers
+    told: Numbers
+    after: NumberRows  # (events, states)
+    latest: Numbers
 
 
 class Beginning(NamedTuple):

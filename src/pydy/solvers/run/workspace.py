@@ -12,6 +12,7 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.events import CompiledEvents
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
 from pydy.solvers.run import layout as at
@@ -327,8 +328,10 @@ class Workspace:
         # Steps of fixed size are as the user set them.
         fixed = self.options.step is not None
         kinds = [
-            at.LINEAR * (linear or fixed) + at.TURNS * turns
-            for linear, turns in zip(wanted.linear, wanted.turns, strict=True)
+            at.LINEAR * (linear or fixed) + at.TURNS * turns + at.RESETS * (resets and not ends)
+            for linear, turns, resets, ends in zip(
+                wanted.linear, wanted.turns, wanted.resetting, wanted.terminal, strict=True
+            )
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
         if (far := wanted.reach) is not None and far.addresses is not None and not self.callbacks:
@@ -337,8 +340,9 @@ class Workspace:
             size, moving = far.program.num_specifieds, far.program.num_states
             reacher, reach_c = [bound.address, size - moving - 1, moving], bound.c
             reach = np.zeros(size + BLOCK)
+        act, rates_c, resets_c = self._acting(wanted)
         return Watch(
-            words=np.array([place, number, shipped.address_of("scan_events"), *reacher]),
+            words=np.array([place, number, shipped.address_of("scan_events"), *reacher, *act]),
             c=c,
             directions=np.array(wanted.directions, dtype=np.int64),
             acting=np.array(acting, dtype=np.int64),
@@ -353,7 +357,28 @@ class Workspace:
             log_times=np.zeros(rows),
             log_events=np.zeros(rows, dtype=np.int64),
             log_states=np.zeros((rows, self.n)),
+            log_after=np.zeros((rows, self.n)),
+            rates_c=rates_c,
+            resets_c=resets_c,
+            told=np.zeros(2 * number),
+            after=np.zeros((number, self.n)),
+            latest=np.zeros(number),
         )
+
+    def _acting(self, wanted: CompiledEvents) -> tuple[list[int], np.ndarray, np.ndarray]:
+        """Return what compiled code resets states with, which Python then reads from the log.
+
+        A jump of samples may be what makes an event happen: then Python does it, as it does with
+        what stands beside the states.
+        """
+        call, resets, options = self.call, wanted.resets, self.options
+        beside = options.constraints is not None or options.sensitivities is not None
+        if beside or self.callbacks or call is None or call.sampled or resets is None:
+            return [0, 0, 0], np.zeros(1), np.zeros(1)
+        if resets.addresses is None or wanted.rates.addresses is None:
+            return [0, 0, 0], np.zeros(1), np.zeros(1)
+        (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (wanted.rates, resets))
+        return [shipped.address_of("act_on_event"), rater, resetter], rates_c, resets_c
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities

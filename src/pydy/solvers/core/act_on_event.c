@@ -1,0 +1,63 @@
+/* A reset by a single event, as `Integration._act` does it, without a return to Python. */
+
+#include "run.h"
+
+INLINE int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
+
+/* Change the state at the event that has just ended a step; tell whether that is done.
+
+   Python has to see to what is not as simple: several events at once, errors, and events that may
+   accumulate. Then nothing has changed. */
+int64_t act_on_event(const Run *run)
+{
+    const Watch *w = &run->watch;
+    const Problem *p = &run->problem;
+    const double *times = run->progress.times.at, span = times[run->progress.times.size - 1] - times[0];
+    const int64_t number = w->words.at[EVENTS], n = p->words.at[STATES];
+    const int64_t line = run->progress.counts.at[LOGGED];
+    double *x = run->memory.x.at, *state = run->progress.state.at, *after = w->after.at;
+    const double t = state[TIME];
+    double *was = w->values.at + DIVIDED * number, *values = w->values.at + LOCATED * number;
+    const double *rates = w->told.at, *bounds = rates + number;
+    int64_t event = -1;
+    for (int64_t k = 0; k < number; k++)
+        if (w->fired.at[k] != 0) {
+            if (event >= 0)
+                return 0;
+            event = k;
+        }
+    if (event < 0 || !(w->kinds.at[event] & RESETS) || !(t - w->latest.at[event] > CROWDED * span)
+        || line + 1 + number > w->log_times.size)
+        return 0;
+    const double *row = after + event * n;
+    set_inputs(p, t);
+    if (call_kernel(w->words.at[RESETTER], p->clock.at, x, p->r.at, w->resets_c.at, after) != 0
+        || call_kernel(w->words.at[WATCHER], p->clock.at, x, p->r.at, w->c.at, was) != 0
+        || call_kernel(w->words.at[WATCHER], p->clock.at, row, p->r.at, w->c.at, values) != 0
+        || call_kernel(w->words.at[RATER], p->clock.at, row, p->r.at, w->rates_c.at, w->told.at) != 0)
+        return 0;
+    for (int64_t i = 0; i < n; i++)
+        if (!is_finite(row[i]))
+            return 0;
+    for (int64_t k = 0; k < number; k++)
+        if (k != event && w->sides.at[k] != 0 && values[k] != values[k])
+            return 0;
+    /* whether the reset leads away from zero, or the rate tells the side */
+    const double value = values[event], bound = 8.0 * ROUNDING * bounds[event];
+    const int left = value != was[event] && absolute(value) > bound;
+    for (int64_t k = 0; k < number; k++) {
+        const int by_rate = values[k] == 0.0 || (k == event && !left);
+        const double told = by_rate ? rates[k] : values[k];
+        w->sides.at[k] = is_finite(told) ? sign_of(told) : 0;
+    }
+    w->latest.at[event] = w->log_times.at[line] = t;
+    w->log_events.at[line] = event;
+    for (int64_t i = 0; i < n; i++) {
+        w->log_states.at[line * n + i] = x[i];
+        w->log_after.at[line * n + i] = x[i] = row[i];
+    }
+    run->progress.counts.at[LOGGED] = line + 1;
+    if (run->method.shape.at[ESTIMATES] == 0)
+        state[SIZE] = run->beginning.state.at[SIZE]; /* that of all steps, or the solver's own */
+    return 1;
+}
