@@ -18,7 +18,7 @@ from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Kernel
 from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE, TOLERANCE
+from pydy.control.tuning import LARGEST_ORDER, MOST_PARTS, MOST_STEPS, SURE, TOLERANCE, UNEVEN
 from pydy.solvers.tableaus import tableau_of
 
 
@@ -90,12 +90,14 @@ def _integrated(
     return x
 
 
-def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -> np.ndarray:
+def refined(
+    mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int, more: Any = ()
+) -> np.ndarray:
     """Return a mesh on which the errors should be within the tolerance.
 
     An interval is divided into as many equal parts as reduce its error enough, if it is
     proportional to the length to the power `order` + 1; but no more than a few at a time, as
-    that holds for smooth controls only.
+    that holds for smooth controls only. There are `more` nodes unless others are as good as there.
     """
     with np.errstate(divide="ignore"):
         parts = np.ceil((error / tolerance) ** (1.0 / (order + 1)))
@@ -105,7 +107,36 @@ def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -
         np.linspace(a, b, num=k, endpoint=False)
         for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
     ]
-    return np.concatenate([*pieces, mesh[-1:]])
+    nodes = np.concatenate([*pieces, mesh[-1:]])
+    for node in more:
+        k = int(np.searchsorted(nodes, node))
+        before, after = node - nodes[k - 1], nodes[k] - node
+        if min(before, after) > UNEVEN * (before + after):
+            nodes = np.insert(nodes, k, node)
+    return nodes
+
+
+def jumps(made: Transcription, z: np.ndarray, error: np.ndarray, tolerance: float) -> np.ndarray:
+    """Return where controls seem to jump, as fractions of the motion, between known intervals.
+
+    In intervals that follow each other and have too large an error, the integral of a control tells
+    where it jumps from its value before them to that after them.
+    """
+    M, t, slots = made.intervals, made.mesh, made.scheme.controls
+    s, w = np.polynomial.legendre.leggauss(LARGEST_ORDER // 2)
+    values = made.split(z)[1][: len(made.problem.controls), slots.of_intervals(M)]
+    basis = slots.basis(np.concatenate([[0.0, 1.0], (1.0 + s) / 2]))[0]
+    first, last, *between = np.einsum("cym,ys->scm", values, basis)
+    integrals = np.tensordot(w / 2, between, 1) * np.diff(t)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], error > tolerance, [0]])))
+    found: list[np.ndarray] = [t[:0]]
+    for a, b in zip(edges[::2], edges[1::2], strict=True):
+        if a > 0 and b < M:
+            before, after, length = last[:, a - 1], first[:, b], t[b] - t[a]
+            with np.errstate(all="ignore"):
+                part = (integrals[:, a:b].sum(axis=1) - after * length) / (before - after)
+            found.append(t[a] + part[(part > 0.0) & (part < length)])
+    return np.concatenate(found)
 
 
 def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:

@@ -17,6 +17,7 @@ from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import (
+    jumps,
     most_intervals,
     refined,
     warn_of_refinements,
@@ -123,7 +124,11 @@ class Search(Generic[Found]):
                 orders = [problem._scheme.convergence for problem in self._problems]
                 if most == np.inf and all(np.median(phase.error) < 1.0 for phase in phases):
                     most = sum(map(most_intervals, meshes, orders, repeat(tolerance)))
-                finer = [*map(refined, meshes, errors, repeat(tolerance), orders)]
+                nodes = [
+                    jumps(phase._transcription, phase.solution.z, error, tolerance)
+                    for phase, error in zip(phases, errors, strict=True)
+                ]
+                finer = [*map(refined, meshes, errors, repeat(tolerance), orders, nodes)]
                 if count == MOST_REFINEMENTS or sum(map(len, finer)) > most:
                     warn_of_refinements(count - 1, phases, tolerance)
                     break
