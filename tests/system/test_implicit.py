@@ -673,3 +673,29 @@ def test_what_is_not_possible_is_refused():
         System(lagrange, implicit=Implicit({E: E - X}))
     with pytest.raises(TypeError, match=r"`implicit` must be a pydy\.mechanics\.Implicit, got"):
         System(definition(), implicit={E: E - X})
+
+
+def test_a_linear_model_has_what_inputs_move_through_residuals():
+    x, y, z, f = me.dynamicsymbols("x y z f")
+    frame, place = me.ReferenceFrame("N"), me.Point("P")
+    place.set_vel(frame, x.diff() * frame.x)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, (-z * y - f * x) * frame.x)]
+    implicit = Implicit({z: z**3 + z - K * x - f**2, y: y + sm.sin(y) / 2 - z * f})
+    system = System(
+        Definition(frame, [x], bodies=bodies, loads=loads), {K: 1.0}, implicit=implicit,
+        initial_conditions={x: 1.0}, specifieds={f: 0.7}, outputs={"o": z * y + f},
+    )  # fmt: skip
+    model, step = system.linearize(outputs=["y", "z", "o"]), 1e-5
+
+    def moved(force):
+        load = system.evaluate_ode({x: 1.0}, r={f: force})[-1]
+        return np.array([load, system.evaluate_outputs({x: 1.0}, r={f: force})[0]])
+
+    by_input = (moved(0.7 + step) - moved(0.7 - step)) / 2.0 / step
+    found = [model.B[1, 0], model.D[2, 0]]
+    np.testing.assert_allclose(found, by_input, rtol=1e-8)
+    held = Definition(frame, [x, E], bodies=bodies, holonomic_constraints=[E - z])
+    system = System(held, {K: 1.0}, implicit=implicit, specifieds={f: 0.7})
+    system.set_dependent_initial_conditions()
+    with pytest.raises(ValueError, match="holonomic constraints depend on an input"):
+        system.linearize(inputs=[f])

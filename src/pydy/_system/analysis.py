@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
-from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, listed
 from pydy._errors import warn_user
@@ -40,11 +39,10 @@ def _warn_of_violations(at: At) -> None:
 def _outputs(
     now: Snapshot,
     outputs: Iterable[Any] | None,
-    value: Any,
-    made: CompiledModel,
-    slopes: Callable[[str], np.ndarray],
+    point: Point,
     T: np.ndarray,
     columns: list[int],
+    through: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
     """Return C, D and the outputs' names: of states and of the System's outputs."""
     definition = now.definition
@@ -56,14 +54,29 @@ def _outputs(
     by_input = np.zeros((m, n, s))
     if any(place >= n for place in places):
         width = len(definition.outputs_symbols)
-        by_state = np.concatenate([by_state, slopes("outputs")], axis=1)
-        inputs = value(made.compiled_jacobian("outputs", "r"), s) if s else np.zeros((m, width, 0))
+        by_state = np.concatenate([by_state, point.slopes("outputs")], axis=1)
+        inputs = np.zeros((m, width, 0))
+        if s:
+            inputs = point.value(point.model.compiled_jacobian("outputs", "r"), s)
         by_input = np.concatenate([by_input, inputs], axis=1)
     with np.errstate(all="ignore"):  # what is not finite is told
         C = by_state[:, places] @ T
-    D = by_input[:, places][:, :, columns]
+        D = by_input[:, places][:, :, columns]
+        if through.size:
+            D = D + by_state[:, places][:, :, definition.equations.following[1]] @ through
     titles = unique_names([*definition.states, *definition.outputs_symbols])
     return C, D, tuple(titles[place] for place in places)
+
+
+def _through_residuals(point: Point, columns: list[int]) -> np.ndarray:
+    """Return how what residuals give follows some specifieds, (m, unknowns, k)."""
+    rows, places = map(list, point.definition.equations.following)
+    if not (places and columns):
+        return np.zeros((len(point.x), len(places), len(columns)))
+    by_input = point.value(point.model.compiled_jacobian("holonomic", "r"), point.r.shape[1])
+    gradient = point.slopes("holonomic")[:, rows][:, :, places]
+    pairs = zip(gradient, by_input[:, rows][:, :, columns], strict=True)
+    return np.array([-np.linalg.lstsq(own, moved)[0] for own, moved in pairs])
 
 
 class LinearModels(Setup):
@@ -148,16 +161,26 @@ class LinearModels(Setup):
         by_input = np.zeros((len(x), n, s))
         if columns:
             by_input = value(made.compiled_jacobian("rates", "r"), s)
-            for block in blocks:
-                moved = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
-                if moved.any():
-                    raise ValueError(
-                        f"The {block} constraints depend on an input of the linear model: the "
-                        "states then do not follow from independent ones alone. Leave prescribed "
-                        "motions out of `inputs`."
-                    )
-        B = by_input[:, free][:, :, columns]
-        C, D, titles = _outputs(now, outputs, value, made, slopes, T, columns)
+        through, unknowns = _through_residuals(point, columns), [*definition.equations.following[1]]
+
+        def followed(block: str, by_input: np.ndarray) -> np.ndarray:
+            """Return derivatives by inputs with what goes through residuals."""
+            return by_input + slopes(block)[:, :, unknowns] @ through if through.size else by_input
+
+        for block in blocks if columns else ():
+            by_block = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
+            left = followed(block, by_block)
+            if block == "holonomic":
+                left[:, definition.equations.following[0]] = 0.0
+            if left.any():
+                raise ValueError(
+                    f"The {block} constraints depend on an input of the linear model: the states "
+                    "then do not follow from independent ones alone. Leave prescribed motions out "
+                    "of `inputs`."
+                )
+        with np.errstate(all="ignore"):  # what is not finite is told
+            B = followed("rates", by_input[:, :, columns])[:, free]
+        C, D, titles = _outputs(now, outputs, point, T, columns, through)
         rates = value(made.compiled("rates"))[:, free]
         parts = [A, B, C, D, rates]
         sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
