@@ -10,10 +10,11 @@ import sympy as sm
 
 from mechanisms.build import definition
 from mechanisms.generate import draw
-from optima import T
+from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.control.transcription import Transcription
+from pydy.inputs import SampledInput
 
 # Small ones: of large ones the equations take SymPy and the compiler a minute.
 SEEDS = [5000, 5001, 5004, 5006, 5007, 5009, 5011, 5014, 5015, 5018, 5019, 5026]
@@ -57,7 +58,8 @@ def value(program, x, r, p):
 def problem_of(seed):
     """Return a problem of a mechanism of two or three bodies, whose inputs are its controls.
 
-    Three of its constants are free.
+    Three of its constants are free. Every second one has a free duration, and samples for one input
+    if it has any.
     """
     model = definition(draw(seed))
     start = {**dict(zip(model.q, model.real["q"], strict=True)),
@@ -66,8 +68,14 @@ def problem_of(seed):
     known = system.constants_symbols  # inertias that nothing turns are none
     system.constants = {s: value for s, value in model.constants.items() if s in known}
     states = sum(s**2 * sm.cos(s + T) for s in system.states)
-    controls = sum(c**2 * sm.exp(system.states[0] / 10) for c in system.specifieds_symbols)
+    inputs = sorted(system.specifieds_symbols, key=str)
+    controls = sum(c**2 * sm.exp(system.states[0] / 10) for c in inputs)
     effort, free = sm.Integral(states + controls, T), sorted(known, key=str)[:3]
+    if seed % 2:
+        given = {s: SampledInput([0.0, 0.4, 1.0], [0.3, -0.2, 0.9], "pchip") for s in inputs[:1]}
+        system.specifieds = given
+        bounds = {"bounds": {TF: (0.1, 1.0)}}
+        return OptimalControl(system, effort * TF, TF, free=free, mesh=2, order=2, **bounds)
     return OptimalControl(system, effort, 0.3, free=free, mesh=2, order=2)
 
 
