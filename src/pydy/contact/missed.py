@@ -45,8 +45,6 @@ def missed(
             (part.outputs[known], table),
         )
     )
-    order = np.argsort(few, kind="stable")
-    few, states, table = few[order], states[order], table[order]
     names = list(model.definition.outputs_symbols)
     broken = []
     for i, c in enumerate(run.contacts):
@@ -81,7 +79,8 @@ def missed(
                 below &= values < -run.unresolved_gap(i, p, states[worst]) - late
             if not below.any():
                 continue
-            if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
+            earlier = few < few[below].min()
+            if kind and values[earlier].max(initial=-np.inf) <= allowed:
                 broken.append((kind, i))
                 continue
             worst = int(values.argmin())

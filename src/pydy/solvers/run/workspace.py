@@ -174,7 +174,8 @@ class Workspace:
 
     def again(self) -> Callable[[], Workspace]:
         """Return what makes the same with memory of its own, whatever this one does next."""
-        f, options, times = self._f, replace(self.options, dense_output=False), self.progress.times
+        options = replace(self.options, dense_output=False, events=None)
+        f, times = self._f, self.progress.times
         if self.call is not None:
             f = replace(self.call, p=self.call.p.copy(), r=self.call.r.copy())
         return partial(Workspace, self.name, f, self.n, times[:1].copy(), self._args, options)
