@@ -288,6 +288,36 @@ def test_the_foot_of_a_rod_that_falls_slips_where_friction_reaches_its_limit(ang
     assert names.count("floor slips") == 1
 
 
+def two_balls():
+    """Balls that fall side by side from the same height."""
+    z, vz = me.dynamicsymbols("z v_z")
+    points = [O.locatenew(name, place * N.y) for name, place in (("A", y), ("B", z))]
+    for point, rate in zip(points, (vy, vz), strict=True):
+        point.set_vel(N, rate * N.y)
+    bodies = [me.Particle(f"ball{k}", one, m) for k, one in enumerate(points)]
+    system = System(
+        Definition(N, [y, z], [vy, vz], bodies=bodies, loads=[(p, -m * g * N.y) for p in points]),
+        {g: 9.81}, {}, "dop853", {y: 1.0, z: 1.0}, [0.0, 0.6],
+    )  # fmt: skip
+    floors = [Unilateral(gap, restitution=e, name=f"floor{k}") for k, gap in enumerate((y, z))]
+    return Contacts(system, floors, {e: 0.5}), z
+
+
+def test_what_happens_at_one_instant_has_no_derivative_by_what_parts_it():
+    # It had the derivatives as if both closed where the first one does: −1 and 1.
+    contacts, z = two_balls()
+    find = contacts.system.adjoint_gradient
+    for symbol in (y, z):
+        with pytest.raises(ContactError, match=rf"'floor.' closes .* with another {symbol.name} "):
+            contacts.simulate(sensitivities=[symbol])
+        with pytest.raises(ContactError, match=rf"'floor.' closes .* with another {symbol.name} "):
+            find([symbol], final=z, contacts=contacts)
+    exact = compared(contacts, [g, e], ["y", "z", "v_z"], **TIGHT)
+    found = find([g, e], final=z, contacts=contacts, **TIGHT)
+    assert found.values == pytest.approx(exact.sensitivity["z"][-1], abs=1e-12)
+    assert np.isnan(found.by_state).all()
+
+
 def test_samples_as_parameters_are_named():
     from pydy.inputs import SampledInput
 

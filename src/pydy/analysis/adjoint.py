@@ -32,7 +32,7 @@ class AdjointGradient:
         The parameters, with their numbers of columns.
     by_state : ndarray, shape (n,)
         Its derivatives with respect to the initial states, each varied independently: the adjoint
-        there.
+        there. NaN where several contacts close at one instant, which such variations part.
     time : float
         Where the motion ended: the last of the times, or a terminal event.
     statistics : dict

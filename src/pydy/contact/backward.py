@@ -21,9 +21,9 @@ from pydy._system.solving import with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode
-from pydy.contact.rows import ContactRows
+from pydy.contact.rows import ContactRows, Numbers
 from pydy.contact.run import Run
-from pydy.contact.sensitivities import Transitions
+from pydy.contact.sensitivities import Carried, Transitions
 from pydy.contact.trajectory import Piece
 from pydy.trajectory import EventRecord
 
@@ -42,6 +42,7 @@ class Noted(Transitions):
         sensitive = Sensitive.of(now, now.model, now.plan, wrt, solved, "wrt")
         self.start = sensitive.start(now.x, float(now.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
+        self.solved, self.together = solved, False
         n, constants = len(now.definition.states), now.definition.constants
         wanted = Task(sensitive, None, None).wanted
         own = [constants[place] if group == "p" else None for group, place in wanted]
@@ -105,6 +106,11 @@ class Noted(Transitions):
         """Take the time of a stop in a plane for unknown: states beside it stop nowhere."""
         self.doubtful[:] = True
 
+    def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
+        """Note whether the gap of a contact that closes opens by a state; see `gradient`."""
+        self.together |= bool(self.opened(i, slopes, p, share).any())
+        return []
+
     def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
         """Return what a trajectory takes beside the states: nothing."""
         return {}
@@ -133,6 +139,12 @@ def gradient(run: Run) -> AdjointGradient:
     except KeyboardInterrupt as stop:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
     values = stretches[0][0].by_parameters(by_state @ noted.start)
+    if noted.together:  # sensitivities tell whether parameters part what happens at one instant
+        columns = Carried([*noted.counts], False, run.rows, run.now, noted.solved)
+        Run(
+            run.kept, run.users, run.now, run.times, run.user_events, run.options, columns
+        ).trajectory()
+        by_state = np.full(n, np.nan)
     value = sum(stretch.value for stretch, _, _ in stretches)
     told = dict(trajectory.statistics or {})
     return AdjointGradient(

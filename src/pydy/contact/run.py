@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
-from pydy._names import numbers_of
+from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import check_values
@@ -332,6 +332,8 @@ class Run:
             }
             still = frozenset(() if by_phases else state.touching)
             d = self.carried.impact(self.values(state.t, before), p, blow, kept_of, still)
+            if self.pieces:
+                self.check_instant(state, p, d["gap"], closing)
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ blow.forces
@@ -385,6 +387,20 @@ class Run:
                 if q.is_still(rows, after[rows]):
                     state.resting.add(i)
         self.impacts.append((state.t, impulses, work))
+
+    def check_instant(
+        self, state: State, p: Numbers, slopes: np.ndarray, closing: Collection[int]
+    ) -> None:
+        """Refuse derivatives of contacts that close at one instant, but beside it at several."""
+        for i in sorted(closing):
+            apart = self.carried.apart(i, slopes[i], p, SLACK + ERRORS * self.rtol)
+            if apart:
+                raise self.fail(
+                    state.t, state.x,
+                    f"{self.contacts[i].name!r} closes at the instant of another transition, but "
+                    f"with another {some(apart)} it would close before or after that: there is no "
+                    "derivative. Leave that out of the parameters, or begin a little elsewhere.",
+                )  # fmt: skip
 
     def unresolved(self, i: int) -> float:
         """Return the sliding speed that is not told from zero by the tolerances of the solver."""

@@ -24,6 +24,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
+from pydy._names import name_of
 from pydy._rank import DEPENDENT
 from pydy._system.sensitivities import Sensitive, Wanted
 from pydy._system.snapshot import Snapshot
@@ -117,6 +118,16 @@ class Transitions:
             )
         found: np.ndarray = self.total - np.outer(rates, self.time)
         return found
+
+    def opened(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> np.ndarray:
+        """Return whether the gap of a contact that closes opens by each column.
+
+        A `share` of their terms may be missing of its `slopes` at the time that moves.
+        """
+        terms = np.abs(p.gradient[i]) @ np.abs(self.total[: self._first])
+        terms += np.abs(p.speed[self.rows.normal[i]] * self.time)
+        wrong: np.ndarray = ~(np.abs(slopes) <= share * terms)
+        return wrong
 
     def impact(
         self,
@@ -286,6 +297,11 @@ class Carried(Transitions):
         size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
         self.total, self.time = total, time
         self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
+
+    def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
+        """Return by which parameters the gap of a contact that closes opens."""
+        wrong = self.opened(i, slopes, p, share)
+        return [name_of(s) for s, off in zip(self._counts, wrong, strict=True) if off]
 
     def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
         """Return what a trajectory takes beside the states."""
