@@ -8,6 +8,7 @@ from scipy.integrate import odeint
 import zoo
 from cases import close, system_of
 from oracle import oracle
+from pydy.models import multi_mass_spring_damper
 from pydy.system import System
 
 NOPE = sm.Symbol("nope")
@@ -223,3 +224,16 @@ def test_ode_solver_is_refused_when_set():
     with pytest.raises(ValueError, match="ode_solver"):
         system.ode_solver = [odeint]
     assert system.ode_solver is odeint
+
+
+def test_constants_of_each_sample_count_however_often_nodes_are_evaluated():
+    model = multi_mass_spring_damper().model
+    x, p = np.array([[1.0, 2.0], [1.0, 2.0]]), np.array([[1.0, 2.0, 3.0], [1.0, 5.0, 7.0]])
+
+    def rates(assembly):
+        return {"rates": assembly.rates}
+
+    every = [model.interpreted(rates, (np.zeros(2), x, np.zeros((1, 0)), p)) for _ in range(70)]
+    first, last = every[0]["rates"], every[-1]["rates"]  # worth compiling in between
+    assert first[0, 1] != first[1, 1]
+    np.testing.assert_array_equal(last, first)

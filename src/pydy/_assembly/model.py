@@ -360,7 +360,7 @@ class _Evaluated:
     def __call__(
         self, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> dict[str, np.ndarray]:
-        if self._left or self._solves:
+        if self._left or self._solves or p.ndim > 1:  # Kernels have one p for all samples
             self._left -= self._left > 0
             out, _ = run(self.program, t, x, r, p)
         else:

@@ -134,9 +134,9 @@ class Point(At):
         natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
         return dict(zip(GROUPS, np.split(natural, np.cumsum(sizes)[:-1], axis=1), strict=True))
 
-    def inertias(self, n: int) -> np.ndarray:
-        """Return the diagonal of the mass matrix of n speeds, shape (m, n)."""
-        found: np.ndarray = self.values(_masses)["masses"][:, :: n + 1]
+    def inertias(self) -> np.ndarray:
+        """Return the diagonal of the mass matrix of all speeds, shape (m, n)."""
+        found = self.values(_masses)["masses"]
         if not found.size:
             found = self.values(_Free(self.definition))["masses"]
         sizes: np.ndarray = np.abs(found)
@@ -152,7 +152,7 @@ class Point(At):
     def motions(self) -> np.ndarray:
         """How fast coordinates and speeds change in motions of one energy, shape (m, n)."""
         first, n = (len(getattr(self.definition.equations, s)) for s in ("coordinates", "speeds"))
-        masses, moving = self.inertias(n), slice(first, first + n)
+        masses, moving = self.inertias(), slice(first, first + n)
         speeds = np.where(masses > 0.0, 1.0 / np.sqrt(or_one(masses)), 0.0)
         if "velocity" in self.blocks and not speeds.all():
             slopes = self.steepness("velocity")[:, :, moving]
@@ -163,7 +163,8 @@ class Point(At):
                 driven = _least(shares * (slopes > 0.0), 1)
                 speeds = np.where(speeds > 0.0, speeds, driven)
         speeds = or_one(speeds)
-        rates = self.steepness("rates")[:, :first, moving] @ speeds[:, :, None]
+        slopes = self.values(_kinematics)["kinematics"].reshape(len(self.x), first, n)
+        rates = np.abs(np.nan_to_num(slopes)) @ speeds[:, :, None]
         return np.concatenate([rates[:, :, 0], speeds], axis=1)
 
     def slopes(self, block: str) -> np.ndarray:
@@ -534,7 +535,7 @@ def energetic_motions(
     """Return least sizes of coordinates, and of changes at one energy; 0 if unknown."""
     m, q = len(states), len(now.definition.equations.coordinates)
     at = point_at(now, times, states)
-    masses = at.inertias(states.shape[1] - q)
+    masses = at.inertias()
     known = masses > 0.0
     speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)
     table = np.abs(at.values(_kinematics)["kinematics"].reshape(m, q, -1))
@@ -552,14 +553,14 @@ def _least(values: np.ndarray, axis: int) -> np.ndarray:
 
 def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of the coordinates' rates by the speeds."""
-    speeds = assembly.speeds
-    rates = assembly.rates[: len(assembly.rates) - len(speeds)]
-    return {"kinematics": dense_jacobian(assembly.graph, rates, speeds)}
+    graph, speeds = assembly.graph, assembly.speeds
+    first = graph.args[speeds[0]][1] if speeds else 0
+    return {"kinematics": dense_jacobian(graph, assembly.rates[:first], speeds)}
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the mass matrix of all speeds, or nothing where none is known yet."""
-    return {"masses": assembly.kinetic_hessian}
+    """Return the diagonal of the mass matrix of all speeds, or nothing where none is known yet."""
+    return {"masses": assembly.kinetic_hessian[:: len(assembly.speeds) + 1]}
 
 
 @dataclass(frozen=True)
