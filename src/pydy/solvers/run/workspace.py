@@ -374,6 +374,7 @@ class Workspace:
         """
         call, resets, options = self.call, wanted.resets, self.options
         beside = options.constraints is not None or options.sensitivities is not None
+        beside = beside or options.recorded not in (None, self.n)  # such as an integral
         if beside or self.callbacks or call is None or call.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         if resets.addresses is None or wanted.rates.addresses is None:
