@@ -17,7 +17,7 @@ from pydy.control.transcription import Transcription
 from pydy.inputs import SampledInput
 
 # Small ones: of large ones the equations take SymPy and the compiler a minute.
-SEEDS = [5000, 5001, 5004, 5006, 5007, 5009, 5011, 5014, 5015, 5018, 5019, 5026]
+SEEDS = [5000, 5001, 5004, 5006, 5007, 5009, 5011, 5014, 5015, 5018, 5019, 5026, 5041]
 STEP = mp.mpf(10) ** -12
 OPERATIONS = {
     "add": lambda a, b: a + b,

@@ -14,6 +14,7 @@ from fuzz.table import flags, hashable, is_number, key, mapping, target
 from fuzz.world import driven, world
 from pydy.analysis import Trial
 from pydy.control import OptimalControl
+from pydy.inputs import SampledInput
 
 
 def _no_relations(value: Any) -> bool:
@@ -76,7 +77,7 @@ def _optimal(guess: Any = None, **changes: Any) -> Any:
         "mesh": 2,
         **changes,
     }
-    system = driven(o, specifieds={o.g: 0.125})
+    system = driven(o, specifieds={o.g: given.pop("known", 0.125)})
     problem = OptimalControl(system, given.pop("objective"), given.pop("duration"), **given)
     program, z, _ = problem._joined([problem._mesh], [guess])
     return z, program.lower, program.upper
@@ -113,6 +114,14 @@ for _name in ("start", "end", "bounds"):
     def _(v, name=_name):
         o = world().o
         return _optimal(**{name: {o.f if name == "bounds" else o.x: (v, None)}})
+
+
+# Samples have to cover the longest duration.
+@target("OptimalControl.bounds[duration][1]", real(least=0.5, most=1.0), "`bounds")
+def _(v):
+    tf = sm.Symbol("tf")
+    samples = SampledInput([0.0, 1.0], [0.125, 0.25])
+    return _optimal(guess={tf: 0.5}, duration=tf, bounds={tf: (0.5, v)}, known=samples)
 
 
 @target("OptimalControl.boundary", nothing("symbols", "texts", "arrays", allowed=_no_relations))
