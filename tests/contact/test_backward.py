@@ -237,24 +237,31 @@ def test_integrals_have_the_derivatives_of_differences(make, wrt, term):
         assert exact[symbol] == pytest.approx(slope, abs=1e-6 * max(1.0, abs(slope))), symbol
 
 
-def test_samples_and_numbers_of_specifieds():
+@pytest.mark.parametrize("between", ["linear", "previous"])
+def test_samples_and_numbers_of_specifieds(between):
     F, H = me.dynamicsymbols("F H")
     P = O.locatenew("P", y * N.y)
     P.set_vel(N, vy * N.y)
     knots, values = np.linspace(0.0, 1.0, 6), np.array([0.5, -1.0, -2.0, -1.0, 0.5, 1.0])
     system = System(
         Definition(N, [y], [vy], bodies=[me.Particle("P", P, m)], loads=[(P, (F + H) * N.y)]),
-        {}, {F: SampledInput(knots, values), H: -8.0}, "dop853", {y: 0.5}, [0.0, 1.0],
+        {}, {F: SampledInput(knots, values, between), H: -8.0}, "dop853", {y: 0.5}, [0.0, 1.0],
     )  # fmt: skip
     contacts = Contacts(system, [Unilateral(y, restitution=e, name="floor")], {e: 0.7})
     options = {"final": y, "contacts": contacts, "rtol": 1e-11, "atol": 1e-12}
     exact = system.adjoint_gradient([F, H, e], **options)
+    forward = contacts.simulate(sensitivities=[F, H, e], rtol=1e-11, atol=1e-12)
+    assert exact.values == pytest.approx(forward.sensitivity["y"][-1], abs=1e-9)
+    assert forward.events[0].time_sensitivity.shape == (8,)
     assert len(exact.trajectory.impacts) > 1
     for name, number in (("F", 0), ("F", 3), ("H", 0)):
         found = []
         for step in (1e-4, -1e-4):
             sampled = values + step * (np.arange(6) == number) * (name == "F")
-            system.specifieds = {F: SampledInput(knots, sampled), H: -8.0 + step * (name == "H")}
+            system.specifieds = {
+                F: SampledInput(knots, sampled, between),
+                H: -8.0 + step * (name == "H"),
+            }
             found.append(system.adjoint_gradient([e], **options).value)
         slope = (found[0] - found[1]) / 2e-4
         assert np.atleast_1d(exact[name])[number] == pytest.approx(slope, abs=1e-6)

@@ -316,17 +316,3 @@ def test_what_happens_at_one_instant_has_no_derivative_by_what_parts_it():
     found = find([g, e], final=z, contacts=contacts, **TIGHT)
     assert found.values == pytest.approx(exact.sensitivity["z"][-1], abs=1e-12)
     assert np.isnan(found.by_state).all()
-
-
-def test_samples_as_parameters_are_named():
-    from pydy.inputs import SampledInput
-
-    F = me.dynamicsymbols("F")
-    P = O.locatenew("P", y * N.y)
-    P.set_vel(N, vy * N.y)
-    system = System(
-        Definition(N, [y], [vy], bodies=[me.Particle("P", P, m)], loads=[(P, F * N.y)]),
-        {}, {F: SampledInput([0.0, 1.0], [0.0, 1.0])}, "dop853", {y: 1.0}, [0.0, 1.0],
-    )  # fmt: skip
-    with pytest.raises(NotImplementedError, match=r"by samples \(F\(t\)\) are not supported"):
-        Contacts(system, [Unilateral(y)]).simulate(sensitivities=[F])

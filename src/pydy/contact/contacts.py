@@ -165,8 +165,8 @@ class Contacts:
         events : sequence of Event, optional
             Further events, without resets.
         sensitivities, control_sensitivities
-            As in `System.simulate`: constants, among them those of contacts, initial conditions,
-            and specifieds that are numbers. Transitions and impacts are taken into account.
+            As in `System.simulate`, with the constants of contacts. Transitions and impacts are
+            taken into account.
         **solver_kwargs
             Options of the native solver, such as `rtol` and `atol`. Constraints, of the System and
             of closed contacts, are held by projection.
@@ -185,7 +185,8 @@ class Contacts:
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.
         NotImplementedError
-            Events with resets, and sensitivities by samples.
+            Events with resets; or `sensitivities` of contacts that depend on specifieds, and where
+            a body begins to slide in a plane without an acceleration.
         IntegrationError
             As in `System.simulate`.
 

@@ -24,7 +24,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
-from pydy._names import name_of
+from pydy._names import column_names
 from pydy._rank import DEPENDENT
 from pydy._system.sensitivities import Sensitive, Wanted
 from pydy._system.snapshot import Snapshot
@@ -244,11 +244,8 @@ class Carried(Transitions):
     ) -> None:
         sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
         parameters = sensitive.parameters
-        if sampled := [p.symbol for p in parameters if p.samples is not None]:
-            raise NotImplementedError(
-                f"`sensitivities` by samples ({sampled[0]}) are not supported with contacts yet."
-            )
-        constants = [p.symbol if p.kind == "constants" else None for p in parameters]
+        every = [p for p in parameters for _ in range(p.count)]
+        constants = [p.symbol if p.kind == "constants" else None for p in every]
         super().__init__(rows, now, constants, sensitive.start(now.x, float(now.times[0])))
         self._controlled = controlled
         self._counts = {p.symbol: p.count for p in parameters}
@@ -301,7 +298,7 @@ class Carried(Transitions):
     def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
         """Return by which parameters the gap of a contact that closes opens."""
         wrong = self.opened(i, slopes, p, share)
-        return [name_of(s) for s, off in zip(self._counts, wrong, strict=True) if off]
+        return [name for name, off in zip(column_names(self._counts), wrong, strict=True) if off]
 
     def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
         """Return what a trajectory takes beside the states."""
