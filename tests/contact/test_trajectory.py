@@ -33,6 +33,13 @@ def test_a_pickled_motion_is_known_between_its_times():
     assert pickle.loads(pickle.dumps(motion.at(TIMES))).at(TIMES).states.shape == (40, 2)
 
 
+def test_a_motion_of_more_steps_than_are_kept_is_known_between_its_times(monkeypatch):
+    motion = bounces(rtol=1e-10, atol=1e-10)
+    monkeypatch.setattr("pydy.solvers.run.workspace.STEPS_MEMORY", 0)
+    many = bounces(rtol=1e-10, atol=1e-10, max_step=1e-5)
+    assert many.at(TIMES).states == pytest.approx(motion.at(TIMES).states, abs=1e-9)
+
+
 def test_the_work_of_contacts_is_pickled():
     motion = billiard_ball().simulate()
     again = pickle.loads(pickle.dumps(motion))

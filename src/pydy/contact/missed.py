@@ -28,11 +28,13 @@ def missed(
     """
     atol = float(np.max(run.atol))
     symbols = run.kept.symbols
-    starts, few = part._dense.starts, np.linspace(part.times[0], end, CHECKED)
-    if len(starts) > CHECKED:  # states between steps take these again
-        few = starts[np.linspace(0, len(starts) - 1, CHECKED).astype(int)]
-    few = np.append(few[few < end], end)
-    states = part._dense(few)[:, : run.n]
+    few, states = np.array([end]), part.states[-1:, : run.n].copy()
+    if part._dense is not None:  # not more steps than are kept
+        starts, few = part._dense.starts, np.linspace(part.times[0], end, CHECKED)
+        if len(starts) > CHECKED:  # states between steps take these again
+            few = starts[np.linspace(0, len(starts) - 1, CHECKED).astype(int)]
+        few = np.append(few[few < end], end)
+        states = part._dense(few)[:, : run.n]
     if last is not None:  # the state that is kept there is the one after the event
         states[-1] = last[: run.n]
     model, known = part._model, part.times < end

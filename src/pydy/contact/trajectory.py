@@ -24,8 +24,9 @@ class Piece:
     modes: tuple[str, ...]
     model: Any  # evaluates derivatives and outputs; see `pydy.trajectory.Model`
     columns: list[int]  # the outputs of the model that are those of the whole trajectory
-    # Times to states, and to sensitivities after them if there are any.
-    dense: Callable[[np.ndarray], np.ndarray]
+    # Times to states, and to sensitivities after them if there are any; None if it had more steps
+    # than are kept.
+    dense: Callable[[np.ndarray], np.ndarray] | None
     sensitive: Any = None
 
 
@@ -62,7 +63,7 @@ class Pieces(_Several):
     def whole(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps, and the sensitivities after them."""
         times = np.asarray(times, dtype=float)
-        return self._each(times, lambda piece, own: piece.dense(times[own]))
+        return self._each(times, lambda piece, own: piece.dense(times[own]))  # type: ignore[misc]
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
@@ -137,7 +138,8 @@ class ContactTrajectory(Trajectory):
         impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
-        super().__init__(*args, model=pieces, dense=_Dense(pieces), **options)
+        kept = all(piece.dense is not None for piece in pieces.pieces)
+        super().__init__(*args, model=pieces, dense=_Dense(pieces) if kept else None, **options)
         self._pieces, self._names = pieces, tuple(names)
         self.modes = [
             (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces
