@@ -457,7 +457,7 @@ def test_the_way_back_tells_of_jumps_that_derivatives_miss():
     point.set_vel(frame, x.diff() * frame.x)
     loads = [(point, -force * sm.sign(x) * frame.x)]
     definition = Definition(frame, [x], bodies=[me.Particle("b", point, 1)], loads=loads)
-    system = System(definition, {force: 1.0}, {x: 1.0}, times=[0.0, 2.0])
+    system = System(definition, {force: 1.0}, initial_conditions={x: 1.0}, times=[0.0, 2.0])
     function = _Frozen(system, {}).function("final", (Part("p", (0,), (1,), False),))
     with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
         function.backward((0,), (np.ones(1),), np.ones(2))

@@ -755,3 +755,27 @@ def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expressio
             continue
         (told, *_) = system.simulate(events=events, sensitivities=[K]).events
         assert np.isnan(told.time_sensitivity).all()
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize(("sign", "function"), [(1.0, np.cosh), (-1.0, np.cos)])
+@pytest.mark.parametrize("start", [0.0, 1e-12])
+def test_what_grows_or_swings_beside_a_rest_is_resolved(solver, sign, function, start):
+    """No error of a state at rest shows: steps grew, and sensitivities were off by half."""
+    system = pushed(K * sign * sm.sin(X))
+    system.constants, system.ode_solver, system.times = {K: 9.0}, solver, [0.0, 1.0, 4.0]
+    system.initial_conditions = {X: start}
+    expected = function(3.0 * np.array(system.times))
+    found = [
+        system.simulate(sensitivities=[X], control_sensitivities=c).sensitivity.values[:, 0, 0]
+        for c in (False, True)
+    ]
+    many = system.integrate_ensemble(constants={K: [9.0, 9.0]}, sensitivities=[X])
+    found.append(many.sensitivity.values[1, :, 0, 0])
+    if solver != "radau":
+        found.append([1.0, expected[1], system.adjoint_gradient([X], final=X)[X]])
+    for one in found:
+        np.testing.assert_allclose(one, expected, rtol=2e-6, atol=2e-6)
+    with pytest.raises(ValueError, match="`rtol` must"):
+        system.simulate(sensitivities=[X], rtol="a")
+    system.simulate(sensitivities=[X], rtol=0.0)

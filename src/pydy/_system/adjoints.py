@@ -323,7 +323,7 @@ class Stretch:
             if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
                 given = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(given, given.min())}
-        options = task.sensitive.stepped(solver, options)
+        options = task.sensitive.stepped(solver, options, x0, times, False)
         whole, call = np.append(x0, np.zeros(more)), rates
         if guide is not None:
             call, whole, beside = task.guided(whole, guide, options)

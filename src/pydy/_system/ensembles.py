@@ -526,7 +526,8 @@ class Ensembles(Setup):
         integrated, options, beside = ready.model, ready.options, None
         if sensitivities is not None and motions is None:
             sensitive = Sensitive.of(now, integrated, plan, sensitivities, self._dependent)
-            options = sensitive.stepped(solver, options)
+            looked_at = sensitive.sized(control, options) is not None
+            options = sensitive.stepped(solver, options, now.x, times, looked_at)
             beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)
             if "events" in options:  # workers need no SymPy
                 options = {**options, "events": replace(options["events"], sources=())}

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import factorial
 from typing import Any
 
 import numpy as np
@@ -30,8 +31,14 @@ from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
+from pydy.solvers.options import Options, read_options
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.solver import Solver
+from pydy.solvers.tableaus import tableau_of
+
+# The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
+# where these are what is allowed.
+_SEEN = 1e3
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,15 +91,56 @@ class Sensitive:
         n = self.width or len(self.definition.states)
         object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
 
-    def stepped(self, solver: Solver, options: dict[str, Any]) -> dict[str, Any]:
-        """Return options with steps that are short enough for samples.
+    def stepped(
+        self,
+        solver: Solver,
+        options: dict[str, Any],
+        x0: np.ndarray,
+        times: np.ndarray,
+        controlled: bool,
+    ) -> dict[str, Any]:
+        """Return options with steps that are short enough where the states do not tell.
 
-        Samples in a line leave no mark in the motion: the states' error shows no kink there.
+        Samples in a line leave no mark in the motion: the states' error shows no kink there. Nor
+        does it show anything where a motion begins at rest or steadily: what beside it grows or
+        swings is in the sensitivities alone, which may be `controlled` too.
         """
-        spacing = mean_spacing(self.parameters)
-        if spacing is None or not solver.adaptive:
+        if not solver.adaptive:
             return options
-        return {"max_step": spacing, **options}
+        spacing = mean_spacing(self.parameters)
+        longest = np.inf if spacing is None else spacing
+        if not controlled:
+            longest = min(longest, self._unseen(solver, options, x0, times))
+        return options if longest == np.inf else {"max_step": longest, **options}
+
+    def _unseen(
+        self, solver: Solver, options: Mapping[str, Any], x0: np.ndarray, times: np.ndarray
+    ) -> float:
+        """Return how long steps may be where a motion begins so steadily that no error is seen."""
+        model, n, at = self.model, len(x0), times[:1]
+        given = {k: options[k] for k in ("rtol", "atol") if k in options}
+        read = read_options(solver.name, solver.adaptive, given)
+        if any(np.shape(one) not in ((), (n,)) for one in (read.rtol, read.atol)):
+            return float(np.inf)  # which is an error
+        args = at, x0[None], self.plan.rows(x0[None], at), self.p
+        speeds = [self.definition.states.index(u) for u in self.definition.equations.speeds]
+        changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
+        seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
+        if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
+            return float(np.inf)  # the derivatives are not needed
+        slopes = model.compiled_jacobian("rates", "x").evaluate(*args)[0].reshape(n, n)
+        if not np.isfinite(slopes).all():
+            return float(np.inf)
+        found = np.linalg.eigvals(slopes)
+        implicit = solver.name == "radau"  # what dies out needs no short steps
+        fastest = (np.maximum(found.real, np.abs(found.imag)) if implicit else np.abs(found)).max()
+        if not (fastest > 0.0 and (changes <= fastest * seen).all()):
+            return float(np.inf)
+        order = 5 if implicit else tableau_of(solver.name).order
+        # The error of a step of h is (h λ)ᵖ⁺¹ / (p + 1)! of what grows as exp(λ t).
+        allowed = float(np.max(read.rtol)) or Options.rtol
+        share = (allowed * factorial(order + 1)) ** (1.0 / (order + 1))
+        return float(min(share, 1.0) / fastest)
 
     def sized(self, controlled: bool, options: Mapping[str, Any]) -> tuple[Sized, ...] | None:
         """Return the parameters' sizes, where the step control looks at the sensitivities too.
@@ -343,8 +391,9 @@ class Wanted:
         values = sensitive.start(now.x, t) if self.given is None else self.given
         columns = sensitive.columns
         if isinstance(solver, Solver):
-            options = sensitive.stepped(solver, options)
             scales = sensitive.scales(self.controlled, options, now.x)
+            held = scales is not None
+            options = sensitive.stepped(solver, options, now.x, now.times, held)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             compiled = replace(compiled, untimed=self.untimed)
