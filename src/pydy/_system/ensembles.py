@@ -550,6 +550,7 @@ class Ensembles(Setup):
             sensitivities=beside,
             kept=kept,
             motions=motions,
+            columns=source.columns if (source := motions or beside) else (),
         )
         reductions = read_reductions(reduce, model, names.name)
         described = names.attributes if units is None else names.described(units)

@@ -175,6 +175,7 @@ class Model:
     sensitivities: EnsembleSensitivities | None = None
     kept: Kept | None = None  # what motions with constraints are judged by
     motions: Motions | None = None  # in place of `rates` and `outputs`
+    columns: tuple[str, ...] = ()  # what sensitivities are by
 
     @property
     def in_lanes(self) -> bool:
@@ -183,12 +184,6 @@ class Model:
         asks = self.options.events is not None or self.motions is not None
         asks = asks or (beside is not None and (held or beside.sized is not None))
         return self.method != "radau" and not self.functions and not asks
-
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """What sensitivities are by."""
-        beside = self.motions or self.sensitivities
-        return () if beside is None else beside.columns
 
     @property
     def event_names(self) -> tuple[str, ...]:
