@@ -120,7 +120,7 @@ def test_a_sample_of_an_ensemble_that_is_off_is_named():
     q2 = system.coordinates[1]
     start = system.initial_conditions[q2]
     angles = {q2: [start, start + 1e-9, start + 0.1, start + 0.2]}
-    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 2 do not satisfy"):
+    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 3 do not satisfy"):
         system.integrate_ensemble(initial_conditions=angles)
     angles = {q2: [start, start + 1e-9]}
     system.integrate_ensemble(initial_conditions=angles)

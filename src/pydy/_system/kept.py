@@ -164,7 +164,10 @@ def check_samples(
     shape: tuple[int, ...],
     mended: bool,
 ) -> None:
-    """Warn of a sample of an ensemble that is off the constraints, of 64, or of the worst."""
+    """Warn of a sample of an ensemble that is off the constraints, of the worst.
+
+    Constraints that were left out, and rates that contradict others, are looked at for 64.
+    """
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
 
@@ -186,14 +189,17 @@ def check_samples(
                 return True
         return False
 
-    if not told(np.arange(total)):
-        for start in range(0, total, _TOGETHER):
-            numbers = np.arange(start, min(start + _TOGETHER, total))
-            residuals, sizes = evaluated_rows(some(numbers), "sizes")
-            shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
-            off = np.flatnonzero(shares > DIGITS)
-            if told(numbers[off[np.argsort(-shares[off], kind="stable")[:TRIED]]]):
-                return
+    for start in range(0, total, _TOGETHER):
+        numbers = np.arange(start, min(start + _TOGETHER, total))
+        looked_at = some(numbers)
+        residuals, sizes = evaluated_rows(looked_at, "sizes")
+        shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
+        off = np.flatnonzero(shares > DIGITS)
+        if told(numbers[off[np.argsort(-shares[off], kind="stable")[:TRIED]]]):
+            return
+    equations = looked_at.definition.equations
+    if equations.unimplied or any(equations.left_out):
+        told(np.arange(total))
 
 
 # -- Velocity constraints that do not keep the holonomic ones --------------------------------------
