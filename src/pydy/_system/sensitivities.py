@@ -123,7 +123,9 @@ class Sensitive:
         if any(np.shape(one) not in ((), (n,)) for one in (read.rtol, read.atol)):
             return float(np.inf)  # which is an error
         args = at, x0[None], self.plan.rows(x0[None], at), self.p
-        speeds = [self.definition.states.index(u) for u in self.definition.equations.speeds]
+        equations = self.definition.equations
+        first = len(equations.coordinates)
+        speeds = slice(first, first + len(equations.speeds))
         changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
         seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
         if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
