@@ -133,3 +133,31 @@ def test_a_repeated_call_takes_a_short_path(make, functions, files):
     path = Route(call)
     assert len(path.entered) <= functions, str(path)
     assert len(path.files) <= files, str(path)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda system: system.integrate(),
+        lambda system: system.simulate(sensitivities=["l"]),
+        lambda system: system.adjoint_gradient(["l"], final=system.states[0]),
+        lambda system: system.integrate_ensemble(constants={"l": [1.0, 1.1]}),
+    ],
+)
+def test_a_repeated_call_compares_no_symbols(call):
+    """SymPy's comparisons are dear, and searches for a symbol make as many as there are states."""
+    system, compared = pendulum(), Counter()
+    for _ in range(3):
+        call(system)
+
+    def note(frame, event, argument):
+        code = frame.f_code
+        if event == "call" and code.co_name == "__eq__" and "sympy" in code.co_filename:
+            compared[code.co_qualname] += 1
+
+    sys.setprofile(note)
+    try:
+        call(system)
+    finally:
+        sys.setprofile(None)
+    assert not compared
