@@ -24,6 +24,7 @@ PATIENCE = 120.0  # seconds on a busy machine, where 0.1 are meant
 
 # The first of four samples ends at once, the others would take hours.
 SCRIPT = """
+    import gc
     import signal
     import sys
     import threading
@@ -38,6 +39,7 @@ SCRIPT = """
     from pydy.solvers import Event
 
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    gc.disable()  # see `uncollected`
     write = store.write
 
 
