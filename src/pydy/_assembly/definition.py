@@ -45,6 +45,12 @@ class Definition:
         return (*self.equations.coordinates, *self.equations.speeds, *self.auxiliaries)
 
     @cached_property
+    def rates_of_specifieds(self) -> tuple[int | None, ...]:
+        """The place of each specified's derivative by time among them, None where it is none."""
+        places = {symbol: k for k, symbol in enumerate(self.specifieds)}
+        return tuple(places.get(symbol.diff(self.equations.time)) for symbol in self.specifieds)
+
+    @cached_property
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)

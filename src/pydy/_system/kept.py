@@ -235,21 +235,21 @@ def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | Non
     return [n if others.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
 
 
-def rates_of_inputs(definition: Definition, plan: SpecifiedsPlan) -> dict[int, int | None]:
-    """Return specifieds whose rates are known, with the places of these, None for zero.
+def slopes_of(definition: Definition, plan: SpecifiedsPlan) -> Slopes:
+    """Return the slopes where inputs are as planned.
 
     Samples are interpolated each for itself: their rates are not those of their derivatives.
     """
     sampled, functions = (
         {k for part in parts for k in part[0].tolist()} for parts in (plan.sampled, plan.functions)
     )
-    places = {s: k for k, s in enumerate(definition.specifieds)}
-    found: dict[int, int | None] = {}
-    for s, k in places.items():
-        rate = places.get(s.diff(definition.equations.time))
-        if not {k, rate} & sampled and (rate is not None or k not in functions):
-            found[k] = rate
-    return found
+    return Slopes(
+        tuple(
+            (k, rate)
+            for k, rate in enumerate(definition.rates_of_specifieds)
+            if not {k, rate} & sampled and (rate is not None or k not in functions)
+        )
+    )
 
 
 def rates(assembly: Assembly) -> dict[str, list[int]]:
@@ -396,7 +396,7 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 
 
 def part_of(
-    now: Snapshot, plan: SpecifiedsPlan, name: str
+    now: Snapshot, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return what makes a part of `kept.Part` of an Assembly, or None where there is none."""
     if name == "contradictions" and not now.definition.equations.unimplied:
@@ -404,7 +404,7 @@ def part_of(
     if name in PARTS:
         return PARTS[name]
     if name == "slopes":
-        return Slopes(tuple(rates_of_inputs(now.definition, plan).items()))
+        return slopes
     made = now.energies, now.driven.layout
     return EnergyPart(*made) if name == "energy" else Moving(*made)
 
@@ -427,7 +427,7 @@ class Motion:
 
     def part(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
         """Return values along the motion; see `kept.Part`."""
-        made = part_of(self.now, self.now.plan, name)
+        made = part_of(self.now, slopes_of(self.now.definition, self.now.plan), name)
         return {} if made is None else self.now.at(t, x).values(made)
 
     @property
@@ -491,10 +491,11 @@ def check_kept(motion: Motion) -> None:
 
 def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> KeptPrograms:
     """Return the parts as Programs, those that the latest ensemble of a model made."""
+    slopes = slopes_of(now.definition, plan)
     energies, by, found = model.latest.get("kept", (None, None, None))
-    if energies is not now.energies or by is not plan:
-        found = KeptPrograms(now, model, plan)
-        model.latest["kept"] = now.energies, plan, found
+    if energies is not now.energies or by != slopes:
+        found = KeptPrograms(now, model, slopes)
+        model.latest["kept"] = now.energies, slopes, found
     made: KeptPrograms = found
     return made
 
@@ -502,8 +503,8 @@ def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> 
 class KeptPrograms:
     """The parts of `kept.Part` as Programs; those that travel to other processes take all along."""
 
-    def __init__(self, now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> None:
-        self._now, self._model, self._plan = now, model, plan
+    def __init__(self, now: Snapshot, model: CompiledModel, slopes: Slopes) -> None:
+        self._now, self._model, self._slopes = now, model, slopes
         self._made: dict[str, Program | None] = {}
         self._lock = _forks.Lock()
 
@@ -518,7 +519,7 @@ class KeptPrograms:
         own = self._model.assembly.fork()
         if name == "screen":
             return own.lowered({**sized(own), **products(own)})
-        made = part_of(self._now, self._plan, name)
+        made = part_of(self._now, self._slopes, name)
         parts = made(own) if made else {}
         return own.lowered(parts, as_is=True) if parts else None
 
@@ -544,7 +545,11 @@ def products(assembly: Assembly) -> dict[str, list[int]]:
 
 @dataclass(frozen=True)
 class Slopes:
-    """'slopes' of `kept.Part`; the `inputs` are those of `rates_of_inputs`."""
+    """'slopes' of `kept.Part`.
+
+    The `inputs` are the places of specifieds whose rates are known, with those of the rates, or
+    None where they are zero.
+    """
 
     inputs: tuple[tuple[int, int | None], ...]
 

@@ -107,8 +107,8 @@ def compile_events(
 
     resetting = tuple(bool(event.reset) for event in events)
     turns = tuple(isinstance(event, Turn) for event in events)
-    looked_for = tuple(expressions[k - turn] for k, turn in enumerate(turns))
-    far = event_reach(model.assembly, looked_for)
+    looked_for = [k - turn for k, turn in enumerate(turns)]
+    far = event_reach(assembly, [nodes[k] for k in looked_for])
     key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
     return CompiledEvents(
         names=tuple(event.name for event in events),
@@ -122,7 +122,9 @@ def compile_events(
             lambda: event_rates_program(model.assembly, expressions, bounds=True),
         ),
         turns=turns,
-        reach=None if far is None else model.compiled_by(("reach", *looked_for), far),
+        reach=None
+        if far is None
+        else model.compiled_by(("reach", *(expressions[k] for k in looked_for)), far),
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
@@ -149,22 +151,20 @@ def event_rates_program(
     return own.lowered({"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
 
 
-def event_reach(assembly: Assembly, expressions: Sequence[Any]) -> Callable[[], Program] | None:
+def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Program] | None:
     """Return what makes the Program of events and of how far they may come from there in a step.
 
     How far each state may, and the time, stands in r after the specifieds. It is None where that
     bounds not every event.
     """
-    own = assembly.fork()
-    graph, (n, s, k) = own.graph, own.sizes
-    nodes = own.read(expressions, "the events")
+    graph, (n, s, k) = assembly.graph, assembly.sizes
     inputs = [*(graph.input("x", i) for i in range(n)), graph.input("t", 0)]
     bounds = reach(graph, nodes, {x: graph.input("r", s + i) for i, x in enumerate(inputs)})
     known = [bound for bound in bounds if bound is not None]
     if len(known) < len(bounds):
         return None
     parts, sizes = {"values": nodes, "reach": known}, (n, s + n + 1, k)
-    return lambda: own.lowered(parts, sizes=sizes, as_is=True)
+    return lambda: assembly.lowered(parts, sizes=sizes, as_is=True)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
