@@ -83,3 +83,17 @@ def block(tilt=0):
         {g: 9.81}, ode_solver="dop853",
     )  # fmt: skip
     return system, P
+
+
+def pulled(pull, start, constants, value=0.3, **friction):
+    """A particle on a floor in space, under a pull along it."""
+    z, vz = me.dynamicsymbols("z v_z")
+    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
+    P.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
+    load = pull[0] * N.x + pull[1] * N.y - m * g * N.z
+    system = System(
+        Definition(N, [x, y, z], [vx, vy, vz], bodies=[me.Particle("b", P, m)], loads=[(P, load)]),
+        {g: 10.0, **constants}, {}, "dop853", start, [0.0, 3.0],
+    )  # fmt: skip
+    stick = Stick(P, on=Unilateral(z, name="floor"), along=(N.x, N.y), mu=mu, **friction)
+    return Contacts(system, [stick], {mu: value})

@@ -29,6 +29,7 @@ from touching import (
     k,
     m,
     mu,
+    pulled,
     r,
     slope,
     vx,
@@ -145,20 +146,6 @@ def rolls():
     )  # fmt: skip
     roll = Roll(body, r, on=O, normal=N.y, along=N.x, mu=mu, name="table")
     return Contacts(system, [roll], {mu: 0.2, r: 0.1})
-
-
-def pulled(pull, start, constants, value=0.3, **friction):
-    """A particle on a floor in space, under a pull along it."""
-    z, vz = me.dynamicsymbols("z v_z")
-    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
-    P.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
-    load = pull[0] * N.x + pull[1] * N.y - m * g * N.z
-    system = System(
-        Definition(N, [x, y, z], [vx, vy, vz], bodies=[me.Particle("b", P, m)], loads=[(P, load)]),
-        {g: 10.0, **constants}, {}, "dop853", start, [0.0, 3.0],
-    )  # fmt: skip
-    stick = Stick(P, on=Unilateral(z, name="floor"), along=(N.x, N.y), mu=mu, **friction)
-    return Contacts(system, [stick], {mu: value})
 
 
 CASES = {

@@ -26,6 +26,7 @@ from touching import (
     k,
     m,
     mu,
+    pulled,
     r,
     vx,
     vy,
@@ -205,20 +206,6 @@ def test_a_particle_that_is_thrown_on_the_ice_and_slides_to_a_stop():
     contacts = Contacts(system, [Stick(P, on=ice, mu=mu, along=(N.x, N.y))], {mu: 0.25})
     exact = compared(contacts, [mu, g, z, vx, vy], ["x", "y", "v_x"], **TIGHT)
     assert [event.name for event in exact.events] == ["ice closes", "ice stops"]
-
-
-def pulled(pull, start, constants, value=0.3, **friction):
-    """A particle on a floor in space, under a pull along it."""
-    z, vz = me.dynamicsymbols("z v_z")
-    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
-    P.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
-    load = pull[0] * N.x + pull[1] * N.y - m * g * N.z
-    system = System(
-        Definition(N, [x, y, z], [vx, vy, vz], bodies=[me.Particle("b", P, m)], loads=[(P, load)]),
-        {g: 10.0, **constants}, {}, "dop853", start, [0.0, 3.0],
-    )  # fmt: skip
-    stick = Stick(P, on=Unilateral(z, name="floor"), along=(N.x, N.y), mu=mu, **friction)
-    return Contacts(system, [stick], {mu: value})
 
 
 @pytest.mark.in_parts
