@@ -6,6 +6,7 @@ This is the last thing that knows SymPy's mechanics package.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -78,20 +79,33 @@ class Mechanism:
 
     def components(self, vector: Any, frame: ReferenceFrame) -> Any:
         """Return the column matrix of a vector's components in a frame."""
-        column = sm.zeros(3, 1)
+        rows: tuple[list[Any], ...] = ([], [], [])
         for part, own in vector.args:
-            column += part if own == frame else self._rotation(frame, own) * part
-        return column
+            if own == frame:
+                parts = part
+            else:
+                turn = self._rotation(frame, own)
+                parts = [_sum_of_products(turn[k, :], part) for k in range(3)]
+            for row, entry in zip(rows, parts, strict=True):
+                row.append(entry)
+        return sm.Matrix([sm.Add(*row) for row in rows])
 
     def dot(self, a: Any, b: Any) -> Any:
         """Return the scalar product; `b` has its parts in few frames."""
-        return sum((self.components(a, frame).T * part)[0] for part, frame in b.args)
+        return sm.Add(
+            *(_sum_of_products(self.components(a, frame), part) for part, frame in b.args)
+        )
 
     def _rotation(self, to: ReferenceFrame, own: ReferenceFrame) -> Any:
         key = (to, own)
         if key not in self._rotations:
             self._rotations[key] = to.dcm(own)
         return self._rotations[key]
+
+
+def _sum_of_products(a: Iterable[Any], b: Iterable[Any]) -> Any:
+    """Multiply two vectors of three; SymPy's matrices spend more on what they are made of."""
+    return sm.Add(*(x * y for x, y in zip(a, b, strict=True) if x != 0 and y != 0))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -193,8 +193,8 @@ def blocks_of(
     residuals: Sequence[Any], unknowns: Sequence[Any]
 ) -> list[tuple[list[int], list[int]]]:
     """Return the places of residuals and of what they give, in blocks that follow from others."""
-    if len(residuals) == 1:
-        return [([0], [0])]
+    if len(residuals) <= 1:
+        return [([k], [k]) for k, _ in enumerate(residuals)]
     from scipy.sparse import csr_array  # which other models do without
     from scipy.sparse.csgraph import maximum_bipartite_matching
 
