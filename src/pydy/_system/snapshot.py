@@ -79,8 +79,9 @@ class At:
 
     def with_unknowns(self, given: Any, rows: Callable[..., np.ndarray]) -> Self:
         """Return the same with what residuals give, unless a whole state is `given`."""
-        whole = not (given is None or isinstance(given, Mapping))
-        if whole or self.definition.equations.implicit is None:
+        if self.definition.equations.implicit is None:
+            return self
+        if not (given is None or isinstance(given, Mapping)):
             return self
         x = np.array([solved_residuals(self.some([k])) for k in range(len(self.x))])
         return replace(self, x=x, r=rows(x, self.t))
@@ -235,6 +236,8 @@ class Snapshot:
 
     def x_with(self, x: Any, argument: str = "x") -> Any:
         """Return states; a dictionary gives some of the initial conditions instead."""
+        if type(x) is np.ndarray:
+            return x
         if isinstance(x, Mapping):
             return self.definition.places["states"].read(argument, x, self.x)
         self.definition.places["states"].check_order(x, argument)
