@@ -28,20 +28,20 @@ def _field(thing: Any, offset: int, kind: Any) -> Any:
 
 
 def _found(array: np.ndarray) -> tuple[Any, ...]:
-    """Return what lies at the offsets, except the shape."""
+    """Read an array's fields, except the shape, at the assumed offsets."""
     word, whole = ctypes.c_size_t, ctypes.c_int32
     kinds = ((KIND, word), (DATA, word), (NDIM, whole), (DESCR, word), (FLAGS, whole))
     return tuple(_field(array, offset, kind) for offset, kind in kinds)
 
 
 def _told(array: np.ndarray) -> tuple[Any, ...]:
-    """Return the same as NumPy tells it."""
+    """Read the same fields through NumPy."""
     data = array.__array_interface__["data"][0]
     return id(type(array)), data, array.ndim, id(array.dtype), array.flags.num
 
 
 def fits() -> bool:
-    """Tell whether arrays and floats of this process are laid out as compiled code takes them."""
+    """Return whether arrays and floats here have the layout that compiled code assumes."""
     if sys.implementation.name != "cpython" or ctypes.sizeof(ctypes.c_void_p) != 8:
         return False
     if np.ndarray.__basicsize__ < FLAGS + 4 or float.__basicsize__ < FLOAT + 8:
@@ -65,7 +65,7 @@ FITS = fits()
 
 
 def address(array: np.ndarray) -> int:
-    """Return where an array's numbers lie: `ndarray.ctypes`, seven times as fast where it fits."""
+    """Return the address of an array's data, seven times as fast as by `ndarray.ctypes`."""
     return _word_at(id(array) + DATA).value if FITS else int(array.ctypes.data)
 
 

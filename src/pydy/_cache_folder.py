@@ -45,7 +45,7 @@ _stored: dict[Path, int] = {}  # bytes by this process since it looked for what 
 
 
 def _reason(status: os.stat_result, parent: bool = False) -> str | None:
-    """Return how somebody else can change what has this status, or None."""
+    """Return how another user could change a file or folder with this status, or None."""
     if not hasattr(os, "geteuid"):
         return None
     # The administrator can do anything anyway, and owns most parents.
@@ -79,7 +79,7 @@ def _is_private(group: int, user_id: int) -> bool:
 
 
 def unsafe(place: Path) -> str | None:
-    """Return which folder on the way to `place` somebody else can change, and how, or None.
+    """Return the first folder above `place` that another user could change, and how, or None.
 
     The place has no symbolic links; what does not exist yet is safe.
     """
@@ -109,7 +109,7 @@ def _warn_once(trouble: str, remedy: str) -> None:
 
 
 def folder() -> Path | None:
-    """Return where entries lie, or None when the cache is turned off or not safe to use.
+    """Return the cache's folder, or None when the cache is turned off or not safe to use.
 
     Warns
     -----
@@ -141,7 +141,7 @@ def folder() -> Path | None:
 
 
 def _make(place: Path) -> None:
-    """Make a folder and those above it, for the user alone."""
+    """Make a folder and its parents, accessible to this user only."""
     if not place.is_dir():
         _make(place.parent)
         with contextlib.suppress(FileExistsError):
@@ -149,7 +149,7 @@ def _make(place: Path) -> None:
 
 
 def _head(key: str, content: bytes) -> bytes:
-    """Return what precedes the content: an entry under another entry's name is foreign too."""
+    """Return an entry's header, which contains its name: a renamed entry is not accepted."""
     return _MAGIC + hashlib.sha256(key.encode() + content).digest()
 
 
@@ -158,7 +158,7 @@ _OPEN = os.O_RDONLY | sum(getattr(os, n, 0) for n in ("O_NOFOLLOW", "O_NONBLOCK"
 
 
 def _own_file(path: Path) -> bytes | None:
-    """Return what a file of this user's holds, or None."""
+    """Return the content of a file if this user owns it, else None."""
     try:
         with open(path, "rb", opener=lambda path, _: os.open(path, _OPEN)) as file:
             status = os.fstat(file.fileno())

@@ -30,7 +30,7 @@ def describe(symbols: Sequence[Any]) -> str:
 def listed(
     argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
-    """Return what must be a sequence of symbols as a list; entries may have to be hashable."""
+    """Check that an argument is a sequence of symbols and return it as a list."""
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
@@ -49,7 +49,7 @@ def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[An
 
 
 def resolved(argument: str, keys: Iterable[Any], symbols: Iterable[Any], what: str) -> list[Any]:
-    """Return symbols, with names replaced by the one of some symbols that has each."""
+    """Replace each name in a list by the symbol that has it."""
     keys = list(keys)
     if not any(isinstance(key, str) for key in keys):
         return keys
@@ -80,7 +80,7 @@ def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
 
 
 def number(value: Any, what: str, *, finite: bool = False) -> float:
-    """Return a value as a float, or say what it was instead."""
+    """Return a value as a float, or raise an error that shows it."""
     _refuse_masked(value, what)
     try:
         array = np.asarray(value)
@@ -98,7 +98,7 @@ def number(value: Any, what: str, *, finite: bool = False) -> float:
 
 
 def real_array(value: Any, what: str) -> np.ndarray:
-    """Return a value as a C-contiguous float array; NumPy would read text, None and masks."""
+    """Return a value as a C-contiguous float array; text, None and masks are refused."""
     if type(value) is not np.ndarray:
         _refuse_masked(value, what)
     try:
@@ -128,7 +128,7 @@ def vector(value: Any, size: int, what: str) -> np.ndarray:
 
 
 def ascending(value: Any, what: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
-    """Return finite numbers that do not descend, or say which one does."""
+    """Return finite numbers in ascending order, or name the first one that descends."""
     array = real_array(value, what)
     if array.ndim != 1:
         raise ValueError(f"{what} must be one-dimensional, got the shape {array.shape}.")
@@ -156,7 +156,7 @@ def _as_float(value: Any) -> float:
 
 
 def _refuse_masked(value: Any, what: str) -> None:
-    """Refuse masked entries, under which any number may lie."""
+    """Refuse arrays with masked entries: the numbers under a mask are arbitrary."""
     if isinstance(value, (list, tuple)):
         if not {*map(type, value)} <= _PLAIN:
             for entry in value:
@@ -170,7 +170,7 @@ def _refuse_masked(value: Any, what: str) -> None:
 
 
 def whole(value: Any, what: str, least: int = 1) -> int:
-    """Return a whole number from some number on, or say what it was instead."""
+    """Return a whole number not below a minimum, or raise an error that shows the value."""
     result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, what)
     if not result >= least or result != np.floor(result) or np.isinf(result):
         raise ValueError(f"{what} must be a whole number from {least} on, got {shown(value)}.")
@@ -178,14 +178,14 @@ def whole(value: Any, what: str, least: int = 1) -> int:
 
 
 def flag(value: Any, what: str) -> bool:
-    """Return True or False, for which 0, 1 and NumPy's stand, or say what it was instead."""
+    """Return True or False, also given as 0, 1 or NumPy's booleans, or raise an error."""
     if isinstance(value, (bool, np.bool_)) or (type(value) is int and value in (0, 1)):
         return bool(value)
     raise TypeError(f"{what} must be True or False, got {shown(value)}.")
 
 
 def choice(value: Any, options: Iterable[Any], what: str) -> Any:
-    """Return the one of some options that a value is, or say what it was instead."""
+    """Check that a value is one of some options, or raise an error that lists them."""
     options = tuple(options)
     for option in options:
         alike = isinstance(value, type(option)) and not isinstance(value, bool)
@@ -195,7 +195,7 @@ def choice(value: Any, options: Iterable[Any], what: str) -> Any:
 
 
 def text(value: Any, what: str) -> str:
-    """Return a string, or say what it was instead."""
+    """Return a string, or raise an error that shows the value."""
     if not isinstance(value, str):
         raise TypeError(f"{what} must be a string, got {shown(value)}.")
     return value
@@ -206,7 +206,7 @@ Check = Callable[[Any, str], Any]
 
 
 def checked(table: Mapping[str, Check], given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return options as their checks return them; those without a check as they are."""
+    """Apply each option's check; leave options without a check as they are."""
     return {
         name: table[name](value, f"`{name}`") if name in table else value
         for name, value in given.items()
@@ -214,7 +214,7 @@ def checked(table: Mapping[str, Check], given: Mapping[str, Any]) -> dict[str, A
 
 
 def one_of(*options: Any) -> Check:
-    """Return the check that a value is one of some options."""
+    """Return a check for `choice` among these options."""
     return lambda value, what: choice(value, options, what)
 
 
@@ -224,7 +224,7 @@ def optional(check: Check) -> Check:
 
 
 def positive(value: Any, what: str, *, zero: bool = False, finite: bool = False) -> float:
-    """Return a number above zero, or zero itself where that may be, or say what it was instead."""
+    """Return a positive number, or zero where that is allowed, or raise an error."""
     result = number(value, what, finite=finite)
     if not (result > 0.0 or (zero and result == 0.0)):
         raise ValueError(f"{what} must be {'zero or ' * zero}positive, got {result!r}.")
@@ -232,7 +232,7 @@ def positive(value: Any, what: str, *, zero: bool = False, finite: bool = False)
 
 
 def path_of(value: Any, what: str) -> Path:
-    """Return a path, or say what it was instead."""
+    """Return a path, or raise an error that shows the value."""
     if not isinstance(value, (str, PathLike)) or "\0" in os.fsdecode(value):
         raise TypeError(f"{what} must be a path, got {shown(value)}.")
     try:
@@ -280,7 +280,7 @@ class Keyed(UserDict[Any, Any]):
         self.data = data
 
     def _own(self, key: Any) -> Any:
-        """Return the key that is there already, or this one."""
+        """Return the equivalent key that the dictionary already has, or this one."""
         if key in self.data:
             return key
         spelled = _spellings(key)
@@ -314,14 +314,14 @@ class Keyed(UserDict[Any, Any]):
 
 
 def _spellings(key: Any) -> set[str]:
-    """Return the names that stand for a key: ``q`` and ``q(t)`` for either of them; no Dummy's."""
+    """Return the names that mean a key: ``q`` and ``q(t)`` for either of them; a Dummy has none."""
     if hasattr(key, "dummy_index"):
         return set()
     return {name_of(key), str(key), str(key).removesuffix("(t)")}
 
 
 def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
-    """Refuse symbols, as keys were read, of which one is there twice."""
+    """Refuse a dictionary whose keys mean the same symbol twice."""
     seen: set[Any] = set()
     for symbol in symbols:
         if symbol in seen:
@@ -333,7 +333,7 @@ def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
 
 
 class Places:
-    """Where symbols lie in an array, themselves or by a name that no other has; `what` they are."""
+    """Positions of symbols in an array, by symbol or unambiguous name; `what` describes them."""
 
     def __init__(self, symbols: Sequence[Any], what: str) -> None:
         self.symbols = tuple(symbols)
@@ -359,7 +359,7 @@ class Places:
         return named
 
     def get(self, key: Any, argument: str) -> int | None:
-        """Return the place of a symbol or name, or None; a name of several is refused."""
+        """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
             place = self._place.get(key)
         except TypeError:  # a list, or an array
@@ -376,21 +376,21 @@ class Places:
         return place
 
     def unknown(self, values: Mapping[Any, Any], argument: str) -> list[Any]:
-        """Return the keys of a dictionary that stand for none of the symbols."""
+        """Return the keys of a dictionary that mean none of the symbols."""
         if [*values] in (self._known[0], self._some[0]) or values.keys() <= self._place.keys():
             return []
         # A copy: another thread may add to the dictionary.
         return [key for key in [*values] if self.get(key, argument) is None]
 
     def meaning(self, key: Any, argument: str) -> Any:
-        """Return the symbol that a key stands for, or those in a tuple; other keys as they are."""
+        """Return the symbol or tuple of symbols that a key means; leave other keys alone."""
         if isinstance(key, (tuple, list)):
             return tuple(self.meaning(k, argument) for k in key)
         place = self.get(key, argument)
         return key if place is None else self.symbols[place]
 
     def find(self, key: Any, argument: str) -> int:
-        """Return the place of a symbol or name; the error tells symbols of the same name."""
+        """Return the position of a symbol or name; errors tell apart symbols of one name."""
         place = self.get(key, argument)
         if place is None:
             raise ValueError(
@@ -400,7 +400,7 @@ class Places:
         return place
 
     def meant(self, key: Any) -> str:
-        """Return a sentence, after a space, about symbols that a key is like, or nothing."""
+        """Return a sentence, after a space, that suggests symbols similar to a key, or ''."""
         if isinstance(key, str):
             close = nearest(key, sorted(map(name_of, self.symbols)), or_all=False)
             return f" {key!r} is a str, the name of a symbol. {close}" if close else ""
@@ -414,20 +414,20 @@ class Places:
         )
 
     def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
-        """Return the places of some symbols or names, none of which may occur twice."""
+        """Return the positions of some symbols or names, none of which may occur twice."""
         places = [self.find(key, argument) for key in keys]
         if len({*places}) < len(places):
             refuse_twice(map(self.symbols.__getitem__, places), argument)
         return np.array(places, dtype=np.int64)
 
     def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
-        """Return the symbols that keys stand for, none of which may occur twice."""
+        """Return the symbols that keys mean, none of which may occur twice."""
         return [self.symbols[k] for k in self.columns(keys, argument)]
 
     def by_symbol(
         self, values: Mapping[Any, Any], argument: str, *, others: bool = False
     ) -> dict[Any, Any]:
-        """Return a dictionary with symbols for keys, each once; `others` may be kept."""
+        """Return a dictionary keyed by symbols, each once; other keys stay if `others` is true."""
         if not others:
             return dict(zip(self.chosen(values, argument), values.values(), strict=True))
         keys = [self.meaning(key, argument) for key in values]
@@ -435,7 +435,7 @@ class Places:
         return dict(zip(keys, values.values(), strict=True))
 
     def check_order(self, table: Any, argument: str) -> None:
-        """Refuse a table whose labels are the symbols in another order: it is read by place."""
+        """Refuse a table with labels in another order than the symbols: it is read by position."""
         if isinstance(table, (np.ndarray, list, tuple)):
             return
         if dims := getattr(table, "dims", None):  # of xarray
@@ -452,7 +452,7 @@ class Places:
         )
 
     def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
-        """Return (symbols, places, whether it is a tuple) for each key of a dictionary."""
+        """Return (symbols, positions, whether the key is a tuple) for each key of a dictionary."""
         keys = [*values]
         known, groups = self._groups
         if keys != known:
@@ -472,7 +472,7 @@ class Places:
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
     ) -> np.ndarray:
-        """Return a dictionary's numbers in order; others have those of `base`, if any."""
+        """Return a dictionary's numbers in the symbols' order; `base` has the missing ones."""
         keys = [*values]
         known, columns = self._some
         if keys != known:
@@ -499,7 +499,7 @@ class Places:
         return result
 
     def plain(self, values: Mapping[Any, Any], *, finite: bool = False) -> np.ndarray | None:
-        """Return the numbers of a dictionary that gives all symbols plain ones, else None."""
+        """Return the numbers if a dictionary has a plain one for every symbol, else None."""
         keys, numbers = [*values], [*values.values()]
         known, reorder = self._known
         if keys != known:

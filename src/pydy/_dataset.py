@@ -27,7 +27,7 @@ ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 @dataclass
 class Parts:
-    """What a dataset holds."""
+    """The columns, labels and events of a dataset."""
 
     times: np.ndarray  # (m,)
     # names and values, by role
@@ -138,7 +138,7 @@ def write_netcdf(
 
 
 def _checksum(dataset: Any) -> str:
-    """Return a checksum of all that is in a Dataset: NetCDF 3 has none of its own."""
+    """Return a checksum of a Dataset's variables and attributes: NetCDF 3 has none of its own."""
     parts: list[Any] = [sorted(dataset.attrs.items())]
     for name, variable in sorted(dataset.variables.items()):
         values = np.asarray(variable)

@@ -31,9 +31,9 @@ def warn_user(message: str) -> None:
 def warn_not_finite(
     wrong: np.ndarray, names: Sequence[str], place: Callable[[int], tuple[str, str | None]]
 ) -> None:
-    """Warn of values with `names` that are `wrong`, (m, o), though what they follow from is not.
+    """Warn of named values that are not finite (`wrong`, (m, o)) although their inputs are.
 
-    The `place` of a sample is where it is, in words, and what is singular there, if that is known.
+    The `place` of a sample describes its position, and the singularity there if that is known.
     """
     bad = np.flatnonzero(wrong.any(axis=1))
     if bad.size:
@@ -45,7 +45,7 @@ def warn_not_finite(
 
 
 def note_finished(error: MemoryError, what: str, **finished: object) -> None:
-    """Let an error hold what was finished before it, as attributes that a note names."""
+    """Attach finished results to an error as attributes, which a note names."""
     vars(error).update(finished)
     error.add_note(f"{what} in the attributes of this error: {', '.join(finished)}.")
 
@@ -53,7 +53,7 @@ def note_finished(error: MemoryError, what: str, **finished: object) -> None:
 def finished_before(
     stop: BaseException, finished: str, message: str, results: object
 ) -> BaseException:
-    """Return what to raise where Ctrl-C or the end of memory stopped an analysis.
+    """Return the error to raise when Ctrl-C or lack of memory stopped an analysis.
 
     An `AnalysisInterrupted` with its message, or the MemoryError, which notes what is `finished`.
     """
@@ -64,7 +64,7 @@ def finished_before(
 
 
 class _Pickled(BaseException):
-    """An exception that is pickled as what it was made of: its message, then its attributes."""
+    """An exception that pickles as its message and attributes."""
 
     def __reduce__(self) -> tuple[object, ...]:
         _, *names = signature(type(self)).parameters
@@ -155,7 +155,7 @@ class IntegrationInterrupted(_Partial, KeyboardInterrupt):
 
 
 class _Interrupted(_Pickled, KeyboardInterrupt):
-    """The user interrupted something. What there was by then is in `results`."""
+    """Base class of interrupts by the user; `results` holds the results so far."""
 
     def __init__(self, message: str, results: object) -> None:
         super().__init__(message)

@@ -14,7 +14,7 @@ from typing import Any
 
 @contextlib.contextmanager
 def replacing(*paths: Path) -> Iterator[list[Path]]:
-    """Yield where to write each file: in a folder beside it, from which all move at the end.
+    """Yield temporary paths for files, which replace the files together at the end.
 
     A full disk, an error or Ctrl-C leaves what was there before. A folder of its own keeps the
     file's name and suffix, which writers read, and its usual permissions. Devices and pipes are
@@ -42,9 +42,9 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
 
 @contextlib.contextmanager
 def temporary_folder(start: Path) -> Iterator[Path]:
-    """Yield a new folder whose path begins like that; it is removed in the end.
+    """Yield a new folder whose path has the given prefix, and remove it at the end.
 
-    Its name is known before it is there, and an interrupt while it is removed is heeded afterwards:
+    Its name is chosen before it exists, and interrupts are delayed while it is removed:
     `tempfile.TemporaryDirectory` leaves it behind in both cases.
     """
     folder = start.with_name(f"{start.name}{secrets.token_hex(8)}")
@@ -61,7 +61,7 @@ def temporary_folder(start: Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def folder_beside(target: Path) -> Iterator[Path]:
-    """Yield a temporary folder beside a file, of which errors do not speak: they name the file."""
+    """Yield a temporary folder beside a file; errors about the folder name the file instead."""
     start = target.parent / ".pydy-"
     try:
         with temporary_folder(start) as folder:

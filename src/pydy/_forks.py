@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 class Lock:
-    """A lock that a forked child finds open; the thread that holds it may take it again.
+    """A reentrant lock that is open in a forked child.
 
     Nothing keeps a list of all locks: where such a list is told of a lock that goes, Python loses
     what a signal handler raises at that moment.
@@ -43,7 +43,7 @@ class Lock:
 
 
 def once(function: Callable[..., T]) -> Callable[..., T]:
-    """Cache a function's results: there is one for all threads.
+    """Cache a function's results, each computed once for all threads.
 
     `functools.cache` lets each thread that comes first make one and keeps the last of them. Machine
     code is handed on by its address, so that the others would go while they are in use.
@@ -68,7 +68,7 @@ whole = threading.RLock()
 
 
 class cached_property(Generic[T]):  # noqa: N801 - as functools has it
-    """A property that is computed once; a thread that comes meanwhile computes it again.
+    """A property that is cached without a lock: concurrent threads may compute it twice.
 
     Before Python 3.12 that of functools holds a lock, the same for all objects of a class.
     """
@@ -92,7 +92,7 @@ _children: list[Callable[[], None]] = []
 
 
 def in_child(function: Callable[[], None]) -> Callable[[], None]:
-    """Have a function called in each forked child, before anything else."""
+    """Register a function to be called first in each forked child."""
     _children.append(function)
     return function
 

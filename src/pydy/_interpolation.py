@@ -11,7 +11,7 @@ from pydy._checks import ascending, real_array
 
 
 class Model(Protocol):
-    """What a trajectory may ask of the model it comes from, at times (m,) and states (m, n)."""
+    """The interface of a trajectory's model, evaluated at times (m,) and states (m, n)."""
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return x', shape (m, n)."""
@@ -30,7 +30,7 @@ class Model(Protocol):
 
 
 class SensitivityModel(Protocol):
-    """What sensitivities may ask of the model they come from.
+    """The interface of the model of a trajectory's sensitivities.
 
     At times (m,), states (m, n) and sensitivities of the states (m, n, k).
     """
@@ -43,7 +43,7 @@ class SensitivityModel(Protocol):
 
 
 def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
-    """Return ascending times within those of a trajectory, or say what is wrong with them."""
+    """Check that times ascend and lie within those of a trajectory."""
     checked = ascending(np.atleast_1d(real_array(times, "`times`")), "`times`")
     outside = checked[~((checked >= own[0]) & (checked <= own[-1]))]
     if outside.size:
@@ -54,7 +54,7 @@ def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
 
 
 def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
-    """Return a trajectory with times between its own where these are two steps apart or more.
+    """Refine a trajectory where its times are two or more steps apart.
 
     `step_of` returns the step for a span of time. Without the solver's continuous extension, it is
     the trajectory itself: what is known at its times alone would be made up between them.
@@ -74,7 +74,7 @@ def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
 def between(
     known: Any, times: np.ndarray, values: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray | None]:
-    """Return the states of a Trajectory at other times, and sensitivities if there are `values`."""
+    """Interpolate the states of a Trajectory, and its sensitivities if there are `values`."""
     m, n = known.states.shape
     whole = known._dense(times) if known._dense else _hermite(known, times, values)
     if values is None:
@@ -86,7 +86,7 @@ def between(
 
 
 def _hermite(known: Any, times: np.ndarray, values: np.ndarray | None) -> np.ndarray:
-    """Return the states, and after them the sensitivities if their derivatives are known."""
+    """Interpolate states, followed by sensitivities if their derivatives are known."""
     nodes = known.times
     x, rates = _beside(known, nodes, known.states, known.derivatives, values)
     if known.events and known._model is not None:
@@ -105,7 +105,7 @@ def _hermite(known: Any, times: np.ndarray, values: np.ndarray | None) -> np.nda
 def _beside(
     known: Any, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return states and their derivatives by time with those of the sensitivities after."""
+    """Append sensitivities and their derivatives by time to states and theirs."""
     model, m = known._sensitivity_model, len(times)
     if model is None or values is None:
         return states, rates
@@ -119,7 +119,7 @@ def _beside(
 def _with_events(
     known: Any, x: np.ndarray, rates: np.ndarray, sensitive: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return nodes, values and derivatives with both sides of each event among them."""
+    """Insert both sides of each event into the nodes, values and derivatives."""
     moments = np.repeat([e.time for e in known.events], 2)
     sides = np.array([side for e in known.events for side in (e.before, e.after)])
     values = None

@@ -17,7 +17,7 @@ Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """Machine code, or the next best thing, for a Program."""
+    """A compiled Program: machine code, or functions of NumPy."""
 
     program: Program
     # ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
@@ -51,7 +51,7 @@ class Kernel:
 
     @property
     def call(self) -> Call:
-        """The `gate`, with code behind it: where needed it is compiled now."""
+        """The call gate, bound to code that is compiled now if necessary."""
         if self.begin is not None:
             self.begin()
         return self.gate
@@ -66,7 +66,7 @@ class Kernel:
 
     @property
     def addresses(self) -> tuple[int, int] | None:
-        """Native entry points ``kernel`` and ``prepare``, or None."""
+        """Addresses of the native functions ``kernel`` and ``prepare``, or None."""
         return None if self.settled is None else self.settled()
 
     def evaluate(
@@ -83,7 +83,7 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class Inputs:
-    """How r, the array of the specifieds, is computed."""
+    """The computation of r, the array of the specifieds."""
 
     values: np.ndarray  # (s,): those that are numbers; anything elsewhere
     sampled: Sequence[tuple[np.ndarray, Any]] = ()  # sampled data, with their places in r
@@ -117,7 +117,7 @@ class Inputs:
 
 @dataclass(frozen=True, eq=False)
 class KernelCall:
-    """A right-hand side as a Kernel and the numbers to call it with.
+    """A right-hand side: a Kernel with its constants and specifieds.
 
     Functions that stand for one have an attribute ``native``, which takes the solver's ``args``
     and returns this, or None where the function itself has to be called. A call stands for itself.

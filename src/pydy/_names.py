@@ -18,7 +18,7 @@ def name_of(symbol: Any) -> str:
 
 
 def place_of(key: Any, names: Sequence[str], what: str) -> int:
-    """Return the place of a name, or of a symbol's; `what` says what the names are of."""
+    """Return the position of a name or of a symbol's name; `what` describes the names in errors."""
     name = name_of(key)
     if name not in names:
         raise KeyError(f"`{key}` is not one of the {what}: {some(names)}.")
@@ -26,14 +26,14 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
 
 
 def untaken(name: str, taken: Container[str], between: str = "_") -> str:
-    """Return a name, or, where it is taken, with the first number that is free."""
+    """Return a name, numbered if it is already taken."""
     if name not in taken:
         return name
     return next(one for k in count(2) if (one := f"{name}{between}{k}") not in taken)
 
 
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
-    """Return a name for each symbol, none twice.
+    """Return a distinct name for each symbol.
 
     Those that would be alike are written out in full, then with their assumptions, and numbered
     where that does not tell them apart either.
@@ -57,7 +57,7 @@ def column_names(counts: Mapping[Any, int]) -> tuple[str, ...]:
 def told_apart(
     symbols: Sequence[Any], names: Sequence[str], *spellings: Callable[[Any], str]
 ) -> list[str]:
-    """Return names of symbols, where several are alike in the first spelling that differs.
+    """Return names of symbols; equal names are replaced by the first spelling that differs.
 
     By default they are written out with their assumptions.
     """
@@ -71,7 +71,7 @@ def told_apart(
 
 
 def nearest(name: str, names: Sequence[str], *, or_all: bool = True) -> str:
-    """Return a sentence that tells the name that was meant, or else all there are, or nothing.
+    """Return a sentence that suggests the nearest name, or lists all names, or ''.
 
     A name that differs in upper and lower case alone is nearer than any other.
     """
@@ -130,13 +130,13 @@ def latex_of_rate(symbol: Any) -> str:
 
 
 def printable(text: str, stream: Any) -> str:
-    """Return a text as a stream can print it: letters that its encoding lacks become escapes."""
+    """Replace characters that a stream's encoding lacks by escapes."""
     encoding = getattr(stream, "encoding", None) or "utf-8"
     return text.encode(encoding, "backslashreplace").decode(encoding)
 
 
 def few(texts: Sequence[str], most: int = 2, between: str = "; ") -> str:
-    """Return the first texts, and how many more there are."""
+    """Join the first texts of a list, and the number of the others."""
     more = [f"and {len(texts) - most} more"] if len(texts) > most else []
     return between.join([*texts[:most], *more])
 

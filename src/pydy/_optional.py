@@ -10,7 +10,7 @@ from typing import Any
 
 
 def require(module: str, extra: str, purpose: str) -> Any:
-    """Import a module, or say which `extra` of this package brings it, and what needs it."""
+    """Import a module, or raise an error that names the `extra` that installs it."""
     try:
         return import_module(module)
     except ImportError as error:
@@ -21,7 +21,7 @@ def require(module: str, extra: str, purpose: str) -> Any:
 
 
 def bar_of(*rows: Any, **options: Any) -> Any:
-    """Return a bar of tqdm, which is silent where nothing can be shown, as under pythonw."""
+    """Return a bar of tqdm, disabled where there is no output, as under pythonw."""
     made = require("tqdm.auto", "ensemble", "`progress=True`").tqdm
     return made(*rows, **options, **({"disable": True} if sys.stderr is None else {}))
 

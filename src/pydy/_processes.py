@@ -21,7 +21,7 @@ LOOK = 0.1
 def started(
     command: list[str], cwd: Path, env: Mapping[str, str] | None = None, **options: Any
 ) -> Iterator[subprocess.Popen[str]]:
-    """Run a command in a folder; what it writes, errors included, is the text of its `stdout`.
+    """Run a command in a folder; its `stdout` is text and includes its errors.
 
     It has a group of its own: a compiler's driver that is killed leaves the compiler at work. Its
     temporary files are in the folder, where those of a compiler that was killed go with the rest.
@@ -47,7 +47,7 @@ def started(
 
 
 def _killed(process: subprocess.Popen[str], kind: type[BaseException] | None, *_: object) -> None:
-    """Kill a process and what it has started, if an exception ended the use of it."""
+    """Kill a process and its children if the block raised an exception."""
     if kind is not None:
         if hasattr(os, "killpg"):
             with contextlib.suppress(ProcessLookupError):
@@ -57,7 +57,7 @@ def _killed(process: subprocess.Popen[str], kind: type[BaseException] | None, *_
 
 
 def output_of(process: subprocess.Popen[str]) -> str:
-    """Return what a process writes until it ends."""
+    """Return the whole output of a process."""
     while True:
         with contextlib.suppress(subprocess.TimeoutExpired):
             return process.communicate(timeout=LOOK)[0]

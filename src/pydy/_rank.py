@@ -43,19 +43,19 @@ _SWEEPS, _EXACT = 8, 30  # the exponents' error halves at each; then pivots of o
 
 
 def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
-    """Return whether values are within the rounding of terms that are as large as `bound`."""
+    """Return whether values are within the rounding error of terms as large as `bound`."""
     found: np.ndarray = np.abs(value) <= ROUNDED * np.abs(bound)  # NaN is not
     return found
 
 
 def or_one(sizes: np.ndarray) -> np.ndarray:
-    """Return sizes to divide by: 1 in place of zeros."""
+    """Replace zeros by ones, to divide by."""
     known: np.ndarray = np.where(sizes > 0.0, sizes, 1.0)
     return known
 
 
 def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
-    """Return sizes of entries (..., m, k) with zeros for what rounding leaves of zeros in a row.
+    """Return magnitudes of entries (..., m, k), zero where they are rounding errors of a row.
 
     Otherwise a column of rounding errors would be as large as the others. The numbers alone do not
     tell these from what is small in the user's units, as lengths of planets are beside angles:
@@ -136,7 +136,7 @@ def least_step(
 
 
 def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return what rounding leaves of rows that are zero at states which were found from them.
+    """Return bounds on the residuals, due to rounding, of rows at states solved from them.
 
     The `slopes` (..., m, k) are the rows' derivatives by the states, the `sizes` (..., m) those of
     their terms. By elimination, errors of a row become errors of all others that hold the same
@@ -152,7 +152,7 @@ def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 
 def independent_columns(scaled: np.ndarray) -> list[int]:
-    """Return as many columns as there are independent rows, which can be solved for.
+    """Return columns that the rows can be solved for, as many as there are independent rows.
 
     The matrix (m, k) is scaled as by `equilibrated`. By elimination with complete pivoting; of
     pivots of one size the first is taken, so that rounding does not choose.
