@@ -121,7 +121,7 @@ class Ensemble:
         return self._dataset(whole)
 
     def _finished(self, whole: dict[str, Variable], left: Sequence[Block]) -> tuple[str, Any]:
-        """Return how many samples are finished, in words, and their Dataset."""
+        """Return the number of finished samples, in words, and their Dataset."""
         for block in left:
             for name, v in whole.items():
                 nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
@@ -206,7 +206,7 @@ class Ensemble:
         return self._dataset(variables)
 
     def _example(self) -> dict[str, Variable]:
-        """Return the results of the first sample: their names, sizes and kinds."""
+        """Return the results of the first sample, for the names, sizes and types of all."""
         return self.work(self.samples.of(self._first()))
 
     def _first(self) -> Block:
@@ -256,7 +256,7 @@ class Ensemble:
         return stores.opened(path, {} if scheduler else None)
 
     def _token(self, resume: bool | str) -> str:
-        """Return what the store is known by; nothing where it cannot be resumed."""
+        """Return the identity that the store records, or '' if it cannot be resumed."""
         try:
             name = resume if isinstance(resume, str) else ""
             return stores.token_of(self.work, self.samples, self.sizes, name)
@@ -292,7 +292,7 @@ def _processors() -> int:
 
 
 def _startable(number: int) -> int:
-    """Return how many threads can be started, up to a number of them."""
+    """Return how many threads can be started, up to a given number."""
     end, started = Event(), []
     try:
         for _ in range(number):
@@ -321,14 +321,14 @@ class _Here(Executor):
 
 
 def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, np.ndarray]:
-    """Do one block: the task of a lazy Dataset."""
+    """Compute one block: the task of a lazy Dataset."""
     found = work(samples)
     check_forms(found, forms, tuple(samples.dims))
     return {name: v.values for name, v in found.items()}
 
 
 def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, run: str) -> None:
-    """Do one block and write it: the task of a store.
+    """Compute one block and write it: the task of a store.
 
     Dask's threads continue after Ctrl-C, and the process waits for them: those of this process
     check whether their run has ended.
@@ -337,7 +337,7 @@ def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, ru
 
 
 def _check(future: Future[None], block: Block, samples: Samples) -> None:
-    """Raise what a block met, with its place."""
+    """Raise the error that a block met, with the block's position."""
     try:
         future.result()
     except Exception as error:

@@ -49,7 +49,7 @@ _CACHED = type(lru_cache(len))
 
 
 class UnidentifiedError(ValueError):
-    """It cannot be determined whether a value is the same in another process."""
+    """A value cannot be identified across processes."""
 
 
 def fingerprint(thing: Any) -> str:
@@ -81,7 +81,7 @@ class _Reader:
         return hashlib.sha256(buffer.getvalue()).hexdigest()
 
     def replaced(self, thing: Any) -> Any:
-        """Return what stands for what pickle would take by its name or order, or None."""
+        """Return a replacement for a value that pickle would store by name or order, or None."""
         if type(thing) in (set, frozenset):
             return "set", sorted(map(self.digest, thing))
         if type(thing) is np.ndarray and thing.dtype != object:
@@ -178,7 +178,7 @@ class _Reader:
 
 
 class _Pickler(pickle.Pickler):
-    """Writes a value down; what would go by its name or address is replaced."""
+    """Pickles a value by content: references by name or address are replaced."""
 
     def __init__(self, buffer: io.BytesIO, reader: _Reader) -> None:
         super().__init__(buffer, protocol=4)
@@ -187,11 +187,11 @@ class _Pickler(pickle.Pickler):
         self._reader = reader
 
     def persistent_id(self, thing: Any) -> Any:
-        """Return what stands for it, or None for pickle's own way."""
+        """Return the replacement of a value, or None for pickle's own way."""
         return self._reader.replaced(thing)
 
     def reducer_override(self, thing: Any) -> Any:
-        """Refuse what would be found by its name, unless it is installed: its version counts."""
+        """Refuse objects stored by name, except of installed packages: their version counts."""
         own = copyreg.dispatch_table.get(type(thing))
         reduced = thing.__reduce_ex__(4) if own is None else own(thing)
         if isinstance(reduced, str):
@@ -228,7 +228,7 @@ def _attribute(module: Any, name: str) -> Any:
 
 
 def _installed(name: str) -> tuple[str, str, str]:
-    """Return what stands for a module, which must be part of Python or of an installed package."""
+    """Return an identity for a module, which must belong to Python or an installed package."""
     if not _is_installed(name):
         raise UnidentifiedError(f"the module `{name}` does not belong to an installed package")
     whole = sys.modules.get(name.partition(".")[0])

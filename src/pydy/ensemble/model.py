@@ -66,13 +66,13 @@ class EnsembleSensitivities:
 
     @property
     def identity(self) -> Any:
-        """What tells it from others, besides the Programs."""
+        """The data that identify it, in addition to the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
         return self.columns, self.start, self.dependent, samples, self.sized
 
     @property
     def further(self) -> int:
-        """How many inputs r has at its end."""
+        """The number of further inputs at the end of r."""
         return sum(len(places) for places, _ in self.sampled)
 
     def beginning(
@@ -107,7 +107,7 @@ class EnsembleSensitivities:
         p: np.ndarray,
         kernel: Callable[[Program | Tangent], Kernel],
     ) -> CompiledSensitivities:
-        """Return what the solver needs to know of one sample."""
+        """Return the sensitivities of one sample, for the solver."""
         n, columns = self.start.shape
         scales = None if self.sized is None else scales_of(self.sized, x, r, p, columns)
 
@@ -122,7 +122,7 @@ class EnsembleSensitivities:
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """What tells whether motions kept their constraints and energy."""
+    """The checks of whether motions kept their constraints and energy."""
 
     programs: Any  # of `kept.Part` by name, None where unknown; 'screen' is both rows and products
     redundant: bool  # whether constraints were left out
@@ -132,14 +132,14 @@ class Kept:
 
 
 class Motions(Protocol):
-    """How samples move that have transitions of their own, as with contacts."""
+    """The motions of samples that have transitions of their own, as with contacts."""
 
     events: tuple[str, ...]  # their names; records hold the places
     columns: tuple[str, ...]  # what sensitivities are by
 
     @property
     def identity(self) -> Any:
-        """What tells them from others, besides the Programs, numbers and options."""
+        """The data that identify them, in addition to the Programs, numbers and options."""
 
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
@@ -187,7 +187,7 @@ class Model:
 
     @property
     def event_names(self) -> tuple[str, ...]:
-        """What may happen."""
+        """The names of the events."""
         if self.motions is not None:
             return self.motions.events
         return () if self.options.events is None else self.options.events.names
@@ -216,7 +216,7 @@ class Results:
         self.stretches += others.stretches
 
     def note(self, k: int, info: Mapping[str, Any]) -> None:
-        """Note what an integration tells of sample k."""
+        """Record the outcome and statistics of sample k."""
         self.records[k] = info["events"]
         for name, values in self.told.items():
             key = {"status": "code", "end_time": "time"}.get(name, name)
@@ -267,7 +267,7 @@ class Batch:
         return replace(self, x=self.x[places], r=self.r[places], p=self.p[places])
 
     def beside(self) -> Batch:
-        """Return the same, with what the sensitivities take: their equations and inputs."""
+        """Return the batch with the equations and inputs of the sensitivities."""
         beside = self.model.sensitivities
         assert beside is not None
         sampled = (*self.model.sampled, *beside.sampled)
@@ -297,7 +297,7 @@ class Batch:
         return self._integrated(times, states)
 
     def _begun(self, times: np.ndarray, states: np.ndarray | None, width: int) -> Results:
-        """Return results of samples of which nothing is known."""
+        """Return results of samples that have not been computed."""
         m = len(self.x)
         states = np.empty((width, m, len(times))) if states is None else states
         states[:] = np.nan
@@ -305,7 +305,7 @@ class Batch:
         return Results(states, {**told, "end_time": np.full(m, times[0]), "nearness": np.ones(m)})
 
     def _moved(self, motions: Motions, times: np.ndarray, states: np.ndarray | None) -> Results:
-        """Let samples move one after another."""
+        """Compute the motions of samples one after another."""
         m, n = self.x.shape
         results = self._begun(times, states, n)
         results.outputs = np.full((len(self.model.output_names), m, len(times)), np.nan)
@@ -426,7 +426,7 @@ class Batch:
         return replace(batch, x=start), codes
 
     def passed(self, k: int, times: np.ndarray) -> tuple[Passed, Any] | None:
-        """Return how sample k moves, and its states at any times; None where it fails."""
+        """Integrate sample k; return its motion and the function of its states, or None."""
         from pydy._errors import IntegrationError
 
         beside, n = self.model.sensitivities, self.x.shape[1]

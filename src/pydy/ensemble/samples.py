@@ -30,7 +30,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class Form:
-    """The form that the results of all samples share."""
+    """The dimensions, sizes and type that the results of all samples share."""
 
     sizes: dict[str, int]  # of the axes after those of the samples, in order
     dtype: np.dtype[Any]

@@ -170,7 +170,7 @@ def create(
     sizes: Sequence[int],
     labels: Mapping[str, Sequence[str]],
 ) -> None:
-    """Make a store with all coordinates and no results yet; it is there as a whole, or not at all.
+    """Make a store with all coordinates and no results; an interrupted call leaves nothing.
 
     The `example` is a Dataset of one sample with all attributes and coordinates; its own sizes do
     not count. The `labels` of further dimensions are attributes: Zarr has no settled form for
@@ -233,7 +233,7 @@ def create(
 
 
 def _checksums(path: str) -> dict[str, int]:
-    """Return the checksums of what describes the arrays of a store, and of its other attributes."""
+    """Return the checksums of the metadata of a store's arrays, and of its other attributes."""
     about = json.loads(Path(path, _OF_ZARR).read_bytes())["attributes"]
     about.pop(_CHECKSUMS, None)
     parts = {"": json.dumps(about, sort_keys=True).encode()}

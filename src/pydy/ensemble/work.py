@@ -135,7 +135,7 @@ def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Work:
-    """What is done with each block; this travels to the workers."""
+    """The work on each block, which is sent to the workers."""
 
     model: Model
     reductions: tuple[Reduction, ...]  # none: all times are kept
@@ -194,7 +194,7 @@ class Work:
         return self._by_function(variables, samples) if self.function else variables
 
     def _first(self, what: str) -> bool:
-        """Return whether nothing was warned of it yet: once for all blocks is enough."""
+        """Return whether this is the first warning of its kind: one for all blocks is enough."""
         mine = object()
         return self.told.setdefault(what, mine) is mine
 
@@ -281,7 +281,7 @@ class Work:
     def _reduced(
         self, results: Results, times: np.ndarray, outputs: _Outputs, slopes: _Slopes
     ) -> dict[str, Variable]:
-        """Return what is kept of states and outputs, and the sensitivities of that.
+        """Return the reductions of states and outputs, and their sensitivities.
 
         The derivative of an extreme is that at its time: the time has none of its own among those
         that are kept.
@@ -291,7 +291,7 @@ class Work:
         rows: list[np.ndarray] = []  # of sensitivities, (k, m)
 
         def derivatives(part: slice) -> np.ndarray:
-            """Return those of all states and outputs, shape (q, k, m, times)."""
+            """Return the sensitivities of all states and outputs, shape (q, k, m, times)."""
             assert columns is not None
             own = columns[..., part]
             return np.concatenate([own, slopes(times[part], states[..., part], own)])
@@ -334,7 +334,7 @@ class Work:
 
     @property
     def labels(self) -> dict[str, list[str]]:
-        """What stands along the dimensions of sensitivities."""
+        """The labels along the dimensions of sensitivities."""
         if not self.model.columns:
             return {}
         quantities = [*self.names]
@@ -367,7 +367,7 @@ class Work:
         return found
 
     def _by_function(self, variables: dict[str, Variable], samples: Samples) -> dict[str, Variable]:
-        """Call the user's function and check what it returns."""
+        """Call the user's function and check its result."""
         assert self.function is not None
         dataset = to_dataset(variables, samples.coordinates, self.model.times, labels=self.labels)
         labels = {name: dataset.variables[name] for name in dataset.coords}
@@ -402,7 +402,7 @@ class Work:
 
 
 def _moved(result: Any, name: Any, given: Any) -> bool:
-    """Return whether a Dataset has other labels than those given, or other sizes for them."""
+    """Return whether a Dataset has other labels than given, or other sizes for them."""
     if name in result.coords:
         own = result.variables[name]
         return set(own.dims) == set(given.dims) and not own.transpose(*given.dims).equals(given)
@@ -428,7 +428,7 @@ _NUMBERS = 1_000_000  # of residuals and derivatives at a time
 
 
 def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
-    """Let samples be NaN from where they were last seen to be sound; the others stay as they are.
+    """Set samples to NaN after the last time at which they were sound; leave the others alone.
 
     The model has constraints.
     """
@@ -472,7 +472,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
 def _together(
     batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
 ) -> Callable[..., dict[str, np.ndarray]]:
-    """Return what gives `kept.Part` of one of m samples, of states (m, f, n) at the same times.
+    """Return functions that give `kept.Part` for each of m samples, of states (m, f, n).
 
     What is asked of one at these times is found for all.
     """
@@ -515,7 +515,7 @@ def _values(
 def _suspects(
     batch: Batch, programs: Any, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return the samples that need a closer look, of some: many are looked at together.
+    """Return which of some samples need a closer look; all are examined together.
 
     Those have residuals beyond six digits, or come near to losing rank.
     """
@@ -540,7 +540,7 @@ def _suspects(
 
 
 def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:
-    """Let a sample end before a time."""
+    """Set a sample to NaN from a time on, with an error's code as its status."""
     results.states[:, k, reached:] = np.nan
     if results.columns is not None:
         results.columns[:, :, k, reached:] = np.nan

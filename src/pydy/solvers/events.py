@@ -100,11 +100,11 @@ class Event:
 
 
 class Turn(Event):
-    """Where the expression of the event listed before it is lowest: looked for near its zeros."""
+    """The minimum of the previous event's expression, which is located near its zeros."""
 
 
 def _check_expression(value: Any, what: str) -> None:
-    """Raise unless it is a scalar expression, judged by attributes: solvers never import SymPy."""
+    """Check that a value is a scalar expression, by its attributes: solvers never import SymPy."""
     number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
     symbolic = isinstance(getattr(value, "free_symbols", None), set)
     scalar = symbolic and getattr(value, "is_commutative", False)
@@ -119,9 +119,9 @@ def _check_expression(value: Any, what: str) -> None:
 
 
 def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
-    """Return what tells a user's events from others, although a reset may be edited in place.
+    """Return a key that identifies a user's events even if a reset is edited in place.
 
-    None where that cannot be told without taking them out of what they are given in.
+    None if they come from an iterator, which reading would exhaust.
     """
     several = [events] if isinstance(events, Event) else events
     if type(several) not in (list, tuple) or {*map(type, several)} - {Event, Turn}:
@@ -152,7 +152,7 @@ class CompiledEvents:
 
 
 def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, span: float) -> bool:
-    """Tell whether an event, of some number, follows itself ever faster: Zeno behaviour."""
+    """Return whether the latest occurrences of an event accumulate: Zeno behaviour."""
     same = [r.time for r in records[-CROWD * number :] if r.index == event][-CROWD:]
     if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), span):
         return True
@@ -190,9 +190,9 @@ def forcing_time(
 def jumped_to(
     call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, error: float
 ) -> float | None:
-    """Return the value of an event's expression where it happens, unless that is zero.
+    """Return the value of an event's expression where it happens, or None if that is zero.
 
-    It is as far as times, and the expression, are told, and beside the `error` that the tolerances
+    Zero means: within the resolution of time and expression, and the `error` that the tolerances
     of the states allow; else the expression has jumped.
     """
     k = len(events.names)

@@ -59,7 +59,7 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 
 
 class Verdict(NamedTuple):
-    """What is wrong with a motion."""
+    """A defect of a motion."""
 
     code: int  # LEFT_CONSTRAINTS or ENERGY_CHANGED
     place: int  # of the time and state where it was seen first
@@ -68,7 +68,7 @@ class Verdict(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Ran:
-    """A few states of a motion, and how they were found."""
+    """Some states of a motion, and how they were computed."""
 
     times: np.ndarray  # (m,)
     states: np.ndarray  # (m, n): the first is where the motion begins
@@ -82,14 +82,14 @@ class Ran:
     redundant: bool = False  # whether constraints were left out
 
     def errors(self, steps: float) -> np.ndarray:
-        """Return how large the errors of so many steps are together, if each is what is allowed."""
+        """Return the sum of the errors of so many steps if each has the allowed size."""
         sizes: np.ndarray = np.abs(self.states)
         if self.steps is None:
             return LEFT * sizes
         return np.asarray((self.atol + self.rtol * sizes) * steps)
 
     def summed(self, values: np.ndarray) -> np.ndarray:
-        """Return integrals over time from the beginning to each state, shape (m, values)."""
+        """Integrate values over time from the beginning to each state, shape (m, values)."""
         whole: np.ndarray = np.zeros_like(values)
         parts = (values[1:] + values[:-1]) / 2.0 * np.diff(self.times)[:, None]
         np.cumsum(parts, axis=0, out=whole[1:])
@@ -97,7 +97,7 @@ class Ran:
 
 
 def looked_at(states: np.ndarray, projected: bool) -> np.ndarray:
-    """Return the places of a few states, spread over all that were reached, with the last one.
+    """Return the indices of a few states, spread over the motion, including the last one.
 
     By projection a motion begins beside the state that was given.
     """
@@ -109,19 +109,19 @@ def looked_at(states: np.ndarray, projected: bool) -> np.ndarray:
 
 
 def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Tell of which states' residuals exceed six digits; times are the axis before the last."""
+    """Return at which states residuals exceed six digits; the axis before the last is time."""
     limits = DIGITS * sizes.max(axis=-2, keepdims=True)
     beyond: np.ndarray = (np.abs(rows) > limits).any(axis=(-2, -1))
     return beyond
 
 
 def allowed_after(allowed: np.ndarray, before: np.ndarray | None) -> np.ndarray:
-    """Return what is allowed of residuals after a reset: drift passed on is not its own."""
+    """Return the allowed residuals after a reset: existing drift is not the reset's fault."""
     return allowed if before is None else np.maximum(allowed, INHERITED * np.abs(before))
 
 
 def described(t: float, rows: np.ndarray, allowed: np.ndarray, names: Sequence[str]) -> str:
-    """Return a sentence on the residuals that are larger than allowed, or nothing."""
+    """Describe the residuals that are larger than allowed, or return ''."""
     far = np.flatnonzero(~(np.abs(rows) <= allowed))  # NaN is
     if not far.size:
         return ""
@@ -132,7 +132,7 @@ def described(t: float, rows: np.ndarray, allowed: np.ndarray, names: Sequence[s
 
 
 def warn_of_reset(event: str, residuals: str, where: str = "The") -> None:
-    """Warn of a reset after which a motion is off the constraints."""
+    """Warn that a reset moved the state off the constraints."""
     warn_user(
         f"{where} reset of the event `{event}` leaves the constraints, and nothing will bring the "
         f"motion back onto them. {residuals} Let the reset give all states that change, the "
@@ -141,9 +141,9 @@ def warn_of_reset(event: str, residuals: str, where: str = "The") -> None:
 
 
 def is_near(products: np.ndarray) -> np.ndarray:
-    """Tell along which motions rows nearly lost rank, by products (…, m, rows²) of each with each.
+    """Return for which motions the rows nearly lost rank, given their Gram matrices (…, m, rows²).
 
-    What is measured is the least that a row has beside the rows before it, in units of the most
+    The measure is the least part of a row that is orthogonal to the rows before, over the largest
     that it has along the motion.
     """
     n = isqrt(products.shape[-1])
@@ -161,7 +161,7 @@ def is_near(products: np.ndarray) -> np.ndarray:
 
 
 def judge(ran: Ran, part: Part) -> Verdict | None:
-    """Return what is wrong with a motion, if anything.
+    """Return the defect of a motion, or None.
 
     Energies are looked at where residuals exceed six digits, or the constraints nearly lost rank.
     What begins beside the constraints was told of, or comes back to them: it has other energies.
@@ -206,10 +206,10 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
 
 
 def contradicted(found: Mapping[str, np.ndarray]) -> tuple[int, int, float] | None:
-    """Return the first state that keeps velocity constraints, but not all holonomic ones for long.
+    """Return the first state whose velocities keep the velocity but not the holonomic constraints.
 
-    With it, which one, and its rate. What the residuals of velocity constraints make of a rate is
-    not counted.
+    Returned are its index, that of the constraint, and its rate. The rate due to residuals of
+    velocity constraints is not counted.
     """
     if not found:
         return None
@@ -249,7 +249,7 @@ def _energy(ran: Ran, part: Part) -> Verdict | None:
 
 
 def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:
-    """Return residuals of velocities whose energy is a rounding of the kinetic one, row by row."""
+    """Return for each row the residual whose energy is a rounding of the kinetic energy."""
     m, n = ran.states.shape
     slopes, found = slopes.reshape(m, -1, n), part("moving", ran.times, ran.states)
     if not found:
@@ -264,7 +264,7 @@ def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:
 def left_by_rounding(
     found: Mapping[str, np.ndarray], sizes: np.ndarray, x: np.ndarray
 ) -> np.ndarray:
-    """Return what a search leaves of rows at m states, shape (m, rows): roundings, in any units.
+    """Return the residuals (m, rows) that a search leaves by rounding, in any units.
 
     The rows' terms have `sizes`; ``slopes``, ``solved`` and ``per_unit`` are those of `Part`.
     States are as large as they are at any of the times, and those with a unit of their own, such as
@@ -282,7 +282,7 @@ def left_by_rounding(
 
 
 def _moved(slopes: np.ndarray, errors: np.ndarray) -> np.ndarray:
-    """Return what errors of the states may make of some values, at each state."""
+    """Return bounds on the change of some values by errors of the states, at each state."""
     sizes = np.abs(slopes.reshape(len(errors), -1, errors.shape[1])) * errors[:, None]
     moved: np.ndarray = sizes.sum(axis=2)
     return moved

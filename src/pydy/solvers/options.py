@@ -92,7 +92,7 @@ def _max_steps(value: Any, what: str) -> int:
 
 
 def _compiled(kind: type, method: str) -> Check:
-    """Return the check that what a System compiles is compiled."""
+    """Return the check that an option which a System compiles has been compiled."""
 
     def check(value: Any, what: str) -> Any:
         if isinstance(value, kind | None):
@@ -136,7 +136,7 @@ _SAME = (
 
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
-    """Raise for an option that a solver does not have, and suggest the nearest one."""
+    """Refuse an option that a solver does not have, and suggest the nearest one."""
     names = sorted(names)
     unknown = [name for name in given if name not in names]
     if unknown:
@@ -186,5 +186,5 @@ _SCIPY: dict[str, Check] = {
 
 
 def check_scipy_options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return options of SciPy's solvers, or say which is wrong; SciPy's own errors do not."""
+    """Check options of SciPy's solvers, whose own errors do not name the wrong one."""
     return checked(_SCIPY, given)

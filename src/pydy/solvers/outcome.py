@@ -19,7 +19,7 @@ CONTACTS_IMPOSSIBLE, EVENT_JUMPS = 22, 23
 
 
 class Outcome(NamedTuple):
-    """What a code means."""
+    """A code with its meaning."""
 
     name: str  # one word, for flags
     text: str  # what the solver did; details are inserted in the braces

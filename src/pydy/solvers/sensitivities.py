@@ -22,7 +22,7 @@ from pydy._kernel import Kernel, KernelCall
 
 
 class Jump(NamedTuple):
-    """What an event does to sensitivities."""
+    """The derivatives of an event's time and reset."""
 
     time: np.ndarray  # (k,): derivatives of the event's time
     after: np.ndarray  # (n, k): derivatives of the states after it, at a fixed time
@@ -32,7 +32,7 @@ class Jump(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class CompiledSensitivities:
-    """What a solver needs to know of a state with columns of sensitivities after it."""
+    """The equations of a state followed by columns of sensitivities, for a solver."""
 
     states: int  # number of states, n; they come first
     # (k, 2): for each column, of which S has k and follows the state row after row, the place of
@@ -93,7 +93,7 @@ class CompiledSensitivities:
         tolerances: tuple[np.ndarray, np.ndarray],
         forced: bool = False,
     ) -> Jump:
-        """Return what an event does to states and sensitivities, `whole`, before it.
+        """Return the change of states and sensitivities, `whole` before the event, by the event.
 
         After it the states are `after`; the tolerances are those of states. An event is `forced`
         where a sampled input that jumps made it happen, at a time of its own.
@@ -121,7 +121,7 @@ class CompiledSensitivities:
         return Jump(moment, jump, depth, error)
 
     def _along(self, rows: np.ndarray, table: np.ndarray, r: np.ndarray) -> np.ndarray:
-        """Return derivatives by the parameters from those by states and other inputs."""
+        """Apply the chain rule: derivatives by parameters from those by states and other inputs."""
         n, (place, weight) = self.states, self.sources.T
         # No product with inputs that a column has no part in: their slope may be infinite.
         by_input = np.pad(rows[:, n:], [(0, 0), (0, 1)])[:, place]
@@ -131,7 +131,7 @@ class CompiledSensitivities:
 
 
 class Sized(NamedTuple):
-    """What tells the size of a parameter."""
+    """The source of a parameter's size."""
 
     group: str  # 'x', 'r' or 'p': it is an initial condition, a specified or a constant
     place: int

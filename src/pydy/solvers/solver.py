@@ -228,7 +228,7 @@ class Solver:
 
 
 def _prepared(name: str, f: Any, x0: np.ndarray, *rest: Any) -> Prepared:
-    """Return an integration that is pickled as what it was made of."""
+    """Return a prepared integration, which pickles as its arguments."""
     with whole:
         from pydy.solvers.run.integration import Integration
 
@@ -248,14 +248,14 @@ def _checked_times(times: Any) -> np.ndarray:
 
 
 def _keep(f: Any, prepared: Prepared) -> None:
-    """Leave an integration with its function, for the next call with these options."""
+    """Keep an integration with its function, for the next call with these options."""
     plain = _PLAIN.issuperset(prepared.key[1 + len(prepared.key) // 2 :])
     if plain and prepared.reusable and type(f) is FunctionType:
         f.__dict__["_prepared"] = prepared
 
 
 def _taken(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared | None:
-    """Take the integration that an earlier call left, if it fits: no other thread has it then."""
+    """Take the integration that an earlier call kept, if it fits, so that no other thread does."""
     prepared: Prepared | None
     if type(f) is not FunctionType or (prepared := f.__dict__.pop("_prepared", None)) is None:
         return None

@@ -39,7 +39,7 @@ _BEGIN = """\
 
 
 def included(*names: str, folder: Path | None = None) -> dict[str, str]:
-    """Return the texts of files of the loops and of what they include, but for ``layout.h``."""
+    """Return the texts of C files and of their includes, except ``layout.h``."""
     found: dict[str, str] = {}
     left = [*names]
     while left:
@@ -52,9 +52,9 @@ def included(*names: str, folder: Path | None = None) -> dict[str, str]:
 
 
 def layout_header(text: str | None = None, plain: bool = False) -> str:
-    """Return the text of ``layout.h``: of all numbers, or of those that a `text` uses.
+    """Write ``layout.h``: all constants and structs, or those that a `text` uses.
 
-    A `plain` one is for any compiler of C99: blocks of one number, and explicit methods alone.
+    A `plain` header is for any C99 compiler: blocks of one number, and explicit methods only.
     """
     tables: dict[str, Sequence[Any]] = {"Run": run.RUN[:-1]} if plain else _TABLES
     parts = [*tables.values()] + ([] if plain else [run.EXTENSION, run.PROJECTION, run.ALONG])
@@ -71,7 +71,7 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
 
 
 def _numbers() -> Iterator[tuple[str, str]]:
-    """Yield codes, thresholds and names for places in arrays."""
+    """Yield the constants: codes, thresholds, and indices of array elements."""
     places = _named(run)
     # Thresholds of that name reach C in the array that has a place for them.
     thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
@@ -84,27 +84,27 @@ def _numbers() -> Iterator[tuple[str, str]]:
 
 
 def _named(module: ModuleType) -> dict[str, int | float]:
-    """Return the numbers that a module defines under names in capitals."""
+    """Return the numeric constants of a module: names in capitals."""
     found = vars(module).items()
     return {name: x for name, x in found if name.isupper() and isinstance(x, int | float)}
 
 
 def _exact(value: Any) -> str:
-    """Return a number in C with all its bits, or an initialiser of some."""
+    """Write a number in C with all its bits, or an initialiser of several."""
     if isinstance(value, Sequence):
         return "{" + ", ".join(map(_exact, value)) + "}"
     return f"({value})" if isinstance(value, int) else f"({float(value).hex()})"
 
 
 def _struct(kind: Any) -> str:
-    """Return the struct of a named tuple of arrays."""
+    """Write a named tuple of arrays as a C struct."""
     hints = get_type_hints(kind, include_extras=True)
     fields = [f"{_ARRAYS[hints[name].__metadata__[0]]} {name};" for name in kind._fields]
     return f"typedef struct {{ {' '.join(fields)} }} {kind.__name__};"
 
 
 def _table(name: str, parts: Sequence[Any]) -> str:
-    """Return the struct of a table; its parts have their names, in small letters."""
+    """Write a table of named tuples as a C struct, with their names in small letters."""
     names = [part.__name__ for part in parts]
     fields = [f"{kind} {re.sub(r'(?<=[a-z])(?=[A-Z])', '_', kind).lower()};" for kind in names]
     return f"typedef struct {{ {' '.join(fields)} }} {name};"

@@ -32,7 +32,7 @@ _AT_ONCE = 2**20  # numbers of stages that are gone through between two looks at
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """What a stretch of steps makes of an adjoint."""
+    """The adjoint before some steps, and the contributions of the steps to gradients."""
 
     adjoint: np.ndarray  # (n,): of the state at its beginning
     totals: np.ndarray  # (k,): the derivatives by what else is wanted
@@ -42,7 +42,7 @@ class Sweep:
 
 @lru_cache(maxsize=32)
 def _turned(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the terms of each column of a tableau, its weight last, as `Backward` has them."""
+    """Return the columns of a tableau as `Backward` needs them: the terms, then the weight."""
     tableau = tableau_of(method)
     stages = len(tableau.stages)
     table = np.zeros((stages + 1, stages))
@@ -57,7 +57,7 @@ def _turned(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarra
 
 
 class WayBack:
-    """The way back through the steps of an explicit method, which are taken again.
+    """The adjoint of an explicit method: repeats its steps and goes back through their stages.
 
     The calls are of the derivatives of the n states, and of the same inputs with n weights after
     r: the derivatives of Σ weight · rate by the states and by `further` other inputs, of which the

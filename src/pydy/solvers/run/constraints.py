@@ -13,7 +13,7 @@ from pydy.solvers.tuning import DEPENDENT, ROUNDING, ROUNDINGS
 
 
 def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
-    """Return whether residuals are nothing but rounding.
+    """Return whether residuals are within their rounding errors.
 
     The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
     """
@@ -23,7 +23,7 @@ def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class CompiledConstraints:
-    """What the projection needs to know of a system."""
+    """The constraints of a system as the projection needs them."""
 
     # Outputs, one after the other: holonomic residuals (h), velocity residuals (v), ∂h/∂q (h, q),
     # N of q' = N u (q, u), ∂v/∂u (v, u), the unreduced mass matrix (u, u) where `weighted`, and
@@ -46,9 +46,9 @@ class CompiledConstraints:
     left_out: tuple[int, int] = (0, 0)
 
     def dependent(self, values: np.ndarray) -> list[str]:
-        """Return the names of redundant constraints: combinations of those before them.
+        """Return the names of redundant constraints: linear combinations of earlier ones.
 
-        Those are not told that were left out as such. The values are what the kernel gives at some
+        Constraints already left out as redundant are not named. The values are the kernel's at some
         state.
         """
         part = self.kernel.program.by_block(values)
@@ -71,7 +71,7 @@ class CompiledConstraints:
         return k >= self.holonomic + self.velocity - redundant
 
     def _measured(self, part: Mapping[str, np.ndarray], rows: np.ndarray) -> np.ndarray:
-        """Return rows in the norm of corrections, that of the masses where they give one."""
+        """Scale rows to the norm of corrections: the mass matrix's if it is positive definite."""
         if self.weighted:
             hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
             with suppress(np.linalg.LinAlgError):
@@ -82,7 +82,7 @@ class CompiledConstraints:
     def combination(
         self, values: np.ndarray, longest: np.ndarray, rank: int
     ) -> tuple[float, list[str]]:
-        """Return how near the velocity constraints are to losing rank, and which of them do.
+        """Return how near the velocity constraints are to losing rank, and which ones are involved.
 
         That is the least singular value of their rows in units of the `longest` that they are
         elsewhere, in the norm of corrections, where they have this rank; 1 where the rows are not
@@ -100,7 +100,7 @@ class CompiledConstraints:
         ]
 
     def determinacy(self, values: np.ndarray) -> float:
-        """Return how near the velocity constraints are to not giving the dependent speeds.
+        """Return how near the velocity constraints are to not determining the dependent speeds.
 
         That is the least singular value of their rows' part that belongs to these speeds, in units
         of the rows' lengths; 1 where there are none.
@@ -115,7 +115,7 @@ class CompiledConstraints:
 
 
 def _dependent(rows: np.ndarray) -> list[bool]:
-    """Tell which rows are combinations of earlier ones, whatever their lengths."""
+    """Return which rows are linear combinations of earlier ones, regardless of their lengths."""
     basis = np.empty((0, rows.shape[1]))
     found = []
     for row in rows:

@@ -71,7 +71,7 @@ SLICE = 0.02
 
 
 def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
-    """Return how many steps take a few milliseconds at most; further ones are measured."""
+    """Return a number of steps that takes a few milliseconds at most; later slices are measured."""
     if calls_python or call is None:
         return 1
     if method == IMPLICIT:
@@ -94,7 +94,7 @@ def progress_bar(name: str, span: float, start: float) -> Any:
 
 
 class Extension:
-    """The solution between the steps of a run: the interpolant of the method itself.
+    """The continuous extension of a run: the interpolant of the method itself.
 
     The steps are kept with their states alone, in `rows` of `layout.Steps`. Where a time is wanted,
     the step over it is taken again, with the same bits, and projected as an output is: in a
@@ -114,7 +114,7 @@ class Extension:
         return self._make()
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
-        """Return states, with all beside them, at ascending times of the run, shape (m, n)."""
+        """Return states and sensitivities at ascending times of the run, shape (m, n)."""
         n, m = self._n, len(times)
         places = np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
         if np.array_equal(self.starts[places], times):
@@ -130,7 +130,7 @@ class Extension:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Become None elsewhere: machine code and the arrays that it works on stay here."""
+        """Pickle as None: machine code and its arrays do not leave the process."""
         return type(None), ()
 
 
@@ -179,7 +179,7 @@ class Integration(Workspace):
 
     @property
     def span(self) -> float:
-        """The time that it is over."""
+        """The interval of time that it covers."""
         return float(self.progress.times[-1] - self.progress.times[0])
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
@@ -187,14 +187,14 @@ class Integration(Workspace):
         return self.call is not None and self.rebind(replace(self.call, p=p, r=r), times)
 
     def begin(self, x0: np.ndarray) -> np.ndarray:
-        """Return the state in which a motion from a finite state begins, and go no further."""
+        """Project and check an initial state without integrating, and return it."""
         self._set_out(x0)
         with self.interrupts:
             self._start()
         return self.memory.x[: self.n].copy()
 
     def _set_out(self, x0: np.ndarray) -> int:
-        """Begin a run; returns the code of why it stopped in its first slice."""
+        """Begin a run and return the code with which its first slice stopped."""
         self._rows = np.empty(self._room)
         self._rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
@@ -237,7 +237,7 @@ class Integration(Workspace):
     # -- running ----------------------------------------------------------------------------------
 
     def _slice(self, budget: int) -> int:
-        """Take some steps; returns the code of why it stopped."""
+        """Take some steps and return the code with which they stopped."""
         self.progress.counts[at.BUDGET] = budget
         return self._advance(self._rows, False)
 
@@ -295,7 +295,7 @@ class Integration(Workspace):
             )
 
     def _start(self) -> None:
-        """See to the initial state."""
+        """Check and project the initial state, and find the signs of events there."""
         if self._tight:
             self._check_tolerances()
         if self.options.constraints is not None:
@@ -326,7 +326,7 @@ class Integration(Workspace):
             )
 
     def _combined(self, x: np.ndarray, t: float) -> tuple[float, str, float]:
-        """Return how near the constraints are to losing rank in a state, and which of them do.
+        """Return how near the constraints are to losing rank in a state, and the ones involved.
 
         The last number says how near they are to not giving the dependent speeds.
         """
@@ -340,7 +340,7 @@ class Integration(Workspace):
     def _project(
         self, x: np.ndarray, wanted: CompiledConstraints, off: int, **details: Any
     ) -> None:
-        """Move a state that begins a motion onto the constraints, unless it is far from them."""
+        """Project an initial state onto the constraints, unless it is far from them."""
         before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
         code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
@@ -359,7 +359,7 @@ class Integration(Workspace):
     def _take_sides(
         self, zero: Collection[int], forced: Mapping[int, float] = MappingProxyType({})
     ) -> np.ndarray:
-        """Set the sign each event has just after now; where one is `zero`, its rate tells.
+        """Set the sign that each event has just after now: by its rate where it is `zero`.
 
         Returns the values now. Those in `forced` changed their sign by a jump at a time.
         """
@@ -389,7 +389,7 @@ class Integration(Workspace):
                 self.records.append(self._record(t, int(k), x, x))
 
     def _look_at_end(self) -> None:
-        """See to events that are exactly zero at the last time, or would be a rounding later."""
+        """Record events that are zero at the last time, or would be a rounding error later."""
         wanted, call = self.options.events, self.call
         if wanted is None or call is None or self.status != "finished":
             return
@@ -408,7 +408,7 @@ class Integration(Workspace):
             self._act()
 
     def _act(self) -> bool:
-        """See to the events at which compiled code stopped; tell whether the integration ends."""
+        """Act on the events at which compiled code stopped; return whether the integration ends."""
         wanted, call, beside = self.options.events, self.call, self.options.sensitivities
         assert wanted is not None
         assert call is not None
@@ -452,7 +452,7 @@ class Integration(Workspace):
         return True
 
     def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
-        """Return the events that a reset leads away from zero.
+        """Return the events whose expressions a reset moves away from zero.
 
         They are looked at before the projection, which may move them by what is left of
         constraints; but what a residual gives has jumped where that has.
@@ -473,7 +473,7 @@ class Integration(Workspace):
         return {*np.flatnonzero(off).tolist()}
 
     def stretches(self) -> list[str]:
-        """Tell the events whose expressions stayed at zero, where no sign tells the time."""
+        """Return the events whose expressions stayed at zero, without a change of sign."""
         told, wanted = [], self.options.events
         if wanted is not None:
             for k in np.flatnonzero(wanted.may_rest):
@@ -540,7 +540,7 @@ class Integration(Workspace):
     # -- results ----------------------------------------------------------------------------------
 
     def reached(self) -> np.ndarray:
-        """Return the rows of the times that a failed run reached, with what is beside states."""
+        """Return the rows, with sensitivities, of the times that a failed run reached."""
         return self._rows[: self.progress.counts[at.NEXT]]
 
     def info(self) -> dict[str, Any]:
@@ -565,7 +565,7 @@ class Integration(Workspace):
         }
 
     def _nearness(self) -> float:
-        """Return how near the constraints that projection holds came to losing rank."""
+        """Return how near the projected constraints came to losing rank."""
         seen = self.seen
         return float(seen[at.NEARNESS]) if seen.size and seen[at.RANK] else 1.0
 
@@ -580,7 +580,7 @@ class Integration(Workspace):
         return names[k] if k < len(names) else f"x[{k}]"
 
     def _check_scales(self) -> None:
-        """Refuse errors of states that are zero where `atol` is too: nothing is their scale."""
+        """Refuse states that are zero where `atol` is zero too: their errors have no scale."""
         memory, n = self.memory, self.n
         x, atol, slopes = memory.x[:n], memory.atol[:n], memory.stages[:n]
         places = np.flatnonzero((x == 0.0) & (atol <= LEAST_TOLERANCE) & (slopes != 0.0))
@@ -595,7 +595,7 @@ class Integration(Workspace):
             )
 
     def _fail(self, code: int) -> None:
-        """Raise the error of a code with which compiled code gave up."""
+        """Raise the error for a code with which compiled code gave up."""
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
         if code == EVENT_UNDEFINED and (wanted := self.options.events) is not None:

@@ -123,7 +123,7 @@ class Progress(NamedTuple):
 
 
 class Constraints(NamedTuple):
-    """What the projection works with; nothing when ``words[ACTIVE]`` is 0."""
+    """The constraints for the projection, which is off if ``words[ACTIVE]`` is 0."""
 
     words: Words
     c: Numbers
@@ -133,7 +133,7 @@ class Constraints(NamedTuple):
 
 
 class Projection(NamedTuple):
-    """What the projection computes in between, of h positions and v velocities."""
+    """Scratch memory of the projection of h holonomic and v velocity constraints."""
 
     factor: NumberRows  # (u, u)
     kinematics: NumberRows  # (q, u)
@@ -151,7 +151,7 @@ class Projection(NamedTuple):
 
 
 class Tangents(NamedTuple):
-    """What the projection of sensitivities works with."""
+    """The arrays for the projection of sensitivities."""
 
     words: Words
     c: Numbers
@@ -160,7 +160,7 @@ class Tangents(NamedTuple):
 
 
 class Watch(NamedTuple):
-    """The events and what they have seen."""
+    """The events: their values, signs and records."""
 
     words: Words
     c: Numbers
@@ -191,7 +191,7 @@ class Watch(NamedTuple):
 
 
 class Beginning(NamedTuple):
-    """What `Progress` holds when a run begins."""
+    """The initial content of `Progress`."""
 
     state: Numbers
     counts: Words
@@ -218,7 +218,7 @@ class Wanted(NamedTuple):
 
 
 class Newton(NamedTuple):
-    """What an implicit step works with."""
+    """The arrays of an implicit step."""
 
     words: Words
     sizes: Numbers
@@ -287,7 +287,7 @@ class LaneProblem(NamedTuple):
 
 
 class Lanes(NamedTuple):
-    """Where each trajectory stands: blocks of floats, counts too, but for the last two."""
+    """The state of each lane's trajectory: blocks of floats, counts too, except the last two."""
 
     time: Numbers
     size: Numbers
@@ -304,7 +304,7 @@ class Lanes(NamedTuple):
 
 
 class Queue(NamedTuple):
-    """The samples, and what became of them.
+    """The samples and their outcomes.
 
     Output k of state i of sample j goes to the address
     ``state[LANES_PLACE] + 8 (i state[LANES_DISTANCE] + j number + k)``, where `number` is that of
@@ -356,7 +356,7 @@ BACK_WEIGHTS, BACK_FURTHER, BACK_KEPT, BACK_WRONG = range(4)
 
 
 class Backward(NamedTuple):
-    """Explicit steps, and what is needed to go through them from the last to the first.
+    """Explicit steps, and the arrays for going through them from the last to the first.
 
     The kernel gives the derivatives of Σ weight · rate by the states and by what else is wanted.
     Rows are those of the stages' weights, with places in `adjoints`, whose vectors are padded to

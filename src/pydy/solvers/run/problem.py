@@ -42,13 +42,13 @@ class Bound:
         self.take(p)
 
     def take(self, p: np.ndarray) -> None:
-        """Compute what depends on the constants, of other ones."""
+        """Take other constants: compute the array c from them."""
         self._p[:] = p
         self._prepare(*self._places)
 
 
 def lined_up(*shape: int) -> np.ndarray:
-    """Return zeros that begin where a line of the cache does: blocks must not lie across two."""
+    """Return zeros aligned to a cache line, so that no block lies across two lines."""
     size = math.prod(shape)
     room = np.zeros(size + BLOCK)
     first = -address(room) % 64 // 8
@@ -123,7 +123,7 @@ class Callback:
 
 
 def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Problem:
-    """Return the arrays for what is called, with inputs that its `call` has as numbers."""
+    """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
     r, tables = np.zeros(1), tables_of(())
     if call is not None and call.inputs is None:
         r, tables = np.array(call.r if len(call.r) else r, dtype=float), tables_of(call.sampled)

@@ -82,7 +82,7 @@ def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
 
 
 class Workspace:
-    """What one integration reserves, once, for all its runs.
+    """The arrays of one integration, reserved once for all its runs.
 
     Its parameters are those of `pydy.solvers.run.integration.Integration`, and the interrupts that
     callbacks look at. The `call` is None when `f` is a Python function alone; `seen` is the part of
@@ -173,7 +173,7 @@ class Workspace:
         return True
 
     def again(self) -> Callable[[], Workspace]:
-        """Return what makes the same with memory of its own, whatever this one does next."""
+        """Return a function that makes a copy with its own memory, independent of later changes."""
         options = replace(self.options, dense_output=False, events=None)
         f, times = self._f, self.progress.times
         if self.call is not None:
@@ -307,7 +307,7 @@ class Workspace:
         return Constraints(words, c, values)
 
     def _hold_columns(self, words: np.ndarray, beside: CompiledSensitivities) -> None:
-        """Have the sensitivities projected with the state."""
+        """Let the projection correct the sensitivities with the state."""
         residuals, k = words[at.HOLONOMIC] + words[at.VELOCITY], beside.columns
         place, c = self._bind_kernel(beside.constraints())
         self._tangents = Tangents(
@@ -367,7 +367,7 @@ class Workspace:
         )
 
     def _acting(self, wanted: CompiledEvents) -> tuple[list[int], np.ndarray, np.ndarray]:
-        """Return what compiled code resets states with, which Python then reads from the log.
+        """Return the arrays with which compiled code resets states; Python reads its log later.
 
         A jump of samples may be what makes an event happen: then Python does it, as it does with
         what stands beside the states.

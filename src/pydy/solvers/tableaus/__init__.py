@@ -61,7 +61,7 @@ class Tableau:
     damping: float = 0.0
 
     def check(self) -> None:
-        """Raise a ValueError that says what is not consistent, if anything is."""
+        """Check the consistency of the coefficients."""
         count, dense = len(self.stages), len(self.dense_stages)
         if len(self.nodes) != count + 1 + dense:
             raise ValueError(
@@ -139,7 +139,7 @@ def tableau_of(name: str) -> Tableau:
 
 
 def add_tableau(tableau: Tableau) -> None:
-    """Make a consistent tableau known by its name, which no other one may have."""
+    """Register a consistent tableau under its name, which must be new."""
     tableau.check()
     if _ADDED.setdefault(tableau.name, tableau) != tableau:
         raise ValueError(
