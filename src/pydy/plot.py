@@ -81,7 +81,7 @@ def curves_of(
     names: Sequence[Any] | None,
     units: Units,
 ) -> list[Curve]:
-    """Return the curves of some kinds, or those that are named."""
+    """Return the curves of some kinds or names."""
     if names is not None:
         names = listed("names", [names] if isinstance(names, str) else names, "symbols or names")
         if not names:
@@ -127,7 +127,7 @@ def is_trajectory(result: Any) -> bool:
 
 
 def units_of(result: Any, units: Units) -> dict[str, str]:
-    """Return units by the names that a result has; others, such as those of rates, stay."""
+    """Return units by the names in a result; keep other keys, such as rates."""
     given = check_mapping("units", units)
     names = []
     for key in given:
@@ -571,7 +571,7 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
 
 
 def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
-    """Return the Axes that were given, or those of a new figure, which something needs."""
+    """Return the given Axes, or those of a new figure."""
     if ax is None:
         return require("matplotlib.pyplot", "plot", what).subplots(layout="constrained")[1]
     if not hasattr(ax, "set_xlabel"):

@@ -229,7 +229,7 @@ class EventRecord:
     sensitivity_after: np.ndarray | None = None
 
     def __repr__(self) -> str:
-        """Return what happened and when; the states are left out."""
+        """Return the event's name and time; the states are left out."""
         return f"EventRecord({self.name!r} at t = {self.time!r})"
 
 

@@ -93,7 +93,7 @@ class Assembly:
         return ((), ()) if self.equations is None else self.equations.following
 
     def with_left_out(self) -> tuple[list[int], list[int]]:
-        """Return the holonomic and velocity constraints, with those left out as redundant last."""
+        """Return the holonomic and velocity constraints, each with its redundant ones last."""
         assert self.equations is not None
         closed, redundant = self.equations.left_out
         holonomic = [*self.holonomic, *self.read(closed, "the holonomic constraints")]
@@ -115,7 +115,7 @@ class Assembly:
         return substitute(g, cells, self.given)
 
     def fork(self) -> Assembly:
-        """Return the same with a graph of its own: what is read into it leaves this one alone."""
+        """Return a copy with its own graph: reading into it does not change this one."""
         return replace(self, graph=self.graph.copy())
 
     def read(self, expressions: Iterable[Any], what: str, *, sizes: bool = False) -> list[int]:

@@ -124,7 +124,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
 
 
 def _combined(columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the factors with which columns give rows at all states, and what share is left."""
+    """Fit rows by one linear combination of columns at all states; return it and the residual."""
     right = rows.transpose(0, 2, 1).reshape(len(columns), -1)
     share = np.linalg.lstsq(columns, right, rcond=DEPENDENT)[0]
     left = np.linalg.norm(right - columns @ share, axis=0)

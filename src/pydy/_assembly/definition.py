@@ -77,7 +77,7 @@ class Definition:
 
     @cached_property
     def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
-        """For each specified that is a derivative, what it is a derivative of, lowest first."""
+        """The lower derivatives of each specified that is a derivative, lowest first."""
         return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
 
     @cached_property
@@ -99,7 +99,7 @@ class Definition:
         return {what: Places(s, f"{what} of the system") for what, s in vars(self.layout).items()}
 
     def row_names(self, block: str) -> list[str]:
-        """Return what to call the values of a block in messages."""
+        """Return the names of a block's values for messages."""
         equations = self.equations
         if block == "rates":
             return [f"the derivative of {s}" for s in self.states]

@@ -43,7 +43,7 @@ LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
 def resolve_solver(solver: Any) -> LinearSolver | str | None:
-    """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'."""
+    """Return `linear_sys_solver` as None (built in), a function, or 'sympy[:METHOD]'."""
     if solver is None or callable(solver):
         found: LinearSolver | None = solver
         return found
@@ -76,7 +76,7 @@ def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[
 def with_external_solver(
     program: Program, system: Kernel, solver: LinearSolver, rest: Kernel
 ) -> Kernel:
-    """Chain the matrices, a solver and what follows from its solution into one Kernel."""
+    """Chain the matrices, a solver and the values that depend on its solution into one Kernel."""
     n = system.program.block("forcing").stop - system.program.block("forcing").start
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
@@ -114,7 +114,7 @@ def with_external_solver(
 
 
 def _made_by() -> bytes:
-    """Return a digest of everything but the equations that decides what the Program is."""
+    """Return a digest of everything except the equations that determines a Program."""
     sha = hashlib.sha256(sys.version.encode())
     for package in (pydy._assembly, pydy._graph):
         for source in sorted(Path(str(package.__file__)).parent.rglob("*.py")):
@@ -133,7 +133,7 @@ def _as_shipped() -> bool:
 
 
 class Storable(Protocol):
-    """What is written to the cache."""
+    """An object that can be written to the cache."""
 
     def to_bytes(self) -> bytes: ...
 
@@ -142,7 +142,7 @@ _S = TypeVar("_S", bound=Storable)
 
 
 def stored(parts: Sequence[bytes], make: Callable[[], _S], read: Callable[[bytes], _S]) -> _S:
-    """Return what the cache has by `parts`, all that decides it, or make it and put it there."""
+    """Return the cache's entry for the key `parts`, or make the object and store it."""
     if not _as_shipped():
         return make()
     key = hashlib.sha256(b"".join((_CIRCUMSTANCES, *parts))).hexdigest()
@@ -250,7 +250,7 @@ class CompiledModel:
         return self._program(f"{block} by {by}", lambda: self.assembly.jacobian_program(block, by))
 
     def _program(self, what: str, make: Callable[[], _T], storable: bool = True) -> _T:
-        """Return what `make` gives, at most once, also from the cache where it is `storable`."""
+        """Return the result of `make`, called at most once, or the cache's if it is `storable`."""
         known = self._programs.get(what)
         if known is None:
             known = stored_program(self.assembly, what, make) if storable else make()
@@ -290,7 +290,7 @@ class CompiledModel:
         )
 
     def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program | Tangent]) -> Kernel:
-        """Return the Kernel of what `build` makes, at most once for each key."""
+        """Compile the Program that `build` makes, once for each key."""
         kernel = self._kernels.get(key)
         if kernel is None:
             kernel = self._kernels[key] = compiled_by(self.backend, build())
@@ -373,7 +373,7 @@ def _listed(symbols: tuple[Any, ...]) -> str:
 
 
 def _title(key: tuple[Any, ...]) -> str:
-    """Return what to call a Kernel by its key."""
+    """Return a Kernel's name, from its key, for messages."""
     if "by" in key[1:2]:
         wrt = key[2] if isinstance(key[2], str) else ", ".join(f"{g}[{k}]" for g, k in key[2])
         return f"{key[0]} by {wrt}"

@@ -29,7 +29,7 @@ class Plan(Protocol):
 
 @dataclass(frozen=True)
 class _Formula:
-    """What a specified is."""
+    """A specified given as an expression."""
 
     symbol: Any
     source: Any
@@ -67,7 +67,7 @@ def followed(definition: Definition, plan: Plan) -> set[Any]:
 
 
 def differentiated(assembly: Assembly, definition: Definition, plan: Plan) -> dict[int, Any]:
-    """Return what is differentiated by time: nodes of `assembly`, and whose derivative is taken."""
+    """Return the nodes of `assembly` that are differentiated by time, with their specifieds."""
     formulas, graph = _formulas(definition, plan), assembly.graph
     kinematics = assembly.rates[: len(definition.equations.coordinates)]
     given = _resolve(graph, definition, formulas, kinematics, False)
@@ -81,7 +81,7 @@ def differentiated(assembly: Assembly, definition: Definition, plan: Plan) -> di
 
 
 def check_expressions(definition: Definition, plan: Plan) -> None:
-    """Raise what `driven` would, without the equations."""
+    """Raise the errors of `driven` without building equations."""
     formulas = _formulas(definition, plan)
     if formulas:
         _resolve(Graph(), definition, formulas, None, False)
@@ -113,7 +113,7 @@ def _resolve(
     kinematics: Sequence[int] | None,
     perturbed: bool,
 ) -> dict[int, int]:
-    """Return what takes the place of each specified's input node."""
+    """Return the node that replaces each specified's input node."""
     layout, equations = definition.layout, definition.equations
     atoms = input_nodes(
         graph, p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
@@ -160,7 +160,7 @@ def _resolve(
 def _derivative(
     graph: Graph, formula: _Formula, node: int, own: Mapping[int, Any], definition: Definition
 ) -> int:
-    """Differentiate by time what depends on time and constants alone."""
+    """Differentiate by time an expression of time and constants."""
     layout = definition.layout
     names = {"x": layout.states, "r": layout.specifieds}
     held = [

@@ -88,7 +88,7 @@ class Group:
 
 
 def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool]:
-    """Tell which groups are integrated: those with their own names and derivatives of speeds."""
+    """Return which groups are implicit: those that contain their own names and speeds' rates."""
     rates = set(equations.speed_rates)
     flags = []
     for group in groups:
@@ -100,7 +100,7 @@ def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool
 def evaluate_groups(
     graph: Graph, read: SymPyReader, groups: Sequence[Group], known: dict[int, int]
 ) -> list[list[int]]:
-    """Return the values of each group, solving those that are given as linear equations."""
+    """Return the values of each group; solve groups given as linear equations."""
     own: list[list[int]] = []
     count = 0
     for group in groups:

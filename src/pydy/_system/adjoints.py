@@ -142,7 +142,7 @@ class Projections:
         return adjoint
 
     def totals(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the derivatives by what is wanted: their sum (w,), and those of each (m, w)."""
+        """Return the derivatives by the parameters: the sum (w,), and those at each time (m, w)."""
         model, wanted = self._model, self._wanted
         if not wanted:
             return np.zeros(0), np.zeros((len(self.times), 0))
@@ -177,7 +177,7 @@ def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
 
 
 def _least(rows: np.ndarray) -> np.ndarray:
-    """Return what solves equations with the least change; dependent rows do not count."""
+    """Return the least solution of equations, without their dependent rows."""
     lengths = or_one(np.linalg.norm(rows, axis=1))
     found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=DEPENDENT) / lengths
     return found
@@ -188,7 +188,7 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What is integrated and differentiated."""
+    """The equations, objective and parameters of one gradient."""
 
     sensitive: Sensitive  # its model is of the states alone
     final: Any  # the place of an output, an expression, or None
@@ -221,7 +221,7 @@ class Task:
 
     @cached_property
     def wanted(self) -> tuple[Place, ...]:
-        """The inputs to differentiate by; those that are samples come last."""
+        """The inputs to differentiate by; sampled specifieds come last."""
         groups = {"constants": "p", "specifieds": "r"}
         return tuple((groups[p.kind], p.place) for p in (*self._plain, *self.sampled))
 
@@ -248,7 +248,7 @@ class Task:
     def guided(
         self, whole: np.ndarray, columns: np.ndarray, options: dict[str, Any]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
-        """Return equations with derivatives beside the states, and what the solver knows of them.
+        """Return the equations with columns of derivatives, and their options for the solver.
 
         The `columns` (n, n + w) are by some states, then by what is wanted. Where they turn more
         quickly than states, their errors choose the steps.
@@ -282,7 +282,7 @@ class Task:
         return self.call_whole(model.compiled_by(key, make), n)
 
     def objective(self) -> KernelCall:
-        """Return `final`, and its derivatives by states, time, specifieds and what is wanted."""
+        """Return `final` and its derivatives by states, time, specifieds and parameters."""
         model = self.sensitive.model
         assembly = model.assembly
         n, s, _ = assembly.sizes
@@ -381,7 +381,7 @@ class Stretch:
         self._slope = by_time + float(by_input @ call.slopes_at(t))
 
     def _add(self, part: np.ndarray, t: float) -> None:
-        """Add derivatives by what is wanted that come from one instant."""
+        """Add the derivatives by the parameters due to one instant."""
         self._totals += part
         if self._kept:
             self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
@@ -503,7 +503,7 @@ class Stretch:
         return Projections(task.sensitive.whole.model, held, task.wanted, task.call, times, states)
 
     def _projected(self, projections: Projections) -> None:
-        """Add the derivatives by what is wanted that come from projections."""
+        """Add the derivatives by the parameters due to projections."""
         totals, kept = projections.totals()
         self._totals += totals
         self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
@@ -535,7 +535,7 @@ class Stretch:
     def moment(
         self, record: EventRecord, untimed: bool = False
     ) -> tuple[dict[str, np.ndarray], tuple[int, ...], np.ndarray]:
-        """Return what an event does to derivatives, which states it changes, and those of its time.
+        """Return an event's effect on derivatives, the states changed, and its time's derivatives.
 
         These are by the state before it, then by what is wanted: (n + w,). They are refused where
         it only grazes, or NaN where it may be `untimed`.

@@ -25,7 +25,7 @@ def _which(k: int, m: int) -> str:
 
 
 def _warn_of_violations(at: At) -> None:
-    """Warn of the first state that is off the constraints, of those that are tried."""
+    """Warn of the first given state that is off the constraints."""
     if found := first_violation(at):
         k, told = found
         warn_user(
@@ -69,7 +69,7 @@ def _outputs(
 
 
 def _through_residuals(point: Point, columns: list[int]) -> np.ndarray:
-    """Return how what residuals give follows some specifieds, (m, unknowns, k)."""
+    """Return derivatives of an Implicit's unknowns by some specifieds, (m, unknowns, k)."""
     rows, places = map(list, point.definition.equations.following)
     if not (places and columns):
         return np.zeros((len(point.x), len(places), len(columns)))
@@ -164,7 +164,7 @@ class LinearModels(Setup):
         through, unknowns = _through_residuals(point, columns), [*definition.equations.following[1]]
 
         def followed(block: str, by_input: np.ndarray) -> np.ndarray:
-            """Return derivatives by inputs with what goes through residuals."""
+            """Return total derivatives by inputs, also those through an Implicit's unknowns."""
             return by_input + slopes(block)[:, :, unknowns] @ through if through.size else by_input
 
         for block in blocks if columns else ():

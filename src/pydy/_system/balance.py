@@ -83,7 +83,7 @@ def located(
 def members(
     definition: Definition, keys: Iterable[Any], without: Mapping[str, Iterable[Any]] | None = None
 ) -> list[Any]:
-    """Return symbols and names, with the symbols of a group, but for some, in place of its name."""
+    """Replace names of groups by their symbols, with the exception of some."""
     found: list[Any] = []
     for key in keys:
         if isinstance(key, str) and key in GROUPS:
@@ -96,7 +96,7 @@ def members(
 
 @dataclass(frozen=True, eq=False)
 class Point(At):
-    """States, times and numbers, m of them; what is added to specifieds is an input."""
+    """States, times and numbers at m points; additions to specifieds are inputs."""
 
     plan: SpecifiedsPlan
 
@@ -124,7 +124,7 @@ class Point(At):
 
     @cached_property
     def natural(self) -> dict[str, np.ndarray]:
-        """How large what is in sines and the like is by itself, (m, n) by kind; else 0."""
+        """The natural size of states inside sines and the like, (m, n) by kind; 0 for others."""
         sizes, m = self.model.assembly.sizes, len(self.x)
         r = np.broadcast_to(self.r, (m, self.r.shape[1]))
         numbers = replace(self, r=r, p=np.atleast_2d(self.p)[0])
@@ -179,7 +179,7 @@ class Point(At):
         return whole
 
     def along(self, block: str, T: np.ndarray) -> np.ndarray:
-        """Return the derivatives of a block along columns T; who asks tells what is not finite."""
+        """Return the derivatives of a block along columns T; callers report nonfinite values."""
         slopes = self.slopes(block)
         with np.errstate(all="ignore"):
             moved: np.ndarray = slopes @ T
@@ -304,7 +304,7 @@ class Balance:
 
     @property
     def titles(self) -> list[str]:
-        """What the rows of the residual are called."""
+        """The names of the residual's rows."""
         names = self.definition.row_names("rates")
         rest = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
         return [names[k] for k in self.rows] + rest
@@ -427,7 +427,7 @@ class Balance:
     def solved(
         self, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], last: float | None = None
     ) -> tuple[np.ndarray, float, tuple[str, ...]]:
-        """Return what `solve_equilibrium` does from unknowns z; the `last` one may be given."""
+        """Call `solve_equilibrium` from unknowns z; the `last` residual may be given."""
         accepted = solve_equilibrium(self.problem(last), z, bounds)
         found = np.append(accepted[0], [] if last is None else [last])
         rates = np.zeros(0)
@@ -459,7 +459,7 @@ class Balance:
         return ahead
 
     def _warn_of_time(self, z: np.ndarray, rates: np.ndarray) -> None:
-        """Warn once if what was found at all unknowns z is none at other times."""
+        """Warn once if the equilibria z are none at other times."""
         graph, assembly, plan = self.made.assembly.graph, self.made.assembly, self.plan
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
         if plan.constant and "t" not in graph.inputs_of(nodes):
@@ -510,7 +510,7 @@ class Balance:
 
 
 def _arguments(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the derivatives of what functions like the sine are taken of, by all inputs."""
+    """Return the derivatives of the arguments of functions like the sine by all inputs."""
     g = assembly.graph
     reached = g.reachable([*assembly.rates, *assembly.holonomic, *assembly.velocity])
     inner = sorted({g.operands(n)[0] for n in reached if g.ops[n] in _OF_NUMBERS})
@@ -546,7 +546,7 @@ def energetic_motions(
 
 
 def _least(values: np.ndarray, axis: int) -> np.ndarray:
-    """Return the least along an axis of what is not zero; zero where nothing is else."""
+    """Return the smallest nonzero entry along an axis, or zero if all are zero."""
     found = np.where(values > 0.0, values, np.inf).min(axis=axis, initial=np.inf)
     return np.where(np.isinf(found), 0.0, found)
 
@@ -618,7 +618,7 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
 def _central(
     plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray, k: int, size: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return central differences by state k, their rounding, and what half steps miss, (m, s)."""
+    """Return central differences by state k, their rounding and truncation errors, (m, s)."""
     found = []
     for share in (1.0, 0.5):
         step = np.zeros_like(x)

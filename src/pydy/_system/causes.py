@@ -56,7 +56,7 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
 
 
 def cause_of(at: At) -> str | None:
-    """Return what is singular at one state, in words, or None if it is not one of the usual."""
+    """Describe the singularity at a state, or return None if it is of no known kind."""
     definition, model = at.definition, at.model
     for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
         if not np.isfinite(value):
@@ -212,7 +212,7 @@ def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
 
 
 def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
-    """Say what to choose where the constraints cannot be solved for the dependent speeds."""
+    """Suggest other dependent speeds where the constraints cannot be solved for these."""
     speeds, chosen = equations.speeds, equations.dependent_speeds
     scaled = equilibrated(rows, exact=True)[0]
     sizes = np.linalg.svd(scaled[:, [speeds.index(u) for u in chosen]], compute_uv=False)
@@ -232,7 +232,7 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
 
 
 def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
-    """Warn of values (m, o, …) of o names that are not finite where what they follow from is."""
+    """Warn of named values (m, o, …) that are not finite although their inputs are."""
     sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
     wrong &= (sound & np.isfinite(at.p).all())[:, None]

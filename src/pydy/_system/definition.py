@@ -36,7 +36,7 @@ _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 
 @dataclass(frozen=True)
 class Given:
-    """What a dictionary of specifieds says about the symbols of a System. Nothing is checked."""
+    """The symbols and expressions in a dictionary of specifieds. Nothing is checked."""
 
     expressions: dict[Any, Any]  # the SymPy expressions, by symbol or name
     keys: tuple[Any, ...]  # all symbols or names that have a value
@@ -44,7 +44,7 @@ class Given:
 
 
 def given_in(specifieds: Mapping[Any, Any]) -> Given:
-    """Return what a dictionary of specifieds, in either format, says about symbols."""
+    """Read the symbols of a dictionary of specifieds, in either format."""
     ordered = {"symbols", "values"} <= specifieds.keys()
     if ordered:
         specifieds, _ = one_format(specifieds, "specifieds")
@@ -62,7 +62,7 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
 
 
 class Definer:
-    """Makes the Definition of what a user set; the latest is kept while that stays the same."""
+    """Makes the Definition from the user's settings, and keeps it until they change."""
 
     latest: Definition  # that was sound
 
@@ -103,7 +103,7 @@ class Definer:
         return self.latest
 
     def _made(self, outputs: Mapping[Any, Any], forces: Sequence[Any], given: Given) -> Definition:
-        """Check outputs and sort out symbols, those of expressions for specifieds too."""
+        """Check outputs and sort symbols, including those of expressions for specifieds."""
         equations, (constants, specifieds) = self._equations, self._base
         groups = output_groups({**outputs, **self.residuals})
         if forces:
@@ -158,7 +158,7 @@ class Definer:
         )
 
     def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
-        """Return a Definition with those of some constants that events or energies hold."""
+        """Return a Definition with those of some constants that events or energies contain."""
         known = Places([*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants")
         meant = [known.meaning(key, "constants") for key in silent]
         return self.widened(definition, {*meant} & {*known.symbols})

@@ -32,7 +32,7 @@ _REFINED = 20  # steps of Newton's method from where a root finder ended
 
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
-    """Return what the System `solved` for last; else the dependent states."""
+    """Return the states that were `solved` for last, by default the dependent ones."""
     equations = definition.equations
     own = (*equations.dependent_coordinates, *equations.dependent_speeds)
     return own if solved is None else tuple(solved)
@@ -74,7 +74,7 @@ def given_values(
 
 
 def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
-    """Return what to solve for: dependent states, or, where these are given, others."""
+    """Return the states to solve for: the dependent ones, or others where these are given."""
     definition = now.definition
     equations = definition.equations
     found: list[Any] = []

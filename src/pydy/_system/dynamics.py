@@ -76,7 +76,7 @@ def _beside(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
 def _columns(
     argument: str, value: Any, symbols: Sequence[Any], default: Callable[[], np.ndarray]
 ) -> tuple[np.ndarray, Iterable[int]]:
-    """Return numbers for all symbols, (n,) or (m, n), and the places of those by default."""
+    """Return numbers for all symbols, (n,) or (m, n), and the positions of default ones."""
     n = len(symbols)
     if value is None:
         return default(), range(n)
@@ -94,7 +94,7 @@ def _columns(
 
 
 def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
-    """Return accelerations, and of which speeds: of all, or of those that others follow from."""
+    """Return accelerations and their speeds: all of them, or the independent ones."""
     n = len(equations.speeds)
     free = n - len(equations.dependent_speeds)
     if value is None:
@@ -124,7 +124,7 @@ def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequen
 
 
 def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
-    """Return those of all speeds, which must be given; None stands for zeros."""
+    """Return the accelerations of all speeds, none of which may be missing; None means zeros."""
     n = len(equations.speeds)
     array = np.zeros(n) if value is None else _accelerations(value, equations)[0]
     if array.shape[-1] != n:
@@ -133,7 +133,7 @@ def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
 
 
 class Quantity(NamedTuple):
-    """What is evaluated."""
+    """A quantity to evaluate."""
 
     name: str
     key: tuple[Any, ...]  # with the name it says what the expressions are
@@ -143,7 +143,7 @@ class Quantity(NamedTuple):
     accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
 
     def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
-        """Return what the user's `wrt` means as inputs."""
+        """Return the inputs that the user's `wrt` means."""
         equations = definition.equations
         nq, nu = len(equations.coordinates), len(equations.speeds)
         own = {
@@ -235,7 +235,7 @@ def named(items: Sequence[Any], key: Any) -> Any:
 
 
 def without_bodies(equations: Equations) -> bool:
-    """Return whether the method's own equations of motion are all there is, or what holds."""
+    """Return whether only the method's own equations are known, without velocity constraints."""
     return equations.formed is None and not equations.velocity
 
 

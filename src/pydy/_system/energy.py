@@ -78,7 +78,7 @@ class EnergyModel:
 
     @cached_property
     def _held(self) -> tuple[Any, ...]:
-        """What is neither time nor a state."""
+        """The symbols in energies and positions that are neither time nor states."""
         parts: list[Any] = []
         for name in ("kinetic", "potential"):
             with suppress(ValueError):
@@ -102,7 +102,7 @@ class EnergyModel:
         return self.moving(layout), self._in(layout, self.potential)
 
     def moving(self, layout: Layout) -> Any:
-        """Return the kinetic energy likewise, whether or not the loads have a potential."""
+        """Return the kinetic energy, with 1 for constants without a value."""
         mechanism = self.equations.mechanism
         known = None if mechanism is None else mechanism.known_energy
         return self._in(layout, self.kinetic if known is None else known)

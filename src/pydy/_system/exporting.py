@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 def _dependents(
     definition: Definition, solved: Iterable[Any] | None
 ) -> tuple[list[int], list[int]]:
-    """Return the places in x of what the constraints determine, of all if that is not known."""
+    """Return the positions in x of the states that constraints determine, or all if unknown."""
     equations, count = definition.equations, len(definition.equations.coordinates)
     places = [definition.states.index(s) for s in latest_dependents(definition, solved)]
     q, u = [k for k in places if k < count], [k for k in places if k >= count]
@@ -54,7 +54,7 @@ def _dependents(
 def _input_places(
     definition: Definition, plan: SpecifiedsPlan, inputs: Iterable[Any]
 ) -> tuple[int, ...]:
-    """Return which specifieds are inputs of what is exported."""
+    """Return which specifieds are inputs of the exported model."""
     keys = listed("inputs", inputs, "specifieds of the system", hashable=True)
     wanted = {definition.places["specifieds"].find(key, "inputs") for key in keys}
     given = followed(definition, plan)
@@ -168,7 +168,7 @@ class Exporting(Setup):
         constraints: Any = None,
         inputs: Iterable[Any] = (),
     ) -> Model:
-        """Return the Programs, names and numbers of what is exported."""
+        """Return the Programs, names and numbers of the exported model."""
         from pydy.export.model import PARTS, EventData, Model, Variable, identifiers, with_inputs
 
         now = self._now(events)
@@ -261,7 +261,7 @@ class Exporting(Setup):
         )
 
     def _live_system(self, *, constraints: Any = "auto", **options: Any) -> LiveSystem:
-        """Return what a page that simulates needs; `options` are those of `_exportable`."""
+        """Return the model of a live page; `options` are those of `_exportable`."""
         from pydy.viz.live import LiveSystem
 
         now = self._now()

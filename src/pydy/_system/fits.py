@@ -234,7 +234,7 @@ class _Fit:
     def _set(
         self, z: np.ndarray, k: int, part: _Part, times: np.ndarray
     ) -> tuple[list[Any], list[int]]:
-        """Put numbers into the runner; return what is differentiated by, and its columns."""
+        """Set the runner's numbers; return the parameters to differentiate by and their columns."""
         d, runner = self.data[k], self.runner
         constants, specifieds = dict(self.constants[k]), dict(self.specifieds[k])
         initial = dict(self.initial[k])
@@ -342,7 +342,7 @@ class _Fit:
         return not self.exact and bool(self.sizes.min() < _TIGHTER)
 
     def scales(self) -> np.ndarray:
-        """Return the parameters at the start; for initial conditions, what the states grow to."""
+        """Return sizes of parameters: first values; the largest states for initial conditions."""
         result: np.ndarray = np.abs(self.start)
         states = [s if kind == "states" else None for kind, s in self.shared]
         for k, symbol in enumerate([*states, *(s for d in self.data for s in d.unknown)]):
@@ -351,7 +351,7 @@ class _Fit:
         return result
 
     def guess(self) -> np.ndarray:
-        """Return where to start: at segments, what was measured, else the motion so far."""
+        """Return the first guess: at segments the measured states, else the motion so far."""
         z = np.append(self.start, np.zeros(len(self.names) - self.count))
         found = []
         for k, d in enumerate(self.data):
@@ -379,7 +379,7 @@ class _Fit:
     def with_priors(
         self, values: np.ndarray, J: np.ndarray, z: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return residuals and their derivatives with those of what is known before."""
+        """Append the priors' residuals and derivatives to those of the measurements."""
         pulls = [(z[k] - mean) / s for k, mean, s in self.priors]
         rows = np.zeros((len(pulls), len(z)))
         rows[np.arange(len(pulls)), [k for k, _, _ in self.priors]] = [
@@ -499,7 +499,7 @@ def _result(
     equations: int,
     ended: tuple[bool, str, int],
 ) -> FitResult:
-    """Return what is told of a fit: J are the derivatives of the values by the parameters.
+    """Return the result of a fit; J holds the derivatives of the values by the parameters.
 
     So many `equations` were solved for a motion; it `ended` so after some evaluations.
     """

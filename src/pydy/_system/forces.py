@@ -32,7 +32,7 @@ class Multipliers(dict[Any, Any]):
 
 @dataclass(frozen=True, eq=False)
 class Reaction:
-    """What holds some bodies, beside the loads on them.
+    """The force and torque by which a joint holds some bodies.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ def _joints(equations: Equations) -> tuple[Any, ...]:
 
 
 def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[Any]:
-    """Return the bodies that a joint holds: its child, and what hangs on that by other joints."""
+    """Return the bodies beyond a joint: its child, and those that further joints attach to it."""
     joints = _joints(equations)
     if not any(joint is other for other in joints):
         raise ValueError(

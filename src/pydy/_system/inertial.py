@@ -53,7 +53,7 @@ class BaseParameters(NamedTuple):
 
 
 class InertialParameters(Dynamics):
-    """Regressors, and what motions tell of masses and inertias."""
+    """Regressors, and the identifiable combinations of masses and inertias."""
 
     def inertial_parameters(self, *, p: Any = None) -> dict[str, float]:
         """Return mass, first moments and inertia of each body, as `regressor` takes them.
@@ -138,7 +138,7 @@ class InertialParameters(Dynamics):
     def base_parameters(
         self, q: Any, v: Any, a: Any, t: Any = None, *, r: Any = None, p: Any = None
     ) -> BaseParameters:
-        """Return what some motions tell of the inertial parameters.
+        """Return the combinations of inertial parameters that some motions determine.
 
         Parameters
         ----------

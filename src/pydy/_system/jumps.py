@@ -31,7 +31,7 @@ def _switched(
     others: str = "",
     bends: bool = False,
 ) -> tuple[list[int], dict[str, list[int]]]:
-    """Return what the `searched` switch at by `inputs`, and `others`, and blocks of nodes."""
+    """Return the switches in `searched` that depend on `inputs` (and `others`), as blocks too."""
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
@@ -45,7 +45,7 @@ def _switched(
 
 
 def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], list[int]]:
-    """Return rates, with loads in place of u' where they tell all; and what is searched in them."""
+    """Return the rates, with loads for u' where these suffice, and the nodes to search."""
     graph, nodes = assembly.graph, [*assembly.rates]
     if len(assembly.forcing) != len(assembly.speeds):
         return nodes, nodes
@@ -69,7 +69,7 @@ def _inputs(assembly: Assembly, groups: str) -> list[int]:
 
 @dataclass(frozen=True)
 class Jumps:
-    """What rates, and last the `integral`, switch at, its derivatives, and their steps."""
+    """The switches of rates and of the `integral`, their derivatives, and the steps there."""
 
     coordinates: int
     integral: Any = None
@@ -85,7 +85,7 @@ class Jumps:
 
 @dataclass(frozen=True)
 class Kinks:
-    """What rates switch at, what rounding makes of that, and their derivatives on both sides."""
+    """The switches of rates with rounding bounds, and the rates' derivatives on both sides."""
 
     coordinates: int
 
@@ -106,7 +106,7 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
 
 @dataclass(frozen=True)
 class Impulses:
-    """At which times what equations hold derivatives of switches, and its steps."""
+    """The switches and steps of functions of time whose derivatives the equations contain."""
 
     definition: Definition = field(compare=False)
     plan: Plan = field(compare=False)
@@ -116,7 +116,7 @@ class Impulses:
         return _switched(assembly, nodes, nodes, "t", "p")[1]
 
     def nodes(self, assembly: Assembly) -> dict[int, str]:
-        """Return what is differentiated, and what to call it."""
+        """Return the nodes that are differentiated by time, with their names."""
         found: dict[int, str] = {}
         sources: set[Any] = set()
         for node, source in differentiated(assembly, self.definition, self.plan).items():
@@ -138,7 +138,7 @@ def _switches(at: At, parts: Any) -> bool:
 
 
 def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | None:
-    """Return what tells of jumps of the rates, or None where nothing switches."""
+    """Return the jumps of the rates to watch for, or None where nothing switches."""
     equations, states = at.definition.equations, at.definition.states
     parts = Jumps(len(equations.coordinates), integral)
     if not _switches(at, parts):
@@ -155,7 +155,7 @@ def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | No
 def warn_of_jumps(
     now: Snapshot, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
 ) -> None:
-    """Warn where a motion passes a jump of the rates, of which derivatives know nothing."""
+    """Warn where a motion passes a jump of the rates, which its derivatives do not contain."""
     found = watched(now.at(np.array([now.t]), now.x[None]), sensitive, integral)
     if found is None:
         return
@@ -175,7 +175,7 @@ def warn_of_jumps(
 
 
 def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int]) -> None:
-    """Warn of the first state in which rates have a kink or jump along what they are linear in.
+    """Warn of the first state at which the rates to be linearised have a kink or jump.
 
     That is along the tangents T, (m, n, k) of the `free` states, and the specifieds in `columns`.
     """

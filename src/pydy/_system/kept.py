@@ -117,7 +117,7 @@ def surely_held(at: At) -> np.ndarray:
 
 
 def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
-    """Return the first state that has `violations`, of those that are tried, and these."""
+    """Return the first tried state that has `violations`, and these."""
     m = len(at.x)
     tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
     for k in tried[~surely_held(at.some(tried))]:
@@ -229,7 +229,7 @@ def rates_along(
 
 
 def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
-    """Return rows, zero in place of those that hold other inputs, whose rates are not known."""
+    """Replace rows that contain other inputs, whose rates are not known, by zeros."""
     others = {n for n in graph.reachable(rows) if graph.ops[n] == "input"}
     others = {n for n in others if graph.args[n][0] == "r" and graph.args[n][1] not in inputs}
     return [n if others.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
@@ -301,7 +301,7 @@ def check_redundant(at: At) -> None:
 
 
 def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
-    """Warn of states that keep all constraints but those that were left out as redundant."""
+    """Warn of states that violate only constraints that were left out as redundant."""
     equations = at.definition.equations
     kept = _rows_of(equations, True, False, True, False)
     left = _rows_of(equations, False, blocks[0], False, blocks[1])
@@ -321,7 +321,7 @@ def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
 
 
 def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the residuals of all constraints, (m, rows), and what rounding is in proportion to.
+    """Return the residuals of all constraints, (m, rows), and the scales of their rounding errors.
 
     That is 'sizes', the terms of the last sum, which are quickly found, or 'bounds' on rounding
     errors with what a search leaves of states that are zero; see `left_by_rounding`. Rows are the
@@ -367,7 +367,7 @@ def bounded(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[int]:
-    """Return what rounding is in proportion to.
+    """Return the scales of the rows' rounding errors.
 
     SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
     other rows, or of cosines between directions; so is one that was left out whose terms are
@@ -398,7 +398,7 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 def part_of(
     now: Snapshot, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
-    """Return what makes a part of `kept.Part` of an Assembly, or None where there is none."""
+    """Return the function that makes a part of `kept.Part` of an Assembly, or None."""
     if name == "contradictions" and not now.definition.equations.unimplied:
         return None
     if name in PARTS:
@@ -414,7 +414,7 @@ def part_of(
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What a solver returned."""
+    """The result of a solver."""
 
     now: Snapshot
     times: np.ndarray
@@ -432,7 +432,7 @@ class Motion:
 
     @property
     def ran(self) -> Ran:
-        """A few of its states, with what is known of the solver."""
+        """A few of its states, with the solver's errors and steps."""
         projected = "constraints" in self.options
         few = looked_at(self.states, projected)
         steps = None
@@ -490,7 +490,7 @@ def check_kept(motion: Motion) -> None:
 
 
 def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> KeptPrograms:
-    """Return the parts as Programs, those that the latest ensemble of a model made."""
+    """Return the parts as Programs, kept from the latest ensemble of a model."""
     slopes = slopes_of(now.definition, plan)
     energies, by, found = model.latest.get("kept", (None, None, None))
     if energies is not now.energies or by != slopes:
@@ -501,7 +501,7 @@ def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> 
 
 
 class KeptPrograms:
-    """The parts of `kept.Part` as Programs; those that travel to other processes take all along."""
+    """The parts of `kept.Part` as Programs, which can be sent to other processes."""
 
     def __init__(self, now: Snapshot, model: CompiledModel, slopes: Slopes) -> None:
         self._now, self._model, self._slopes = now, model, slopes

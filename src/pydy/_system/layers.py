@@ -30,7 +30,7 @@ _KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
 
 
 def _plan(now: Snapshot, part: Part | None) -> SpecifiedsPlan:
-    """Return the plan of the specifieds, with numbers for those in a part."""
+    """Return the plan of the specifieds, with numbers for those in the layer's arguments."""
     if part is None:
         return now.plan
     places = now.definition.places["specifieds"]
@@ -134,7 +134,7 @@ class _Values:
         return self._evaluate(self._kernel, given)
 
     def _product(self, kind: str, wanted: tuple[int, ...]) -> tuple[Kernel, list[Part]]:
-        """Return the Kernel of a product with the Jacobian, and what it is by."""
+        """Return the Kernel of a product with the Jacobian, and the variables it is taken by."""
         known = self._products.get((kind, wanted))
         if known is not None:
             return known
@@ -319,7 +319,7 @@ class _Motion:
         return np.pad(states, ((0, missing), (0, 0)), constant_values=np.nan)
 
     def _columns(self, wanted: tuple[int, ...]) -> tuple[list[Any], list[np.ndarray]]:
-        """Return what to differentiate by, and the places of its columns in each argument."""
+        """Return the parameters to differentiate by, and their columns in each argument."""
         by: list[Any] = []
         places = []
         for k in wanted:

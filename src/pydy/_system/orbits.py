@@ -167,7 +167,7 @@ class _Search:
         self.told: Any = None  # what shows the progress
 
     def _choose_states(self, system: Orbits, moving: Iterable[Any]) -> None:
-        """Divide the states into those to search for, those that advance, and dependent ones."""
+        """Divide the states into unknowns of the search, advancing states, and dependent ones."""
         definition = self.now.definition
         equations, states = definition.equations, definition.places["states"]
         self.steady = sorted(states.columns(listed("moving", moving), "moving").tolist())

@@ -33,7 +33,7 @@ class Parameter:
 
     @property
     def sized(self) -> Sized:
-        """What tells its size."""
+        """The source of its size."""
         group = {"constants": "p", "states": "x", "specifieds": "r"}[self.kind]
         most = None if self.samples is None else float(np.abs(self.samples.values).max())
         return Sized(group, self.place, self.count, most)

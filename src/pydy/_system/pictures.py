@@ -17,7 +17,7 @@ class Pictures(Simulation, Exporting):
     """Scenes, plots and animations."""
 
     def _motion(self, times: Any, states: Any) -> Trajectory:
-        """Return a trajectory of checked arrays, with what moves a scene."""
+        """Return a trajectory of checked arrays, and the model that moves the scene."""
         now = self._now()
         kinds = now.definition.symbols_by_kind
         symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}

@@ -188,7 +188,7 @@ def _short(
 
 
 def _namer(coordinates: tuple[Any, ...], taken: set[str]) -> Callable[[str, Any], Any]:
-    """Return what names the sines and cosines of sums of coordinates: s1, c12, s1m2."""
+    """Return a function that names sines and cosines of sums of coordinates: s1, c12, s1m2."""
     names = [name_of(q) for q in coordinates]
     digits = [re.sub(r"^.*?(\d*)$", r"\1", n) for n in names]
     labels = dict(zip(coordinates, digits if all(digits) else names, strict=True))

@@ -36,7 +36,7 @@ def make_scene(
     visuals: Sequence[Any],
     options: dict[str, Any],
 ) -> Scene:
-    """Return a scene of a System or Snapshot, with what was not said from the bodies and loads."""
+    """Return a scene of a System or Snapshot, with defaults from the bodies and loads."""
     assembly = partial(attrgetter("model.assembly"), source)  # made where u' is shown
     moving: tuple[Any, ...] = ()
     if hasattr(source, "_live_system"):
@@ -110,7 +110,7 @@ def _constants_of(vector: Any) -> set[Any]:
 
 
 class _Definitions(dict[Any, Any]):
-    """What else a scene may hold; derivatives of speeds, as forces have them, when asked for."""
+    """Definitions of further symbols in a scene; rates of speeds, as in forces, on demand."""
 
     def __init__(self, equations: Equations, assembly: Callable[[], Assembly]) -> None:
         super().__init__()

@@ -63,7 +63,7 @@ def is_odeint(solver: Any) -> bool:
 
 
 def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
-    """Whether what `odeint` returned is a motion up to the last time."""
+    """Return whether `odeint` reached the last time."""
     return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())
 
 
@@ -124,7 +124,7 @@ METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
 def resolve_ode_solver(solver: Any) -> Any:
-    """Return what an `ode_solver` or its name stands for, called as odeint is; None for odeint."""
+    """Return an `ode_solver`, or the one of a name, called like odeint; None for odeint itself."""
     if solver is None:
         return None
     if not isinstance(solver, str):
@@ -204,14 +204,14 @@ class SolveIvp:
 
     @property
     def name(self) -> str:
-        """What messages call it."""
+        """Its name in messages."""
         return f"solve_ivp, method {self.method.__name__}"
 
     def __repr__(self) -> str:
         return f"scipy.integrate.solve_ivp with method={self.method.__name__!r}"
 
     def tolerances(self, options: dict[str, Any]) -> dict[str, float]:
-        """Return those that the method has by default; none where its errors are not known."""
+        """Return the method's default tolerances; none where its errors are not known."""
         method = options.get("method", self.method)
         method = getattr(scipy.integrate, method) if method in METHODS else method
         own = signature(method).parameters

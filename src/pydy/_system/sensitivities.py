@@ -43,7 +43,7 @@ _SEEN = 1e3
 
 @dataclass(frozen=True, eq=False)
 class Sensitive:
-    """A System's equations with columns of sensitivities beside the state."""
+    """A System's equations with columns of sensitivities after the state."""
 
     definition: Definition
     model: CompiledModel  # with all expressions compiled in, as it is integrated
@@ -64,7 +64,7 @@ class Sensitive:
         solved: Iterable[Any] | None,
         argument: str = "sensitivities",
     ) -> Sensitive:
-        """Return the sensitivities to what a user wanted.
+        """Return the sensitivities with respect to a user's parameters.
 
         The initial conditions that were `solved` for, or else the method's, depend on the others.
         """
@@ -249,7 +249,7 @@ class Sensitive:
         return f
 
     def compiled(self, scales: np.ndarray | None, events: Sequence[Event]) -> CompiledSensitivities:
-        """Return what native solvers need to know beside the equations."""
+        """Return the sensitivities for native solvers, in addition to the equations."""
         columns, model = self.columns, self.model
         return CompiledSensitivities(
             columns.states,
@@ -331,7 +331,7 @@ class Sensitive:
         return describe([self.definition.states[k] for k in self.dependent])
 
     def unsolved(self) -> str:
-        """Return what to say where the constraints do not give the dependent conditions."""
+        """Return the message for constraints that do not determine the dependent conditions."""
         which = "for any: none is named as dependent"
         if self.dependent:
             which = f"for {self._following}"
@@ -350,7 +350,7 @@ def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
 def program_of_event(
     model: CompiledModel, event: Event, wanted: Sequence[tuple[str, int]]
 ) -> Program:
-    """Return the Program of what an event does to derivatives; see `event_program`."""
+    """Return the Program of an event's effect on derivatives; see `event_program`."""
     own, states = model.assembly.fork(), model.layout.states
     after = [event.reset.get(state, state) for state in states]
     crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
@@ -363,7 +363,7 @@ def program_of_event(
 def compiled_event(
     model: CompiledModel, event: Event, wanted: tuple[tuple[str, int], ...]
 ) -> tuple[Kernel, tuple[int, ...]]:
-    """Return the Kernel of what an event does to derivatives, and which states it changes."""
+    """Return the Kernel of an event's effect on derivatives, and the states it changes."""
     key = ("the event", event.expression, *event.reset.items(), wanted)
     kernel = model.compiled_by(key, lambda: program_of_event(model, event, wanted))
     return kernel, changed_by(event, model.layout.states)
@@ -371,7 +371,7 @@ def compiled_event(
 
 @dataclass
 class Wanted:
-    """Sensitivities that a simulation is to find, and what it is integrated with for them."""
+    """The sensitivities wanted of a simulation, with the model and options that give them."""
 
     parameters: Any  # as the user names them
     controlled: bool  # whether the step control of a native solver looks at the sensitivities too
@@ -408,7 +408,7 @@ class Wanted:
         return sensitive.function(), columns.together(now.x, values), options
 
     def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
-        """Return the states of a solver's result, and what a Trajectory takes beside them."""
+        """Split a solver's result into states and the sensitivities of a Trajectory."""
         sensitive = self.sensitive
         states, values = sensitive.columns.apart(whole)
         states = np.ascontiguousarray(states)
@@ -417,7 +417,7 @@ class Wanted:
         return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
 
     def cut(self, error: Any) -> None:
-        """Leave the sensitivities out of what an error holds."""
+        """Remove the sensitivities from the states in an error."""
         n = self.sensitive.columns.states
         if getattr(error, "states", None) is not None:
             error.states = error.states[:, :n]

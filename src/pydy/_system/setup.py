@@ -41,7 +41,7 @@ _REFUSED = {
 
 @dataclass(frozen=True, eq=False)
 class Generated:
-    """What was generated for a definition."""
+    """The function generated for a definition, with its model."""
 
     definition: Definition
     model: CompiledModel
@@ -57,7 +57,7 @@ class Generated:
 
 
 def checked_options(options: dict[str, Any]) -> dict[str, Any]:
-    """Return the options of `System.generate_ode_function`, without what the System decides."""
+    """Check the options of `System.generate_ode_function`; those set by the System are refused."""
     if "specifieds" in options:
         warn_user(
             "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
@@ -199,7 +199,7 @@ class Setup:
         return self._define.holding(definition, silent) if silent else definition
 
     def _compiled(self, definition: Definition | None = None) -> Generated:
-        """Return what is generated for a definition, by default the present one."""
+        """Return the function generated for a definition, by default the present one."""
         definition = self._definition if definition is None else definition
         for made in self._generated:
             if made.definition is definition or made.definition == definition:
@@ -569,7 +569,7 @@ class Setup:
 
 
 def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Return what is given for each specified, in either format."""
+    """Return the value of each specified, given in either format."""
     if isinstance(specifieds.get("symbols"), (tuple, list)):
         specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
     given: dict[Any, Any] = {}

@@ -54,7 +54,7 @@ _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edite
 
 
 class Ready:
-    """What is integrated but for its numbers, which alone may differ in another call."""
+    """A prepared integration, which can be repeated with other numbers."""
 
     def __init__(
         self,
@@ -74,7 +74,7 @@ class Ready:
     def _prepared(
         self, definition: Definition, model: CompiledModel
     ) -> tuple[CompiledModel, dict[str, Any]]:
-        """Return the model with what changes the equations compiled in, and the options left."""
+        """Return the model with options that change the equations compiled in, and the others."""
         options, equations = dict(self._given), definition.equations
         constraints, events, gain = (
             options.pop(name, None) for name in ("constraints", "events", "gain")
@@ -130,7 +130,7 @@ class Ready:
 
 
 def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
-    """Check what a simulation begins with; return what is ready for it, and the times."""
+    """Check the state at the start; return the prepared integration and the times."""
     latest = now.model.latest
     if len(now.times) < 2:
         raise ValueError(
@@ -159,7 +159,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
 def _run(
     ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray
 ) -> tuple[np.ndarray, Prepared]:
-    """Integrate by a native solver, in what the latest call has reserved if it is free."""
+    """Integrate by a native solver, with the latest call's memory if it is free."""
     plan = now.plan
     prepared: Prepared | None = None
     with suppress(IndexError):
@@ -260,7 +260,7 @@ def _motion(
     options: dict[str, Any],
     mended: bool,
 ) -> Motion | None:
-    """Return what SciPy's or a user's solver returned, if it ended and its states can be told."""
+    """Return the result of SciPy's or a user's solver, if it reached the end and is readable."""
     states, info = result if isinstance(result, tuple) and len(result) == 2 else (result, {})
     if isinstance(solver, SolveIvp):
         if not (defaults := solver.tolerances(options)):

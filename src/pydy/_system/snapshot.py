@@ -78,7 +78,7 @@ class At:
         return replace(self, t=self.t[places], x=self.x[places], r=r, p=p)
 
     def with_unknowns(self, given: Any, rows: Callable[..., np.ndarray]) -> Self:
-        """Return the same with what residuals give, unless a whole state is `given`."""
+        """Return it with an Implicit's unknowns solved for, unless a whole state is `given`."""
         if self.definition.equations.implicit is None:
             return self
         if not (given is None or isinstance(given, Mapping)):
@@ -97,7 +97,7 @@ class At:
 
 @dataclass(frozen=True)
 class _Residuals:
-    """What an `Implicit` solves: rows of the holonomic constraints, by coordinates."""
+    """The equations of an `Implicit`: rows of the holonomic constraints, and their unknowns."""
 
     rows: tuple[int, ...]
     places: tuple[int, ...]
@@ -114,7 +114,7 @@ class _Residuals:
 
 
 def solved_residuals(at: At) -> np.ndarray:
-    """Return a state with what residuals of an `Implicit` give, searched from it."""
+    """Solve an `Implicit` from a state and return the state with its unknowns."""
     x: np.ndarray = at.x[0].copy()
     for rows, places in at.definition.equations.residual_blocks:
         x[[*places]] = _solved_block(replace(at, x=x[None]), _Residuals(rows, places))
@@ -155,7 +155,7 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
-    """What a System is while one of its methods runs; it does not change with the System."""
+    """A System's settings during one call, which later changes of the System do not affect."""
 
     definition: Definition
     model: CompiledModel  # takes all specifieds as inputs

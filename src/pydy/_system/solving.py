@@ -33,7 +33,7 @@ class EnsembleOptions(StepOptions, total=False):
 
 
 def native_solver(ode_solver: Any) -> Solver:
-    """Return a System's `ode_solver` if it is native, else the one for what needs a native one."""
+    """Return a System's `ode_solver` if it is native, else the default native one."""
     return ode_solver if isinstance(ode_solver, Solver) else SOLVERS["dop853"]
 
 
@@ -152,7 +152,7 @@ def event_rates_program(
 
 
 def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Program] | None:
-    """Return what makes the Program of events and of how far they may come from there in a step.
+    """Return the function that makes the Program of events and of bounds on their change in a step.
 
     How far each state may, and the time, stands in r after the specifieds. It is None where that
     bounds not every event.
@@ -175,7 +175,7 @@ def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Prog
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
-    """Compile what the projection needs."""
+    """Compile the constraints for the projection."""
     equations = definition.equations
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
@@ -199,7 +199,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
 
 
 def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str, ...]:
-    """Return what to call the holonomic, then the velocity constraints, `redundant` ones too."""
+    """Return names of the holonomic, then the velocity constraints, including `redundant` ones."""
     left_out = equations.left_out if redundant else ((), ())
     kept = ("holonomic", equations.holonomic), ("velocity", equations.velocity)
     names = []
@@ -234,7 +234,7 @@ class ConstraintNames(Sequence[str]):
 
 
 def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
-    """Return the same with all constraints, those that were left out as redundant last."""
+    """Return the equations with all constraints, redundant ones last."""
 
     def change(own: Assembly) -> Assembly:
         holonomic, velocity = own.with_left_out()
@@ -272,7 +272,7 @@ def _separate(
     gradient: list[list[int]],
     following: tuple[tuple[int, ...], tuple[int, ...]],
 ) -> tuple[int, ...]:
-    """Let residuals g move the coordinates z that they give, and no others; return those places.
+    """Let residuals g move only the coordinates z that they determine; return those positions.
 
     As rows that no speed reaches, by ∂g/∂z alone. In the gradients of other constraints h, z
     follows: h_q − h_z g_z⁻¹ g_q. So what the user gave is not moved to satisfy g.

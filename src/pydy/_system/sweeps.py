@@ -143,7 +143,7 @@ class Family:
 
 
 class _Found:
-    """Equilibria and state matrices along a parameter; what is done stays where work stops."""
+    """Equilibria and state matrices along a parameter; interrupted work keeps its results."""
 
     def __init__(
         self, family: Family, values: np.ndarray, given: np.ndarray | None, models: Models

@@ -37,7 +37,7 @@ _TOGETHER = 1024  # states: their inputs fit in a cache
 
 @dataclass(frozen=True)
 class Target:
-    """What is differentiated."""
+    """A quantity to differentiate."""
 
     block: str  # of the Assembly; empty for a choice of outputs and expressions
     chosen: tuple[Any, ...]  # places of outputs, and expressions
@@ -56,7 +56,7 @@ class Target:
 
 
 def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
-    """Return what a user's `of` means: a block, or outputs and expressions; one if `scalar`."""
+    """Return the block, outputs or expressions that a user's `of` means; one if `scalar`."""
     if isinstance(of, str) and of in BLOCKS and not scalar:
         names = definition.row_names(BLOCKS[of])
         if not names:
@@ -177,7 +177,7 @@ def evaluate_product(
 
 
 def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
-    """Return what a Kernel gives with further inputs after r, laid beside it as it is needed."""
+    """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
     for first in range(0, m, _TOGETHER):

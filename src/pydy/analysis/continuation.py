@@ -152,7 +152,7 @@ class _Point:
 
 
 class _Curve:
-    """F(z) = 0 through z, in units of equations and unknowns, and what is free held.
+    """The curve F(z) = 0 through z, in units of equations and unknowns, with free states fixed.
 
     The parameter is the last unknown, whose range has the `span`. The `spectrum` returns the
     eigenvalues at z and bounds on their rounding. Sizes are `measured` of slopes by the unknowns
@@ -304,7 +304,7 @@ def _followed(
     most: int,
     told: Callable[[float], None],
 ) -> str:
-    """Add points, and what is special between them, one after the other; return why it ended."""
+    """Add points and the special points between them; return why the branch ended."""
     (low, high), length = bounds, step / 4.0
     while len(points) < most:
         point = points[-1]
@@ -349,7 +349,7 @@ def _at(curve: _Curve, a: np.ndarray, b: np.ndarray, edge: float) -> np.ndarray 
 
 
 def _between(curve: _Curve, a: _Point, b: _Point, length: float, place: int) -> list[SpecialPoint]:
-    """Return what is special between two points."""
+    """Return the special points between two points."""
     found = []
     if a.tangent[-1] * b.tangent[-1] < 0.0:
         arc = _bisected(curve, a, length, lambda p: p.tangent[-1])[1]

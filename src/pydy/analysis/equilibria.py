@@ -81,7 +81,7 @@ class Equilibrium:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Equations of equilibrium ``residual(z) = 0``, and what is known of their sizes."""
+    """Equations of equilibrium ``residual(z) = 0``, with the sizes of rows and unknowns."""
 
     residual: Function  # of z (k,): shape (m,)
     jacobian: Function  # of z: shape (m, k)
@@ -138,7 +138,7 @@ class Sizes:
         self.limit = self.rounding(self.terms)  # what rounding may leave of each row
 
     def rounding(self, terms: np.ndarray) -> np.ndarray:
-        """Return what rounding leaves of rows with such terms."""
+        """Return bounds on the rounding errors of rows with such terms."""
         linked = self._linked > 0.0
         largest = (terms[linked] / self._linked[linked]).max(initial=0.0)
         result: np.ndarray = ROUNDED * np.maximum(terms, self._linked * largest)
@@ -210,7 +210,7 @@ def left_ahead(ahead: Problem, z: np.ndarray) -> tuple[str, float, np.ndarray] |
 
 
 def _as_begun(accepted: Found, problem: Problem, start: np.ndarray, bounds: Bounds) -> Found:
-    """Return the same equilibrium with what is free as it was at the start, where that is one too.
+    """Return the equilibrium with free states as at the start, if that is an equilibrium too.
 
     The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
     """
@@ -243,7 +243,7 @@ def _scaled(problem: Problem, rows: np.ndarray) -> tuple[Function, Function]:
 def _search(
     problem: Problem, z: np.ndarray, bounds: Bounds, rows: np.ndarray, units: np.ndarray
 ) -> tuple[np.ndarray, str]:
-    """Return what is found with rows and unknowns in such units, and why it is no better."""
+    """Search with rows and unknowns in the given units; return the result and why it ended."""
     low, high = bounds
     share, slopes = _scaled(problem, rows)
     try:
@@ -259,7 +259,7 @@ def _search(
 
 
 def _accepted(problem: Problem, z: np.ndarray, bounds: Bounds, message: str) -> Found:
-    """Return what `solve_equilibrium` does, if the residuals are rounding errors."""
+    """Return the result of `solve_equilibrium` if the residuals are rounding errors, else None."""
     low, high = bounds
     values, slopes = problem.residual(z), problem.jacobian(z)
     if not (np.isfinite(values).all() and np.isfinite(slopes).all()):

@@ -259,7 +259,7 @@ def _search(
     units: np.ndarray,
     most: int,
 ) -> Any:
-    """Return what SciPy finds with residuals and parameters in units of their sizes."""
+    """Search by SciPy with residuals and parameters in units of their sizes."""
     return scipy.optimize.least_squares(
         lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
         (bounds[0] / units, bounds[1] / units), x_scale="jac",

@@ -22,7 +22,7 @@ Evaluate = Callable[[np.ndarray], Values]  # of blocks of nodes, at times (m,), 
 
 @dataclass(frozen=True)
 class Watched:
-    """What may jump: the blocks 'nodes', their 'switches', the 'steps' and the switches' 'slopes'.
+    """Quantities that may jump: blocks 'nodes', 'switches', 'steps', and the switches' 'slopes'.
 
     The steps are those of each node at each switch, the slopes the derivatives of the switches by
     states, specifieds and constants.
@@ -67,7 +67,7 @@ class Passed:
 def passages(
     evaluate: Evaluate, times: np.ndarray, resets: Sequence[float] = ()
 ) -> Iterator[tuple[int, np.ndarray, Values, np.ndarray]]:
-    """Yield switches that a motion passes, two times beside, values there, and sizes."""
+    """Yield the switches that a motion passes, with times on both sides, values and sizes."""
     along = _shaped(evaluate(times))
     sizes = np.abs(along["nodes"]).max(axis=0, initial=0.0)
     before = np.searchsorted(resets, times, side="right")

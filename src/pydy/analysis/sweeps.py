@@ -130,7 +130,7 @@ class EigenvalueSweep:
         return tuple(sorted(found, key=lambda crossing: crossing.value))
 
     def _departures(self, branch: int) -> list[tuple[int, int]]:
-        """Return where a branch lies on the axis beside a place where it is unstable."""
+        """Return the position on the axis next to an unstable part of a branch."""
         real, limit = self.eigenvalues[:, branch].real, self._nothing
         seen = np.flatnonzero(np.abs(real) > limit)
         found = []
@@ -282,7 +282,7 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def with_rounding(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the eigenvalues of a matrix, and bounds on what rounding does to them.
+    """Return the eigenvalues of a matrix, with bounds on their rounding errors.
 
     They are the condition numbers of the eigenvalues times the rounding of the balanced matrix
     (Golub & Van Loan, Matrix Computations, §7.2.2).

@@ -181,7 +181,7 @@ class OfTime(ABC):
 
 @dataclass(frozen=True)
 class _Checked:
-    """A user's function for some specifieds, called as g(x, t); what it returns is checked."""
+    """A user's function g(x, t) for some specifieds, whose results are checked."""
 
     function: Callable[..., Any]
     names: tuple[Any, ...]
@@ -190,7 +190,7 @@ class _Checked:
 
     @property
     def identity(self) -> tuple[Any, ...]:
-        """What decides the values, besides the places that they go to."""
+        """The data that determine the values, without their positions."""
         return self.function, self.time_first, self.kept
 
     @property
@@ -271,7 +271,7 @@ class SpecifiedsPlan:
     def _take(
         self, value: Any, names: Sequence[Any], columns: np.ndarray, label: str, several: bool
     ) -> None:
-        """Take numbers and expressions, or say what is wrong with anything else."""
+        """Take numbers and expressions, and refuse anything else by name."""
         if isinstance(value, SampledInput):
             raise ValueError(
                 f"{label} must be a SampledInput of {len(names)} values at each time, one for each "
@@ -390,7 +390,7 @@ def _is_unchanging(value: Any) -> bool:
 
 
 def _refuse_mixtures(value: Any, label: str) -> None:
-    """Say what to do with a sequence of things that are not numbers."""
+    """Refuse a sequence that is not of numbers, and name the remedy."""
     if not isinstance(value, (list, tuple)):
         return
     if any(callable(v) for v in value):

@@ -179,7 +179,7 @@ def generate_ode_function(
 
 
 def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list[Any]:
-    """Return a user's list of symbols, with those of the equations in place of names."""
+    """Return a user's list of symbols, with names replaced by the symbols of the equations."""
     symbols = listed(argument, value, hashable=True)
     if any(isinstance(s, str) for s in symbols):
         found = find_symbols([e for part in parts for e in sm.Matrix(part)])

@@ -175,7 +175,7 @@ class RightHandSide:
 
     @cached_property
     def kernel(self) -> Kernel:
-        """The Kernel of what the function returns."""
+        """The Kernel of the function's values."""
         return self.model.compiled(*self.model.function_blocks)
 
     def docstring(self) -> str:

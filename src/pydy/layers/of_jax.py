@@ -120,7 +120,7 @@ def _primitives() -> tuple[Any, Any, Any]:
         return value.bind(*given, function=function), slope
 
     def moved(primitive: Any) -> Any:
-        """Return the rule for what is linear in all but the arguments of the function."""
+        """Return the rule for a function that is linear in its tangents."""
 
         def rule(given: Any, along: Any, function: Function, wanted: tuple[int, ...]) -> Any:
             k = len(function.parts)

@@ -21,7 +21,7 @@ class TorchArrays:
         return TorchArrays, ()  # a module does not pickle
 
     def array(self, value: Any, argument: str) -> Any:
-        """Return a tensor of float64; numbers and what is not a tensor are converted."""
+        """Return a tensor of float64; numbers and arrays are converted."""
         torch = self.torch
         if not isinstance(value, torch.Tensor):
             return torch.as_tensor(np.asarray(value, dtype=float))
@@ -52,7 +52,7 @@ class TorchArrays:
 
 @cache
 def _calls() -> tuple[Any, Any, Any]:
-    """Return the autograd.Functions of a value, and what tells which of them is to be used.
+    """Return the autograd.Functions of a value, and the rule that selects one of them.
 
     The second one is for the transformations of torch.func. PyTorch binds the arguments of such a
     Function to its signature at each call, which takes longer than most of what is computed.
