@@ -127,6 +127,24 @@ def eliminated(
     return Solution([found[s] for s in speeds], sound)
 
 
+def partials(
+    graph: Graph, rows: Rows, groups: Sequence[Sequence[int]], velocity: Iterable[int]
+) -> list[Row]:
+    """Return the derivatives of components of a velocity by the speeds, from anchor to anchor."""
+    whole = {k: rows.through(k) for group in groups for k in group}
+    order = _sorted_groups([list(group) for group in groups], whole)[::-1]
+    found = []
+    for node in velocity:
+        row = {a: [(d, 1.0)] for a, d in rows(node).items()}
+        for group in order:
+            passed = [(whole[k], graph.sum(row.pop(k))) for k in group if k in row]
+            for c in sorted({c for own, _ in passed for c in own}):
+                terms = [(graph.mul(own[c], n), 1.0) for own, n in passed if c in own]
+                row.setdefault(c, []).append((graph.sum(terms), 1.0))
+        found.append({speed: graph.sum(terms) for speed, terms in row.items()})
+    return found
+
+
 class _Push:
     """Quadratic forms and forces on their way from anchors to speeds."""
 

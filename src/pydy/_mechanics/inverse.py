@@ -15,15 +15,15 @@ do together with those of the constraints, Jᵀ λ, follows from the rows of the
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
-from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
+from pydy._graph.rewrite import substitute, transplanted
 from pydy._graph.simplify import operations
-from pydy._mechanics.elimination import composite
+from pydy._mechanics.elimination import composite, partials
 from pydy._mechanics.form import (
     alike,
     idle_inputs,
@@ -35,11 +35,28 @@ from pydy._mechanics.inertia import Load, loads_and_inertias, lumped, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody, distances, is_rigid, places
 
-Expressions = list[Any]
+
+class Found(NamedTuple):
+    """Nodes, in what the inputs of their graph stand for: q, u, u', constants and specifieds."""
+
+    graph: Graph
+    nodes: Vec
+    symbols: dict[int, Any]
+
+    def expressions(self) -> list[Any]:
+        """Return SymPy expressions."""
+        return [NodeExpression.of(self.graph, n, self.symbols, "…") for n in self.nodes]
+
+    def read(self, reader: SymPyReader) -> list[int]:
+        """Return nodes of a reader's graph: what they share is read once."""
+        g = self.graph
+        inputs = [n for n in g.reachable(self.nodes) if g.ops[n] == "input"]
+        names = {n: reader(self.symbols[n]) for n in inputs}
+        return transplanted(g, self.nodes, reader.graph, names)
 
 
 class Known:
-    """What expressions may hold (None: anything), and what the rest stands for.
+    """What is found may hold (None: anything), and what the rest stands for.
 
     Symbols that are not known affect no motion. Where they cancel they are left out; the place of a
     base does not: it has one of the `values`. Others stay, and who reads them names them. The
@@ -51,8 +68,8 @@ class Known:
     ) -> None:
         self.symbols, self.zeros, self.values = symbols, frozenset(zeros), values
 
-    def expressions(self, kinematics: Kinematics, nodes: Sequence[int]) -> Expressions:
-        """Return nodes as expressions in q, u, u', constants and specifieds."""
+    def found(self, kinematics: Kinematics, nodes: Sequence[int]) -> Found:
+        """Return nodes in what is known."""
         g, symbols = kinematics.graph, kinematics.symbols()
         known = self.symbols
         unknown = [n for n, s in symbols.items() if known is not None and s not in known]
@@ -65,13 +82,13 @@ class Known:
             given = {n: g.const(value) for n, value in own.items()}
             given.update(dict.fromkeys(idle_inputs(g, nodes, strange), g.zero))
             nodes = substitute(g, nodes, given)
-        return [NodeExpression.of(g, node, symbols, "…") for node in nodes]
+        return Found(g, [*nodes], symbols)
 
 
 @collector_paused()
 def inverse_dynamics(
     body: Multibody, known: Known, at: Sequence[int] | None = None, *, bound: Sequence[int] = ()
-) -> Expressions:
+) -> Found:
     """Return the generalised forces that given accelerations take, in q, u and u'.
 
     They act at all speeds, or at the places `at`, as many as the constraints leave free. The u' of
@@ -97,7 +114,7 @@ def inverse_dynamics(
         drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
         solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
         forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
-    return known.expressions(kinematics, forces)
+    return known.found(kinematics, forces)
 
 
 def _required(body: Multibody) -> tuple[Kinematics, Vec]:
@@ -116,7 +133,7 @@ def _required(body: Multibody) -> tuple[Kinematics, Vec]:
 
 
 @collector_paused()
-def mass_matrix(body: Multibody, known: Known) -> Expressions:
+def mass_matrix(body: Multibody, known: Known) -> Found:
     """Return M of all speeds, which no constraint holds, row by row."""
     if body.lagrangian is not None:
         kinematics = moving(body, in_bodies=True)
@@ -130,11 +147,11 @@ def mass_matrix(body: Multibody, known: Known) -> Expressions:
     moved = dense_rows(g, jacobian(g, forcing, kinematics.accelerations), n)
     pairs = zip(matrix, moved, strict=True)
     cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
-    return known.expressions(kinematics, cells)
+    return known.found(kinematics, cells)
 
 
 @collector_paused()
-def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | None:
+def weights(body: Multibody, known: Known, pull: Any = None) -> Found | None:
     """Return the forces that hold all masses against gravity; None where no load tells it.
 
     It pulls as `pull`, by default as what is common to the loads at all mass centres.
@@ -149,11 +166,11 @@ def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | No
     symbols, g = plain.symbols(), kinematics.graph
     down = kinematics.read.all([NodeExpression.of(plain.graph, node, symbols) for node in fall])
     forces = _pushed(kinematics, weights_of(kinematics, down))
-    return known.expressions(kinematics, [g.neg(node) for node in forces])
+    return known.found(kinematics, [g.neg(node) for node in forces])
 
 
 @collector_paused()
-def regressor(body: Multibody, known: Known) -> Expressions | None:
+def regressor(body: Multibody, known: Known) -> Found | None:
     """Return Y of τ = Y π + …, row by row, with the inertial parameters π of `parameters`.
 
     With the acceleration a of the mass centre, less gravity, and the angular velocity and
@@ -177,12 +194,12 @@ def regressor(body: Multibody, known: Known) -> Expressions | None:
         axes = item.frame if is_rigid(item) else home
         a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
         pairs: list[tuple[Vec, Vec | None]] = [(a, None)]
-        moved = [_pushed(kinematics, [Load(v, unit)]) for unit in units]
+        moved = _partials(kinematics, v)
         turned: list[Vec] = []
         if is_rigid(item):
             w, _ = kinematics.spin(axes)
             alpha, turning = kinematics.angular_acceleration(axes, axes), kinematics.turning(axes)
-            turned = [_pushed(kinematics, [Load(w, unit)]) for unit in units]
+            turned = _partials(kinematics, w)
             pairs += [
                 ([row[i] for row in turning], kinematics.cross(unit, a))
                 for i, unit in enumerate(units)
@@ -204,14 +221,14 @@ def regressor(body: Multibody, known: Known) -> Expressions | None:
                     for k in range(len(kinematics.speeds))
                 ]
             )
-    return known.expressions(kinematics, [n for row in zip(*columns, strict=True) for n in row])
+    return known.found(kinematics, [n for row in zip(*columns, strict=True) for n in row])
 
 
 _ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 
 
 @collector_paused()
-def parameters(body: Multibody, known: Known) -> Expressions:
+def parameters(body: Multibody, known: Known) -> Found:
     """Return the inertial parameters of all bodies: m, m c, and the inertia about the mass centre.
 
     The mass centre c is where the model has it, so that its first moments are zero. A particle has
@@ -223,7 +240,7 @@ def parameters(body: Multibody, known: Known) -> Expressions:
         if is_rigid(item):
             tensor = kinematics.tensor(tuple(item.central_inertia.args), item.frame)
             found += [*[kinematics.graph.zero] * 3, *(tensor[i][j] for i, j in _ENTRIES)]
-    return known.expressions(kinematics, found)
+    return known.found(kinematics, found)
 
 
 def _common_pull(kinematics: Kinematics) -> Vec | None:
@@ -339,8 +356,17 @@ def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
     return composite(*parts, [], loads)[1]
 
 
+def _partials(kinematics: Kinematics, velocity: Vec) -> list[Vec]:
+    """Return the derivatives of a velocity's components by the speeds."""
+    parts = kinematics.graph, kinematics.rows, kinematics.groups
+    return [
+        [row.get(u, kinematics.graph.zero) for u in kinematics.speeds]
+        for row in partials(*parts, velocity)
+    ]
+
+
 @collector_paused()
-def position(body: Multibody, known: Known, point: Any, origin: Any) -> Expressions:
+def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
     """Return the way from a point to another, in the axes of the inertial frame."""
     kinematics = moving(body, in_bodies=True)
     away, total = distances(origin, places), [kinematics.graph.zero] * 3
@@ -348,30 +374,28 @@ def position(body: Multibody, known: Known, point: Any, origin: Any) -> Expressi
         before = next(p for p in places(point) if away[p] < away[point])
         total = kinematics.plus(total, kinematics.vector(places(point)[before], body.frame))
         point = before
-    return known.expressions(kinematics, total)
+    return known.found(kinematics, total)
 
 
 @collector_paused()
-def rotation(body: Multibody, known: Known, frame: Any) -> Expressions:
+def rotation(body: Multibody, known: Known, frame: Any) -> Found:
     """Return the matrix of a frame's axes as columns, in those of the inertial frame."""
     kinematics = moving(body, in_bodies=True)
     columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
-    return known.expressions(kinematics, [column[i] for i in range(3) for column in columns])
+    return known.found(kinematics, [column[i] for i in range(3) for column in columns])
 
 
 @collector_paused()
-def partial_velocities(body: Multibody, known: Known, point: Any, frame: Any) -> Expressions:
+def partial_velocities(body: Multibody, known: Known, point: Any, frame: Any) -> Found:
     """Return the derivatives by the speeds of a point's velocity and a frame's angular velocity.
 
     Either may be None. Components are in the inertial frame; rows come one after the other.
     """
     kinematics = moving(body, in_bodies=True, more=() if point is None else (point,))
-    g, found = kinematics.graph, []
+    found: Vec = []
     for where in (point, frame):
         if where is not None:
             home, own = kinematics.at(where)
-            velocity = kinematics.expressed(own, home, body.frame)
-            for i in range(3):
-                unit = [g.one if j == i else g.zero for j in range(3)]
-                found += _pushed(kinematics, [Load(velocity, unit)])
-    return known.expressions(kinematics, found)
+            rows = _partials(kinematics, kinematics.expressed(own, home, body.frame))
+            found += [n for row in rows for n in row]
+    return known.found(kinematics, found)

@@ -577,8 +577,10 @@ class _Free:
             masses = assembly.mass_matrix[:: n + 1] or [g.one] * n
             return {"masses": masses, "forces": sizes_of_terms(g, assembly.forcing)}
         known = Known(None, self.definition.forces, {})
-        forces = assembly.read(inverse_dynamics(body, known), "the forces", sizes=True)
-        matrix = mass_matrix(body, known)
+        forces = assembly.read(
+            inverse_dynamics(body, known).expressions(), "the forces", sizes=True
+        )
+        matrix = mass_matrix(body, known).expressions()
         masses = assembly.read(matrix[:: n + 1], "the mass matrix", sizes=True)
         return {"masses": masses, "forces": sizes_of_terms(g, forces)}
 

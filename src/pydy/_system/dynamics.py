@@ -180,7 +180,7 @@ class Quantity(NamedTuple):
             nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
         else:
             read = SymPyReader(g, atoms, f"the {self.name}")
-            nodes = substitute(g, read.all(found), assembly.given)
+            nodes = substitute(g, found.read(read), assembly.given)
         sizes = n + count, s, c
         if not by:
             return assembly.lowered({self.name: nodes}, sizes=sizes)

@@ -136,7 +136,8 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
                 "the method itself."
             )
         body.check_unchanged()
-        matrix, bias = mass_matrix(body, known), inverse_dynamics(body, known)
+        matrix = mass_matrix(body, known).expressions()
+        bias = inverse_dynamics(body, known).expressions()
     rates = [*equations.coordinate_derivatives]
     velocity = [*equations.velocity]
     moving = {*equations.coordinate_rates, *equations.speed_rates, *equations.zeros}
