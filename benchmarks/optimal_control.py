@@ -164,7 +164,7 @@ def show_evaluate(lines: Lines) -> None:
             others = [taken.get(f"{p} {kind}") for p in PEERS]
             row += ["–" if t is None else f"{pairwise(t, own):.1f}" for t in others]
         rows.append(row)
-    table("One evaluation over the whole mesh, from Python", header, rows)
+    table("One evaluation over the whole mesh", header, rows)
 
 
 # -- solves -------------------------------------------------------------------------------------

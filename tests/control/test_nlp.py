@@ -11,7 +11,7 @@ import optima
 from optima import TF, T
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library, solve
-from pydy.control.nlp import SIGNATURES
+from pydy.control.nlp import SIGNATURES, Nlp, Piece, runs_of
 
 
 def points(nlp, k, y):
@@ -68,7 +68,7 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
     J, fine = nlp.native("jacobian", y)
     assert fine
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "jacobian", y)])
-    np.testing.assert_array_equal(J, plain / nlp.derivative_units[0])
+    np.testing.assert_array_equal(J, plain * nlp.derivative_units[0])
     weighted, first = [], 0
     for piece in nlp.pieces:
         m, costs = piece.functions.outputs
@@ -119,3 +119,33 @@ def test_a_program_is_pickled_without_its_addresses():
     y = found.solution.z / found._nlp.sizes
     assert set(other.native.addresses) == set(SIGNATURES)
     assert other.native("cost", y) == found._nlp.native("cost", y)
+
+
+def test_places_that_follow_each_other_are_read_as_runs():
+    k = np.arange(4)
+    ends = np.array([k, k + 1, 20 + k])
+    thrice = np.concatenate([ends + j * 5 for j in (0, 2, 1)], axis=1)
+    shared = np.full((1, 12), 7)
+    length, runs = runs_of(np.concatenate([thrice, shared]))
+    assert length == 4
+    assert runs.reshape(4, 3).tolist() == [[0, 10, 5], [1, 11, 6], [20, 30, 25], [-1, -1, -1]]
+    assert runs_of(np.array([[3], [1]]))[1].tolist() == [3, 1]
+    length, runs = runs_of(np.array([[5, 3, 4, 9]]))
+    assert (length, runs.tolist()) == (1, [5, 3, 4, 9])
+    length, runs = runs_of(shared)
+    assert (length, runs.tolist()) == (12, [-1])
+
+
+def test_a_second_search_makes_no_pieces_and_units_no_tables(monkeypatch):
+    system, (x, v, F) = optima.double_integrator()
+    problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0})
+    problem.check()
+    made = []
+    own, start = Piece.__post_init__, Nlp.__post_init__
+    monkeypatch.setattr(Piece, "__post_init__", lambda self: made.append("piece") or own(self))
+    monkeypatch.setattr(Nlp, "__post_init__", lambda self: made.append("program") or start(self))
+    assert problem.solve().objective == pytest.approx(12.0)
+    assert made == ["program"]
+    assert problem._with([], [])._on(problem._mesh).problem is not problem._problem
+    nlp, z, _ = problem._joined([problem._mesh], [None])
+    assert nlp.native._tables is nlp.in_own_units(z).native._tables

@@ -350,7 +350,7 @@ class _Joined:
         rows: list[Piece] = []
         for e, made, own in zip(self.experiments, self.made, self.own, strict=True):
             open_ = np.full(len(own), np.inf)
-            np.maximum.at(sizes, own, sizes_of(made, start[own], -open_, open_))
+            np.maximum.at(sizes, own, sizes_of(made, start[own], -open_, open_)[0])
             samples = made.samples(e.times, np.nan_to_num(e.values), e.weights)
             pieces += [replace(p, at=own[p.at]) for p in (*made.pieces, samples[0])]
             rows.append(replace(samples[1], at=own[samples[1].at]))

@@ -31,7 +31,6 @@ from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.native import LLVMBackend, sweep_by_columns
 from pydy._forks import cached_property
 from pydy._graph.adjoint import adjoints
-from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
@@ -280,37 +279,36 @@ class Point:
         put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
         put |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
         by, data, m = [*put.values()][: len(self._variables)], len(self._data), outputs[0]
-        with collector_paused():
-            roots = simplify(g, substitute(g, roots, put))
-            pairs, roots = roots[sum(outputs) :], roots[: sum(outputs)]
-            rows, costs = roots[:m], roots[m:]
-            weights = [g.input("r", data + k) for k in range(len(roots))]
-            slopes = jacobian(g, rows, by)
-            gradient = adjoints(g, costs, [g.one], by) if costs else []
-            gradient_at = [k for k, n in enumerate(gradient) if n != g.zero]
-            jacobian_at = [(i, j) for i, row in enumerate(slopes) for j in row]
-            cells = {
-                "cost": costs,
-                "gradient": [gradient[k] for k in gradient_at],
-                "rows": rows,
-                "jacobian": [slopes[i][j] for i, j in jacobian_at],
-            }
-            hessian_at: list[tuple[int, int]] = []
-            if hessian == "gauss-newton" and pairs:
-                hessian_at, cells["hessian"] = _normal(g, pairs[::2], pairs[1::2], by, weights[m])
-            elif hessian == "exact":
-                lagrangian = factor_sums(g, adjoints(g, roots, weights, by))
-                second = jacobian(g, lagrangian, by)
-                hessian_at = [(i, j) for i, row in enumerate(second) for j in row if j <= i]
-                cells["hessian"] = [second[i][j] for i, j in hessian_at]
-            sizes = (len(by), data, self.constants)
-            weighted = (len(by), data + len(weights), self.constants)
-            programs = {}
-            for name, nodes in cells.items():
-                if nodes:
-                    shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
-                    own = weighted if name == "hessian" else sizes
-                    programs[name] = lower(g, own, [(name, (len(nodes),), shared)])
+        roots = simplify(g, substitute(g, roots, put))
+        pairs, roots = roots[sum(outputs) :], roots[: sum(outputs)]
+        rows, costs = roots[:m], roots[m:]
+        weights = [g.input("r", data + k) for k in range(len(roots))]
+        slopes = jacobian(g, rows, by)
+        gradient = adjoints(g, costs, [g.one], by) if costs else []
+        gradient_at = [k for k, n in enumerate(gradient) if n != g.zero]
+        jacobian_at = [(i, j) for i, row in enumerate(slopes) for j in row]
+        cells = {
+            "cost": costs,
+            "gradient": [gradient[k] for k in gradient_at],
+            "rows": rows,
+            "jacobian": [slopes[i][j] for i, j in jacobian_at],
+        }
+        hessian_at: list[tuple[int, int]] = []
+        if hessian == "gauss-newton" and pairs:
+            hessian_at, cells["hessian"] = _normal(g, pairs[::2], pairs[1::2], by, weights[m])
+        elif hessian == "exact":
+            lagrangian = factor_sums(g, adjoints(g, roots, weights, by))
+            second = jacobian(g, lagrangian, by)
+            hessian_at = [(i, j) for i, row in enumerate(second) for j in row if j <= i]
+            cells["hessian"] = [second[i][j] for i, j in hessian_at]
+        sizes = (len(by), data, self.constants)
+        weighted = (len(by), data + len(weights), self.constants)
+        programs = {}
+        for name, nodes in cells.items():
+            if nodes:
+                shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
+                own = weighted if name == "hessian" else sizes
+                programs[name] = lower(g, own, [(name, (len(nodes),), shared)])
         return Functions.of(programs, sizes, outputs, gradient_at, jacobian_at, hessian_at)
 
 

@@ -12,9 +12,11 @@ interface, and here its structs are filled in.
 from __future__ import annotations
 
 import ctypes
+import math
 from collections.abc import Sequence
+from copy import copy
 from ctypes import c_bool, c_double, c_int, c_void_p
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -114,11 +116,9 @@ class Nlp:
     # of the same place are to be added.
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     hessian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
-    # What the Jacobian's entries are divided by, and the Hessian's multiplied with.
-    derivative_units: tuple[np.ndarray, np.ndarray] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        rows, columns, lower, upper, twice = [], [], [], [], []
+        rows, columns, lower, upper = [], [], [], []
         start = 0
         for piece in self.pieces:
             k, f = np.arange(piece.points), piece.functions
@@ -129,18 +129,11 @@ class Nlp:
             first, second = piece.at[i], piece.at[j]
             lower.append(np.maximum(first, second).ravel())
             upper.append(np.minimum(first, second).ravel())
-            # Two variables of a point that are one unknown meet twice on the diagonal.
-            twice.append(((i != j)[:, None] & (first == second)).ravel())
             start += piece.rows * piece.points
         self._set("jacobian_at", (_indices(rows), _indices(columns)))
         self._set("hessian_at", (_indices(lower), _indices(upper)))
         if not len(self.row_sizes):
             self._set("row_sizes", np.ones(start))
-        i, j = self.jacobian_at
-        divisor = self.row_sizes[i] / self.sizes[j]
-        i, j = self.hessian_at
-        factor = self.sizes[i] * self.sizes[j] * np.where(np.concatenate([[], *twice]), 2.0, 1.0)
-        self._set("derivative_units", (divisor, factor))
 
     def _set(self, name: str, value: object) -> None:
         object.__setattr__(self, name, value)
@@ -154,6 +147,18 @@ class Nlp:
     def rows(self) -> int:
         """Number of rows."""
         return len(self.row_sizes)
+
+    @property
+    def derivative_units(self) -> tuple[np.ndarray, np.ndarray]:
+        """What the entries of the Jacobian and of the Hessian are multiplied with."""
+        twice = [np.empty(0, dtype=bool)]
+        for piece in self.pieces:
+            i, j = piece.functions.hessian_at.T
+            # Two variables of a point that are one unknown meet twice on the diagonal.
+            twice.append(((i != j)[:, None] & (piece.at[i] == piece.at[j])).ravel())
+        (row, column), (i, j) = self.jacobian_at, self.hessian_at
+        curvatures = self.sizes[i] * self.sizes[j] * np.where(np.concatenate(twice), 2.0, 1.0)
+        return self.sizes[column] / self.row_sizes[row], curvatures
 
     @property
     def row_bounds(self) -> tuple[np.ndarray, np.ndarray]:
@@ -212,16 +217,26 @@ class Nlp:
             curved = self.native("gradient", y + 1.0)[0]  # by their sizes farther, all at once
             curved = np.abs(curved - slope) / 2
         size = float(np.max(np.nan_to_num(np.abs(slope) + curved), initial=0.0))
-        return replace(self, row_sizes=or_one(sizes), cost_size=size if size > 0.0 else 1.0)
+        other = self.of_cost_size(size if size > 0.0 else 1.0)
+        other._set("row_sizes", or_one(sizes))
+        other._set("native", Native(other, self.native))
+        return other
+
+    def of_cost_size(self, size: float) -> Nlp:
+        """Return the same with the objective divided by another size."""
+        other = copy(self)
+        other._set("cost_size", size)
+        return other
 
 
 class Native:
     """The compiled functions of an Nlp: `addresses` by the keys of `SIGNATURES`.
 
-    They take the `handle` as their last argument; it is valid as long as this object lives.
+    They take the `handle` as their last argument; it is valid as long as this object lives. Those
+    of the same program in other units are `like` them, in the same arrays.
     """
 
-    def __init__(self, nlp: Any) -> None:
+    def __init__(self, nlp: Any, like: Native | None = None) -> None:
         code = nlp_functions()
         self.addresses = {name: code.addresses[f"nlp_{name}"] for name in SIGNATURES}
         self._call = {
@@ -229,8 +244,8 @@ class Native:
             for name, kinds in SIGNATURES.items()
         }
         self._sizes = nlp.size, nlp.rows, len(nlp.jacobian_at[0]), len(nlp.hessian_at[0])
-        self._kept: list[Any] = [code]
-        tables = [
+        self._kept: list[Any] = [code, like]
+        self._tables: list[np.ndarray] = like._tables if like is not None else [
             np.array([self._part(nlp, k, name) for k, piece in enumerate(nlp.pieces)
                       if name in piece.functions.programs], np.int64)
             for name in SIGNATURES
@@ -239,8 +254,8 @@ class Native:
         words = np.zeros(24, np.int64)
         words[:17] = [
             *(nlp.size, nlp.rows),
-            *(len(table) for table in tables),
-            *(self._kept_at(table) for table in tables),
+            *map(len, self._tables),
+            *map(self._kept_at, self._tables),
             *(self._kept_at(np.ascontiguousarray(unit)) for unit in units),
             self._kept_at(np.empty(nlp.size)),
         ]
@@ -276,10 +291,11 @@ class Native:
             np.empty(points, np.uint8),
             np.ascontiguousarray(to, np.int64),
         )
-        tables = tables_of(piece.signals)
+        tables, (length, runs) = tables_of(piece.signals), runs_of(piece.at)
         return [
             *(*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs),
             *(len(tables[0]), len(piece.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),
+            *(length, self._kept_at(runs)),
         ]
 
     def __call__(
@@ -299,6 +315,18 @@ class Native:
         out = np.empty(count)
         fine = self._call[name](n, _at(y), True, *more, _at(out), self.handle)
         return out, bool(fine)
+
+
+def runs_of(at: np.ndarray) -> tuple[int, np.ndarray]:
+    """Return how many places of unknowns at a time may follow each other, and where those begin.
+
+    A run whose places do not has −1: an unknown that all points share, as a constant.
+    """
+    follows = np.diff(at, axis=1) == 1
+    ends = np.flatnonzero(~follows[follows.any(axis=1)].all(axis=0)) + 1
+    length = math.gcd(at.shape[1], *ends.tolist())
+    runs = at.reshape(-1, length)
+    return length, np.where((np.diff(runs, axis=1) == 1).all(axis=1), runs[:, 0], -1)
 
 
 def _at(array: np.ndarray) -> int:

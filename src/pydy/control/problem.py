@@ -32,7 +32,7 @@ from pydy.control.refine import (
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.search import Search
-from pydy.control.transcription import Problem, Transcription, sizes_of
+from pydy.control.transcription import Problem, Transcription
 from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
 
@@ -114,6 +114,8 @@ class OptimalControl(Search[OptimalTrajectory]):
     >>> round(solution.objective, 6), solution[F][[0, -1]].round(6).tolist()
     (12.0, [6.0, -6.0])
     """
+
+    _latest: Transcription | None = None
 
     def __init__(
         self,
@@ -390,7 +392,14 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     # -- before the search ------------------------------------------------------------------------
 
-    def _check_start(self, made: Transcription, z: np.ndarray) -> None:
+    def _on(self, mesh: np.ndarray) -> Transcription:
+        """Return the transcription on a mesh; the latest is kept for the next search."""
+        made = self._latest
+        if made is None or made.problem is not self._problem or made.mesh is not mesh:
+            made = self._latest = Transcription(self._problem, self._scheme, mesh)
+        return made
+
+    def _check_start(self, made: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
         """Refuse a start that violates the constraints, or that they do not determine."""
         states = self._now.definition.states
         if self._fixed and not self._free:
@@ -410,7 +419,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         begin = made.beginning()
         rows, J = begin.evaluate("rows", z)[:, 0], np.zeros((begin.rows, len(begin.at)))
         J[tuple(begin.functions.jacobian_at.T)] = begin.evaluate("jacobian", z)[:, 0]
-        sizes = sizes_of(made, z, *self._bounds_of(made))[begin.at[:, 0]]
+        sizes = sizes[begin.at[:, 0]]
         terms = np.abs(J) @ sizes
         if self._fixed and (np.abs(rows) > DIGITS * terms).any():
             at = int(np.argmax(np.abs(rows) - DIGITS * terms))
@@ -523,8 +532,9 @@ class OptimalControl(Search[OptimalTrajectory]):
         return other
 
     def _trajectory(
-        self, made: Transcription, nlp: Nlp, start: np.ndarray, solution: Solution
+        self, made: Transcription, nlp: Nlp, told: np.ndarray, solution: Solution
     ) -> OptimalTrajectory:
+        """Return what is found; `told` is how large each state is by the guess."""
         now, duration = self._now, made.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
@@ -538,9 +548,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
         if solution.status in SOLVED:
             refuse_unsolvable(moved, made, solution.z, now.definition.constants)
-        open_ = np.full(nlp.size, np.inf)  # bounds do not tell how large a state becomes
-        sizes = made.split(sizes_of(made, start, -open_, open_))[0][:, 0]
-        error = interval_errors(moved, made, solution.z, sizes)
+        error = interval_errors(moved, made, solution.z, told)
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
 
 

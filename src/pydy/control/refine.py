@@ -78,15 +78,19 @@ def _integrated(
     moves = made.controls_in(z, np.tile(np.arange(M), len(s)), np.repeat(s, M))
     r[:, controls] = moves + (r[:, controls] if problem.noise else 0.0)
     instants, inputs = iter(times), iter(r.reshape(len(s), M, -1))
-    x, h = x.copy(), (lengths / steps)[:, None]
+    x, h, stages = x.copy(), (lengths / steps)[:, None], np.empty((len(tableau.stages), x.size))
+
+    def moved_by(row: Mapping[int, float]) -> np.ndarray:
+        slope = np.array([*row.values()]) @ stages[[*row]]
+        found: np.ndarray = x + h * slope.reshape(x.shape)
+        return found
+
     with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
         for _ in range(steps):
-            stages: list[np.ndarray] = []
-            for row in tableau.stages:
-                at = x + h * sum((a * stages[j] for j, a in row.items()), np.zeros(1))
-                slopes = moved.kernel.evaluate(next(instants), at, next(inputs), p)[0]
-                stages.append(slopes)
-            x = x + h * sum((b * stages[j] for j, b in tableau.weights.items()), np.zeros(1))
+            for stage, row in zip(stages, tableau.stages, strict=True):
+                at = moved_by(row) if row else x
+                stage[:] = moved.kernel.evaluate(next(instants), at, next(inputs), p)[0].ravel()
+            x = moved_by(tableau.weights)
     return x
 
 

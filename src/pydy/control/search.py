@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from itertools import repeat
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -29,8 +29,15 @@ from pydy.control.transcription import Transcription, sizes_of
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS, TOLERANCE
 
 Found = TypeVar("Found")
-# A problem on its mesh: its program, and where its unknowns are in the whole one.
-Part = tuple[Transcription, Nlp, np.ndarray]
+
+
+class Part(NamedTuple):
+    """A problem on its mesh."""
+
+    made: Transcription
+    program: Nlp
+    own: np.ndarray  # where its unknowns are in the whole program
+    told: np.ndarray  # how large each state is by the guess
 
 
 class Search(Generic[Found]):
@@ -229,39 +236,56 @@ class Search(Generic[Found]):
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
     ) -> tuple[Nlp, np.ndarray, list[Part]]:
         """Return the program, where to start, and the problems on their meshes."""
-        several = len(meshes) > 1
-        made, programs, starts, own = [], [], [], []
-        known: dict[Any, int] = {}
-        size = 0
+        made, programs, starts, told = [], [], [], []
         for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
-            one = Transcription(problem._problem, problem._scheme, mesh)
+            one = problem._on(mesh)
             lower, upper = problem._bounds_of(one)
             z = problem._guess(one, guess, lower, upper)
+            sizes, states = sizes_of(one, z, lower, upper)
             made.append(one)
             starts.append(z)
-            programs.append(one.nlp(lower, upper, sizes_of(one, z, lower, upper)))
+            programs.append(one.nlp(lower, upper, sizes))
+            told.append(states)
+        # Later phases begin where links say.
+        self._problems[0]._check_start(made[0], starts[0], programs[0].sizes)
+        nlp, own = programs[0], [np.arange(len(starts[0]))]
+        if len(made) > 1:
+            nlp, own = self._together(made, programs)
+        _check_freedom(nlp)
+        start = np.empty(nlp.size)
+        for z, at in zip(starts, own, strict=True):
+            start[at] = z
+        begin = np.clip(start, nlp.lower, nlp.upper)
+        return nlp.in_own_units(begin), begin, [*map(Part, made, programs, own, told)]
+
+    def _together(
+        self, made: Sequence[Transcription], programs: Sequence[Nlp]
+    ) -> tuple[Nlp, list[np.ndarray]]:
+        """Return the program of several, and where the unknowns of each are in it."""
+        own = []
+        known: dict[Any, int] = {}
+        size = 0
+        for problem, program in zip(self._problems, programs, strict=True):
             last = () if problem._symbol is None else (problem._symbol,)
             shared = [*problem._free, *last]
-            at = np.arange(size, size + len(z))
-            for k, symbol in enumerate(shared, start=len(z) - len(shared)):
+            at = np.arange(size, size + program.size)
+            for k, symbol in enumerate(shared, start=program.size - len(shared)):
                 # Constants and durations of the same symbol are one unknown.
                 at[k] = known.setdefault(symbol, at[k])
             own.append(at)
-            size += len(z)
+            size += program.size
         # Unknowns of which others took the place are left out.
         used = np.unique(np.concatenate(own))
         own = [np.searchsorted(used, at) for at in own]
         lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
-        start, sizes = np.empty(len(used)), np.zeros(len(used))
+        sizes = np.zeros(len(used))
         pieces: list[Piece] = []
-        for k, (program, at, z) in enumerate(zip(programs, own, starts, strict=True)):
+        for k, (program, at) in enumerate(zip(programs, own, strict=True)):
             np.maximum.at(lower, at, program.lower)
             np.minimum.at(upper, at, program.upper)
             np.maximum.at(sizes, at, program.sizes)
-            start[at] = z
-            phase = f"phase {k}: " if several else ""
             pieces += [
-                replace(p, at=at[p.at], labels=tuple(phase + name for name in p.labels))
+                replace(p, at=at[p.at], labels=tuple(f"phase {k}: {name}" for name in p.labels))
                 for p in program.pieces
             ]
         for symbol, place in known.items():
@@ -273,12 +297,8 @@ class Search(Generic[Found]):
                 )
         for k in range(len(self._links)):
             pieces.append(self._link(k, made[k : k + 2], own[k : k + 2]))
-        nlp = Nlp(pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs))
-        # Those of the later phases begin where links say.
-        self._problems[0]._check_start(made[0], starts[0])
-        _check_freedom(nlp)
-        begin = np.clip(start, lower, upper)
-        return nlp.in_own_units(begin), begin, [*zip(made, programs, own, strict=True)]
+        estimated = all(p.estimated for p in programs)
+        return Nlp(pieces, lower, upper, sizes, estimated=estimated), own
 
     def _solved(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
@@ -287,13 +307,13 @@ class Search(Generic[Found]):
         nlp, start, parts = self._joined(meshes, guesses)
         several, warm = len(parts) > 1, None
         last = None if several else guesses[0]
-        if isinstance(last, OptimalTrajectory) and last.is_on(parts[0][0]):
+        if isinstance(last, OptimalTrajectory) and last.is_on(parts[0].made):
             warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
         solution: Solution = search(nlp, start, watch=watch, warm=warm)
         if solution.status in SOLVED:
             solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
         phases, first = [], 0
-        for problem, (one, program, at) in zip(self._problems, parts, strict=True):
+        for problem, (one, program, at, told) in zip(self._problems, parts, strict=True):
             part = solution
             if several:
                 z, rows = solution.z[at], slice(first, first + program.rows)
@@ -303,8 +323,8 @@ class Search(Generic[Found]):
                     solution, z=z, multipliers=solution.multipliers[rows], below=solution.below[at],
                     above=solution.above[at], objective=cost,
                 )  # fmt: skip
-            program = replace(program, cost_size=nlp.cost_size)
-            phases.append(problem._trajectory(one, program, start[at], part))
+            program = program.of_cost_size(nlp.cost_size)
+            phases.append(problem._trajectory(one, program, told, part))
         found = self._whole(phases, solution)
         if solution.interrupted is not None:
             raise finished_before(
@@ -317,7 +337,7 @@ class Search(Generic[Found]):
         if solution.status not in SOLVED:
             begun = [
                 (one, program, start[at], problem._controls)
-                for problem, (one, program, at) in zip(self._problems, parts, strict=True)
+                for problem, (one, program, at, _) in zip(self._problems, parts, strict=True)
             ]
             raise OptimizationError(
                 "The search for an optimal trajectory"
@@ -336,7 +356,7 @@ def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray
 
     The equations of a point see an angle but for turns; between the points its polynomial does not.
     """
-    for made, _, own in parts:
+    for made, _, own, _ in parts:
         order = np.argsort(made.control_places, kind="stable")
         for i in range(len(made.problem.controls)):
             at = own[made.sizes[0] + i * len(order) + order]

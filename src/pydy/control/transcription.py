@@ -13,6 +13,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 
 from pydy._forks import cached_property
+from pydy._graph.collector import collector_paused
 from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece, pieces_at
@@ -115,7 +116,8 @@ class Problem:
     def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
         """Return what is compiled for all meshes, and for problems that differ in numbers."""
         if key not in self._compiled:
-            self._compiled[key] = make()
+            with collector_paused():  # until the graph is gone, which is no old object
+                self._compiled[key] = make()
         found: Compiled = self._compiled[key]
         return found
 
@@ -362,11 +364,9 @@ class Transcription:
         return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
-    def whole(self) -> tuple[Transcription, Nlp]:
+    def whole(self) -> Transcription:
         """The same of a single interval: its derivatives are changes in the whole duration."""
-        whole = Transcription(self.problem, self.scheme, np.array([0.0, 1.0]))
-        open_ = np.full(sum(whole.sizes), np.inf)
-        return whole, whole.nlp(-open_, open_, np.ones(len(open_)))
+        return Transcription(self.problem, self.scheme, np.array([0.0, 1.0]))
 
     @cached_property
     def points(self) -> tuple[Points, ...]:
@@ -555,8 +555,8 @@ def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray
 
 def sizes_of(
     made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
-) -> np.ndarray:
-    """Return how large each unknown becomes, by what is known of it.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return how large each unknown becomes, by what is known of it, and each state by its guess.
 
     That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
     decides one of the equations, whose terms are then of known size: the speed that covers a
@@ -580,19 +580,20 @@ def sizes_of(
     x[0] = np.maximum(x[0], least)
     duration = made.split(z)[3]
     xu, n = np.concatenate([x, u], axis=1), x.shape[1]
-    if (xu[1:] > WIDE * xu[0]).any() or not xu.any(axis=0).all():
+    sizes, told = xu.max(axis=0), xu[0]
+    if (xu[1:] > WIDE * told).any() or not told.all():
         table = _slopes(made, z, xu.shape[1])
-        _leave_out_wide(xu, _spread(table, xu[0]))
+        told = _spread(table, told)
+        _leave_out_wide(xu, told)
         sizes = _spread(table, xu.max(axis=0))
-    else:
-        sizes = xu.max(axis=0)
     _leave_out_wide(c, c[0])
     x, u, c = or_one(sizes[:n]), or_one(sizes[n:]), c.max(axis=0)
     slopes = np.where(made.places[1], 1.0 / duration, 1.0)
-    return made.joined(
+    units = made.joined(
         x[:, None] * slopes, np.repeat(u[:, None], len(made.control_places), 1), or_one(c),
         duration,
     )  # fmt: skip
+    return units, or_one(told[:n])
 
 
 def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
@@ -602,32 +603,38 @@ def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
 
 def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     """Return how much each equation changes with each state and control, shape (rows, width)."""
-    whole, nlp = made.whole
+    whole, n = made.whole, made.problem.states
     times = [whole.places[0], whole.control_places]
     _, _, constants, duration = made.split(z)
     # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
     # be level, where its weight has a torque that no turn changes, but for rounding.
-    count = sum(whole.sizes)
-    values = np.zeros(len(nlp.jacobian_at[0]))
-    for along in (times, *([0 * t + end for t in times] for end in (0.0, 1.0))):
-        states = np.where(whole.places[1], 0.0, made.states_at(z, along[0] * duration).T)
-        controls = np.zeros((made.problem.algebraic, len(times[1])))
-        controls[: len(made.problem.controls)] = made.controls_at(z, along[1] * duration).T
-        at = whole.joined(states, controls, constants, duration)
-        found = nlp.native("jacobian", at)[0]
-        np.maximum(values, np.abs(np.nan_to_num(found)), out=values)
-    n = made.problem.states
+    ways = (times, *([0 * t + end for t in times] for end in (0.0, 1.0)))
+    states, controls = (np.concatenate(parts) for parts in zip(*ways, strict=True))
+    x = np.split(made.states_at(z, states * duration).T, len(ways), axis=1)
+    u = np.zeros((made.problem.algebraic, len(controls)))
+    u[: len(made.problem.controls)] = made.controls_at(z, controls * duration).T
+    at = [
+        whole.joined(np.where(whole.places[1], 0.0, own), c, constants, duration)
+        for own, c in zip(x, np.split(u, len(ways), axis=1), strict=True)
+    ]
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
                             n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
-    owner = np.append(owner, np.full(count - len(owner), width))
-    slope = np.tile(whole.places[1], n)
-    table = np.zeros((nlp.rows, width + 1))
-    rows, columns = nlp.jacobian_at
-    weights = np.ones(count)
-    weights[: len(slope)][slope] = 1.0 / duration
-    entries = values * weights[columns]
-    np.maximum.at(table, (rows, owner[columns]), entries)
-    return table[:, :width]
+    owner = np.append(owner, np.full(len(at[0]) - len(owner), width))
+    weights = np.ones(len(owner))
+    weights[: n * len(times[0])][np.tile(whole.places[1], n)] = 1.0 / duration
+    tables = [np.empty((0, width + 1))]
+    for piece in whole.pieces:
+        f, points = piece.functions, piece.points
+        X = np.concatenate([one[piece.at] for one in at], axis=1)
+        data = np.tile(piece.data_at(at[0]), len(ways))  # whose durations are one
+        entries = np.abs(np.nan_to_num(f("jacobian", X, data, piece.constants)))
+        rows, variables = f.jacobian_at.T
+        places = piece.at[variables]
+        largest = entries.reshape(len(rows), len(ways), points).max(axis=1) * weights[places]
+        table = np.zeros((piece.rows * points, width + 1))
+        np.maximum.at(table, (rows[:, None] * points + np.arange(points), owner[places]), largest)
+        tables.append(table)
+    return np.concatenate(tables)[:, :width]
 
 
 def _spread(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:

@@ -22,6 +22,9 @@ typedef struct {
     int64_t signals, first;
     const int64_t *tables;
     const double *knots, *cubics;
+    /* Runs of as many points each: the first place where the others follow it, else -1. */
+    int64_t length;
+    const int64_t *runs;
 } Part;
 
 enum { COST, ROWS, GRADIENT, JACOBIAN, HESSIAN, KINDS };
@@ -39,6 +42,8 @@ typedef struct {
 /* Arrays do not overlap; what is read from a struct once is not read again after each result. */
 typedef double *restrict Out;
 typedef const double *restrict In;
+
+#define SERIAL _Pragma("clang loop vectorize(disable)") /* which gathers more slowly */
 
 static int finite(double value) { return value - value == 0.0; }
 
@@ -72,11 +77,18 @@ static void look_up(const Part *a)
 /* Evaluate a part; gives whether no linear solve failed. */
 static int evaluated(const Part *a, const double *y, double *out)
 {
-    const int64_t m = a->words.m, count = a->words.n * m, *restrict at = a->at;
-    In unknowns = y, units = a->units;
-    Out x = a->x;
+    const int64_t m = a->words.m, length = a->length;
     uint8_t *restrict failed = a->failed;
-    for (int64_t k = 0; k < count; k++) x[k] = unknowns[at[k]] * units[k];
+    for (int64_t i = 0; i * length < a->words.n * m; i++) {
+        const int64_t first = a->runs[i], *restrict at = a->at + i * length;
+        In unknowns = first < 0 ? y : y + first, units = a->units + i * length;
+        Out x = a->x + i * length;
+        if (first < 0) {
+            SERIAL
+            for (int64_t k = 0; k < length; k++) x[k] = unknowns[at[k]] * units[k];
+        } else
+            for (int64_t k = 0; k < length; k++) x[k] = unknowns[k] * units[k];
+    }
     for (int64_t k = 0; k < m; k++) failed[k] = 0;
     if (a->signals) look_up(a);
     /* Kernels do not read the time. */
@@ -166,6 +178,7 @@ _Bool nlp_gradient(int32_t n, const double *y, _Bool fresh, double *out, const N
 
 static void told(const Nlp *p, int which, int32_t *rows, int32_t *columns)
 {
+    SERIAL
     for (int64_t k = 0; k < p->entries[which]; k++) {
         rows[k] = p->places[2 * which][k];
         columns[k] = p->places[2 * which + 1][k];
@@ -184,7 +197,7 @@ _Bool nlp_jacobian(
     const int fine = written(p, JACOBIAN, y, out);
     Out entries = out;
     In units = p->jacobian_units;
-    for (int32_t k = 0; k < count; k++) entries[k] /= units[k];
+    for (int32_t k = 0; k < count; k++) entries[k] *= units[k];
     return fine;
 }
 

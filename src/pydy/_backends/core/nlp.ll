@@ -1,7 +1,7 @@
-; sources 4b977e9a30b5a01166897887c146255310d11d3e8744daa564560ffdd629eaf1
+; sources af9eff5d25ab146178d6e6a525be3ebfda4c7be50f6b3dc730789f151f3cca18
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr }
+%struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr, i64, ptr }
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }
 
 define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, ptr noundef writeonly %3, ptr noundef readonly %4) #0 {
@@ -31,7 +31,7 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %22 = getelementptr inbounds %struct.Part, ptr %21, i64 %20
   %23 = getelementptr inbounds i8, ptr %22, i64 136
   %24 = load ptr, ptr %23, align 8
-  %25 = tail call fastcc i32 @evaluated(ptr noundef %22, ptr noundef %1, ptr noundef %24) #3
+  %25 = tail call fastcc i32 @evaluated(ptr noundef %22, ptr noundef %1, ptr noundef %24) #4
   %26 = icmp eq i32 %25, 0
   br i1 %26, label %32, label %27
 
@@ -39,7 +39,7 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %28 = load ptr, ptr %23, align 8
   %29 = getelementptr inbounds i8, ptr %22, i64 72
   %30 = load i64, ptr %29, align 8
-  %31 = tail call fastcc double @sum(ptr noundef %28, i64 noundef %30) #3
+  %31 = tail call fastcc double @sum(ptr noundef %28, i64 noundef %30) #4
   br label %32
 
 32:                                               ; preds = %18, %27
@@ -55,198 +55,250 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
 define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
   %4 = getelementptr inbounds i8, ptr %0, i64 72
   %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 32
+  %6 = getelementptr inbounds i8, ptr %0, i64 224
   %7 = load i64, ptr %6, align 8
-  %8 = mul nsw i64 %7, %5
-  %9 = getelementptr inbounds i8, ptr %0, i64 96
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 104
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 128
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 152
-  %16 = load ptr, ptr %15, align 8
-  %17 = icmp sgt i64 %8, 0
-  br i1 %17, label %20, label %18
+  %8 = getelementptr inbounds i8, ptr %0, i64 152
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = mul nsw i64 %11, %5
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %21
 
-18:                                               ; preds = %20, %3
-  %19 = icmp sgt i64 %5, 0
-  br i1 %19, label %36, label %32
+14:                                               ; preds = %3
+  %15 = getelementptr inbounds i8, ptr %0, i64 232
+  %16 = getelementptr inbounds i8, ptr %0, i64 96
+  %17 = getelementptr inbounds i8, ptr %0, i64 104
+  %18 = getelementptr inbounds i8, ptr %0, i64 128
+  %19 = icmp sgt i64 %7, 0
+  %20 = icmp sgt i64 %7, 0
+  br label %24
 
-20:                                               ; preds = %3, %20
-  %21 = phi i64 [ %30, %20 ], [ 0, %3 ]
-  %22 = getelementptr inbounds i64, ptr %10, i64 %21
-  %23 = load i64, ptr %22, align 8
-  %24 = getelementptr inbounds double, ptr %1, i64 %23
-  %25 = load double, ptr %24, align 8
-  %26 = getelementptr inbounds double, ptr %12, i64 %21
-  %27 = load double, ptr %26, align 8
-  %28 = fmul double %25, %27
-  %29 = getelementptr inbounds double, ptr %14, i64 %21
-  store double %28, ptr %29, align 8
-  %30 = add nuw nsw i64 %21, 1
-  %31 = icmp eq i64 %30, %8
-  br i1 %31, label %18, label %20, !llvm.loop !6
+21:                                               ; preds = %63, %3
+  %22 = getelementptr inbounds i8, ptr %0, i64 32
+  %23 = icmp sgt i64 %5, 0
+  br i1 %23, label %73, label %69
 
-32:                                               ; preds = %36, %18
-  %33 = getelementptr inbounds i8, ptr %0, i64 184
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp eq i64 %34, 0
-  br i1 %35, label %130, label %41
+24:                                               ; preds = %14, %63
+  %25 = phi i64 [ 0, %14 ], [ %65, %63 ]
+  %26 = phi i64 [ 0, %14 ], [ %64, %63 ]
+  %27 = load ptr, ptr %15, align 8
+  %28 = getelementptr inbounds i64, ptr %27, i64 %26
+  %29 = load i64, ptr %28, align 8
+  %30 = load ptr, ptr %16, align 8
+  %31 = getelementptr inbounds i64, ptr %30, i64 %25
+  %32 = icmp slt i64 %29, 0
+  %33 = tail call i64 @llvm.smax.i64(i64 %29, i64 0)
+  %34 = getelementptr inbounds double, ptr %1, i64 %33
+  %35 = load ptr, ptr %17, align 8
+  %36 = getelementptr inbounds double, ptr %35, i64 %25
+  %37 = load ptr, ptr %18, align 8
+  %38 = getelementptr inbounds double, ptr %37, i64 %25
+  br i1 %32, label %40, label %39
 
-36:                                               ; preds = %18, %36
-  %37 = phi i64 [ %39, %36 ], [ 0, %18 ]
-  %38 = getelementptr inbounds i8, ptr %16, i64 %37
-  store i8 0, ptr %38, align 1
-  %39 = add nuw nsw i64 %37, 1
-  %40 = icmp eq i64 %39, %5
-  br i1 %40, label %32, label %36, !llvm.loop !7
+39:                                               ; preds = %24
+  br i1 %19, label %53, label %63
 
-41:                                               ; preds = %32
-  %42 = load i64, ptr %4, align 8
-  %43 = getelementptr inbounds i8, ptr %0, i64 120
-  %44 = load ptr, ptr %43, align 8
-  %45 = getelementptr inbounds i8, ptr %0, i64 48
-  %46 = load i64, ptr %45, align 8
-  %47 = getelementptr double, ptr %44, i64 %46
-  %48 = getelementptr i8, ptr %47, i64 -8
-  %49 = load double, ptr %48, align 8
-  %50 = load ptr, ptr %13, align 8
-  %51 = load i64, ptr %6, align 8
-  %52 = add nsw i64 %51, -1
-  %53 = mul nsw i64 %52, %42
-  %54 = getelementptr inbounds double, ptr %50, i64 %53
-  %55 = getelementptr inbounds i8, ptr %0, i64 112
-  %56 = load ptr, ptr %55, align 8
-  %57 = icmp sgt i64 %34, 0
-  br i1 %57, label %58, label %130
+40:                                               ; preds = %24
+  br i1 %20, label %41, label %63
 
-58:                                               ; preds = %41
-  %59 = getelementptr inbounds i8, ptr %0, i64 200
-  %60 = getelementptr inbounds i8, ptr %0, i64 208
-  %61 = getelementptr inbounds i8, ptr %0, i64 216
-  %62 = getelementptr inbounds i8, ptr %0, i64 192
-  %63 = icmp sgt i64 %42, 0
-  br label %64
+41:                                               ; preds = %40, %41
+  %42 = phi i64 [ %51, %41 ], [ 0, %40 ]
+  %43 = getelementptr inbounds i64, ptr %31, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr inbounds double, ptr %34, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = getelementptr inbounds double, ptr %36, i64 %42
+  %48 = load double, ptr %47, align 8
+  %49 = fmul double %46, %48
+  %50 = getelementptr inbounds double, ptr %38, i64 %42
+  store double %49, ptr %50, align 8
+  %51 = add nuw nsw i64 %42, 1
+  %52 = icmp eq i64 %51, %7
+  br i1 %52, label %63, label %41, !llvm.loop !6
 
-64:                                               ; preds = %88, %58
-  %65 = phi i64 [ 0, %58 ], [ %89, %88 ]
-  %66 = load ptr, ptr %59, align 8
-  %67 = shl nsw i64 %65, 2
-  %68 = or disjoint i64 %67, 1
-  %69 = getelementptr inbounds i64, ptr %66, i64 %68
-  %70 = load i64, ptr %69, align 8
-  %71 = load ptr, ptr %60, align 8
-  %72 = getelementptr inbounds double, ptr %71, i64 %70
-  %73 = load ptr, ptr %61, align 8
-  %74 = shl nsw i64 %70, 5
-  %75 = getelementptr inbounds i8, ptr %73, i64 %74
-  %76 = load ptr, ptr %55, align 8
-  %77 = load i64, ptr %62, align 8
-  %78 = mul nuw nsw i64 %65, 5
-  %79 = add nsw i64 %77, %78
-  %80 = mul nsw i64 %79, %42
-  %81 = getelementptr inbounds double, ptr %76, i64 %80
-  br i1 %63, label %82, label %88
+53:                                               ; preds = %39, %53
+  %54 = phi i64 [ %61, %53 ], [ 0, %39 ]
+  %55 = getelementptr inbounds double, ptr %34, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr inbounds double, ptr %36, i64 %54
+  %58 = load double, ptr %57, align 8
+  %59 = fmul double %56, %58
+  %60 = getelementptr inbounds double, ptr %38, i64 %54
+  store double %59, ptr %60, align 8
+  %61 = add nuw nsw i64 %54, 1
+  %62 = icmp eq i64 %61, %7
+  br i1 %62, label %63, label %53, !llvm.loop !8
 
-82:                                               ; preds = %64
-  %83 = or disjoint i64 %67, 2
-  %84 = getelementptr inbounds i64, ptr %66, i64 %83
-  %85 = load i64, ptr %84, align 8
-  %86 = add nsw i64 %85, -1
-  %87 = icmp sgt i64 %85, 2
-  br label %92
+63:                                               ; preds = %53, %41, %39, %40
+  %64 = add nuw nsw i64 %26, 1
+  %65 = mul nsw i64 %64, %7
+  %66 = load i64, ptr %10, align 8
+  %67 = mul nsw i64 %66, %5
+  %68 = icmp slt i64 %65, %67
+  br i1 %68, label %24, label %21, !llvm.loop !9
 
-88:                                               ; preds = %119, %64
-  %89 = add nuw nsw i64 %65, 1
-  %90 = load i64, ptr %33, align 8
-  %91 = icmp slt i64 %89, %90
-  br i1 %91, label %64, label %130, !llvm.loop !8
+69:                                               ; preds = %73, %21
+  %70 = getelementptr inbounds i8, ptr %0, i64 184
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp eq i64 %71, 0
+  br i1 %72, label %168, label %78
 
-92:                                               ; preds = %119, %82
-  %93 = phi i64 [ 0, %82 ], [ %120, %119 ]
-  %94 = getelementptr inbounds double, ptr %54, i64 %93
-  %95 = load double, ptr %94, align 8
-  %96 = getelementptr inbounds double, ptr %56, i64 %93
-  %97 = load double, ptr %96, align 8
-  %98 = fmul double %95, %97
-  %99 = fadd double %49, %98
-  br i1 %87, label %100, label %112
+73:                                               ; preds = %21, %73
+  %74 = phi i64 [ %76, %73 ], [ 0, %21 ]
+  %75 = getelementptr inbounds i8, ptr %9, i64 %74
+  store i8 0, ptr %75, align 1
+  %76 = add nuw nsw i64 %74, 1
+  %77 = icmp eq i64 %76, %5
+  br i1 %77, label %69, label %73, !llvm.loop !10
 
-100:                                              ; preds = %92, %100
-  %101 = phi i64 [ %109, %100 ], [ %86, %92 ]
-  %102 = phi i64 [ %108, %100 ], [ 0, %92 ]
-  %103 = add nsw i64 %102, %101
-  %104 = sdiv i64 %103, 2
-  %105 = getelementptr inbounds double, ptr %72, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = fcmp ugt double %106, %99
-  %108 = select i1 %107, i64 %102, i64 %104
-  %109 = select i1 %107, i64 %104, i64 %101
-  %110 = sub nsw i64 %109, %108
-  %111 = icmp sgt i64 %110, 1
-  br i1 %111, label %100, label %112, !llvm.loop !9
+78:                                               ; preds = %69
+  %79 = load i64, ptr %4, align 8
+  %80 = getelementptr inbounds i8, ptr %0, i64 120
+  %81 = load ptr, ptr %80, align 8
+  %82 = getelementptr inbounds i8, ptr %0, i64 48
+  %83 = load i64, ptr %82, align 8
+  %84 = getelementptr double, ptr %81, i64 %83
+  %85 = getelementptr i8, ptr %84, i64 -8
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr inbounds i8, ptr %0, i64 128
+  %88 = load ptr, ptr %87, align 8
+  %89 = load i64, ptr %22, align 8
+  %90 = add nsw i64 %89, -1
+  %91 = mul nsw i64 %90, %79
+  %92 = getelementptr inbounds double, ptr %88, i64 %91
+  %93 = getelementptr inbounds i8, ptr %0, i64 112
+  %94 = load ptr, ptr %93, align 8
+  %95 = icmp sgt i64 %71, 0
+  br i1 %95, label %96, label %168
 
-112:                                              ; preds = %100, %92
-  %113 = phi i64 [ 0, %92 ], [ %108, %100 ]
-  %114 = getelementptr inbounds double, ptr %72, i64 %113
-  %115 = load double, ptr %114, align 8
-  %116 = getelementptr inbounds double, ptr %81, i64 %93
-  store double %115, ptr %116, align 8
-  %117 = shl i64 %113, 5
-  %118 = getelementptr i8, ptr %75, i64 %117
-  br label %122
+96:                                               ; preds = %78
+  %97 = getelementptr inbounds i8, ptr %0, i64 200
+  %98 = getelementptr inbounds i8, ptr %0, i64 208
+  %99 = getelementptr inbounds i8, ptr %0, i64 216
+  %100 = getelementptr inbounds i8, ptr %0, i64 192
+  %101 = icmp sgt i64 %79, 0
+  br label %102
 
-119:                                              ; preds = %122
-  %120 = add nuw nsw i64 %93, 1
-  %121 = icmp eq i64 %120, %42
-  br i1 %121, label %88, label %92, !llvm.loop !10
+102:                                              ; preds = %126, %96
+  %103 = phi i64 [ 0, %96 ], [ %127, %126 ]
+  %104 = load ptr, ptr %97, align 8
+  %105 = shl nsw i64 %103, 2
+  %106 = or disjoint i64 %105, 1
+  %107 = getelementptr inbounds i64, ptr %104, i64 %106
+  %108 = load i64, ptr %107, align 8
+  %109 = load ptr, ptr %98, align 8
+  %110 = getelementptr inbounds double, ptr %109, i64 %108
+  %111 = load ptr, ptr %99, align 8
+  %112 = shl nsw i64 %108, 5
+  %113 = getelementptr inbounds i8, ptr %111, i64 %112
+  %114 = load ptr, ptr %93, align 8
+  %115 = load i64, ptr %100, align 8
+  %116 = mul nuw nsw i64 %103, 5
+  %117 = add nsw i64 %115, %116
+  %118 = mul nsw i64 %117, %79
+  %119 = getelementptr inbounds double, ptr %114, i64 %118
+  br i1 %101, label %120, label %126
 
-122:                                              ; preds = %122, %112
-  %123 = phi i64 [ 0, %112 ], [ %126, %122 ]
-  %124 = getelementptr double, ptr %118, i64 %123
-  %125 = load double, ptr %124, align 8
-  %126 = add nuw nsw i64 %123, 1
-  %127 = mul nuw nsw i64 %126, %42
-  %128 = getelementptr double, ptr %116, i64 %127
-  store double %125, ptr %128, align 8
-  %129 = icmp eq i64 %126, 4
-  br i1 %129, label %119, label %122, !llvm.loop !11
+120:                                              ; preds = %102
+  %121 = or disjoint i64 %105, 2
+  %122 = getelementptr inbounds i64, ptr %104, i64 %121
+  %123 = load i64, ptr %122, align 8
+  %124 = add nsw i64 %123, -1
+  %125 = icmp sgt i64 %123, 2
+  br label %130
 
-130:                                              ; preds = %88, %41, %32
-  %131 = getelementptr inbounds i8, ptr %0, i64 24
-  %132 = load ptr, ptr %131, align 8
-  %133 = load ptr, ptr %13, align 8
-  %134 = getelementptr inbounds i8, ptr %0, i64 112
-  %135 = load ptr, ptr %134, align 8
-  %136 = getelementptr inbounds i8, ptr %0, i64 120
-  %137 = load ptr, ptr %136, align 8
-  %138 = load ptr, ptr %15, align 8
-  %139 = getelementptr inbounds i8, ptr %0, i64 144
-  %140 = load ptr, ptr %139, align 8
-  tail call void %132(ptr noundef %0, ptr noundef %133, ptr noundef %133, ptr noundef %135, ptr noundef %137, ptr noundef %2, ptr noundef %138, ptr noundef %140) #4
-  %141 = icmp sgt i64 %5, 0
-  br i1 %141, label %147, label %145
+126:                                              ; preds = %157, %102
+  %127 = add nuw nsw i64 %103, 1
+  %128 = load i64, ptr %70, align 8
+  %129 = icmp slt i64 %127, %128
+  br i1 %129, label %102, label %168, !llvm.loop !11
 
-142:                                              ; preds = %147
-  %143 = icmp eq i32 %153, 0
-  %144 = zext i1 %143 to i32
-  br label %145
+130:                                              ; preds = %157, %120
+  %131 = phi i64 [ 0, %120 ], [ %158, %157 ]
+  %132 = getelementptr inbounds double, ptr %92, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = getelementptr inbounds double, ptr %94, i64 %131
+  %135 = load double, ptr %134, align 8
+  %136 = fmul double %133, %135
+  %137 = fadd double %86, %136
+  br i1 %125, label %138, label %150
 
-145:                                              ; preds = %142, %130
-  %146 = phi i32 [ 1, %130 ], [ %144, %142 ]
-  ret i32 %146
+138:                                              ; preds = %130, %138
+  %139 = phi i64 [ %147, %138 ], [ %124, %130 ]
+  %140 = phi i64 [ %146, %138 ], [ 0, %130 ]
+  %141 = add nsw i64 %140, %139
+  %142 = sdiv i64 %141, 2
+  %143 = getelementptr inbounds double, ptr %110, i64 %142
+  %144 = load double, ptr %143, align 8
+  %145 = fcmp ugt double %144, %137
+  %146 = select i1 %145, i64 %140, i64 %142
+  %147 = select i1 %145, i64 %142, i64 %139
+  %148 = sub nsw i64 %147, %146
+  %149 = icmp sgt i64 %148, 1
+  br i1 %149, label %138, label %150, !llvm.loop !12
 
-147:                                              ; preds = %130, %147
-  %148 = phi i64 [ %154, %147 ], [ 0, %130 ]
-  %149 = phi i32 [ %153, %147 ], [ 0, %130 ]
-  %150 = getelementptr inbounds i8, ptr %16, i64 %148
-  %151 = load i8, ptr %150, align 1
-  %152 = zext i8 %151 to i32
-  %153 = or i32 %149, %152
-  %154 = add nuw nsw i64 %148, 1
-  %155 = icmp eq i64 %154, %5
-  br i1 %155, label %142, label %147, !llvm.loop !12
+150:                                              ; preds = %138, %130
+  %151 = phi i64 [ 0, %130 ], [ %146, %138 ]
+  %152 = getelementptr inbounds double, ptr %110, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr inbounds double, ptr %119, i64 %131
+  store double %153, ptr %154, align 8
+  %155 = shl i64 %151, 5
+  %156 = getelementptr i8, ptr %113, i64 %155
+  br label %160
+
+157:                                              ; preds = %160
+  %158 = add nuw nsw i64 %131, 1
+  %159 = icmp eq i64 %158, %79
+  br i1 %159, label %126, label %130, !llvm.loop !13
+
+160:                                              ; preds = %160, %150
+  %161 = phi i64 [ 0, %150 ], [ %164, %160 ]
+  %162 = getelementptr double, ptr %156, i64 %161
+  %163 = load double, ptr %162, align 8
+  %164 = add nuw nsw i64 %161, 1
+  %165 = mul nuw nsw i64 %164, %79
+  %166 = getelementptr double, ptr %154, i64 %165
+  store double %163, ptr %166, align 8
+  %167 = icmp eq i64 %164, 4
+  br i1 %167, label %157, label %160, !llvm.loop !14
+
+168:                                              ; preds = %126, %78, %69
+  %169 = getelementptr inbounds i8, ptr %0, i64 24
+  %170 = load ptr, ptr %169, align 8
+  %171 = getelementptr inbounds i8, ptr %0, i64 128
+  %172 = load ptr, ptr %171, align 8
+  %173 = getelementptr inbounds i8, ptr %0, i64 112
+  %174 = load ptr, ptr %173, align 8
+  %175 = getelementptr inbounds i8, ptr %0, i64 120
+  %176 = load ptr, ptr %175, align 8
+  %177 = load ptr, ptr %8, align 8
+  %178 = getelementptr inbounds i8, ptr %0, i64 144
+  %179 = load ptr, ptr %178, align 8
+  tail call void %170(ptr noundef %0, ptr noundef %172, ptr noundef %172, ptr noundef %174, ptr noundef %176, ptr noundef %2, ptr noundef %177, ptr noundef %179) #5
+  %180 = icmp sgt i64 %5, 0
+  br i1 %180, label %186, label %184
+
+181:                                              ; preds = %186
+  %182 = icmp eq i32 %192, 0
+  %183 = zext i1 %182 to i32
+  br label %184
+
+184:                                              ; preds = %181, %168
+  %185 = phi i32 [ 1, %168 ], [ %183, %181 ]
+  ret i32 %185
+
+186:                                              ; preds = %168, %186
+  %187 = phi i64 [ %193, %186 ], [ 0, %168 ]
+  %188 = phi i32 [ %192, %186 ], [ 0, %168 ]
+  %189 = getelementptr inbounds i8, ptr %9, i64 %187
+  %190 = load i8, ptr %189, align 1
+  %191 = zext i8 %190 to i32
+  %192 = or i32 %188, %191
+  %193 = add nuw nsw i64 %187, 1
+  %194 = icmp eq i64 %193, %5
+  br i1 %194, label %181, label %186, !llvm.loop !15
 }
 
 define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr #2 {
@@ -261,10 +313,10 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
 7:                                                ; preds = %2
   %8 = lshr i64 %1, 1
   %9 = and i64 %8, 4611686018427387896
-  %10 = tail call fastcc double @sum(ptr noundef %0, i64 noundef %9) #3
+  %10 = tail call fastcc double @sum(ptr noundef %0, i64 noundef %9) #4
   %11 = getelementptr inbounds double, ptr %0, i64 %9
   %12 = sub nsw i64 %1, %9
-  %13 = tail call fastcc double @sum(ptr noundef %11, i64 noundef %12) #3
+  %13 = tail call fastcc double @sum(ptr noundef %11, i64 noundef %12) #4
   %14 = fadd double %10, %13
   br label %5
 
@@ -284,7 +336,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   %24 = fadd double %21, %23
   %25 = add nuw nsw i64 %20, 1
   %26 = icmp eq i64 %25, %1
-  br i1 %26, label %5, label %19, !llvm.loop !13
+  br i1 %26, label %5, label %19, !llvm.loop !16
 
 27:                                               ; preds = %15
   br label %31
@@ -302,7 +354,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   store double %34, ptr %35, align 8
   %36 = add nuw nsw i64 %32, 1
   %37 = icmp eq i64 %36, 8
-  br i1 %37, label %28, label %31, !llvm.loop !14
+  br i1 %37, label %28, label %31, !llvm.loop !17
 
 38:                                               ; preds = %28, %38
   %39 = phi i64 [ %46, %38 ], [ 8, %28 ]
@@ -315,7 +367,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   store double %45, ptr %43, align 8
   %46 = add nuw nsw i64 %39, 1
   %47 = icmp eq i64 %46, %29
-  br i1 %47, label %48, label %38, !llvm.loop !15
+  br i1 %47, label %48, label %38, !llvm.loop !18
 
 48:                                               ; preds = %38, %28
   %49 = phi i64 [ 8, %28 ], [ %46, %38 ]
@@ -352,7 +404,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   %78 = fadd double %74, %77
   %79 = add nuw nsw i64 %75, 1
   %80 = icmp eq i64 %79, %1
-  br i1 %80, label %81, label %73, !llvm.loop !16
+  br i1 %80, label %81, label %73, !llvm.loop !19
 
 81:                                               ; preds = %73, %48
   %82 = phi double [ %71, %48 ], [ %78, %73 ]
@@ -376,7 +428,7 @@ define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %15 = phi ptr [ %4, %10 ], [ %25, %12 ]
   %16 = load ptr, ptr %11, align 8
   %17 = getelementptr inbounds %struct.Part, ptr %16, i64 %14
-  %18 = tail call fastcc i32 @evaluated(ptr noundef %17, ptr noundef readonly %1, ptr noundef %15) #3
+  %18 = tail call fastcc i32 @evaluated(ptr noundef %17, ptr noundef readonly %1, ptr noundef %15) #4
   %19 = and i32 %18, %13
   %20 = getelementptr inbounds i8, ptr %17, i64 64
   %21 = load i64, ptr %20, align 8
@@ -387,7 +439,7 @@ define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %26 = add nuw nsw i64 %14, 1
   %27 = load i64, ptr %7, align 8
   %28 = icmp slt i64 %26, %27
-  br i1 %28, label %12, label %29, !llvm.loop !17
+  br i1 %28, label %12, label %29, !llvm.loop !20
 
 29:                                               ; preds = %12, %6
   %30 = phi i32 [ 1, %6 ], [ %19, %12 ]
@@ -419,7 +471,7 @@ define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   store double %47, ptr %45, align 8
   %48 = add nuw nsw i64 %42, 1
   %49 = icmp eq i64 %48, %35
-  br i1 %49, label %36, label %41, !llvm.loop !18
+  br i1 %49, label %36, label %41, !llvm.loop !21
 
 50:                                               ; preds = %53, %36
   %51 = phi i32 [ %30, %36 ], [ %60, %53 ]
@@ -436,7 +488,7 @@ define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %60 = select i1 %59, i32 %55, i32 0
   %61 = add nuw nsw i64 %54, 1
   %62 = icmp eq i64 %61, %39
-  br i1 %62, label %50, label %53, !llvm.loop !19
+  br i1 %62, label %50, label %53, !llvm.loop !22
 }
 
 define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, ptr noundef %3, ptr noundef readonly %4) #0 {
@@ -471,7 +523,7 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double 0.000000e+00, ptr %25, align 8
   %26 = add nuw nsw i64 %24, 1
   %27 = icmp eq i64 %26, %12
-  br i1 %27, label %13, label %23, !llvm.loop !20
+  br i1 %27, label %13, label %23, !llvm.loop !23
 
 28:                                               ; preds = %71
   %29 = icmp ne i32 %50, 0
@@ -500,7 +552,7 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %46 = load ptr, ptr %45, align 8
   %47 = getelementptr inbounds i8, ptr %39, i64 136
   %48 = load ptr, ptr %47, align 8
-  %49 = tail call fastcc i32 @evaluated(ptr noundef %39, ptr noundef %1, ptr noundef %48) #3
+  %49 = tail call fastcc i32 @evaluated(ptr noundef %39, ptr noundef %1, ptr noundef %48) #4
   %50 = and i32 %49, %36
   %51 = load ptr, ptr %47, align 8
   br i1 %19, label %54, label %52
@@ -515,7 +567,7 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double 0.000000e+00, ptr %56, align 8
   %57 = add nuw nsw i64 %55, 1
   %58 = icmp eq i64 %57, %21
-  br i1 %58, label %52, label %54, !llvm.loop !21
+  br i1 %58, label %52, label %54, !llvm.loop !24
 
 59:                                               ; preds = %60, %52
   br i1 %20, label %75, label %71
@@ -532,13 +584,13 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double %68, ptr %66, align 8
   %69 = add nuw nsw i64 %61, 1
   %70 = icmp eq i64 %69, %44
-  br i1 %70, label %59, label %60, !llvm.loop !22
+  br i1 %70, label %59, label %60, !llvm.loop !25
 
 71:                                               ; preds = %75, %59
   %72 = add nuw nsw i64 %37, 1
   %73 = load i64, ptr %14, align 8
   %74 = icmp slt i64 %72, %73
-  br i1 %74, label %35, label %28, !llvm.loop !23
+  br i1 %74, label %35, label %28, !llvm.loop !26
 
 75:                                               ; preds = %59, %75
   %76 = phi i64 [ %82, %75 ], [ 0, %59 ]
@@ -550,7 +602,7 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double %81, ptr %79, align 8
   %82 = add nuw nsw i64 %76, 1
   %83 = icmp eq i64 %82, %22
-  br i1 %83, label %71, label %75, !llvm.loop !24
+  br i1 %83, label %71, label %75, !llvm.loop !27
 
 84:                                               ; preds = %85, %30
   ret i1 %31
@@ -565,7 +617,7 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double %91, ptr %89, align 8
   %92 = add nuw nsw i64 %86, 1
   %93 = icmp eq i64 %92, %34
-  br i1 %93, label %84, label %85, !llvm.loop !25
+  br i1 %93, label %84, label %85, !llvm.loop !28
 }
 
 define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, i32 noundef %3, i32 noundef %4, ptr noundef writeonly %5, ptr noundef writeonly %6, ptr noundef %7, ptr noundef readonly %8) #0 {
@@ -598,7 +650,7 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %28 = add nuw nsw i64 %19, 1
   %29 = load i64, ptr %12, align 8
   %30 = icmp slt i64 %28, %29
-  br i1 %30, label %18, label %72, !llvm.loop !26
+  br i1 %30, label %18, label %72, !llvm.loop !29
 
 31:                                               ; preds = %9
   %32 = getelementptr inbounds i8, ptr %8, i64 40
@@ -616,7 +668,7 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %40 = phi ptr [ %7, %35 ], [ %50, %37 ]
   %41 = load ptr, ptr %36, align 8
   %42 = getelementptr inbounds %struct.Part, ptr %41, i64 %39
-  %43 = tail call fastcc i32 @evaluated(ptr noundef %42, ptr noundef readonly %1, ptr noundef %40) #3
+  %43 = tail call fastcc i32 @evaluated(ptr noundef %42, ptr noundef readonly %1, ptr noundef %40) #4
   %44 = and i32 %43, %38
   %45 = getelementptr inbounds i8, ptr %42, i64 64
   %46 = load i64, ptr %45, align 8
@@ -627,7 +679,7 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %51 = add nuw nsw i64 %39, 1
   %52 = load i64, ptr %32, align 8
   %53 = icmp slt i64 %51, %52
-  br i1 %53, label %37, label %54, !llvm.loop !17
+  br i1 %53, label %37, label %54, !llvm.loop !20
 
 54:                                               ; preds = %37
   %55 = icmp ne i32 %44, 0
@@ -650,11 +702,11 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %66 = load double, ptr %65, align 8
   %67 = getelementptr inbounds double, ptr %7, i64 %64
   %68 = load double, ptr %67, align 8
-  %69 = fdiv double %68, %66
+  %69 = fmul double %66, %68
   store double %69, ptr %67, align 8
   %70 = add nuw nsw i64 %64, 1
   %71 = icmp eq i64 %70, %62
-  br i1 %71, label %72, label %63, !llvm.loop !27
+  br i1 %71, label %72, label %63, !llvm.loop !30
 
 72:                                               ; preds = %63, %18, %56, %11
   %73 = phi i1 [ true, %11 ], [ %57, %56 ], [ true, %18 ], [ %57, %63 ]
@@ -703,7 +755,7 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %39 = add nuw nsw i64 %30, 1
   %40 = load i64, ptr %23, align 8
   %41 = icmp slt i64 %39, %40
-  br i1 %41, label %29, label %133, !llvm.loop !26
+  br i1 %41, label %29, label %133, !llvm.loop !29
 
 42:                                               ; preds = %114, %14
   %43 = getelementptr inbounds i8, ptr %11, i64 48
@@ -721,7 +773,7 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %51 = phi ptr [ %10, %46 ], [ %61, %48 ]
   %52 = load ptr, ptr %47, align 8
   %53 = getelementptr inbounds %struct.Part, ptr %52, i64 %50
-  %54 = tail call fastcc i32 @evaluated(ptr noundef %53, ptr noundef readonly %1, ptr noundef %51) #3
+  %54 = tail call fastcc i32 @evaluated(ptr noundef %53, ptr noundef readonly %1, ptr noundef %51) #4
   %55 = and i32 %54, %49
   %56 = getelementptr inbounds i8, ptr %53, i64 64
   %57 = load i64, ptr %56, align 8
@@ -732,7 +784,7 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %62 = add nuw nsw i64 %50, 1
   %63 = load i64, ptr %43, align 8
   %64 = icmp slt i64 %62, %63
-  br i1 %64, label %48, label %65, !llvm.loop !17
+  br i1 %64, label %48, label %65, !llvm.loop !20
 
 65:                                               ; preds = %48
   %66 = icmp ne i32 %55, 0
@@ -794,14 +846,14 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   store double %110, ptr %111, align 8
   %112 = add nuw nsw i64 %105, 1
   %113 = icmp eq i64 %112, %83
-  br i1 %113, label %102, label %104, !llvm.loop !28
+  br i1 %113, label %102, label %104, !llvm.loop !31
 
 114:                                              ; preds = %119, %102
   %115 = add nsw i64 %83, %75
   %116 = add nuw nsw i64 %76, 1
   %117 = load i64, ptr %15, align 8
   %118 = icmp slt i64 %116, %117
-  br i1 %118, label %74, label %42, !llvm.loop !29
+  br i1 %118, label %74, label %42, !llvm.loop !32
 
 119:                                              ; preds = %102, %119
   %120 = phi i64 [ %122, %119 ], [ %83, %102 ]
@@ -809,7 +861,7 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   store double %100, ptr %121, align 8
   %122 = add nsw i64 %120, 1
   %123 = icmp eq i64 %122, %87
-  br i1 %123, label %114, label %119, !llvm.loop !30
+  br i1 %123, label %114, label %119, !llvm.loop !33
 
 124:                                              ; preds = %72, %124
   %125 = phi i64 [ 0, %72 ], [ %131, %124 ]
@@ -821,19 +873,22 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   store double %130, ptr %128, align 8
   %131 = add nuw nsw i64 %125, 1
   %132 = icmp eq i64 %131, %73
-  br i1 %132, label %133, label %124, !llvm.loop !31
+  br i1 %132, label %133, label %124, !llvm.loop !34
 
 133:                                              ; preds = %124, %29, %67, %22
   %134 = phi i1 [ true, %22 ], [ %68, %67 ], [ true, %29 ], [ %68, %124 ]
   ret i1 %134
 }
 
+declare i64 @llvm.smax.i64(i64, i64) #3
+
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
 attributes #2 = { nounwind }
-attributes #3 = { nounwind }
+attributes #3 = { nounwind willreturn memory(none) }
 attributes #4 = { nounwind }
 attributes #5 = { nounwind }
+attributes #6 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -842,8 +897,8 @@ attributes #5 = { nounwind }
 !3 = distinct !{!3, !4, !5}
 !4 = !{!"llvm.loop.mustprogress"}
 !5 = !{!"llvm.loop.unroll.disable"}
-!6 = distinct !{!6, !4, !5}
-!7 = distinct !{!7, !4, !5}
+!6 = distinct !{!6, !4, !5, !7}
+!7 = !{!"llvm.loop.vectorize.width", i32 1}
 !8 = distinct !{!8, !4, !5}
 !9 = distinct !{!9, !4, !5}
 !10 = distinct !{!10, !4, !5}
@@ -865,6 +920,9 @@ attributes #5 = { nounwind }
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
-!29 = distinct !{!29, !4, !5}
+!29 = distinct !{!29, !4, !5, !7}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
+!32 = distinct !{!32, !4, !5}
+!33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5}
