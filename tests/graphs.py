@@ -12,6 +12,8 @@ from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._graph.switches import Passes
+from pydy._mechanics.form import Formed, forms
+from pydy._mechanics.reader import Multibody
 
 __all__ = [
     "BINARY",
@@ -23,6 +25,7 @@ __all__ = [
     "X",
     "evaluate",
     "everything",
+    "form",
     "nodes_of",
     "on_tape",
     "program_of",
@@ -138,3 +141,9 @@ def solves():
     blocks.append(("guard", unrolled.solve(list(one))))
     table = [(name, (3,), [tape.make("item", v, k) for k in range(3)]) for name, v in blocks]
     return Program.from_tape(tape, (15, 0, 0), table)
+
+
+def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
+    """Return the equations of motion in one form."""
+    found = forms(body, in_bodies=in_bodies)
+    return found[-1] if articulated else found[0]

@@ -8,13 +8,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from graphs import form
+
 sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import definition, tree
 
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._mechanics.form import form, moving
+from pydy._mechanics.form import moving
 from pydy.mechanics import Definition
 from pydy.system import System
 

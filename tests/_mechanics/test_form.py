@@ -8,11 +8,12 @@ import sympy.physics.mechanics as me
 import by_hand
 import zoo
 from by_hand import MECHANISMS, derived, state
+from graphs import form
 from oracle import oracle
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import form, forms, moving
+from pydy._mechanics.form import forms, moving
 from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kane import multibody_of_kane
 from pydy.mechanics import Definition
@@ -86,8 +87,7 @@ def spun_rods():
 def test_accelerations_do_not_depend_on_what_is_known_of_them_beforehand(in_bodies):
     body = spun_rods().multibody
     kinematics = moving(body, in_bodies)
-    parts = (kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds)
-    matrix, forcing = composite(*parts, *loads_and_inertias(kinematics))
+    matrix, forcing = composite(kinematics, *loads_and_inertias(kinematics))
     expected = at_random(kinematics.graph, kinematics.graph.solve(matrix, [forcing], "ldl")[0])
     whole, eliminated = forms(body, in_bodies=in_bodies)
     graph = whole.graph

@@ -5,7 +5,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import by_hand
-from pydy._mechanics.form import form
+from graphs import form
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._mechanics.reader import Tree, check_bodies, read_loads
 from pydy.system import System

@@ -38,9 +38,14 @@ def jacobian(
     return directional(graph, outputs, given)
 
 
+def jacobian_rows(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[list[int]]:
+    """Return all derivatives of some nodes by others, as a list of rows."""
+    return dense_rows(graph, jacobian(graph, outputs, by), len(by))
+
+
 def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
-    """Return all derivatives of some nodes by others, row by row."""
-    return dense(graph, jacobian(graph, outputs, by), len(by))
+    """Return the same as one list, row by row."""
+    return [node for row in jacobian_rows(graph, outputs, by) for node in row]
 
 
 def dense(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[int]:

@@ -170,7 +170,7 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
 
         It prints as its name, which may be an expression, or as a number.
         """
-        inputs = tuple(n for n in graph.reachable([node]) if graph.ops[n] == "input")
+        inputs = tuple(graph.inputs([node]))
         formula = Formula(graph, node, inputs, name)
         made: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
         return made

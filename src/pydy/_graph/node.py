@@ -359,9 +359,14 @@ class Graph(Nodes):
         order.reverse()
         return order
 
+    def inputs(self, roots: Iterable[int], *, moving: bool = False) -> list[int]:
+        """Return the inputs that the roots depend on, or those of them that are no constants."""
+        found = [n for n in self.reachable(roots) if self.ops[n] == "input"]
+        return [n for n in found if not self.constant[n]] if moving else found
+
     def inputs_of(self, roots: Iterable[int]) -> set[str]:
         """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
-        return {str(self.args[n][0]) for n in self.reachable(roots) if self.ops[n] == "input"}
+        return {str(self.args[n][0]) for n in self.inputs(roots)}
 
 
 def _is_counted(op: str, args: tuple[Any, ...]) -> bool:

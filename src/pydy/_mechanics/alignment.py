@@ -23,7 +23,7 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._mechanics.components import identity, in_rows, terms_of, transposed, turned
+from pydy._mechanics.components import about, flat, identity, in_rows, terms_of, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.tuning import ROUNDED, SAME_DIRECTION, STEEP
@@ -409,7 +409,7 @@ class _Alignment:
         if (g.ops[c], g.ops[s]) != ("cos", "sin") or g.args[c] != g.args[s]:
             return None
         terms = [(g.args[c][0], sign)]
-        return g.sum(terms) if matrix == _plane(g, index, *_circle(g, terms, 0.0)) else None
+        return g.sum(terms) if matrix == about(g, index, *_circle(g, terms, 0.0)) else None
 
     # -- what is written down ---------------------------------------------------------------------
 
@@ -427,7 +427,7 @@ class _Alignment:
         spin = [g.zero] * 3
         spin[index] = g.sum([(body.speed, sign)])
         depth = k.tree.oriented[body.root]
-        k.frames.insert(axes, home, _plane(g, index, *circle), spin, depth)
+        k.frames.insert(axes, home, about(g, index, *circle), spin, depth)
         self._write(body, axes, own)
 
     def _fixed(self, home: Any, matrix: Matrix, body: _Body) -> Any:
@@ -447,7 +447,7 @@ class _Alignment:
     # -- matrices ---------------------------------------------------------------------------------
 
     def _numbers(self, matrix: Matrix) -> np.ndarray | None:
-        values = [self.graph.value(n) for row in matrix for n in row]
+        values = [self.graph.value(n) for n in flat(matrix)]
         return None if None in values else np.array(values, dtype=float).reshape(3, 3)
 
     def _nodes(self, numbers: np.ndarray) -> Matrix:
@@ -461,9 +461,8 @@ class _Alignment:
         if numbers is not None:
             return self._nodes(_snapped(numbers))
         known = {0: g.zero, 1: g.one, signatures(g, [g.const(-1.0)])[0]: g.const(-1.0)}
-        flat = [n for row in found for n in row]
-        flat = [known.get(v, n) for v, n in zip(signatures(g, flat), flat, strict=True)]
-        return in_rows(flat)
+        nodes = flat(found)
+        return in_rows([known.get(v, n) for v, n in zip(signatures(g, nodes), nodes, strict=True)])
 
 
 def _snapped(numbers: np.ndarray) -> np.ndarray:
@@ -571,12 +570,3 @@ def _circle(graph: Graph, terms: list[tuple[int, float]], start: float) -> tuple
     for _ in range(quarters % 4):
         c, s = graph.neg(s), c
     return c, s
-
-
-def _plane(graph: Graph, index: int, c: int, s: int) -> Matrix:
-    """Return the matrix of axes that are turned about one of them."""
-    j, m = (index + 1) % 3, (index + 2) % 3
-    found = [[graph.one if i == r == index else graph.zero for i in range(3)] for r in range(3)]
-    found[j][j] = found[m][m] = c
-    found[j][m], found[m][j] = s, graph.neg(s)
-    return found

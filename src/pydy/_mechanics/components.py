@@ -37,6 +37,20 @@ def in_rows(flat: Sequence[int]) -> list[list[int]]:
     return [list(flat[k : k + 3]) for k in (0, 3, 6)]
 
 
+def flat(matrix: Sequence[Sequence[int]]) -> list[int]:
+    """Return the entries of a matrix, row by row."""
+    return [n for row in matrix for n in row]
+
+
+def about(graph: Graph, axis: int, c: int, s: int) -> list[list[int]]:
+    """Return the matrix of axes that are turned about one of them, by its cosine and sine."""
+    j, m = (axis + 1) % 3, (axis + 2) % 3
+    found = [[graph.one if i == r == axis else graph.zero for i in range(3)] for r in range(3)]
+    found[j][j] = found[m][m] = c
+    found[j][m], found[m][j] = s, graph.neg(s)
+    return found
+
+
 def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
     """Return a matrix with rows for columns."""
     return [list(column) for column in zip(*matrix, strict=True)]
@@ -74,7 +88,7 @@ def numbers_of(
     All that these rows hold is moved: an orientation by a quaternion is one where its length is
     one, and two random lengths need not close. Inputs among `zeros` that they do not hold are zero.
     """
-    inputs = [n for n in graph.reachable([*flat, *held]) if graph.ops[n] == "input"]
+    inputs = graph.inputs([*flat, *held])
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
     kept = {*graph.reachable(held)}
     x[:, [n in zeros and n not in kept for n in inputs]] = 0.0

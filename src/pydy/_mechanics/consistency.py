@@ -26,7 +26,7 @@ from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.identities import signatures
 from pydy._graph.rounding import rounding_bounds
-from pydy._mechanics.components import numbers_of
+from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
 from pydy._mechanics.frames import orientation_rows, rotations
@@ -160,16 +160,15 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
     for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
         while frame not in seen and frame in k.tree.oriented:
             seen.add(frame)
-            parent, g = k.tree.parent(frame), k.graph
+            parent = k.tree.parent(frame)
             if k.tree.turns_in(frame) is parent:
                 axes = k.frames.given(frame, parent)
                 w = k.vector(k.tree.relative_spin(frame, parent), parent)
             else:
-                units = [[g.one if i == j else g.zero for j in range(3)] for i in range(3)]
-                axes = [k.expressed(unit, frame, k.inertial) for unit in units]
+                axes = [k.expressed(unit, frame, k.inertial) for unit in identity(k.graph)]
                 w = k.spin(frame, k.inertial)[0]
             turned = [n for axis in axes for n in k.cross(w, axis)]
-            yield f"the angular velocity of {frame}", [n for axis in axes for n in axis], turned, ()
+            yield f"the angular velocity of {frame}", flat(axes), turned, ()
             frame = parent
 
 
@@ -222,7 +221,7 @@ def _depends_alike(k: Kinematics, what: str, place: Vec, velocity: Vec, points: 
     """Return whether a velocity holds no constant or specified that its place and q' have not."""
     g, known = k.graph, {*k.coordinates, *k.speeds}
     known |= {*g.reachable([*place, *k.dt(place)])}
-    return all(n in known for n in g.reachable(velocity) if g.ops[n] == "input")
+    return known.issuperset(g.inputs(velocity))
 
 
 def _values(k: Kinematics, nodes: list[int], held: list[int]) -> np.ndarray:

@@ -153,10 +153,7 @@ class Definition:
     @cached_property
     def velocity_constraints(self) -> tuple[Any, ...]:
         """All constraints of the speeds, differentiated by SymPy."""
-        if self._given_motion is not None:
-            return self._given_motion
-        rates = (e.diff(dynamicsymbols._t) for e in self.holonomic_constraints)
-        return (*rates, *self.nonholonomic_constraints)
+        return self._constraints_of_speeds(evaluate=True)
 
     @cached_property
     def _motion(self) -> tuple[Any, ...]:
@@ -164,10 +161,13 @@ class Definition:
 
         SymPy's take longer than all the rest for constraints of several hundred terms.
         """
+        return self._constraints_of_speeds(evaluate=False)
+
+    def _constraints_of_speeds(self, evaluate: bool) -> tuple[Any, ...]:
         if self._given_motion is not None:
             return self._given_motion
         t = dynamicsymbols._t
-        rates = (sm.Derivative(e, t, evaluate=False) for e in self.holonomic_constraints)
+        rates = (sm.Derivative(e, t, evaluate=evaluate) for e in self.holonomic_constraints)
         return (*rates, *self.nonholonomic_constraints)
 
     @cached_property
@@ -249,7 +249,10 @@ class Definition:
         if implicit is not None:
             body = implicit.joined(body)
         if not body.holonomic and not self.holonomic_constraints and not self._motion:
-            return self._unconstrained(body)
+            for argument in ("dependent_coordinates", "dependent_speeds"):
+                if getattr(self, argument):
+                    raise ValueError(f"`{argument}` are given, but there are no constraints.")
+            return body
         chosen, near = self.dependent_coordinates, self.configuration
         if implicit is not None and near:
             near = implicit.start | near
@@ -261,12 +264,6 @@ class Definition:
             self.dependent_speeds,
             near,
         )
-
-    def _unconstrained(self, body: Multibody) -> Multibody:
-        for argument in ("dependent_coordinates", "dependent_speeds"):
-            if getattr(self, argument):
-                raise ValueError(f"`{argument}` are given, but there are no constraints.")
-        return body
 
 
 def equations_of_definition(
@@ -337,6 +334,3 @@ def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tupl
     if strange:
         raise ValueError(f"`{argument}` must be some of the {what}, got {describe(strange)}.")
     return found
-
-
-# -- kinematic equations ---------------------------------------------------------------------------

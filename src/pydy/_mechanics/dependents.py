@@ -15,14 +15,15 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
+from pydy._graph.derivative import jacobian
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import AROUND, Block, GenericStates, openness, units_of
+from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openness, units_of
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
+from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, ROUNDED
 from pydy._names import few
 from pydy._rank import HALF, equilibrated, is_zero, or_one
 
@@ -174,7 +175,7 @@ def _choose(
     rows = [k for k in rows if k not in one_sided]
     states.leave_out(rows if near else [*rows, *one_sided])
     tables, every = _searched(states, near)
-    samples = _closed(every)
+    samples = closed(every)
     if not every:
         raise ValueError(
             "The constraints cannot be evaluated: they give NaN or infinity at random states. "
@@ -217,7 +218,7 @@ def _searched(
     """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
     blocks = states.closing()
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
-    samples = _closed(every)
+    samples = closed(every)
     if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
         every += states.samples(blocks, AROUND, around=True, left_open=True)
     return blocks[:2], every
@@ -346,8 +347,7 @@ def _constant(states: GenericStates, rows: Iterable[int], sign: float = 1.0) -> 
 
 def _check_linear(equations: Equations, states: GenericStates) -> None:
     """Refuse holonomic constraints that hold speeds, and others that are not linear in them."""
-    _, (_, n), cells = states.table("velocity", states.velocity, states.speeds)
-    speeds = set(states.speeds)
+    speeds, slopes = set(states.speeds), jacobian(states.graph, states.velocity, states.speeds)
 
     def held(nodes: Sequence[int]) -> bool:
         return not speeds.isdisjoint(states.graph.reachable(nodes))
@@ -358,18 +358,12 @@ def _check_linear(equations: Equations, states: GenericStates) -> None:
                 f"The holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a "
                 "velocity constraint."
             )
-    for k, e in enumerate(equations.velocity):
-        if held(cells[k * n : (k + 1) * n]):
+    for k, (e, row) in enumerate(zip(equations.velocity, slopes, strict=True)):
+        if held([*row.values()]):
             raise ValueError(
                 f"The velocity constraint {k}, `{e}`, is not linear in the speeds. Replace it with "
                 "one that is."
             )
-
-
-def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
-    if not samples:
-        return samples
-    return [s for s, size in zip(samples, openness(samples), strict=True) if size < OPEN]
 
 
 def _seem_redundant(matrices: np.ndarray, bounds: np.ndarray) -> bool:

@@ -19,22 +19,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph.derivative import Row, Rows
+from pydy._graph.derivative import Row
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.components import transposed
 from pydy._mechanics.inertia import Inertia, Load
+from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
-
-
-@dataclass(frozen=True)
-class Solution:
-    """Accelerations, and whether all pivots on the way were sound."""
-
-    accelerations: list[int]  # u'
-    sound: int  # A truth value
 
 
 @dataclass(frozen=True)
@@ -56,15 +49,11 @@ class _Gone:
 
 
 def composite(
-    graph: Graph,
-    rows: Rows,
-    groups: Sequence[Sequence[int]],
-    speeds: Sequence[int],
-    inertias: Sequence[Inertia],
-    loads: Sequence[Load],
+    kinematics: Kinematics, inertias: Sequence[Inertia], loads: Sequence[Load]
 ) -> tuple[list[list[int]], list[int]]:
-    """Return Kane's mass matrix and forcing for all speeds, dependent or not."""
-    push = _Push(graph, rows, groups, speeds, inertias, loads)
+    """Return Kane's mass matrix and forcing for all speeds: dependent and auxiliary ones too."""
+    push = _Push(kinematics, kinematics.groups, inertias, loads)
+    graph, speeds = push.graph, push.speeds
     for group in push.order:
         push.pass_on(group)
     lower = [[push.entry(a, b) for b in speeds[: i + 1]] for i, a in enumerate(speeds)]
@@ -74,20 +63,18 @@ def composite(
 
 
 def eliminated(
-    graph: Graph,
-    rows: Rows,
-    groups: Sequence[Sequence[int]],
-    speeds: Sequence[int],
+    kinematics: Kinematics,
     inertias: Sequence[Inertia],
     loads: Sequence[Load],
     plain: Sequence[Inertia],
-    detours: Detours,
-) -> Solution:
-    """Return the accelerations by articulated-body elimination.
+) -> tuple[list[int], int]:
+    """Return the accelerations by articulated-body elimination, and whether all pivots are sound.
 
     `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
     """
-    push = _Push(graph, rows, detours.arranged(groups), speeds, inertias, loads, plain, detours)
+    detours = kinematics.detours
+    push = _Push(kinematics, detours.arranged(kinematics.groups), inertias, loads, plain, detours)
+    graph, speeds = push.graph, push.speeds
     sizes = _Sizes(push)
     left = dict.fromkeys(speeds)
     done: list[_Passed | _Gone] = []
@@ -124,13 +111,12 @@ def eliminated(
         if floor != graph.zero and graph.constant[floor] and graph.constant[limit]:
             pivot = floor
         sound = graph.call("and", sound, graph.call("lt", limit, pivot))
-    return Solution([found[s] for s in speeds], sound)
+    return [found[s] for s in speeds], sound
 
 
-def partials(
-    graph: Graph, rows: Rows, groups: Sequence[Sequence[int]], velocity: Iterable[int]
-) -> list[Row]:
+def partials(kinematics: Kinematics, velocity: Sequence[int]) -> list[list[int]]:
     """Return the derivatives of components of a velocity by the speeds, from anchor to anchor."""
+    graph, rows, groups = kinematics.graph, kinematics.rows, kinematics.groups
     whole = {k: rows.through(k) for group in groups for k in group}
     order = _sorted_groups([list(group) for group in groups], whole)[::-1]
     found = []
@@ -141,7 +127,7 @@ def partials(
             for c in sorted({c for own, _ in passed for c in own}):
                 terms = [(graph.mul(own[c], n), 1.0) for own, n in passed if c in own]
                 row.setdefault(c, []).append((graph.sum(terms), 1.0))
-        found.append({speed: graph.sum(terms) for speed, terms in row.items()})
+        found.append([graph.sum(row.get(speed, ())) for speed in kinematics.speeds])
     return found
 
 
@@ -150,16 +136,15 @@ class _Push:
 
     def __init__(
         self,
-        graph: Graph,
-        rows: Rows,
+        kinematics: Kinematics,
         groups: Sequence[Sequence[int]],
-        speeds: Sequence[int],
         inertias: Sequence[Inertia],
         loads: Sequence[Load],
         plain: Sequence[Inertia] = (),
         detours: Detours | None = None,
     ) -> None:
-        self.graph, self.speeds = graph, list(speeds)
+        graph, rows = kinematics.graph, kinematics.rows
+        self.graph, self.speeds = graph, [*kinematics.speeds, *kinematics.auxiliary]
         # Rows of the anchors in one step, and as the form takes it.
         self.whole = {k: rows.through(k) for group in groups for k in group}
         self.own = dict(self.whole)
@@ -169,7 +154,7 @@ class _Push:
         # What each velocity itself weighs, by the anchors of its components.
         self.weights: list[tuple[list[int], int]] = []
         # What of a speed's diagonal entry comes from there, and a bit for each speed in it.
-        self.floors: dict[int, list[tuple[int, float, int]]] = {s: [] for s in speeds}
+        self.floors: dict[int, list[tuple[int, float, int]]] = {s: [] for s in self.speeds}
         self.first: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
         for inertia in inertias:
             for a, b, node, size in self._products(inertia, [rows(n) for n in inertia.velocity]):
@@ -451,9 +436,7 @@ class _Sizes:
 
 def _without_state(graph: Graph, nodes: list[int]) -> list[int]:
     """Write what is the same in every state without the state."""
-    moving = [
-        n for n in graph.reachable(nodes) if graph.ops[n] == "input" and not graph.constant[n]
-    ]
+    moving = graph.inputs(nodes, moving=True)
     if not moving:
         return nodes
     fixed = substitute(graph, nodes, dict.fromkeys(moving, graph.zero))

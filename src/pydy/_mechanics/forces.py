@@ -23,7 +23,7 @@ from sympy.physics.mechanics import Point, Vector
 
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import dense_rows, jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
@@ -114,8 +114,7 @@ class ConstraintForces:
         kinematics = self._kinematics
         if self.body.lagrangian is not None:
             return lagranges_equations(kinematics)[1]
-        parts = (kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds)
-        return composite(*parts, [], loads_and_inertias(kinematics)[1])[1]
+        return composite(kinematics, [], loads_and_inertias(kinematics)[1])[1]
 
     def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
         """Return the least multipliers where more constraints than are independent share a force.
@@ -305,7 +304,7 @@ class ConstraintForces:
             return []
         k, g = self._kinematics, self._kinematics.graph
         totals = [k.plus(*vectors)[axis] for vectors in sums for axis in range(3)]
-        rows = dense_rows(g, jacobian(g, totals, k.speeds), len(k.speeds))
+        rows = jacobian_rows(g, totals, k.speeds)
         still = substitute(g, totals, dict.fromkeys(k.speeds, g.zero))
         nodes = [n for row, rest in zip(rows, still, strict=True) for n in (*row, rest)]
         values = numbers_of(g, [*nodes, *rounding_bounds(g, nodes)], held, k.coordinates)

@@ -17,7 +17,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.interpret import evaluator
@@ -28,10 +28,10 @@ from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.implicit import check_forces
-from pydy._mechanics.inertia import Inertia, Load, loads_and_inertias, lumped, points_of
+from pydy._mechanics.inertia import Inertia, loads_and_inertias, lumped, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.reduction import reduced, slopes
+from pydy._mechanics.reduction import reduced
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
@@ -77,9 +77,8 @@ class Formed:
         graph = self.graph
         roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
         roots += self.accelerations or []
-        found = {graph.args[n] for n in graph.reachable(roots) if graph.ops[n] == "input"}
-        measured = [n for n in graph.reachable(self.measures) if graph.ops[n] == "input"]
-        return found | {graph.args[n] for n in measured if graph.constant[n]}
+        measured = [n for n in graph.inputs(self.measures) if graph.constant[n]]
+        return {graph.args[n] for n in (*graph.inputs(roots), *measured)}
 
     def symbols(self, speed_rates: Sequence[Any]) -> list[Any]:
         """Return the constants, specifieds and derivatives of speeds that occur."""
@@ -121,12 +120,6 @@ class Formed:
         return replace(self, graph=self.graph.renamed(names), simplified=simplified)
 
 
-def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
-    """Return the equations of motion in one form; see `forms`."""
-    found = forms(body, in_bodies=in_bodies)
-    return found[-1] if articulated else found[0]
-
-
 def forms(
     body: Multibody, *, in_bodies: bool, honoured: Collection[Any] | None = None
 ) -> list[Formed]:
@@ -140,13 +133,12 @@ def forms(
     # take 4,359 operations in place of 4,211.
     free = not body.velocity
     kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=free)
-    g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
-    inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
+    g, read = kinematics.graph, kinematics.read
+    inertias, loads, plain = lumped(kinematics)
     kinetic = _kinetic(kinematics, plain)
     if body.implicit is not None:
         check_forces(body, g, kinetic)
-    parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
-    matrix, rest = composite(*parts)
+    matrix, rest = composite(kinematics, inertias, loads)
     start = kinematics.start()
     moved = bool(set(kinematics.accelerations) & set(g.reachable(rest)))
     if not moved:
@@ -174,8 +166,8 @@ def forms(
         )
     ]
     if not body.velocity and not moved:
-        solution = eliminated(*parts, plain, kinematics.detours)
-        beyond = g.guard(matrix, rest, solution.sound, solution.accelerations)
+        fast, sound = eliminated(kinematics, inertias, loads, plain)
+        beyond = g.guard(matrix, rest, sound, fast)
         found.append(replace(found[0], accelerations=kinematics.plus(start, beyond)))
     return [_without_idle(formed) for formed in found] if body.auxiliary else found
 
@@ -214,14 +206,12 @@ def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
     """Return what is zero for each auxiliary speed: its active less its inertia force."""
     kinematics = moving(body, in_bodies=True, auxiliary=True, driven=True)
     g, n = kinematics.graph, len(kinematics.speeds)
-    every = [*kinematics.speeds, *kinematics.auxiliary]
-    _, loads = loads_and_inertias(kinematics)
-    _, rest = composite(g, kinematics.rows, kinematics.groups, every, [], loads)
+    _, rest = composite(kinematics, [], loads_and_inertias(kinematics)[1])
     found = rest[n:]
     if d := len(body.velocity):
         nodes = kinematics.read.all(body.velocity)
-        held = [row[n - d :] for row in slopes(g, nodes, kinematics.speeds)]
-        moved = slopes(g, nodes, kinematics.auxiliary)
+        held = [row[n - d :] for row in jacobian_rows(g, nodes, kinematics.speeds)]
+        moved = jacobian_rows(g, nodes, kinematics.auxiliary)
         columns = [[g.neg(row[k]) for row in moved] for k in range(len(found))]
         shares = g.solve(held, columns, "lu")
         for k, share in enumerate(shares):
@@ -281,38 +271,25 @@ def _measures(kinematics: Kinematics, inertias: Sequence[Inertia]) -> list[int]:
     return found
 
 
-def _as_they_are(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
-    inertias, loads = loads_and_inertias(kinematics)
-    return inertias, loads, inertias
-
-
 def moving(
     body: Multibody,
     in_bodies: bool,
     *,
-    auxiliary: bool = False,
     falling: bool = False,
-    referred: bool = False,
-    driven: bool = False,
     known: Collection[Any] | None = None,
     more: Iterable[Any] = (),
+    **how: bool,
 ) -> Kinematics:
     """Return the kinematics with all points placed, more of them too; the user's velocities hold.
 
-    `falling` takes gravity for an acceleration where it can, and refers bodies on hinges to other
-    points of their axes. Which velocities are to be honoured is found out, if it is not known.
+    `how` is `auxiliary`, `referred` or `driven`, as for Kinematics; `falling` takes gravity for an
+    acceleration where it can, and refers bodies on hinges to other points of their axes. Which
+    velocities are to be honoured is found out, if it is not known.
     """
     honoured: set[Any] = set(known or ())
     checked: dict[Any, Any] = {}
     while True:
-        kinematics = Kinematics(
-            body,
-            in_bodies=in_bodies,
-            auxiliary=auxiliary,
-            referred=referred,
-            driven=driven,
-            honoured=honoured,
-        )
+        kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured, **how)
         if falling:
             take_gravity_off(kinematics)
         points = [*points_of(kinematics), *more]
@@ -367,7 +344,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
     body = kinematics.body
     inertias, loads = loads_and_inertias(kinematics)
     g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
-    _, forces = composite(g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
+    _, forces = composite(kinematics, inertias, loads)
     node = kinematics.read(body.lagrangian)
     if set(kinematics.accelerations) & set(g.reachable([node])):
         raise ValueError(

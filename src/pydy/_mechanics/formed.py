@@ -21,7 +21,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import jacobian_rows
 from pydy._graph.interpret import evaluator
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
@@ -142,7 +142,7 @@ def _without_cancelled(formed: Formed) -> Formed:
         accelerations=solved if formed.accelerations is not None else None,
     )
     gone = formed.inputs() - found.inputs()
-    inputs = {graph.args[k] for k in graph.reachable(kinetic) if graph.ops[k] == "input"}
+    inputs = {graph.args[k] for k in graph.inputs(kinetic)}
     return found if any(g == "r" and (g, k) not in inputs for g, k in gone) else formed
 
 
@@ -376,7 +376,7 @@ def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:
     """Return the block of linear equations in the speeds: coefficients, and what is left."""
     g, speeds = states.graph, states.speeds
     cells: list[int] = []
-    rows = dense_rows(g, jacobian(g, nodes, speeds), len(speeds))
+    rows = jacobian_rows(g, nodes, speeds)
     for node, slope in zip(nodes, rows, strict=True):
         terms = [(g.mul(c, s), -1.0) for c, s in zip(slope, speeds, strict=True)]
         cells += [*slope, g.sum([(node, 1.0), *terms])]

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from sympy.core.function import AppliedUndef
 
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes
@@ -135,9 +135,7 @@ class GenericStates:
 
     def table(self, name: str, nodes: Sequence[int], variables: Sequence[int]) -> Block:
         """Return the block of a Jacobian."""
-        rows, n = jacobian(self.graph, nodes, variables), len(variables)
-        cells = [row.get(k, self.graph.zero) for row in rows for k in range(n)]
-        return name, (len(nodes), n), cells
+        return name, (len(nodes), len(variables)), dense_jacobian(self.graph, nodes, variables)
 
     def samples(
         self,
@@ -176,9 +174,7 @@ class GenericStates:
         self, blocks: Sequence[Block], trials: int, **options: Any
     ) -> list[dict[str, np.ndarray]]:
         """Return the `samples` that keep the constraints: none where none does."""
-        found = list(self.samples([*blocks, *self.closing()], trials, **options))
-        apart = openness(found) if found else []
-        return [s for s, left in zip(found, apart, strict=True) if left < OPEN]
+        return closed(list(self.samples([*blocks, *self.closing()], trials, **options)))
 
     def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
         """Return how far values of nodes may be from those where the constraints hold exactly.
@@ -365,6 +361,12 @@ class GenericStates:
             if left.size and np.isfinite(slope).all():
                 x[k, n:] -= _solved(slope, left, FULL_STEPS[-1], speeds)
         return t, x, r, p
+
+
+def closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
+    """Return those of some samples, with the blocks of `closing`, that keep the constraints."""
+    apart = openness(samples) if samples else []
+    return [s for s, left in zip(samples, apart, strict=True) if left < OPEN]
 
 
 def openness(samples: list[dict[str, np.ndarray]]) -> list[float]:

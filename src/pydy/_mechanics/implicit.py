@@ -24,6 +24,7 @@ from pydy._graph.identities import signatures
 from pydy._graph.modular import inverse
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
@@ -170,7 +171,7 @@ def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -
     found: dict[int, int] = {}
     for rows, columns in blocks_of(residuals, unknowns):
         matrix = [[slopes[i].get(j, g.zero) for j in columns] for i in rows]
-        values = signatures(g, [n for row in matrix for n in row])
+        values = signatures(g, flat(matrix))
         if inverse([values[k : k + len(rows)] for k in range(0, len(values), len(rows))]) is None:
             given = describe([unknowns[k] for k in columns])
             raise ValueError(

@@ -27,7 +27,7 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.identities import signatures
 from pydy._mechanics.alignment import hinge_axis
-from pydy._mechanics.components import in_rows, transposed, unrounded
+from pydy._mechanics.components import flat, in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
 
@@ -153,28 +153,22 @@ def inertia_seen(
         # With the axes turning by w beside the body the inertia changes by w × I - I × w.
         w, own = kinematics.spin(home)[0], kinematics.spin(frame, home)[0]
         relative = [kinematics.graph.sub(a, b) for a, b in zip(w, own, strict=True)]
-        turned = list(zip(*(kinematics.cross(relative, row) for row in tensor), strict=True))
-        both = [
-            kinematics.plus(a, b) for a, b in zip(turned, zip(*turned, strict=True), strict=True)
-        ]
+        turned = transposed([kinematics.cross(relative, row) for row in tensor])
+        both = map(kinematics.plus, turned, transposed(turned))
         change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
-    if not kinematics.vanishes(_flat(change)):
+    if not kinematics.vanishes(flat(change)):
         return home, tensor, change
     while home in kinematics.tree.oriented:
         if (parent := kinematics.frames.parent(home)) is None:
             break
         # In the parent's axes: R' I R, with the axes here as the rows of R.
-        rotation = list(zip(*kinematics.frames.step(home), strict=True))
-        half = [kinematics.turned(rotation, column) for column in zip(*tensor, strict=True)]
-        outer = [kinematics.turned(rotation, row) for row in zip(*half, strict=True)]
-        if not kinematics.equal(_flat(tensor), _flat(outer)):
+        rotation = transposed(kinematics.frames.step(home))
+        half = [kinematics.turned(rotation, column) for column in transposed(tensor)]
+        outer = [kinematics.turned(rotation, row) for row in transposed(half)]
+        if not kinematics.equal(flat(tensor), flat(outer)):
             break
         home = parent
     return home, tensor, still
-
-
-def _flat(matrix: list[Vec]) -> Vec:
-    return [n for row in matrix for n in row]
 
 
 @dataclass
@@ -193,9 +187,12 @@ class _Lump:
 def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
     """Return what bodies and loads contribute, and the inertias as bodies have them.
 
-    The last are what pivots are judged by. Vectors are in the axes of bodies.
+    The last are what pivots are judged by. Bodies are joined where vectors are in their axes.
     """
-    return _Lumps(kinematics).contributions()
+    if kinematics.in_bodies:
+        return _Lumps(kinematics).contributions()
+    inertias, loads = loads_and_inertias(kinematics)
+    return inertias, loads, inertias
 
 
 def weights_of(kinematics: Kinematics, fall: Vec) -> list[Load]:
@@ -251,11 +248,10 @@ class _Lumps:
         terms = tuple(body.central_inertia.args)
         frame = k.frames.axes(body.frame)
         home, tensor, change = inertia_seen(k, frame, terms)
-        cells = [n for row in tensor for n in row]
         a = k.acceleration(body.masscenter)
         if (
-            not all(g.constant[n] for n in (mass, *cells))
-            or any(n != g.zero for row in change for n in row)
+            not all(g.constant[n] for n in (mass, *flat(tensor)))
+            or any(n != g.zero for n in flat(change))
             or a is not k.motion(body.masscenter)[2]
             or k.angular_acceleration(body.frame, home) is not k.spin(frame, home)[1]
             or home is k.inertial
@@ -411,8 +407,7 @@ class _Lumps:
         turn = transposed(k.frames.step(axes))
         half = [k.turned(turn, row) for row in tensor]
         found = [k.turned(turn, row) for row in transposed(half)]
-        flat = unrounded(self.graph, [n for row in found for n in row])
-        return in_rows(flat)
+        return in_rows(unrounded(self.graph, flat(found)))
 
     # -- contributions ----------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute, transplanted
@@ -31,7 +31,7 @@ from pydy._mechanics.form import (
     moving,
     useful_axes,
 )
-from pydy._mechanics.inertia import Load, loads_and_inertias, lumped, weights_of
+from pydy._mechanics.inertia import Load, lumped, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody, distances, is_rigid, places
 
@@ -97,7 +97,7 @@ def inverse_dynamics(
     kinematics, forces = _required(body)
     g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
     rows = kinematics.read.all(body.velocity) if bound or at is not None else []
-    slopes = dense_rows(g, jacobian(g, rows, kinematics.speeds), n)
+    slopes = jacobian_rows(g, rows, kinematics.speeds)
     if at is not None:
         others = [k for k in range(n) if k not in at]
         held = [[row[k] for row in slopes] for k in others]
@@ -110,7 +110,7 @@ def inverse_dynamics(
     if bound:
         unknown = [rates[k] for k in bound]
         residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
-        held = dense_rows(g, jacobian(g, residuals, unknown), len(unknown))
+        held = jacobian_rows(g, residuals, unknown)
         drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
         solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
         forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
@@ -126,7 +126,7 @@ def _required(body: Multibody) -> tuple[Kinematics, Vec]:
     found = []
     for in_bodies in useful_axes(body):
         kinematics = moving(body, in_bodies, falling=in_bodies, driven=True)
-        loads = lumped(kinematics)[1] if in_bodies else loads_and_inertias(kinematics)[1]
+        loads = lumped(kinematics)[1]
         forces = [kinematics.graph.neg(node) for node in _pushed(kinematics, loads)]
         found.append((operations(kinematics.graph, forces), kinematics, forces))
     return min(found, key=lambda item: item[0])[1:]
@@ -141,10 +141,9 @@ def mass_matrix(body: Multibody, known: Known) -> Found:
     else:
         kinematics = moving(body, in_bodies=True, falling=True)
         inertias, loads, _ = lumped(kinematics)
-        parts = kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds
-        matrix, forcing = composite(*parts, inertias, loads)
-    g, n = kinematics.graph, len(kinematics.speeds)
-    moved = dense_rows(g, jacobian(g, forcing, kinematics.accelerations), n)
+        matrix, forcing = composite(kinematics, inertias, loads)
+    g = kinematics.graph
+    moved = jacobian_rows(g, forcing, kinematics.accelerations)
     pairs = zip(matrix, moved, strict=True)
     cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
     return known.found(kinematics, cells)
@@ -194,12 +193,12 @@ def regressor(body: Multibody, known: Known) -> Found | None:
         axes = item.frame if is_rigid(item) else home
         a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
         pairs: list[tuple[Vec, Vec | None]] = [(a, None)]
-        moved = _partials(kinematics, v)
+        moved = partials(kinematics, v)
         turned: list[Vec] = []
         if is_rigid(item):
             w, _ = kinematics.spin(axes)
             alpha, turning = kinematics.angular_acceleration(axes, axes), kinematics.turning(axes)
-            turned = _partials(kinematics, w)
+            turned = partials(kinematics, w)
             pairs += [
                 ([row[i] for row in turning], kinematics.cross(unit, a))
                 for i, unit in enumerate(units)
@@ -256,7 +255,7 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
         mass = kinematics.read(body.mass)
         if mass == g.zero:
             continue
-        inputs = [n for n in g.reachable([mass]) if g.ops[n] == "input"]
+        inputs = g.inputs([mass])
         by = [n for n in inputs if g.constant[n]] or inputs
         own = _pulls(kinematics, body.masscenter, mass, by)
         if own is None:
@@ -301,7 +300,7 @@ def _pulls(kinematics: Kinematics, centre: Any, mass: int, by: Sequence[int]) ->
             forces = [[g.sum([(n, 1.0) for n in x]) for x in zip(*left, strict=True)]] * bool(left)
         for force in forces:
             if by:
-                rows = dense_rows(g, jacobian(g, force, by), len(by))
+                rows = jacobian_rows(g, force, by)
                 falls = [
                     [g.div(row[k], slope) for row in rows]
                     for k, slope in enumerate(slopes)
@@ -335,7 +334,7 @@ def _steady(kinematics: Kinematics, force: Vec) -> Vec:
     """
     g = kinematics.graph
     rest = substitute(g, force, dict.fromkeys(kinematics.speeds, g.zero))
-    moved = [n for n in g.reachable(rest) if g.ops[n] == "input" and not g.constant[n]]
+    moved = g.inputs(rest, moving=True)
     still = substitute(g, rest, dict.fromkeys(moved, g.zero))
     if not moved or not kinematics.equal(still, rest):
         return force
@@ -352,17 +351,7 @@ def _partly_constant(g: Graph, node: int) -> bool:
 
 def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
     """Return what loads do at the speeds."""
-    parts = kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds
-    return composite(*parts, [], loads)[1]
-
-
-def _partials(kinematics: Kinematics, velocity: Vec) -> list[Vec]:
-    """Return the derivatives of a velocity's components by the speeds."""
-    parts = kinematics.graph, kinematics.rows, kinematics.groups
-    return [
-        [row.get(u, kinematics.graph.zero) for u in kinematics.speeds]
-        for row in partials(*parts, velocity)
-    ]
+    return composite(kinematics, [], loads)[1]
 
 
 @collector_paused()
@@ -396,6 +385,6 @@ def partial_velocities(body: Multibody, known: Known, point: Any, frame: Any) ->
     for where in (point, frame):
         if where is not None:
             home, own = kinematics.at(where)
-            rows = _partials(kinematics, kinematics.expressed(own, home, body.frame))
+            rows = partials(kinematics, kinematics.expressed(own, home, body.frame))
             found += [n for row in rows for n in row]
     return known.found(kinematics, found)

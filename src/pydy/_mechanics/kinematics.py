@@ -19,7 +19,7 @@ from sympy.physics.mechanics import Point
 from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph, input_nodes, input_symbols
-from pydy._mechanics.components import in_rows, turned, unrounded
+from pydy._mechanics.components import flat, in_rows, transposed, turned, unrounded
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours
 from pydy._mechanics.reader import InputReader, Multibody, Tree, checked_vector
@@ -159,7 +159,7 @@ class Kinematics:
         if frame not in self._cosines:
             parent, own = self.frames.parent(frame), self.frames.step(frame)
             if parent is not self.inertial:
-                outer = [list(column) for column in zip(*self._cosine(parent), strict=True)]
+                outer = transposed(self._cosine(parent))
                 own = [self.turned(outer, row) for row in own]
             self._cosines[frame] = own
         return self._cosines[frame]
@@ -171,13 +171,13 @@ class Kinematics:
         if frame is self.inertial:
             return self.turned(self._cosine(to), v)
         if to is self.inertial:
-            return self.turned(list(zip(*self._cosine(frame), strict=True)), v)
+            return self.turned(transposed(self._cosine(frame)), v)
         up, down = self.frames.way_in(frame), self.frames.way_in(to)
         while up and down and up[-1] is down[-1]:
             up.pop()
             down.pop()
         for f in up:
-            v = self.turned(list(zip(*self.frames.step(f), strict=True)), v)
+            v = self.turned(transposed(self.frames.step(f)), v)
         for f in reversed(down):
             v = self.turned(self.frames.step(f), v)
         return list(v)
@@ -203,7 +203,7 @@ class Kinematics:
         found = [[g.sum(cell) for cell in row] for row in cells]
         if not self.frames.written:
             return found
-        return in_rows(unrounded(g, [n for row in found for n in row]))
+        return in_rows(unrounded(g, flat(found)))
 
     def equal(self, a: Sequence[int], b: Sequence[int]) -> bool:
         """Return whether nodes are equal as functions."""

@@ -37,13 +37,14 @@ _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows 
 class Constraints:
     """Constraints of accelerations, J u' + b = 0, and what tells how well they hold."""
 
-    rows: list[list[int]]  # Rows may depend on each other, but must not contradict each other
-    drift: list[int]
+    rows: Sequence[list[int]]  # Rows may depend on each other, but must not contradict each other
+    drift: Sequence[int]
     rank: int  # so many rows, the first, are independent at generic states
-    rates: list[list[int]]
-    left: list[int]  # residuals of the velocity constraints, J u
-    # Residuals of the holonomic constraints, and their derivatives along the speeds.
-    places: list[tuple[int, list[int]]]
+    # What tells it: J', the residuals J u, those of the holonomic constraints, and their
+    # derivatives along the speeds.
+    rates: Sequence[list[int]] = ()
+    left: Sequence[int] = ()
+    places: Sequence[tuple[int, list[int]]] = ()
 
 
 def accelerations_of_held(
@@ -99,13 +100,12 @@ def accelerations(
 ) -> list[int]:
     """Return `fast` where it is sound, else u' by the system of all rows; see the module."""
     rows, n = held.rows, len(forcing)
-    parts = (g, matrix, forcing, rows, held.drift, held.rank, g.boolean(False), [g.zero] * n)
     weights = _mobilities(g, matrix)
     own = _squares(g, rows, weights)
     usual = _usual(g, own)
     units = _roundings(g, matrix, rows)
-    exact = _constrained(*parts, units)
-    coarse = _constrained(*parts, [
+    exact = _constrained(g, matrix, forcing, held, units)
+    coarse = _constrained(g, matrix, forcing, held, [
         g.sum([(g.call("sqrt", g.add(size, other)), SOUND_PIVOT / (n + len(rows)))])
         for size, other in zip(own, usual, strict=True)
     ])  # fmt: skip
@@ -177,29 +177,30 @@ def _constrained(
     graph: Graph,
     matrix: Sequence[list[int]],
     forcing: Sequence[int],
-    rows: Sequence[Sequence[int]],
-    drift: Sequence[int],
-    rank: int,
-    sound: int,
-    fast: Sequence[int],
+    held: Constraints,
     units: Sequence[int],
+    sound: int | None = None,
+    fast: Sequence[int] | None = None,
 ) -> list[int]:
     """Return `fast` where it is sound, else the solution with rows in units of what is zero."""
-    n, d = len(forcing), len(rows)
+    n, d = len(forcing), len(held.rows)
     zero, one = graph.zero, graph.one
     shares = [
         graph.call("select", graph.call("eq", unit, zero), one, graph.powi(unit, -1))
         for unit in units
     ]
-    scaled = [[graph.mul(c, share) for c in row] for row, share in zip(rows, shares, strict=True)]
+    pairs = zip(held.rows, shares, strict=True)
+    scaled = [[graph.mul(c, share) for c in row] for row, share in pairs]
     system = [
         *([*line, *(graph.neg(row[i]) for row in scaled)] for i, line in enumerate(matrix)),
         *([*row, *[zero] * d] for row in scaled),
     ]
     for k in range(d):
-        system[n + k][n + k] = graph.const(INDEPENDENT if k < rank else REDUNDANT)
-    pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(drift, shares, strict=True)]
-    return graph.guard(system, [*forcing, *pull], sound, [*fast, *[zero] * d])[:n]
+        system[n + k][n + k] = graph.const(INDEPENDENT if k < held.rank else REDUNDANT)
+    pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(held.drift, shares, strict=True)]
+    sound = graph.boolean(False) if sound is None else sound
+    fast = [*(fast or [zero] * n), *[zero] * d]
+    return graph.guard(system, [*forcing, *pull], sound, fast)[:n]
 
 
 def multipliers_of(
@@ -207,7 +208,7 @@ def multipliers_of(
 ) -> list[int]:
     """Return λ with Jᵀ λ = f, the least where rows of J depend on each other."""
     m = len(rows)
-    fast, sound = [graph.zero] * m, graph.boolean(False)
+    fast = sound = None
     if m == rank:
         square = _products(graph, rows, rows)
         usual = _usual(graph, [square[i][i] for i in range(m)])
@@ -216,9 +217,9 @@ def multipliers_of(
         fast, sound = solved_soundly(graph, square, right, sizes)
     columns = transposed(rows)
     unit = identity(graph, m)
-    pull = [graph.neg(f) for f in force]
-    parts = (graph, unit, [graph.zero] * m, columns, pull, rank, sound, fast)
-    return _constrained(*parts, _roundings(graph, unit, columns))
+    held = Constraints(columns, [graph.neg(f) for f in force], rank)
+    units = _roundings(graph, unit, columns)
+    return _constrained(graph, unit, [graph.zero] * m, held, units, sound, fast)
 
 
 def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> list[list[int]]:
@@ -335,9 +336,7 @@ def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
     Angles are of order one. Coordinates that are used outside of trigonometric functions may be in
     any unit: theirs is the length of them together.
     """
-    moving = [
-        n for n in graph.reachable(nodes) if graph.ops[n] == "input" and not graph.constant[n]
-    ]
+    moving = graph.inputs(nodes, moving=True)
     lengths = _used_as_they_are(graph, nodes) & {n for n in moving if graph.args[n][0] != "t"}
     unit = graph.one
     if lengths:

@@ -20,7 +20,7 @@ from typing import Any
 from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._mechanics.components import transposed, turned
+from pydy._mechanics.components import about, flat, transposed, turned
 from pydy._mechanics.tuning import SAME_DIRECTION
 
 # The column, the sign and the node of the cosine, and of the sine.
@@ -131,14 +131,9 @@ def _about(graph: Graph, matrix: Matrix, k: int, j: int, i: int) -> list[Matrix]
     g = graph
     angle = g.args[g.scaled(matrix[k][i])[1]][0]
     c, s = g.call("cos", angle), g.call("sin", angle)
-    middle = [[g.one if a == b == j else g.zero for b in range(3)] for a in range(3)]
-    a, b = (j + 1) % 3, (j + 2) % 3
-    middle[a][a] = middle[b][b] = c
-    middle[a][b], middle[b][a] = s, g.neg(s)
-    if middle[k][i] != matrix[k][i]:
-        if i == k:
-            return None
-        middle[a][b], middle[b][a] = g.neg(s), s
+    middle = about(g, j, c, s)
+    if middle[k][i] != matrix[k][i] and i != k:
+        middle = about(g, j, c, g.neg(s))
     if middle[k][i] != matrix[k][i]:
         return None
     # The third axis beside j and k, and beside j and i: the plane that turns.
@@ -153,7 +148,7 @@ def _about(graph: Graph, matrix: Matrix, k: int, j: int, i: int) -> list[Matrix]
     product = found[0]
     for m in found[1:]:
         product = transposed([turned(g, m, column) for column in transposed(product)])
-    values = signatures(g, [n for m in (matrix, product) for row in m for n in row])
+    values = signatures(g, [n for m in (matrix, product) for n in flat(m)])
     return found if len(found) > 1 and values[:9] == values[9:] else None
 
 
@@ -167,10 +162,7 @@ def _plane(graph: Graph, axis: int, place: int, row: list[int]) -> Matrix | None
             return None
     elif abs(one[0]) != 1.0 or abs(two[0]) != 1.0:
         return None
-    found = [[g.one if a == b == axis else g.zero for b in range(3)] for a in range(3)]
-    found[place][place] = found[other][other] = c
-    found[place][other], found[other][place] = s, g.neg(s)
-    return found
+    return about(g, axis, c, s if other == (place + 1) % 3 else g.neg(s))
 
 
 @dataclass(frozen=True)

@@ -121,8 +121,7 @@ class _Search:
         self.equations, self.mechanism = equations, mechanism
         self.frame = mechanism.frame
         self.coordinates = {*equations.coordinates} - equations.given_by_speeds
-        self.energies: list[Any] = []
-        self.powers: list[Any] = []  # of the loads whose energies these are
+        self.taken: list[tuple[Any, Any]] = []  # energies, and powers of the loads that have them
         self.fixed = cache(self._fixed)
         read = InputReader(Graph(), {}, ())
         self.turns = [m for m in rotations(self.frame) if orientation_rows([m], read)]
@@ -135,16 +134,16 @@ class _Search:
         ]
         terms = [term for term in terms if not self._constant_force(term)]
         terms = [term for term in terms if not self._by_height(term)]
-        taken = len(self.energies), len(self.powers)
+        before = len(self.taken)
         lost, unknown = self._closed(terms)
         if unknown:  # a part of a load may have been taken without the opposite part
-            del self.energies[taken[0] :], self.powers[taken[1] :]
+            del self.taken[before:]
             lost, unknown = self._closed(self._along_one_rate(terms))
-        found = sm.Add(*self.energies)
+        found, powers = sm.Add(*(energy for energy, _ in self.taken)), [p for _, p in self.taken]
         bodies = self.mechanism.bodies if self.mechanism.lagrangian is None else ()
         own = self.equations.in_states(sm.Add(*(body.potential_energy for body in bodies)))
-        everything = [*self.powers, *(self._power(t.where, t.vector) for t in unknown)]
-        sound = not self.powers or is_potential_of(self.equations, found, self.powers)
+        everything = [*powers, *(self._power(t.where, t.vector) for t in unknown)]
+        sound = not powers or is_potential_of(self.equations, found, powers)
         if sound and not unknown:
             return Potential(found)
         # The bodies' own potential energies tell of loads: of all of them, or of the others.
@@ -218,10 +217,6 @@ class _Search:
             for parts, frame in point.pos_from(still).args
         )
 
-    def _take(self, energy: Any, power: Any) -> None:
-        self.energies.append(energy)
-        self.powers.append(power)
-
     # -- forces between two points ----------------------------------------------------------------
 
     def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
@@ -233,7 +228,7 @@ class _Search:
             partner = next((k for k, j in enumerate(places_in_rest) if opposite(number, j)), None)
             others = self.fixed(where) if isinstance(where, Point) else []
             if partner is not None and self._pair(where, rest[partner][0], vector):
-                self.powers.append(self._power(*rest.pop(partner)))
+                self.taken.append((sm.S.Zero, self._power(*rest.pop(partner))))
                 places_in_rest.pop(partner)
             elif not any(self._pair(where, other, vector) for other in others):
                 rest.append((where, vector))
@@ -266,7 +261,7 @@ class _Search:
                 power = sm.Add(*(self._power(*loads[i]) for i in sorted(ends)))
                 energy = self._of_length([pair[2:] for pair in own])
                 if energy is not None and self._is_sound(energy, [power]):
-                    self._take(energy, power)
+                    self.taken.append((energy, power))
                     taken |= ends
         return [load for i, load in enumerate(loads) if i not in taken]
 
@@ -292,13 +287,14 @@ class _Search:
             return False
         square = line.dot(line)
         if self._is_constant(square):  # it does no work: both are points of one body, say
-            self._take(sm.S.Zero, self._power(point, force))
+            self.taken.append((sm.S.Zero, self._power(point, force)))
             return True
         distance = sm.Dummy("L", positive=True)
         energy = self._by_law(_in_terms_of(ratio, square, distance, self.turns), distance)
         if energy is None:
             return False
-        self._take(replace_symbols(energy, {distance: sm.sqrt(square)}), self._power(point, force))
+        energy = replace_symbols(energy, {distance: sm.sqrt(square)})
+        self.taken.append((energy, self._power(point, force)))
         return True
 
     def _by_law(self, ratio: Any, distance: Any) -> Any:
@@ -321,10 +317,10 @@ class _Search:
         whole = [part for parts, _ in vector.args for part in parts if part != 0]
         if not all(map(self._is_constant, whole)):
             return False
-        taken = len(self.energies), len(self.powers)
+        before = len(self.taken)
         if all(self._constant_force(term, mass) for term in self._terms(where, vector)):
             return True
-        del self.energies[taken[0] :], self.powers[taken[1] :]
+        del self.taken[before:]
         return False
 
     def _changing_mass(self, where: Any) -> Any:
@@ -353,7 +349,7 @@ class _Search:
             return False
         power = mass * self._power(term.where, term.vector)
         brought = term.size * height * mass.diff(self.equations.time)  # by what is added to a mass
-        self._take(-term.size * height * mass, power + brought)
+        self.taken.append((-term.size * height * mass, power + brought))
         return True
 
     def _by_height(self, term: _Term) -> bool:
@@ -371,7 +367,7 @@ class _Search:
         if part is None:
             return False
         energy = replace_symbols(-part, {h: height})
-        self._take(energy, self._power(term.where, term.vector))
+        self.taken.append((energy, self._power(term.where, term.vector)))
         return True
 
     # -- closed forms -----------------------------------------------------------------------------
@@ -397,14 +393,14 @@ class _Search:
         powers = [self._power(t.where, t.vector) for t in terms]
         energy = integrate(powers)
         if energy is not None:
-            self._take(energy, sm.Add(*powers))
+            self.taken.append((energy, sm.Add(*powers)))
             return []
         rest = []
         for term, power in zip(terms, powers, strict=True):
             if (energy := integrate([power])) is None:
                 rest.append(term)
             else:
-                self._take(energy, power)
+                self.taken.append((energy, power))
         return rest
 
     def _along_one_rate(self, terms: list[_Term]) -> list[_Term]:
@@ -423,7 +419,7 @@ class _Search:
             power = sm.Add(*(self._power(terms[k].where, terms[k].vector) for k in group))
             energy = self._along_rate(power)
             if energy is not None:
-                self._take(energy, power)
+                self.taken.append((energy, power))
                 left.difference_update(group)
         return [terms[k] for k in sorted(left)]
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import jacobian_rows
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -177,7 +177,7 @@ def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Co
         velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
     rates = [dt(row) for row in rows]
     places = read.all(body.places)
-    along = slopes(kinematics.graph, dt(places), kinematics.speeds)
+    along = jacobian_rows(kinematics.graph, dt(places), kinematics.speeds)
     d = len(body.velocity)
     pairs = list(zip(places, along, strict=True))
     return Constraints(rows, drift, d, rates, read.all(velocity), pairs)
@@ -188,7 +188,7 @@ def _constraints(
 ) -> tuple[list[list[int]], list[int]]:
     """Return K and b of differentiated velocity constraints K u' + b = 0."""
     nodes = kinematics.read.all(velocity)
-    return slopes(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
+    return jacobian_rows(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
 
 
 def _given_accelerations(
@@ -199,15 +199,11 @@ def _given_accelerations(
     if not body.acceleration:
         return None
     nodes = kinematics.read.all(body.acceleration)
-    table = slopes(g, nodes, kinematics.accelerations)
+    table = jacobian_rows(g, nodes, kinematics.accelerations)
     rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
     flat = [n for row in (*table, rest) for n in row]
     own = [n for row in (*rows, drift) for n in row]
     return None if kinematics.equal(flat, own) else (table, rest)
-
-
-def slopes(graph: Graph, nodes: Sequence[int], by: Sequence[int]) -> list[list[int]]:
-    return dense_rows(graph, jacobian(graph, nodes, by), len(by))
 
 
 # -- dependent speeds by divisions -----------------------------------------------------------------
@@ -382,7 +378,7 @@ def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
 
 def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
     """Return the values of nodes at random states; None where they depend on other things."""
-    inputs = [n for n in graph.reachable(nodes) if graph.ops[n] == "input"]
+    inputs = graph.inputs(nodes)
     if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
         return None
     rng = np.random.default_rng(0)

@@ -230,8 +230,8 @@ def rates_along(
 
 def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
     """Replace rows that contain other inputs, whose rates are not known, by zeros."""
-    others = {n for n in graph.reachable(rows) if graph.ops[n] == "input"}
-    others = {n for n in others if graph.args[n][0] == "r" and graph.args[n][1] not in inputs}
+    held = {n: graph.args[n] for n in graph.inputs(rows)}
+    others = {n for n, (group, k) in held.items() if group == "r" and k not in inputs}
     return [n if others.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
 
 

@@ -73,7 +73,7 @@ class _Values:
             return
         assembly = self._model.assembly
         g, rows = assembly.graph, [assembly.holonomic[k] for own, _ in blocks for k in own]
-        held = {g.args[n] for n in g.reachable(rows) if g.ops[n] == "input"}
+        held = {g.args[n] for n in g.inputs(rows)}
         if any((part.group, k) in held for part in self.parts for k in part.places):
             unknowns = [self.now.definition.states[k] for _, places in blocks for k in places]
             raise ValueError(

@@ -14,7 +14,7 @@ from sympy.physics.vector import vlatex
 
 from pydy._checks import flag
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import dense_jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.simplify import simplify
@@ -154,8 +154,7 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
         read.define(rate, node)
     nodes = [*read.all(matrix), *(graph.neg(node) for node in read.all(bias)), *moved]
     rows = read.all(velocity)
-    slopes = dense_rows(graph, jacobian(graph, rows, [read.atoms[s] for s in u]), n)
-    nodes += [node for row in slopes for node in row]
+    nodes += dense_jacobian(graph, rows, [read.atoms[s] for s in u])
     found, names = _short(graph, nodes, symbols, q)
     cells = iter(found)
     sizes = ((n, n), (n, 1), (len(q), 1), (len(velocity), n))

@@ -10,7 +10,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
-from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
+from pydy._graph.derivative import dense_jacobian, directional, jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.operations import FLAT
@@ -250,12 +250,11 @@ def projection_program(assembly: Assembly) -> Program:
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
-    rows = jacobian(graph, assembly.holonomic, coordinates)
-    gradient = dense_rows(graph, rows, first)
+    gradient = jacobian_rows(graph, assembly.holonomic, coordinates)
     rates = assembly.rates[:first]
     for k in _separate(graph, gradient, assembly.following):
         rates[k] = graph.zero
-    kinematics = dense_rows(graph, jacobian(graph, rates, speeds), len(speeds))
+    kinematics = jacobian_rows(graph, rates, speeds)
     parts = {
         "holonomic": assembly.holonomic,
         "velocity": assembly.velocity,

@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 
 from pydy._checks import describe
 from pydy._forks import cached_property
-from pydy._graph.derivative import dense_jacobian, dense_rows, jacobian
+from pydy._graph.derivative import dense_jacobian, jacobian_rows
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator, evaluator_of_groups
 from pydy._graph.node import Graph
@@ -168,7 +168,7 @@ class ContactRows:
         self.speeds, self.gaps = read.all(speeds), gaps
         rates = read.all([s.diff(e.time) for s in speeds])
         self.drift = substitute(g, rates, dict.fromkeys(du, g.zero))
-        self.jacobian = dense_rows(g, jacobian(g, self.speeds, u), len(u))
+        self.jacobian = jacobian_rows(g, self.speeds, u)
         for row, c in zip(self.jacobian, self._owners(), strict=True):
             if all(n == g.zero for n in row):
                 raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
