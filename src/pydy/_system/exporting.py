@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from operator import methodcaller
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
+from pydy._system.snapshot import Snapshot
 from pydy._system.solving import (
     check_events,
     event_bounds_program,
@@ -100,6 +102,65 @@ def _names(symbols: Sequence[Any]) -> list[str]:
     return spelled
 
 
+def _held(now: Snapshot) -> dict[str, Any]:
+    """Return the sizes that projection works with."""
+    equations, assembly = now.definition.equations, now.driven.assembly
+    if not (assembly.holonomic or assembly.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    every = with_all(now.driven, now.definition).assembly
+    return {
+        "holonomic": len(every.holonomic),
+        "velocity": len(every.velocity),
+        "positions": len(assembly.holonomic),
+        "motions": len(assembly.velocity),
+        "coordinates": len(equations.coordinates),
+        "speeds": len(equations.speeds),
+        "weighted": int(equations.mechanism is not None and bool(equations.mechanism.bodies)),
+        "following": equations.following[1],
+    }
+
+
+def _builders(
+    now: Snapshot, places: tuple[int, ...], events: Sequence[Event], projected: bool
+) -> dict[str, Callable[[], Program]]:
+    """Return what makes the Programs of a model with specifieds at some places as inputs."""
+    from pydy.export.model import PARTS, with_inputs
+
+    assembly = now.driven.assembly
+    n, found = len(now.definition.states), dict[str, Callable[[], Program]]()
+
+    def store(part: str, what: str, make: Any, assembly: Assembly = assembly) -> None:
+        program = partial(stored_program, assembly, what, lambda: make(assembly))
+        found[part] = lambda: with_inputs(program(), places)
+
+    def jacobian(assembly: Assembly) -> Program:
+        by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
+        both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
+        return both.jacobian_program("rates", by)
+
+    for part in ("rates", "outputs"):
+        store(part, part, methodcaller("program", part))
+    store("jacobian", f"exported jacobian {places}", jacobian)
+    for part in (part for part in PARTS if getattr(assembly, part)):
+        store(part, f"exported {part}", methodcaller("program", part))
+    if projected:
+        what = f"projection {assembly.following}" if any(assembly.following) else "projection"
+        every = with_all(now.driven, now.definition).assembly
+        store("projection", what, projection_program, every)
+    if events:
+        expressions = tuple(event.expression for event in events)
+        resets = [e.reset.get(s, s) for e in events for s in now.definition.states]
+        count, formulas = len(events), assembly.expression_program
+        for part, make in {
+            "events": partial(formulas, "the events", (count,), expressions),
+            "resets": partial(formulas, "the resets of the events", (count, n), resets),
+            "event_rates": partial(event_rates_program, assembly, expressions),
+            "event_bounds": partial(event_bounds_program, assembly, expressions),
+        }.items():
+            found[part] = partial(lambda make: with_inputs(make(), places), make)
+    return found
+
+
 class Exporting(Setup):
     """The system as code for other programs and for a page."""
 
@@ -169,85 +230,34 @@ class Exporting(Setup):
         inputs: Iterable[Any] = (),
     ) -> Model:
         """Return the Programs, names and numbers of the exported model."""
-        from pydy.export.model import PARTS, EventData, Model, Variable, identifiers, with_inputs
+        from pydy.export.model import EventData, Model, Variable, identifiers
 
         now = self._now(events)
-        definition, plan, x0, p, times = now.definition, now.plan, now.x, now.p, now.times
+        definition, times = now.definition, now.times
         start = float(times[0]) if len(times) else 0.0
-        stop = float(times[-1]) if len(times) > 1 else start + 1.0
-        places = _input_places(definition, plan, inputs)
-        assembly = now.driven.assembly
-        n, m, s = len(definition.states), len(assembly.outputs), len(places)
-
-        def stored(what: str, make: Any, assembly: Assembly = assembly) -> Any:
-            program = partial(stored_program, assembly, what, lambda: make(assembly))
-            return lambda: with_inputs(program(), places)
-
-        def jacobian(assembly: Assembly) -> Program:
-            by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
-            both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
-            return both.jacobian_program("rates", by)
-
-        builders = {
-            "rates": stored("rates", methodcaller("program", "rates")),
-            "outputs": stored("outputs", methodcaller("program", "outputs")),
-            "jacobian": stored(f"exported jacobian {places}", jacobian),
-        }
-        for part in (part for part in PARTS if getattr(assembly, part)):
-            builders[part] = stored(f"exported {part}", methodcaller("program", part))
-        held: dict[str, Any] = {}
-        if choice(constraints, (None, "project"), "`constraints`") is not None:
-            if not (assembly.holonomic or assembly.velocity):
-                raise ValueError(
-                    "`constraints='project'` holds constraints, but the system has none."
-                )
-            what = f"projection {assembly.following}" if any(assembly.following) else "projection"
-            every = with_all(now.driven, definition).assembly
-            mechanism = definition.equations.mechanism
-            held = {
-                "holonomic": len(every.holonomic),
-                "velocity": len(every.velocity),
-                "positions": len(assembly.holonomic),
-                "motions": len(assembly.velocity),
-                "coordinates": len(definition.equations.coordinates),
-                "speeds": len(definition.equations.speeds),
-                "weighted": int(mechanism is not None and bool(mechanism.bodies)),
-                "following": definition.equations.following[1],
-            }
-            builders["projection"] = stored(what, projection_program, every)
+        places = _input_places(definition, now.plan, inputs)
+        held = choice(constraints, (None, "project"), "`constraints`") and _held(now)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
         _check_resets(definition, checked)
-        if checked:
-            expressions = tuple(event.expression for event in checked)
-            resets = [e.reset.get(s, s) for e in checked for s in definition.states]
-            count, formulas = len(checked), assembly.expression_program
-            for part, make in {
-                "events": partial(formulas, "the events", (count,), expressions),
-                "resets": partial(formulas, "the resets of the events", (count, n), resets),
-                "event_rates": partial(event_rates_program, assembly, expressions),
-                "event_bounds": partial(event_bounds_program, assembly, expressions),
-            }.items():
-                builders[part] = partial(lambda make: with_inputs(make(), places), make)
-        r = plan(x0, start) if s else np.zeros(0)
-        symbols = [
-            *definition.states,
-            *(definition.specifieds[k] for k in places),
-            *definition.constants,
-            *definition.outputs_symbols,
+        r = now.plan(now.x, start) if places else np.zeros(0)
+        parts = [
+            (definition.states, now.x),
+            ([definition.specifieds[k] for k in places], r[[*places]]),
+            (definition.constants, now.p),
+            (definition.outputs_symbols, np.zeros(len(definition.outputs_symbols))),
         ]
-        values = [*x0.tolist(), *(float(r[k]) for k in places), *p.tolist(), *[0.0] * m]
-        names = _names(symbols)
-        variables = tuple(map(Variable, names, identifiers(names), values))
-        at_inputs, at_constants, at_outputs = n, n + s, n + s + len(definition.constants)
-        (identifier,) = identifiers([name])
+        names = _names([symbol for symbols, _ in parts for symbol in symbols])
+        values = np.concatenate([numbers for _, numbers in parts]).tolist()
+        variables = iter(map(Variable, names, identifiers(names), values))
+        states, own, numbers, outputs = (tuple(islice(variables, len(s))) for s, _ in parts)
         return Model(
-            name=identifier,
+            name=identifiers([name])[0],
             title=name,
-            states=variables[:at_inputs],
-            inputs=variables[at_inputs:at_constants],
-            constants=variables[at_constants:at_outputs],
-            outputs=variables[at_outputs:],
-            builders=builders,
+            states=states,
+            inputs=own,
+            constants=numbers,
+            outputs=outputs,
+            builders=_builders(now, places, checked, bool(held)),
             events=EventData(
                 tuple(event.name for event in checked),
                 tuple(int(event.direction) for event in checked),
@@ -255,8 +265,8 @@ class Exporting(Setup):
                 tuple(bool(event.terminal or event.reset) for event in checked),
             ),
             start=start,
-            stop=stop,
-            constraints=held,
+            stop=float(times[-1]) if len(times) > 1 else start + 1.0,
+            constraints=held or {},
             unknowns=definition.equations.following[1],
         )
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import ChainMap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -138,16 +139,6 @@ class LiveSystem:
     speeds: int
 
 
-@dataclass(frozen=True, eq=False)
-class LivePage:
-    """What goes into the page."""
-
-    witness: Witness  # tells which points move rigidly with each other, whatever the sliders say
-    # ``code(tracks)`` returns the model's object in JavaScript and what the page's scripts
-    # read, for the tracks of the page: pairs of a frame, or None, and a point
-    code: Callable[[Sequence[tuple[Any, Any]]], tuple[str, dict[str, Any]]]
-
-
 # -- which points are rigidly connected ------------------------------------------------------------
 
 _SAMPLES = 6
@@ -216,77 +207,92 @@ def live_page(
             "`animate` without `compare`."
         )
     system = model.live(name=title or "model", events=wanted.events, constraints=wanted.constraints)
-    return _page(wanted, system, (reference, origin, series), animation, motion)
+    return LivePage(wanted, system, (reference, origin, series), animation, motion)
 
 
-def _page(
-    live: Live,
-    system: LiveSystem,
-    scene: tuple[Any, Any, Mapping[str, Any]],
-    animation: Animation,
-    motion: Motion,
-) -> LivePage:
-    reference, origin, series = scene
-    sliders, own = _sliders(live, system)
-    known = dict(zip(motion.names.constants, motion.constants.tolist(), strict=True))
-    by_name = {name_of(s): v for s, v in known.items()}
-    taken = {name_of(s) for s in system.constants}
-    extras = {s: sm.Float(v) for s, v in known.items() if name_of(s) not in taken}
-    lazy: Any = motion.names.definitions  # made when asked for
-    definitions = ChainMap({**extras, **system.definitions}, lazy)
-    names = Names(system.states, system.inputs, system.constants, definitions, motion.names.time)
-    items = animation.items
-    frames = tuple(dict.fromkeys(i.visual.frame for i in items if i.visual.frame is not None))
-    points = dict.fromkeys(i.visual.point for i in items)
-    for item in items:
-        if isinstance(item.shape, Line):
-            points.update(dict.fromkeys(item.shape.points))
-    p = np.array([by_name.get(name_of(s), 1.0) for s in system.constants])
-    generic = Motion(names, motion.times, motion.states, motion.specifieds, p)
-    geometry = Geometry(reference, origin, frames, tuple(points))
-    count = len(system.constants)
-    varied = [r["place"] for r in sliders if r["group"] == "p" and r["place"] < count]
-    witness = Witness(geometry, pose_program(geometry, names), generic, varied)
-    plotted, formulas = _series(series, animation, system)
-    start, starts = _start(system, own)
-    given = {row["place"] for row in sliders if row["group"] == "x"} | set(starts)
-    counts = (system.coordinates, system.speeds)
-    unknowns = unknowns_beside(given, system.dependents, counts, system.states)
+class LivePage:
+    """What goes into the page; a witness tells what moves rigidly whatever the sliders say."""
 
-    def code(tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
-        """Return the model's object and the page's data, for the tracks that the page has."""
-        lines = [i for i in items if isinstance(i.shape, Line)]
-        used = dict.fromkeys(point for _, point in tracks)
-        for item in lines:
-            assert isinstance(item.shape, Line)
-            used.update(dict.fromkeys(item.shape.points))
+    def __init__(
+        self,
+        live: Live,
+        system: LiveSystem,
+        scene: tuple[Any, Any, Mapping[str, Any]],
+        animation: Animation,
+        motion: Motion,
+    ) -> None:
+        self.live, self.system, self.items = live, system, animation.items
+        self.reference, self.origin, series = scene
+        self.sliders, self.own = _sliders(live, system)
+        known = dict(zip(motion.names.constants, motion.constants.tolist(), strict=True))
+        by_name = {name_of(s): v for s, v in known.items()}
+        taken = {name_of(s) for s in system.constants}
+        extras = {s: sm.Float(v) for s, v in known.items() if name_of(s) not in taken}
+        lazy: Any = motion.names.definitions  # made when asked for
+        self.names = Names(
+            system.states,
+            system.inputs,
+            system.constants,
+            ChainMap({**extras, **system.definitions}, lazy),
+            motion.names.time,
+        )
+        visuals = [item.visual for item in self.items]
+        geometry = self._geometry([v.frame for v in visuals], [v.point for v in visuals])
+        p = np.array([by_name.get(name_of(s), 1.0) for s in system.constants])
+        generic = Motion(self.names, motion.times, motion.states, motion.specifieds, p)
+        count = len(system.constants)
+        varied = [r["place"] for r in self.sliders if r["group"] == "p" and r["place"] < count]
+        self.witness = Witness(geometry, pose_program(geometry, self.names), generic, varied)
+        self.plotted, self.formulas = _series(series, animation, system)
+        self.start, self.starts = _start(system, self.own)
+        given = {row["place"] for row in self.sliders if row["group"] == "x"} | set(self.starts)
+        counts = (system.coordinates, system.speeds)
+        self.unknowns = unknowns_beside(given, system.dependents, counts, system.states)
+
+    def _geometry(self, frames: Iterable[Any], points: Iterable[Any], *more: Any) -> Geometry:
+        """Return some frames and points, and those of lines."""
+        lines = (i.shape.points for i in self.items if isinstance(i.shape, Line))
+        return Geometry(
+            self.reference,
+            self.origin,
+            tuple(dict.fromkeys(f for f in frames if f is not None)),
+            tuple(dict.fromkeys([*points, *chain.from_iterable(lines)])),
+            *more,
+        )
+
+    def code(self, tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
+        """Return the model's object in JavaScript and what the page's scripts read.
+
+        The tracks of the page are pairs of a frame, or None, and a point.
+        """
+        live, system, items = self.live, self.system, self.items
         arrows = [i for i in items if isinstance(i.shape, Arrow)]
-        turned = tuple(dict.fromkeys(f for f, _ in tracks if f is not None))
         vectors = tuple(i.shape.vector for i in arrows if isinstance(i.shape, Arrow))
-        own_geometry = Geometry(reference, origin, turned, tuple(used), vectors, formulas)
-        sizes, places = _sizes(items, system, definitions)
+        turned, placed = ([track[k] for track in tracks] for k in (0, 1))
+        geometry = self._geometry(turned, placed, vectors, self.formulas)
+        sizes, places = _sizes(items, system, self.names.definitions)
         builders = {
             **system.model.builders,
-            "poses": lambda: pose_program(own_geometry, names),
+            "poses": lambda: pose_program(geometry, self.names),
             "sizes": lambda: sizes,
-            "start": lambda: start,
+            "start": lambda: self.start,
         }
-        added = tuple(Variable(s.name, s.name, v) for s, v, _ in own)
+        added = tuple(Variable(s.name, s.name, v) for s, v, _ in self.own)
         model = replace(
             system.model, builders=builders, constants=(*system.model.constants, *added)
         )
-        frame_of = {f: k for k, f in enumerate(turned)}
-        point_of = {point: k for k, point in enumerate(used)}
+        frame_of = {None: -1, **{f: k for k, f in enumerate(geometry.frames)}}
+        point_of = {point: k for k, point in enumerate(geometry.points)}
         data = {
-            "sliders": sliders,
+            "sliders": self.sliders,
             "options": {
                 "rtol": live.rtol,
                 "atol": live.atol,
                 **({} if live.max_step is None else {"maxStep": live.max_step}),
             },
-            "frames": len(turned),
-            "points": len(used),
-            "tracks": [[-1 if f is None else frame_of[f], point_of[q]] for f, q in tracks],
+            "frames": len(geometry.frames),
+            "points": len(geometry.points),
+            "tracks": [[frame_of[f], point_of[q]] for f, q in tracks],
             "lines": [
                 [point_of[q] for q in i.shape.points] if isinstance(i.shape, Line) else None
                 for i in items
@@ -298,14 +304,12 @@ def _page(
                 for i in items
             ],
             "sizes": places,
-            "series": plotted,
-            "starts": starts,
-            "dependents": unknowns if model.constraints else None,
+            "series": self.plotted,
+            "starts": self.starts,
+            "dependents": self.unknowns if model.constraints else None,
             "path": followed(items),
         }
         return javascript_object(model, ("poses", "sizes", "start")), data
-
-    return LivePage(witness, code)
 
 
 def _sliders(
