@@ -23,7 +23,7 @@ from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
-from pydy._graph.operations import OPERATIONS, SHIPPED
+from pydy._graph.operations import OPERATIONS, SHIPPED, SOLVES
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent, program_from_bytes
@@ -351,7 +351,7 @@ class _Evaluated:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._left = _INTERPRETED
-        self._solves = not {"solve", "factor", "guard"}.isdisjoint(program.ops)
+        self._solves = not SOLVES.isdisjoint(program.ops)
 
     @cached_property
     def _kernel(self) -> Kernel:

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, SOLVES
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 
 Row = dict[int, int]
@@ -147,7 +147,7 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
             k: g.call("select", condition, rows[yes].get(k, zero), rows[no].get(k, zero))
             for k in keys
         }
-    if op in ("factor", "solve", "guard"):
+    if op in SOLVES:
         for n in g.operands(node):
             _settled(g, n, rows)
     if op == "solve":

@@ -22,12 +22,12 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.operations import OPERATIONS, Operation, operands
+from pydy._graph.operations import OPERATIONS, SOLVES, Operation, operands
 
 # -- Operations that are kept once -----------------------------------------------------------------
 
 # Solves report failures, which only calls can do.
-_REPORTING = frozenset({"factor", "solve", "guard", "item"})
+_REPORTING = SOLVES | {"item"}
 
 
 class Nodes:

@@ -53,6 +53,8 @@ OPERATIONS: dict[str, Operation] = {}
 TRUTHS: set[str] = {"bool"}
 """The operations whose result is a truth value."""
 ANGLES = ("sin", "cos")
+SOLVES = frozenset({"factor", "solve", "guard"})
+"""What solves linear systems: vectors, of which there are items."""
 """Computed as a pair, and for several angles together."""
 _SYMPY: dict[str, str] = {}
 

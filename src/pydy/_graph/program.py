@@ -31,13 +31,13 @@ from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
 from pydy._graph.node import Nodes
-from pydy._graph.operations import ANGLES, OPERATIONS, operands, with_operands
+from pydy._graph.operations import ANGLES, OPERATIONS, SOLVES, operands, with_operands
 from pydy._graph.tuning import DEEPER
 
 if TYPE_CHECKING:
     import numpy as np
 
-FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
+FREE = SOLVES | {"const", "bool", "input", "item"}
 # What back ends read or compute in groups.
 NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
 

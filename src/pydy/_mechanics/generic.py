@@ -51,25 +51,13 @@ class GenericStates:
         graph = self.graph = Graph()
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
-        made_from = equations.mechanism or equations.multibody
-        self._made_from = made_from
+        made_from = self._made_from = equations.mechanism or equations.multibody
         turns = [] if made_from is None else rotations(made_from.frame)
         # The rates of what residuals with speeds give hold u', which moves no constraint.
         idle = {*equations.speed_rates} & {*find_symbols(equations.coordinate_derivatives)}
         known = {*states, *equations.zeros, t, *equations.coordinate_rates, *idle}
-        found = {
-            s
-            for s in find_symbols(
-                (
-                    *expressions,
-                    *equations.holonomic,
-                    *equations.velocity,
-                    *equations.coordinate_derivatives,
-                    *turns,
-                )
-            )
-            if s not in known
-        }
+        said = *equations.holonomic, *equations.velocity, *equations.coordinate_derivatives
+        found = find_symbols((*expressions, *said, *turns)).keys() - known
         found |= {rate_of(s, t) for s in found if isinstance(s, AppliedUndef)}
         others = sort_symbols(found)
         atoms = input_nodes(graph, x=states, r=others, t=[t])

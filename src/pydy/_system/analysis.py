@@ -79,6 +79,18 @@ def _through_residuals(point: Point, columns: list[int]) -> np.ndarray:
     return np.array([-np.linalg.lstsq(own, moved)[0] for own, moved in pairs])
 
 
+def _check_finite(parts: list[np.ndarray]) -> None:
+    """Refuse matrices and rates, one for each state, of which there is no linear model."""
+    m = len(parts[0])
+    sound = [np.isfinite(part.reshape(m, -1)).all(axis=1) for part in parts]
+    if not np.all(sound):
+        raise ValueError(
+            "The equations or their derivatives are not finite at "
+            f"{_which(int(np.all(sound, axis=0).argmin()), m)}: there is no linear model. "
+            "`evaluate_ode` and `evaluate_jacobian` say where they are not."
+        )
+
+
 class LinearModels(Setup):
     """Linear models of small motions."""
 
@@ -137,30 +149,26 @@ class LinearModels(Setup):
         """
         now = self._now()
         definition = now.definition
-        width = len(definition.states)
+        n, s = len(definition.states), len(definition.specifieds)
         plan, p = now.plan, now.p
         if isinstance(at, Equilibrium):
             found = {**at.given, **at.constants, **at.specifieds}
             kinds = ("specifieds", "constants")
             r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
             plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
-        x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, width)
-        places = definition.places
-        names = unique_names(definition.states)
+        x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, n)
         made = driven(now.model, definition, plan, perturbed=True)
         point = Point(definition, made, t, x, plan.rows(x, t), p, plan)
         point = point.with_unknowns(at, plan.rows)
         value, slopes, blocks = point.value, point.slopes, point.blocks
-        n, s = len(definition.states), len(definition.specifieds)
         T, free = point.tangents()
         if definition.equations.constrained:
             _warn_of_violations(point)
         A = point.along("rates", T)[:, free]
         symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
-        columns = places["specifieds"].columns(symbols, "inputs").tolist()
-        by_input = np.zeros((len(x), n, s))
-        if columns:
-            by_input = value(made.compiled_jacobian("rates", "r"), s)
+        columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
+        kernel = made.compiled_jacobian("rates", "r") if columns else None
+        by_input = np.zeros((len(x), n, s)) if kernel is None else value(kernel, s)
         through, unknowns = _through_residuals(point, columns), [*definition.equations.following[1]]
 
         def followed(block: str, by_input: np.ndarray) -> np.ndarray:
@@ -181,21 +189,13 @@ class LinearModels(Setup):
         with np.errstate(all="ignore"):  # what is not finite is told
             B = followed("rates", by_input[:, :, columns])[:, free]
         C, D, titles = _outputs(now, outputs, point, T, columns, through)
-        rates = value(made.compiled("rates"))[:, free]
-        parts = [A, B, C, D, rates]
-        sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
-        if not np.all(sound):
-            k = int(np.all(sound, axis=0).argmin())
-            raise ValueError(
-                "The equations or their derivatives are not finite at "
-                f"{_which(k, len(x))}: there is no linear model. `evaluate_ode` and "
-                "`evaluate_jacobian` say where they are not."
-            )
+        parts = [A, B, C, D, value(made.compiled("rates"))[:, free]]
+        _check_finite(parts)
         warn_of_kinks(point, T, free, columns)
         A, B, C, D, rates = (part[0] if single else part for part in parts)
         return LinearModel(
             A, B, C, D,
-            tuple(names[k] for k in free),
+            tuple(np.array(unique_names(definition.states))[free].tolist()),
             tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
             titles, rates,
         )  # fmt: skip

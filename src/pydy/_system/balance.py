@@ -256,19 +256,7 @@ class Balance:
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
         self.x, self.p = now.x.copy(), now.p.copy()
-        inputs: dict[Any, float] = {}
-        self.given: dict[Any, float] = {}
-        given = check_mapping("given", given)
-        places = [located(definition, key, "given") for key in given]
-        refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "given")
-        for (kind, place), (key, entry) in zip(places, given.items(), strict=True):
-            amount = number(entry, f"`given[{key}]`", finite=True)
-            if kind != "states":
-                self.given[getattr(definition, kind)[place]] = amount
-            if kind == "specifieds":
-                inputs[definition.specifieds[place]] = amount
-            else:
-                (self.x if kind == "states" else self.p)[place] = amount
+        places = self._take(check_mapping("given", given))
         if unknowns is None:
             held = {*places, *(located(definition, key, "over") for key in varied)}
             unknowns = [
@@ -285,7 +273,8 @@ class Balance:
         own = {definition.specifieds[k]: k for k in self.columns}
         self.plan = now.plan.updated(
             SpecifiedsPlan(
-                {s: now.value("specifieds", k) for s, k in own.items()} | inputs,
+                {s: now.value("specifieds", k) for s, k in own.items()}
+                | {s: v for s, v in self.given.items() if s in definition.specifieds},
                 definition.places["specifieds"],
                 argument="given",
             )
@@ -301,6 +290,19 @@ class Balance:
         self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
         r = self.plan.rows(self.x[None], np.array([self.t]))[0]
         self.start[by_specified] = r[self.columns]
+
+    def _take(self, given: Mapping[Any, Any]) -> list[tuple[str, int]]:
+        """Take numbers in place of the System's; return of which kind each is, and its place."""
+        definition, self.given = self.definition, dict[Any, float]()
+        places = [located(definition, key, "given") for key in given]
+        refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "given")
+        for (kind, place), (key, entry) in zip(places, given.items(), strict=True):
+            amount = number(entry, f"`given[{key}]`", finite=True)
+            if kind != "states":
+                self.given[getattr(definition, kind)[place]] = amount
+            if kind != "specifieds":
+                (self.x if kind == "states" else self.p)[place] = amount
+        return places
 
     @property
     def titles(self) -> list[str]:

@@ -215,6 +215,54 @@ def _solve_coordinates(
     return met
 
 
+def _solve_speeds(now: Snapshot, speeds: list[int], x: np.ndarray) -> None:
+    """Solve the velocity constraints for `speeds` in place."""
+    model, definition, value = now.driven, now.definition, partial(_at, now)
+    kernel = model.compiled_jacobian("velocity", "x")
+    slopes = value(kernel, x).reshape(len(speeds), len(x))
+    matrix = slopes[:, speeds]
+    residual = model.compiled("velocity")
+    start = x.copy()
+    start[speeds] = 0.0
+    right = -value(residual, start)
+    sound = bool(np.isfinite(matrix).all())
+    units = None
+    if sound and rank(matrix) < len(speeds):
+        units = _motions(now, x)[speeds]
+    if sound and rank(matrix, units=units) == len(speeds):
+        # Pivots are compared between rows of the same size: constraints may be of any.
+        rows = np.abs(matrix).max(axis=1)
+        x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
+    elif sound:  # what the constraints leave undetermined here stays
+        change = right - matrix @ x[speeds]
+        x[speeds] += least_step(matrix, change, units)
+        size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+        sound = bool((np.abs(right - matrix @ x[speeds]) <= HALF * size).all())
+    if not sound:
+        names = [definition.states[k] for k in speeds]
+        raise SingularMatrixError(
+            f"The velocity constraints cannot be solved for {describe(names)} at t = "
+            f"{now.t!r}: their matrix is singular in this configuration. Choose other "
+            "`dep_vars`.",
+            now.t,
+            x,
+        )
+    left = np.abs(value(residual, x))
+    # Coefficients that cancel leave their rounding, in units of the row and of each speed.
+    first = len(definition.equations.coordinates)
+    moving = slice(first, first + len(definition.equations.speeds))
+    size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+    _, units, columns = equilibrated(slopes[:, moving])
+    rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
+    if (left > HALF * size + rounding).any():
+        names = [definition.states[k] for k in speeds]
+        warn_user(
+            f"The velocity constraints do not hold for {describe(names)}: the largest residual "
+            f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
+            "them depends on these speeds nonlinearly. Give their initial conditions yourself."
+        )
+
+
 def solve_dependents(
     now: Snapshot,
     places: tuple[list[int], list[int]],
@@ -223,59 +271,15 @@ def solve_dependents(
     root_kwargs: dict[str, Any],
 ) -> np.ndarray:
     """Return the initial state, `places` solved for; say where that moves the `given`."""
-    model, definition, t = now.driven, now.definition, now.t
     x = now.x.copy()
-    now.plan.check_times(np.array([t]), "times")
+    now.plan.check_times(np.array([now.t]), "times")
     coordinates, speeds = places
     met = True
-    value = partial(_at, now)
 
     if coordinates:
         met = _solve_coordinates(now, coordinates, x, use_jac, root_kwargs)
     if speeds:
-        kernel = model.compiled_jacobian("velocity", "x")
-        slopes = value(kernel, x).reshape(len(speeds), len(x))
-        matrix = slopes[:, speeds]
-        residual = model.compiled("velocity")
-        start = x.copy()
-        start[speeds] = 0.0
-        right = -value(residual, start)
-        sound = bool(np.isfinite(matrix).all())
-        units = None
-        if sound and rank(matrix) < len(speeds):
-            units = _motions(now, x)[speeds]
-        if sound and rank(matrix, units=units) == len(speeds):
-            # Pivots are compared between rows of the same size: constraints may be of any.
-            rows = np.abs(matrix).max(axis=1)
-            x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
-        elif sound:  # what the constraints leave undetermined here stays
-            change = right - matrix @ x[speeds]
-            x[speeds] += least_step(matrix, change, units)
-            size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
-            sound = bool((np.abs(right - matrix @ x[speeds]) <= HALF * size).all())
-        if not sound:
-            names = [definition.states[k] for k in speeds]
-            raise SingularMatrixError(
-                f"The velocity constraints cannot be solved for {describe(names)} at t = "
-                f"{t!r}: their matrix is singular in this configuration. Choose other "
-                "`dep_vars`.",
-                t,
-                x,
-            )
-        left = np.abs(value(residual, x))
-        # Coefficients that cancel leave their rounding, in units of the row and of each speed.
-        first = len(definition.equations.coordinates)
-        moving = slice(first, first + len(definition.equations.speeds))
-        size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
-        _, units, columns = equilibrated(slopes[:, moving])
-        rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
-        if (left > HALF * size + rounding).any():
-            names = [definition.states[k] for k in speeds]
-            warn_user(
-                f"The velocity constraints do not hold for {describe(names)}: the largest residual "
-                f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
-                "them depends on these speeds nonlinearly. Give their initial conditions yourself."
-            )
+        _solve_speeds(now, speeds, x)
     if met:
-        _warn_of_changes(definition, given, x)
+        _warn_of_changes(now.definition, given, x)
     return x

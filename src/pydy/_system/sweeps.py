@@ -16,7 +16,7 @@ from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._system.balance import Balance, located
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot, samples
-from pydy.analysis.continuation import EquilibriumBranch, trace
+from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding
 from pydy.analysis.tuning import AT_ONCE, CROSSED
@@ -109,6 +109,16 @@ class Family:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
             raise
         return np.append(found, value)
+
+    def functions(self, start: np.ndarray) -> Functions:
+        """Return what a branch is followed by, with the spectrum of states active at the start."""
+        balance, active = self.balance, spectra_of(self.matrices(start[None])[0])[1]
+        return (
+            lambda z: balance.residuals(z[None])[0],
+            lambda z: balance.slopes(z[None])[0],
+            lambda z: with_rounding(self.matrices(z[None])[0][0][np.ix_(active, active)]),
+            lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
+        )
 
     def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the state matrices, all states, and the places of the independent ones."""
@@ -349,20 +359,10 @@ class Sweeps(Setup):
         if len(family.names) < 2:
             raise ValueError("`unknowns` must name at least one state, constant or specified.")
         start = family.alone(np.append(balance.start[:-1], values[0]))
-        active = spectra_of(family.matrices(start[None])[0])[1]
-
-        def spectrum(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            return with_rounding(family.matrices(z[None])[0][0][np.ix_(active, active)])
-
         most = whole(most, "`most`", 2)
         with progress_of(flag(progress, "`progress`"), " points") as told:
             points, spectra, special, ended, stop = trace(
-                (
-                    lambda z: balance.residuals(z[None])[0],
-                    lambda z: balance.slopes(z[None])[0],
-                    spectrum,
-                    lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
-                ),
+                family.functions(start),
                 family.names,
                 start,
                 (float(values[0]), float(values[-1])),

@@ -43,6 +43,23 @@ class Data:
     unknown: list[Any]  # symbols of states
 
 
+def _instants(trial: Trial, label: str) -> tuple[np.ndarray, float]:
+    """Return the times of a trial, and when it starts."""
+    times = real_array(trial.times, f"`times` of {label}")
+    if times.ndim != 1 or not len(times):
+        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
+    ascending(times, f"`times` of {label}", strict=True)
+    begin = float(times[0])
+    if trial.start is not None:
+        begin = number(trial.start, f"`start` of {label}", finite=True)
+        if begin > times[0]:
+            raise ValueError(
+                f"`start` of {label} must not lie after the first of the `times`, "
+                f"{float(times[0])!r}, got {begin!r}."
+            )
+    return times, begin
+
+
 def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[Any, Any]) -> Data:
     """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
     states = definition.places["states"]
@@ -57,18 +74,7 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
             f"{shown(trial)} at {k}."
         )
     label = trial.name or label
-    times = real_array(trial.times, f"`times` of {label}")
-    if times.ndim != 1 or not len(times):
-        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
-    ascending(times, f"`times` of {label}", strict=True)
-    begin = float(times[0])
-    if trial.start is not None:
-        begin = number(trial.start, f"`start` of {label}", finite=True)
-        if begin > times[0]:
-            raise ValueError(
-                f"`start` of {label} must not lie after the first of the `times`, "
-                f"{float(times[0])!r}, got {begin!r}."
-            )
+    times, begin = _instants(trial, label)
     measured = check_mapping(f"measured of {label}", trial.measured)
     if not measured:
         raise ValueError(f"`measured` of {label} must hold at least one quantity.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from operator import attrgetter
 from typing import Any
 
@@ -170,7 +170,6 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         f"\n  {name}: (t, x, r, out) => {name}(t, x, r, {name}_c, out),\n"
         f"  {name}_size: {len(programs[name].outputs)}," for name in extra
     )  # fmt: skip
-    events = model.events
     parts = {
         "PRELUDE": PRELUDE,
         "CODE": code,
@@ -196,14 +195,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
                 "stop": model.stop,
             }
         ),
-        "EVENTS": literal(
-            {
-                "names": events.names,
-                "directions": events.directions,
-                "terminal": events.terminal,
-                "acting": events.acting,
-            }
-        ),
+        "EVENTS": literal(asdict(model.events)),
         "SYSTEM_EVENTS": _EVENTS if model.events else "null",
         "SYSTEM_PROJECTION": (
             f"projector({literal(dict(model.constraints))}, (t, x, out) => "

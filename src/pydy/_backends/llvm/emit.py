@@ -7,7 +7,7 @@ how many states are taken at once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 
@@ -506,13 +506,14 @@ class Emitter:
             self.names[node] = self._fused(op, *args)
         elif op in OPERATIONS:
             kind, _, word = OPERATIONS[op].llvm.partition(" ")
-            EMITTERS[kind](self, node, word, *args)
+            getattr(self, f"_{kind}")(node, word, *args)
         elif op == "item":
             self._name(node, self.solves.vectors[args[0]][args[1]])
         else:
-            SOLVES[op](self.solves, node, *args)
+            getattr(self.solves, op)(node, *args)
 
-    # What the table of operations names: each writes one, given its word and its operands.
+    # The kinds that the table of operations names: each writes an operation, given the word beside
+    # its kind and its operands.
 
     def _arithmetic(self, node: int, word: str, a: int, b: int) -> None:
         names = self.names
@@ -618,25 +619,6 @@ class Emitter:
         f.store(v, cosine, room, "1")
         for lane, angle in enumerate(group):
             self.angles[angle] = ((room, lane), (room, width + lane))
-
-
-EMITTERS: dict[str, Callable[..., None]] = {
-    "arithmetic": Emitter._arithmetic,
-    "negation": Emitter._negation,
-    "intrinsic": Emitter._intrinsic,
-    "libm": Emitter._libm,
-    "sincos": Emitter._sincos,
-    "comparison": Emitter._comparison,
-    "logic": Emitter._logic,
-    "inversion": Emitter._inversion,
-    "selection": Emitter._selection,
-    "sign": Emitter._sign,
-}
-SOLVES: dict[str, Callable[..., None]] = {
-    "factor": Solves.factor,
-    "solve": Solves.solve,
-    "guard": Solves.guard,
-}
 
 
 def called(program: Program, kind: str) -> dict[str, int]:

@@ -12,7 +12,6 @@ import numpy as np
 
 from pydy._backends.llvm.emit import (
     BRANCH_WEIGHTS,
-    SOLVES,
     Emitter,
     called,
     solver_declarations,
@@ -22,7 +21,7 @@ from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import LOOP
-from pydy._graph.operations import ANGLES
+from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.program import Program
 from pydy._graph.tangent import Part, Tangent
 
@@ -87,7 +86,7 @@ def _declarations(program: Program, lanes: int) -> str:
         f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
         for name, arity in called(program, "libm").items()
     ]
-    if SOLVES.keys() & set(program.ops):
+    if SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
     packs = WIDTHS if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))

@@ -20,13 +20,13 @@ from pydy import _forks
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import CORE, Source, object_code
-from pydy._backends.llvm.emit import SOLVES, solver_names
+from pydy._backends.llvm.emit import solver_names
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.llvm.text import angles_text, is_small, kernel_text, pieces, tangent_text
 from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
-from pydy._graph.operations import ANGLES
+from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent, program_from_bytes
 
@@ -198,7 +198,7 @@ def _source(program: Program | Tangent, lanes: int, width: int, loops: bool = Fa
 
 def _calls(program: Program | Tangent, lanes: int) -> tuple[tuple[str, int], ...]:
     """Return the shared routines that are called, with their lanes."""
-    kinds = ("angles", {*ANGLES}), ("solve", {*SOLVES})
+    kinds = ("angles", {*ANGLES}), ("solve", SOLVES)
     parts = [(set(one.ops), own) for one, own in pieces(program, lanes)]
     called = {(kind, own) for kind, ops in kinds for found, own in parts if ops & found}
     return tuple(sorted(called))

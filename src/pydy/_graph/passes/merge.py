@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pydy._graph.identities import evaluated
 from pydy._graph.modular import PRIME
 from pydy._graph.node import Graph
-from pydy._graph.operations import ANGLES
+from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.passes.expand import is_exact
 from pydy._graph.rewrite import again, replaced
 
@@ -35,7 +35,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         value = values[node]
         group = best.setdefault(min(value, PRIME - value), [])
         stand_in[node] = node
-        if graph.ops[node] in ("factor", "solve", "guard", "bool"):
+        if graph.ops[node] in SOLVES or graph.ops[node] == "bool":
             continue
         for other in group:
             if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
