@@ -45,7 +45,8 @@ def jacobian_rows(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> li
 
 def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
     """Return the same as one list, row by row."""
-    return [node for row in jacobian_rows(graph, outputs, by) for node in row]
+    rows, places = jacobian(graph, outputs, by), range(len(by))
+    return [row.get(k, graph.zero) for row in rows for k in places]
 
 
 def dense(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[int]:

@@ -361,8 +361,8 @@ class Graph(Nodes):
 
     def inputs(self, roots: Iterable[int], *, moving: bool = False) -> list[int]:
         """Return the inputs that the roots depend on, or those of them that are no constants."""
-        found = [n for n in self.reachable(roots) if self.ops[n] == "input"]
-        return [n for n in found if not self.constant[n]] if moving else found
+        still = self.constant if moving else bytearray(len(self.ops))
+        return [n for n in self.reachable(roots) if self.ops[n] == "input" and not still[n]]
 
     def inputs_of(self, roots: Iterable[int]) -> set[str]:
         """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
