@@ -331,6 +331,30 @@ def test_a_simulation_with_the_inputs_agrees(mass):
     np.testing.assert_allclose(run.states, found.at(found.mesh).states, atol=1e-5)
 
 
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_simulations_from_each_node_end_within_the_errors_of_an_unstable_motion(method):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    upright = {q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0}
+    bounds = {F: (-20.0, 20.0), q1: (-2.0, 2.0)}
+    asked = {"end": upright, "bounds": bounds, "method": method, "mesh_tol": 1e-6}
+    found = system.optimize_trajectory(energy(F), 2.0, mesh=40, **asked)
+    assert found.error.max() < 1e-6
+    nodes = found.at(found.mesh).states
+    sizes = np.abs(nodes).max(axis=0)
+    system.specifieds, system.ode_solver = found.inputs(), dop853
+
+    def missed(first, last):
+        system.initial_conditions = dict(zip(system.states, nodes[first], strict=True))
+        system.times = found.mesh[[first, last]]
+        end = system.integrate(rtol=1e-11, atol=1e-12)[-1]
+        return np.abs((end - nodes[last]) / sizes).max()
+
+    errors = [missed(k, k + 1) for k in range(len(found.error))]
+    np.testing.assert_allclose(errors, found.error, rtol=0.1, atol=1e-9)
+    # From the start on they grow, by some ten times their sum.
+    assert found.error.sum() < missed(0, -1) < 30 * found.error.sum()
+
+
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint", "backward-euler"])
 def test_errors_of_intervals_fall_with_the_order_of_the_method(method):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()

@@ -267,7 +267,9 @@ class OptimalTrajectory(Trajectory):
         dict
             From each control's symbol to its samples.
         """
+        # Slopes of pchip beside a jump are those of none of its sides: next to it is a sample more.
         s = np.linspace(0.0, 1.0 - JUMP, num=INPUT_SAMPLES)
+        s = np.insert(s, [1, -1], [JUMP, 1.0 - 2 * JUMP])
         lengths = np.diff(self.mesh)
         times = np.append((self.mesh[:-1, None] + lengths[:, None] * s).ravel(), self.mesh[-1])
         k = np.append(np.repeat(np.arange(len(lengths)), len(s)), len(lengths) - 1)
