@@ -138,13 +138,6 @@ class OptimalControl(Search[OptimalTrajectory]):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
         self._now = now = system._now()
         definition, plan = now.definition, now.plan
-        equations, time = definition.equations, definition.equations.time
-        if plan.functions:
-            raise ValueError(
-                f"`specifieds` gives a Python function for {plan.functions[0][2]}, which has no "
-                "derivatives. Give an expression of time and states, or a SampledInput; a "
-                "specified without a value is a control."
-            )
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")
         if points > LARGEST_ORDER:
@@ -153,34 +146,10 @@ class OptimalControl(Search[OptimalTrajectory]):
             )
         self._scheme = scheme_of(self._method, points)
         self._mesh = checked_mesh(mesh)
-        given = plan.given | followed(definition, plan)
-        self._controls = tuple(s for s in definition.specifieds if s not in given)
-        for s in self._controls:
-            lower = [
-                d for d in definition.lower_derivatives.get(s, ()) if d in definition.specifieds
-            ]
-            if lower:
-                raise NotImplementedError(
-                    f"The equations hold `{s}` and `{lower[0]}`, and the first has no value: as a "
-                    "control it would not be the derivative of the second. Make the second a "
-                    "state, or give the first a value."
-                )
+        self._controls = _controls_of(definition, plan)
         constants = definition.places["constants"]
         self._free = tuple(constants.chosen(listed("free", free), "free"))
-        self._symbol = duration if isinstance(duration, sm.Symbol) else None
-        self._duration = None
-        if self._symbol is None:
-            self._duration = number(duration, "`duration`", finite=True)
-            if not self._duration > 0.0:
-                raise ValueError(
-                    "`duration` must be positive, or a Symbol for one that is found, got "
-                    f"{self._duration!r}."
-                )
-        if self._symbol is not None and self._symbol in (*definition.constants, time):
-            raise ValueError(
-                f"`duration` is `{duration}`, which the equations hold already. Give the duration "
-                "a symbol of its own."
-            )
+        self._duration, self._symbol = _duration_of(duration, definition)
         last = () if self._symbol is None else (self._symbol,)
         self._unknown = Places(
             (*definition.states, *self._controls, *self._free, *last), "unknowns of the problem"
@@ -193,18 +162,27 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`bounds[{self._symbol}]` must allow a positive duration, got "
                 f"{shown_pair(lengths)}."
             )
-        kinks = self._check_samples(plan)
+        self._bends = self._check_samples(plan)
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
+        equations = definition.equations
         dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
         left = dependent - {*self._start} if self._start else ()
         self._following = tuple(s for s in definition.states if s in left)
         for s, value in zip(definition.states, now.x.tolist(), strict=True):
             self._start.setdefault(s, _OPEN if s in self._following else (value, value))
         known = {*definition.constants, *last}
-        reader = Reader(time, definition.states, self._controls, known, duration)
+        reader = Reader(equations.time, definition.states, self._controls, known, duration)
+        self._problem = self._read(reader, objective, boundary, path, hessian)
+
+    def _read(
+        self, reader: Reader, objective: Any, boundary: Any, path: Any, hessian: Any
+    ) -> Problem:
+        """Return the problem as data."""
+        now, definition, plan = self._now, self._now.definition, self._now.plan
+        equations, places = definition.equations, definition.specifieds.index
         objective = checked_expression(objective, "`objective`")
-        self._bends = bends(objective) or kinks
+        self._bends = bends(objective) or self._bends
         running, terminal = reader.objective(objective)
         second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
         squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
@@ -224,7 +202,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         made, inequalities = Equations.of(now), reader.path("path", path)
         reader.check_functions("`path`", [c.expression for c in inequalities], made.atoms)
         reader.check_functions("`objective`", [running], made.atoms)
-        if made.are_of(made.constraints, [definition.specifieds.index(s) for s in self._controls]):
+        if made.are_of(made.constraints, map(places, self._controls)):
             raise NotImplementedError(
                 "The constraints hold a control, which has no value at the start. Give that "
                 "specified a value, or make it a state whose derivative is the control."
@@ -232,15 +210,15 @@ class OptimalControl(Search[OptimalTrajectory]):
         labels, held = labels_of(definition)
         self._fixed = all(low == high for low, high in self._start.values())
         self._held = tuple(f"{label} at the start" for label in held)
-        self._problem = Problem(
+        return Problem(
             equations=made,
             states=len(definition.states),
             labels=labels,
             constraints=() if self._fixed else self._held,
-            controls=tuple(definition.specifieds.index(s) for s in self._controls),
+            controls=tuple(map(places, self._controls)),
             control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
             signals=plan.sampled,
-            free=tuple(definition.constants.index(s) for s in self._free),
+            free=tuple(map(definition.constants.index, self._free)),
             constants=now.p,
             specifieds=plan.values,
             duration=self._duration,
@@ -550,6 +528,44 @@ class OptimalControl(Search[OptimalTrajectory]):
             refuse_unsolvable(moved, made, solution.z, now.definition.constants)
         error = interval_errors(moved, made, solution.z, told)
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
+
+
+def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
+    """Return the specifieds that are found: those without a value."""
+    if plan.functions:
+        raise ValueError(
+            f"`specifieds` gives a Python function for {plan.functions[0][2]}, which has no "
+            "derivatives. Give an expression of time and states, or a SampledInput; a "
+            "specified without a value is a control."
+        )
+    given = plan.given | followed(definition, plan)
+    found = tuple(s for s in definition.specifieds if s not in given)
+    for s in found:
+        lower = [d for d in definition.lower_derivatives.get(s, ()) if d in definition.specifieds]
+        if lower:
+            raise NotImplementedError(
+                f"The equations hold `{s}` and `{lower[0]}`, and the first has no value: as a "
+                "control it would not be the derivative of the second. Make the second a "
+                "state, or give the first a value."
+            )
+    return found
+
+
+def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
+    """Return the duration, or None and the symbol of one that is found."""
+    if not isinstance(duration, sm.Symbol):
+        value = number(duration, "`duration`", finite=True)
+        if not value > 0.0:
+            raise ValueError(
+                f"`duration` must be positive, or a Symbol for one that is found, got {value!r}."
+            )
+        return value, None
+    if duration in (*definition.constants, definition.equations.time):
+        raise ValueError(
+            f"`duration` is `{duration}`, which the equations hold already. Give the duration "
+            "a symbol of its own."
+        )
+    return None, duration
 
 
 def _constant(side: Any) -> bool:

@@ -60,14 +60,14 @@ class Problem:
     constants: np.ndarray
     specifieds: np.ndarray
     duration: float | None  # None if it is unknown
-    duration_symbol: Any
-    symbols: Mapping[Any, int]  # the constants, as ('p', place)
+    duration_symbol: Any = None
+    symbols: Mapping[Any, int] = field(default_factory=dict)  # the constants, as ('p', place)
     # SymPy expressions: the objective is the integral of the first plus the second.
-    running: Any
-    terminal: Any
-    instants: tuple[Instant, ...]
-    boundary: tuple[Condition, ...]
-    path: tuple[Condition, ...]
+    running: Any = 0
+    terminal: Any = 0
+    instants: tuple[Instant, ...] = ()
+    boundary: tuple[Condition, ...] = ()
+    path: tuple[Condition, ...] = ()
     # Which second derivatives are compiled: 'exact', 'gauss-newton' or None.
     hessian: str | None = "exact"
     # SymPy expressions: factors and residuals, whose squares `running` and `terminal` are sums of.
