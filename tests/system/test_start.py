@@ -182,11 +182,15 @@ def sledge(metre, second):
 
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("second", UNITS)
-def test_what_rounding_leaves_of_a_start_is_not_told_of(metre, second):
+@pytest.mark.parametrize("speed", [0.0, 1.0])
+def test_what_rounding_leaves_of_a_start_is_not_told_of(metre, second, speed):
     system, (a, v, s) = sledge(metre, second)
     rate = metre / second
-    system.initial_conditions |= {a: 1e-17, v: 3e-18 * rate, s: -2e-18 * rate}
+    system.initial_conditions |= {a: 1e-17, v: 3e-19 * rate, s: -2e-19 * rate}
     system.integrate(atol=1e-9 * rate)
+    x, u = system.states[0], next(iter(system.initial_conditions))
+    system.initial_conditions |= {x: metre, u: speed * rate}  # at rest no speed is larger
+    system.integrate(atol=1e-9 * rate, constraints="project")
 
 
 @pytest.mark.in_parts
@@ -198,6 +202,9 @@ def test_speeds_that_are_off_are_told_in_any_units(metre, second):
     system.initial_conditions |= {a: 0.3, v: rate * np.tan(0.3), s: 2.001 * rate * np.tan(0.3)}
     with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
         system.integrate(atol=1e-9 * rate)
+    system.initial_conditions[s] *= 1.1
+    with pytest.raises(IntegrationError, match=r"projection moved [svw]\(t\) from"):
+        system.integrate(atol=1e-9 * rate, constraints="project")
 
 
 @pytest.mark.parametrize("unit", [1.0, 1e9, 1e-9])

@@ -15,7 +15,7 @@ from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
-from pydy.solvers.tuning import ROUNDINGS, SOUND, STARTING_MOVE
+from pydy.solvers.tuning import HALF, ROUNDINGS, SOUND, STARTING_MOVE
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
@@ -178,6 +178,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "INTEGRATOR": resource("integrator.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS)),
         "PROJECTION": resource("projection.js")
         .replace("{{SOUND}}", repr(SOUND))
+        .replace("{{HALF}}", repr(HALF))
         .replace("{{STARTING_MOVE}}", repr(STARTING_MOVE))
         if model.constraints
         else "",

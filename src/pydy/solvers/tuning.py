@@ -33,8 +33,8 @@ SOUND = _rank.SOUND
 out of the equations as redundant."""
 
 STARTING_MOVE = 1e-3
-"""How far beside the constraints, in units of 1 + |x|, an initial state is moved onto them unasked:
-further, a value is more likely mistaken than rounded."""
+"""How far an initial state is moved onto the constraints unasked, in units of itself and of the
+largest of its kind, at most one: further, a value is more likely mistaken than rounded."""
 
 CROWD, CROWDED = 100, 1e-9
 """So many events within so much of the time span are Zeno behaviour."""

@@ -159,9 +159,12 @@ function projector(sizes, evaluate) {
   project.begin = (t, x) => {
     const before = Float64Array.from(x);
     if (!project(t, x)) return "the constraints could not be met";
-    const unit = Math.min(1, before.subarray(0, q).reduce((most, one) => Math.max(most, Math.abs(one)), 0) || 1);
-    const far = (one, k) => !following.includes(k) && Math.abs(x[k] - one) > STARTING_MOVE * ((k < q ? unit : 1) + Math.abs(one));
-    return before.some(far) ? "the initial conditions do not satisfy the constraints" : "";
+    const largest = (values) => values.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
+    const far = largest(before.subarray(0, q)) || 1; // in any unit
+    const fast = Math.max({{HALF}} * far, ...[before, x].map((values) => largest(values.subarray(q, q + u))));
+    const unit = (most) => Math.max(Math.min(1, most), {{HALF}} * most);
+    const off = (one, k) => !following.includes(k) && Math.abs(x[k] - one) > STARTING_MOVE * (unit(k < q ? far : fast) + Math.abs(one));
+    return before.some(off) ? "the initial conditions do not satisfy the constraints" : "";
   };
   /** Solve for some coordinates and speeds, the others held. */
   project.settle = (t, x, dependentQ, dependentU) => {
@@ -188,4 +191,4 @@ function projector(sizes, evaluate) {
   return project;
 }
 const SOUND = {{SOUND}}; // rows that are this much shorter without others make room for redundant ones
-const STARTING_MOVE = {{STARTING_MOVE}}; // how far a state is moved onto the constraints unasked, in units of 1 + |x|
+const STARTING_MOVE = {{STARTING_MOVE}}; // how far a state is moved onto the constraints unasked, in units of itself and the largest of its kind

@@ -59,6 +59,7 @@ from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
     CLOSE,
+    HALF,
     LEAST_TOLERANCE,
     NEARLY_SINGULAR,
     ROUNDING,
@@ -344,8 +345,13 @@ class Integration(Workspace):
         before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
         code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
-        size = 1.0 + np.abs(before[: self.states])
-        size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
+        # In any units: what is rounding beside the largest of its kind is noise, and so are speeds
+        # beside one by which coordinates would change as much as they are over the whole run.
+        size, speeds = np.abs(before[: self.states]), slice(first, first + wanted.speeds)
+        far = float(size[:first].max(initial=0.0)) or 1.0
+        fast = np.abs([before[speeds], x[speeds]]).max(initial=HALF * far / (self.span or 1.0))
+        size[:first] += max(min(1.0, far), HALF * far)
+        size[first:] += max(min(1.0, float(fast)), HALF * fast)
         moved = np.abs(x[: self.states] - before[: self.states])
         moved[list(wanted.following)] = 0.0
         if code != 0 or (moved > STARTING_MOVE * size).any():
