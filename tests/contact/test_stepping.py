@@ -104,7 +104,7 @@ def test_each_combination_of_modes_and_each_state_is_made_once(monkeypatch):
         return rates(*args, **options)
 
     def noted(self, values):
-        states.append(tuple(values.values()))
+        states.append(tuple(values().values()))
         return numbers(self, values)
 
     monkeypatch.setattr(solving, "event_rates_program", counted)

@@ -195,7 +195,32 @@ def test_states_at_the_ends_of_steps_take_no_step_again():
     system = oscillator(dop853, MANY)
     dense = system.simulate()._dense
     states = dense(dense.starts)
-    assert "_workspace" not in vars(dense)
+    assert not dense._twin._free  # nothing was reserved for that
     np.testing.assert_allclose(states[:, 0], np.cos(dense.starts), atol=1e-6)
     between = dense(np.append(dense.starts, 2.0) - 1e-9 * np.append(dense.starts > 0.0, True))
     np.testing.assert_allclose(between[1:-1], states[1:], atol=1e-8)
+
+
+def test_repeated_runs_share_what_is_reserved_and_keep_their_own_numbers(monkeypatch):
+    made, reserve = [], workspace.Workspace.__init__
+
+    def noted(self, *args, **options):
+        made.append(type(self))
+        reserve(self, *args, **options)
+
+    monkeypatch.setattr(workspace.Workspace, "__init__", noted)
+    system, stiffness = oscillator("dop853", FEW), (1.0, 2.0, 3.0)
+
+    def run(k):
+        system.constants["k"] = k
+        return system.simulate(rtol=1e-10, atol=1e-10)
+
+    few = [run(k) for k in stiffness]
+    alone = [one.at(MANY).states for one in few]
+    assert made.count(workspace.Workspace) == 1
+    for k, states in zip(stiffness, alone, strict=True):
+        np.testing.assert_allclose(states[:, 0], np.cos(k**0.5 * MANY), atol=1e-8)
+    with ThreadPoolExecutor(3) as pool:  # whichever has it
+        for _ in range(10):
+            for one, states in zip(pool.map(lambda few: few.at(MANY), few), alone, strict=True):
+                np.testing.assert_array_equal(one.states, states)

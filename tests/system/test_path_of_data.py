@@ -14,6 +14,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import pydy
+from pydy.contact import Contacts, Unilateral
 from pydy.solvers import Event
 from pydy.system import System
 
@@ -112,6 +113,13 @@ def simulate():
     return lambda: system.simulate(events=events, constraints="project")
 
 
+def with_contacts():
+    """Its contact stays open: what is beyond `simulate` is what an inactive contact costs."""
+    system = pendulum()
+    (q,) = system.coordinates
+    return Contacts(system, [Unilateral(sm.cos(q) + 3)]).simulate
+
+
 def ensemble():
     system = pendulum()
     return lambda: system.integrate_ensemble(initial_conditions={"q": [0.1, 0.2, 0.3]})
@@ -124,7 +132,13 @@ def construct():
 
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
-    [(construct, 639, 55), (integrate, 27, 11), (simulate, 92, 21), (ensemble, 87, 24)],
+    [
+        (construct, 639, 55),
+        (integrate, 27, 11),
+        (simulate, 92, 21),
+        (with_contacts, 126, 28),
+        (ensemble, 87, 24),
+    ],
     ids=lambda value: getattr(value, "__name__", ""),
 )
 def test_a_repeated_call_takes_a_short_path(make, functions, files):
@@ -151,6 +165,7 @@ def pushed():
         (pendulum, lambda system: system.simulate(sensitivities=["l"])),
         (pendulum, lambda system: system.adjoint_gradient(["l"], final=system.states[0])),
         (pendulum, lambda system: system.integrate_ensemble(constants={"l": [1.0, 1.1]})),
+        (with_contacts, lambda simulate: simulate()),
         (pushed, lambda system: system.integrate(rtol=1e-5, atol=1e-5)),
         (
             pushed,

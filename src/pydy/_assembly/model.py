@@ -178,7 +178,7 @@ class CompiledModel:
     _programs: dict[str, Program | Tangent] = field(default_factory=dict)
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
-    _evaluated: dict[Any, _Evaluated] = field(default_factory=dict)
+    _evaluated: dict[Any, Evaluated] = field(default_factory=dict)
 
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks
@@ -305,7 +305,7 @@ class CompiledModel:
         found = self._evaluated.get(parts)
         if found is None:
             own = self.assembly.fork()
-            found = self._evaluated[parts] = _Evaluated(own.lowered(parts(own), as_is=True))
+            found = self._evaluated[parts] = Evaluated(own.lowered(parts(own), as_is=True))
         return found(*at)
 
     # -- other equations -------------------------------------------------------------------------
@@ -345,7 +345,7 @@ class CompiledModel:
         )
 
 
-class _Evaluated:
+class Evaluated:
     """A Program that is interpreted at first, and compiled when it is wanted again and again."""
 
     def __init__(self, program: Program) -> None:

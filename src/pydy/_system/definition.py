@@ -165,16 +165,16 @@ class Definer:
 
     def constants_of(self, definition: Definition, events: Any) -> list[Any]:
         """Return the symbols of events and their resets that nothing else is called."""
-        own = identified(events)
-        if own is not None and self._held is not None and self._held[:2] == (definition, own):
-            return self._held[2]
+        own, held = identified(events), self._held
+        if own is not None and held is not None and held[:2] == (definition, own):
+            return held[2]
         events = events if isinstance(events, (list, tuple)) else [events]
         events = [event for event in events if isinstance(event, Event)]
         parts = [part for event in events for part in (event.expression, *event.reset.values())]
         symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
         taken = {*map(name_of, (definition.equations.time, *symbols))}
-        held = find_symbols(part for part in parts if isinstance(part, sm.Basic))
-        found = [s for s in held if isinstance(s, sm.Symbol) and s.name not in taken]
+        every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
+        found = [s for s in every if isinstance(s, sm.Symbol) and s.name not in taken]
         self.of_events.update(dict.fromkeys(found))
         self._held = None if own is None else (definition, own, found)
         return found
@@ -184,11 +184,12 @@ class Definer:
         constants = {*definition.constants, *more}
         if len(constants) == len(definition.constants):
             return definition
-        if self._wider is None or self._wider[:2] != (definition, constants):
+        known = self._wider
+        if known is None or known[:2] != (definition, constants):
             wider = replace(definition, constants=tuple(sort_symbols(constants)))
-            self._wider = (definition, constants, wider)
+            self._wider = known = (definition, constants, wider)
             self._warn(wider)
-        return self._wider[2]
+        return known[2]
 
     def users(self, outputs: Mapping[Any, Any] | None, forces: Sequence[Any]) -> dict[Any, Any]:
         """Return the user's own outputs among all."""

@@ -229,6 +229,43 @@ def _solve(
     return result[0] if pair and not full else result
 
 
+def simulated(
+    now: Snapshot, solver: SolverFunction, given: dict[str, Any], wanted: Wanted | None = None
+) -> dict[str, Any]:
+    """Integrate, and return what `Snapshot.trajectory` takes."""
+    native, n = isinstance(solver, Solver), len(now.definition.states)
+    options = {"dense_output": True, **given} if native else given
+    if native or isinstance(solver, SolveIvp) or is_odeint(solver):
+        options = {"full_output": True, **options}
+    result = _solve(now, solver, options, checked=True, wanted=wanted)
+    pair = isinstance(result, tuple) and len(result) == 2
+    states, info = result if pair else (result, None)
+    statistics = dict(info) if isinstance(info, dict) else {}
+    times = statistics.pop("times", now.times)
+    reached = statistics.pop("reached", None)  # an event may have ended it
+    if reached is not None:
+        times, states = times[:reached], states[:reached]
+    events = statistics.pop("events", ())
+    dense = statistics.pop("dense_output", None)
+    if wanted is not None and not native:
+        dense = None
+    times = np.array(times, dtype=float)
+    own = "What the `ode_solver` returns, states or (states, info),"
+    states = np.array(real_array(states, own))
+    width = n if wanted is None else wanted.sensitive.columns.size
+    if states.shape != (len(times), width):
+        raise ValueError(
+            f"The `ode_solver` must return the shape {(len(times), n)}, one row "
+            f"for each of the `times`, got {states.shape}."
+        )
+    if len(times):  # what is NaN to the end comes after a terminal event
+        reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+        times, states = times[:reached], states[:reached]
+    states, found = (states, {}) if wanted is None else wanted.results(states)
+    told = {"events": events, "statistics": statistics or None, "dense": dense}
+    return {"times": times, "states": states, **told, **found}
+
+
 def judge_motion(
     now: Snapshot,
     times: np.ndarray,
@@ -450,46 +487,12 @@ class Simulation(Setup):
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
-        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
-        options = solver_kwargs
-        if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
-            options = {"full_output": True, **options}
-        if isinstance(solver, Solver):
-            options = {"dense_output": True, **options}
-        wanted, n = None, len(now.definition.states)
-        if isinstance(sensitivities, Wanted):
-            wanted = sensitivities
-        elif sensitivities is not None:
+        now = self._now(solver_kwargs.get("events"))
+        wanted = None
+        if sensitivities is not None:
             control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
-        result = _solve(now, solver, options, checked=True, wanted=wanted)
-        pair = isinstance(result, tuple) and len(result) == 2
-        states, info = result if pair else (result, None)
-        statistics = dict(info) if isinstance(info, dict) else {}
-        times = statistics.pop("times", now.times)
-        reached = statistics.pop("reached", None)  # an event may have ended it
-        if reached is not None:
-            times, states = times[:reached], states[:reached]
-        events = statistics.pop("events", ())
-        dense = statistics.pop("dense_output", None)
-        if wanted is not None and not isinstance(solver, Solver):
-            dense = None
-        times = np.array(times, dtype=float)
-        own = "What the `ode_solver` returns, states or (states, info),"
-        states = np.array(real_array(states, own))
-        width = n if wanted is None else wanted.sensitive.columns.size
-        if states.shape != (len(times), width):
-            raise ValueError(
-                f"The `ode_solver` must return the shape {(len(times), n)}, one row "
-                f"for each of the `times`, got {states.shape}."
-            )
-        if len(times):  # what is NaN to the end comes after a terminal event
-            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
-            times, states = times[:reached], states[:reached]
-        states, found = (states, {}) if wanted is None else wanted.results(states)
-        trajectory = now.trajectory(
-            times, states, events=events, statistics=statistics or None, dense=dense, **found
-        )
+        trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now)
         if wanted is not None and not self._searching:

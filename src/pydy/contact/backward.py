@@ -52,18 +52,11 @@ class Noted(Transitions):
         self.stretches: list[tuple[Stretch, np.ndarray, np.ndarray]] = []
 
     def simulate(
-        self,
-        system: Any,
-        given: np.ndarray,
-        mode: Mode,
-        *,
-        events: Sequence[Any],
-        **options: Any,
-    ) -> Any:
+        self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
+    ) -> dict[str, Any]:
         """Simulate in one mode, with the matrix at the start `given`."""
-        now, solver = system._now(events), system.ode_solver
         definition = now.definition
-        options = {**options, "events": events, "dense_output": True}
+        options = {**options, "dense_output": True}
         terms = [
             None if term is None else read_term(definition, term, name)
             for name, term in self._terms.items()
@@ -88,11 +81,11 @@ class Noted(Transitions):
         }
         self._latest = found, given, np.where(self.doubtful, np.nan, self.time)
         done, n = found.info["reached"], found.n
-        dense = found.info["dense_output"]
-        return now.trajectory(
-            times[:done], found.states[:done, :n].copy(), events=found.records,
-            statistics=found.info, dense=dense,
-        )  # fmt: skip
+        return {
+            "times": times[:done], "states": found.states[:done, :n].copy(),
+            "events": found.records, "statistics": found.info,
+            "dense": found.info["dense_output"],
+        }  # fmt: skip
 
     def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
         """Keep the latest stretch."""
@@ -142,7 +135,7 @@ def gradient(run: Run) -> AdjointGradient:
     if noted.together:  # sensitivities tell whether parameters part what happens at one instant
         columns = Carried([*noted.counts], False, run.rows, run.now, noted.solved)
         Run(
-            run.kept, run.users, run.now, run.times, run.user_events, run.options, columns
+            run.kept, run.solver, run.now, run.times, run.user_events, run.options, columns
         ).trajectory()
         by_state = np.full(n, np.nan)
     value = sum(stretch.value for stretch, _, _ in stretches)

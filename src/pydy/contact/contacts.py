@@ -16,7 +16,7 @@ from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
 from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import check_events
+from pydy._system.solving import check_events, native_solver
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.conditions import paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
@@ -246,11 +246,11 @@ class Contacts:
                 )
             found.append(mode)
         now, kept = self._now()
-        run = Run(kept, self.system, now, np.array([now.t]), [], {})
+        run = Run(kept, native_solver(self.system.ode_solver), now, np.array([now.t]), [], {})
         p = run.numbers(now.t, now.x)
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
-        system: System = kept.mode(tuple(found), held, every)[1]
+        system: System = copy(kept.mode(tuple(found), held, every)[1])
         system.constants = {**now.constants, **dict.fromkeys(kept.rows.hidden, 0.0)}
         system.specifieds = dict(self.system.specifieds)
         system.ode_solver, system.times = self.system.ode_solver, self.system.times
@@ -323,7 +323,7 @@ class Contacts:
                 f"{shown(times.tolist())}. Set `system.times`."
             )
         carried = columns and columns(kept.rows, now, self.system._dependent)
-        return Run(kept, self.system, now, times, given, solver_kwargs, carried)
+        return Run(kept, solver, now, times, given, solver_kwargs, carried)
 
 
 def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:

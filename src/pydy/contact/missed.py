@@ -26,32 +26,25 @@ def missed(
     so do directions of what is `resting`, and only the motion tells which of them hold. What is
     `told` by the events at the end, where a load may jump, is not missed there.
     """
-    atol = float(np.max(run.atol))
-    symbols = run.kept.symbols
-    few, states = np.array([end]), part.states[-1:, : run.n].copy()
-    if part._dense is not None:  # not more steps than are kept
-        starts, few = part._dense.starts, np.linspace(part.times[0], end, CHECKED)
+    symbols, places = run.kept.symbols, part.mode.places
+    known, few = part.times < end, part.times[:0]
+    last = part.states[-1] if last is None else last[: run.n]  # not what follows from the event
+    rows = [part.states[known], last[None]]
+    if part.dense is not None:  # not more steps than are kept
+        starts, few = part.dense.starts, np.linspace(part.times[0], end, CHECKED)
         if len(starts) > CHECKED:  # states between steps take these again
             few = starts[np.linspace(0, len(starts) - 1, CHECKED).astype(int)]
-        few = np.append(few[few < end], end)
-        states = part._dense(few)[:, : run.n]
-    if last is not None:  # the state that is kept there is the one after the event
-        states[-1] = last[: run.n]
-    model, known = part._model, part.times < end
-    table = model.outputs(few, np.ascontiguousarray(states))
-    few, states, table = (
-        np.concatenate(two)
-        for two in (
-            (part.times[known], few),
-            (part.states[known], states),
-            (part.outputs[known], table),
-        )
-    )
-    names = list(model.definition.outputs_symbols)
+        few = few[few < end]
+        rows.insert(1, part.dense(few)[:, : run.n])
+    few, states = np.concatenate([part.times[known], few, [end]]), np.concatenate(rows)
+    table = part.now.outputs(few, states)
+    least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):
         looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
         own = run.modes[i]
+        if own == OPEN and least[places[symbols[i, "gap"]]] >= 0.0:
+            continue
         if c.unilateral is None:
             looked.append((symbols[i, "normal"], SLACK * run.sizes[i], "", "`normal`"))
         if own in SLIDES:
@@ -62,12 +55,13 @@ def missed(
             slack = 2.0 * SLACK * run.sizes[i] ** 2
             looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
         if c.unilateral is not None and own == OPEN:
-            looked.append((symbols[i, "gap"], atol, "", "gap"))
+            looked.append((symbols[i, "gap"], float(np.max(run.atol)), "", "gap"))
         elif c.unilateral is not None:
             slack = SLACK * run.sizes[i]
             looked.append((symbols[i, "normal"], slack, "opens", "normal force"))
         for symbol, slack, kind, words in looked:
-            values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
+            place = places[symbol]
+            values = table[:, place] * (-1.0 if words[:5] == "power" else 1.0)
             allowed = SLACK * np.abs(values).max(initial=0.0) + slack
             below = values < -allowed
             below[-1:] &= (kind, i) not in told
@@ -95,7 +89,7 @@ def missed(
             )
             raise run.fail(
                 float(few[worst]), states[worst],
-                f"The {words} of {c.name!r} became {table[worst, names.index(symbol)]:.3g} "
+                f"The {words} of {c.name!r} became {table[worst, place]:.3g} "
                 + remedy,
             )  # fmt: skip
     return broken

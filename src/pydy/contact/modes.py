@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -100,7 +99,8 @@ class Mode:
         self, rows: ContactRows, modes: tuple[str, ...], held: Sequence[int], every: Sequence[int]
     ) -> None:
         self.rows, self.modes = rows, modes
-        self.columns: list[int] = []  # the outputs of its System that are those of the trajectory
+        self.places: dict[Any, int] = {}  # of the outputs of its System
+        self.columns: list[int] = []  # those of the trajectory among them
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
         self._solve(g, held, every)
@@ -395,10 +395,9 @@ class Compiled:
         return tuple(found)
 
     def mode(self, modes: tuple[str, ...], held: tuple[int, ...], every: Any) -> Any:
-        """Return a Mode and its System."""
+        """Return a Mode and its System, which is everyone's."""
         key = modes, held
-        with self._lock:
-            known = self.modes.get(key)
+        known = self.modes.get(key)
         if known is None:
             made = Mode(self.rows, modes, held, every)
             system = System(
@@ -408,18 +407,17 @@ class Compiled:
                 constants_symbols=self.constants,
                 specifieds_symbols=self.definition.specifieds,
             )
-            # Copies share what has been compiled from here on.
-            made.columns = self._columns(system._now().definition)
+            made.columns = self._columns(made, system._now().definition)
             with self._lock:
                 known = self.modes.setdefault(key, (made, system))
-        return known[0], copy(known[1])  # it is changed by one simulation, of several at a time
+        return known
 
-    def _columns(self, definition: Any) -> list[int]:
-        """Return which outputs of a mode are those of the trajectory."""
-        own = list(definition.outputs_symbols)
+    def _columns(self, made: Mode, definition: Any) -> list[int]:
+        """Return which outputs of a mode are the trajectory's; note where all of them are."""
+        made.places = {symbol: k for k, symbol in enumerate(definition.outputs_symbols)}
         base = self.definition
         h, n = len(base.equations.holonomic), len(base.equations.nonholonomic)
         residuals = list(definition.residuals)
         kept = [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
         users = base.symbols_by_kind["output"]
-        return [own.index(s) for s in (*users, *self.stated, *kept)]
+        return [made.places[s] for s in (*users, *self.stated, *kept)]

@@ -7,18 +7,21 @@ contact forces, the accelerations of the rows are J a + b + J W λ.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from copy import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._assembly.model import Evaluated
 from pydy._checks import describe
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian, jacobian_rows
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator, evaluator_of_groups
+from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
@@ -40,9 +43,11 @@ class StartError(ValueError):
 Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by name
 
 
-@dataclass(frozen=True)
+_LATE = ("free", "terms", "square", "moves")  # what takes M⁻¹, which open contacts do without
+
+
 class Numbers:
-    """The rows at one state; `dynamic` returns what takes M⁻¹, which open contacts do without."""
+    """The rows at one state: `values_of` returns what is early, or late, when it is wanted."""
 
     gap: np.ndarray  # (contacts,); zero without one
     near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
@@ -54,17 +59,19 @@ class Numbers:
     restitution: np.ndarray
     mu: np.ndarray
     mu_static: np.ndarray
-    dynamic: Callable[[], Mapping[str, np.ndarray]]
+    free: np.ndarray  # (rows,), J a + b
+    terms: np.ndarray  # (rows,), how large that would be if none of its terms cancelled
+    square: np.ndarray  # (rows, rows), J W
+    moves: np.ndarray  # (speeds, rows), W
 
-    @cached_property
-    def _dynamic(self) -> Mapping[str, np.ndarray]:
-        return self.dynamic()
+    def __init__(self, values_of: Callable[[bool], Mapping[str, np.ndarray]]) -> None:
+        self._values_of = values_of
 
-    free = property(lambda self: self._dynamic["free"])  # (rows,), J a + b
-    # (rows,), how large that would be if none of its terms cancelled
-    terms = property(lambda self: self._dynamic["terms"])
-    square = property(lambda self: self._dynamic["square"])  # (rows, rows), J W
-    moves = property(lambda self: self._dynamic["moves"])  # (speeds, rows), W
+    def __getattr__(self, name: str) -> Any:  # of what has not been evaluated
+        if name not in Numbers.__annotations__:
+            raise AttributeError(name)
+        vars(self).update(self._values_of(name in _LATE))
+        return vars(self)[name]
 
     def is_closed(self, i: int) -> bool:
         """Whether a gap is zero beside its rounding errors."""
@@ -76,7 +83,9 @@ class Numbers:
 
     def after(self, impulses: np.ndarray) -> Numbers:
         """Return the same after impulses, as to what speeds are the sums of."""
-        return replace(self, slow=self.slow + np.abs(self.square) @ np.abs(impulses))
+        found, slow = copy(self), self.slow + np.abs(self.square) @ np.abs(impulses)
+        found.slow = slow
+        return found
 
     def is_still(self, rows: Sequence[int], speeds: np.ndarray) -> bool:
         """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
@@ -117,6 +126,8 @@ class ContactRows:
             *(s for own in self.references.values() for s in own), *self.biases, *self.rising
         ]  # fmt: skip
         constants = [*constants, *self.hidden]
+        # The constants that coefficients were checked with last, and those of the graph.
+        self.checked: tuple[bytes, np.ndarray] | None = None
         more = [s for s in constants if s not in formed.constants]
         others = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(
@@ -127,6 +138,9 @@ class ContactRows:
             simplified=None,
         )
         self.graph = self.formed.graph
+        places = {symbol: k for k, symbol in enumerate(constants)}
+        self._order = [places.get(symbol, len(places)) for symbol in self.formed.constants]
+        self._idle = np.zeros((1, len(self.formed.specifieds)))
         self._read()
 
     def _read(self) -> None:
@@ -281,7 +295,7 @@ class ContactRows:
     @cached_property
     def _groups(self) -> tuple[Parts, Parts, Any]:
         """The parts that hold no M⁻¹, the others, and what evaluates these when they are wanted."""
-        late = {name: self.parts[name] for name in ("free", "terms", "square", "moves")}
+        late = {name: self.parts[name] for name in _LATE}
         early = {name: part for name, part in self.parts.items() if name not in late}
         groups = ([n for _, nodes in own.values() for n in nodes] for own in (early, late))
         return early, late, evaluator_of_groups(self.graph, *groups)
@@ -319,14 +333,43 @@ class ContactRows:
                 moves, axes = found[n : 4 * n].reshape(3, n), found[4 * n :].reshape(-1, 3)
                 _check_direction(self.contacts[i].name, found[:n], moves, axes)
 
-    def numbers(self, values: dict[Any, float]) -> Numbers:
-        """Return the rows, given a number for each symbol."""
-        inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
-        early, late, values_at = self._groups
-        values_of = values_at(inputs, 1)
-        return Numbers(
-            **by_name(early, values_of(0)[0]), dynamic=lambda: by_name(late, values_of(1)[0])
-        )
+    def numbers(self, values: Callable[[], dict[Any, float]]) -> Numbers:
+        """Return the rows, given what returns a number for each symbol."""
+        *groups, values_at = self._groups
+        found: list[Any] = []
+
+        def values_of(late: bool) -> dict[str, np.ndarray]:
+            if not found:
+                known = values()
+                inputs = {node: known.get(symbol, 0.0) for node, symbol in self.symbols.items()}
+                found.append(values_at(inputs, 1))
+            return by_name(groups[late], found[0](late)[0])
+
+        return Numbers(values_of)
+
+    def note_checked(self, p: np.ndarray) -> None:
+        """Note that coefficients, and what switches, have been checked with some constants."""
+        self.checked = p.tobytes(), np.append(p, np.zeros(len(self.hidden) + 1))[self._order]
+
+    @cached_property
+    def _gaps(self) -> Evaluated | None:
+        """The gaps, with bounds on their roundings, if a start asks for nothing else."""
+        g, e, f = self.graph, self.equations, self.formed
+        coefficients = [*self.mu, *self.static, *self.restitution]
+        held = g.inputs_of(coefficients) | (g.inputs_of(self.gaps) - {"t", "x"})
+        if None in self.normal or held - {"p"}:
+            return None
+        parts = [(name, *self.parts[name]) for name in ("gap", "near")]
+        sizes = len(e.coordinates) + len(e.speeds), len(f.specifieds), len(f.constants)
+        return Evaluated(lower(g, sizes, parts))
+
+    def are_open(self, t: float, x: np.ndarray, p: np.ndarray) -> bool:
+        """Whether all gaps are open, as can be told quickly where constants are as `checked`."""
+        if self.checked is None or self.checked[0] != p.tobytes() or self._gaps is None:
+            return False
+        found = self._gaps(np.array([t]), x[None], self._idle, self.checked[1])
+        # Compiled code may round in another way.
+        return bool((found["gap"] > 2.0 * WITHIN * ROUNDING * found["near"]).all())
 
     def owners_of(self, held: Sequence[int]) -> dict[int, int]:
         """Return the contacts of the normal rows among those that are held, in their order."""

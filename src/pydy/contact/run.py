@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
+from pydy._forks import cached_property
 from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED
+from pydy._system.simulation import simulated
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
@@ -35,10 +37,10 @@ from pydy.contact.decide import (
 )
 from pydy.contact.impacts import RISES, contradiction, newton, poisson
 from pydy.contact.missed import missed
-from pydy.contact.modes import Compiled, Mode
+from pydy.contact.modes import Compiled
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
-from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
+from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
 from pydy.contact.tuning import (
     BEGUN,
     ERRORS,
@@ -51,9 +53,9 @@ from pydy.contact.tuning import (
     STALLED,
     WITHIN,
 )
-from pydy.solvers.options import read_options
+from pydy.solvers.options import Options, read_options
 from pydy.solvers.outcome import TERMINATED
-from pydy.system import System
+from pydy.solvers.solver import Solver, dop853, radau
 from pydy.trajectory import EventRecord
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
@@ -77,7 +79,7 @@ class Run:
     def __init__(
         self,
         kept: Compiled,
-        users: System,
+        solver: Solver,
         now: Snapshot,
         times: np.ndarray,
         events: list[Any],
@@ -86,12 +88,8 @@ class Run:
     ) -> None:
         self.carried = carried
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
-        self.kept, self.users, self.now, self.times = kept, users, now, times
+        self.kept, self.solver, self.now, self.times = kept, solver, now, times
         self.user_events, self.options = events, options
-        given = {name: value for name, value in options.items() if name in ("rtol", "atol")}
-        told = read_options("dop853", True, given)
-        # Of another shape than the states have, it is refused where they are integrated.
-        self.atol, self.rtol = np.asarray(told.atol), float(np.min(told.rtol, initial=1.0))
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -117,11 +115,20 @@ class Run:
 
     # -- numbers ----------------------------------------------------------------------------------
 
+    @cached_property
+    def _tolerances(self) -> Options:
+        given = {name: value for name, value in self.options.items() if name in ("rtol", "atol")}
+        return read_options("dop853", True, given)
+
+    # Of another shape than the states have, it is refused where they are integrated.
+    atol = property(lambda self: np.asarray(self._tolerances.atol))
+    rtol: Any = property(lambda self: float(np.min(self._tolerances.rtol, initial=1.0)))
+
     def numbers(self, t: float, x: np.ndarray) -> Numbers:
         """Return the rows of the contacts at a state."""
         key = t, x.tobytes()
         if self._latest is None or self._latest[0] != key:
-            self._latest = key, self.rows.numbers(self.values(t, x))
+            self._latest = key, self.rows.numbers(partial(self.values, t, x.copy()))
         return self._latest[1]
 
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
@@ -176,10 +183,13 @@ class Run:
     def begin(self) -> State:
         """Return the state at the first time, after the impacts that happen there."""
         t, x = float(self.times[0]), self.now.x.copy()
+        if self.begun is None and self.rows.are_open(t, x, self.now.p):
+            return State(t, x, set(), set(), set())
         p = self.numbers(t, x)
         check_values(self.contacts, p)
         for expression in self.rows.switched:
             expression.check(self.values(t, x))
+        self.rows.note_checked(self.now.p)
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
         self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())
@@ -404,7 +414,8 @@ class Run:
 
     def unresolved(self, i: int) -> float:
         """Return the sliding speed that is not told from zero by the tolerances of the solver."""
-        return ERRORS * (float(np.min(self.atol)) + self.rtol * self.quickest.get(i, 0.0))
+        atol = float(np.min(self.atol))
+        return float(ERRORS * (atol + self.rtol * self.quickest.get(i, 0.0)))
 
     def _is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
@@ -510,32 +521,37 @@ class Run:
             self.carried.project(self.values(state.t, state.x), settled, held)
         mode, system = self.kept.mode(solution.modes, held, every)
         events, kinds = mode.events
+        events = [*events, *self.user_events]
         kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
                  for what, i in kinds]  # fmt: skip
-        now = self.now
         later = self.times > state.t
         here = self.times == state.t
         self.states[here] = state.x
         if not later.any():
             return True, []
-        system.constants = dict(self._numbers_of) | self.references(p, state, solution)
-        # They are checked, and what is told of them is told once.
-        system._specifieds, system._told = dict(self.users._specifieds), self.users._told
-        system.ode_solver = self.users.ode_solver
-        system.times = np.concatenate([[state.t], self.times[later]])
-        system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
-        options = {**self.options}
+        now = replace(
+            system._now(events),
+            user={
+                "constants": {**self._numbers_of, **self.references(p, state, solution)},
+                "specifieds": self.now.user["specifieds"],
+                "initial_conditions": dict(
+                    zip(self.now.definition.states, state.x.tolist(), strict=True)
+                ),
+            },
+            times=np.concatenate([[state.t], self.times[later]]),
+            told=self.now.told,  # what is told of specifieds is told once
+        )
+        options = {**self.options, "events": events}
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
-        self.shorten(p, state, solution, system, options)
-        simulate = system.simulate
+        solver = self.shorten(p, state, solution, options)
+        simulate = simulated
         if self.carried is not None:
             slides = any(solution.modes[i] in SLIDES for i in state.resting)
-            given = self.carried.starts(system.evaluate_ode(state.x, state.t), slides)
-            simulate = partial(self.carried.simulate, system, given, mode)
-        system._searching = True  # outputs are looked at over the whole motion
+            rates = now.derivatives(np.array([state.t]), state.x[None])[0]
+            simulate = partial(self.carried.simulate, mode, self.carried.starts(rates, slides))
         try:
-            part = simulate(events=[*events, *self.user_events], **options)
+            part = Part(mode, now, **simulate(now, solver, options))
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
             self.states[np.flatnonzero(later)[: len(states)]] = states
@@ -549,12 +565,12 @@ class Run:
                 error.time, error.state[: self.n],
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
             ) from error  # fmt: skip
-        return self.take(state, part, mode, kinds, system)
+        return self.take(state, part, kinds)
 
     def shorten(
-        self, p: Numbers, state: State, solution: Solution, system: System, options: dict[str, Any]
-    ) -> None:
-        """Choose the solver, and begin with short steps, where sliding in a plane begins.
+        self, p: Numbers, state: State, solution: Solution, options: dict[str, Any]
+    ) -> Solver:
+        """Return the solver, and begin with short steps, where sliding in a plane begins.
 
         Friction turns a velocity in a plane ever faster the slower it is: steps are in proportion
         to the speed, slopes at rest hide the error of a long first step, and the direction of the
@@ -563,21 +579,23 @@ class Run:
         explicit methods have to do it; but several contacts that turn each other are stiff then.
         """
         if STARTING not in solution.modes:
-            return
+            return self.solver
         at_once = leaps(solution, p.free, self.rows.tangent)
         several = solution.modes.count(STARTING) > 1
         if (at_once or several) and "step" not in options:
             options["first_step"] = FIRST * self.resolution(state.t)
-            system.ode_solver = "radau"
             if at_once or self.carried is not None:
-                system.ode_solver, options["atol"] = "dop853", RESOLVED**2 * self.atol
-        elif self.carried is not None:
+                options["atol"] = RESOLVED**2 * self.atol
+                return dop853
+            return radau
+        if self.carried is not None:
             raise NotImplementedError(
                 "`sensitivities` where a body begins to slide in a plane without an acceleration, "
                 "as under a pull that grows until `mu` = `mu_static` is reached, or in steps of a "
                 "fixed size, are not known. Pass a larger `mu_static` and an adaptive solver, or "
                 "simulate without `sensitivities`."
             )
+        return self.solver
 
     def references(self, p: Numbers, state: State, solution: Solution) -> dict[Any, float]:
         """Return the biases, what rises, and in which directions contacts slide in a plane.
@@ -586,13 +604,12 @@ class Run:
         resolves: below it the direction is that of the acceleration. They have begun at a part of
         the speed that they would gain without contacts.
         """
-        bias = np.zeros(len(p.speed)) if self.bias is None else self.bias
+        bias = np.zeros(len(self.rows.speeds)) if self.bias is None else self.bias
         found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
         found.update(dict.fromkeys(self.rows.rising, 0.0))
         for i in state.rising:  # roundings of their speeds
             found[self.rows.rising[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
-        atol = float(np.min(self.atol))
         for i in state.resting:
             # Friction has just reached its limit: the acceleration grows from zero, of which √ε of
             # its terms may be missing. Until it has made up for that, speeds are ε of theirs.
@@ -609,16 +626,18 @@ class Run:
             # Derivatives turn ever faster before a stop: there, a turn within errors is the stop.
             clear = 0.0 if self.carried is not None else self.unresolved(i)
             if solution.modes[i] == STARTING:
-                least, clear = max(least, RESOLVED * atol), BEGUN * gained
+                least, clear = max(least, RESOLVED * float(np.min(self.atol))), BEGUN * gained
             along = map(float, solution.directions.get(i, np.array([1.0, 0.0])))
             found.update(zip(symbols, [*along, least or 1.0, clear], strict=True))
         return found
 
     def settle(self, state: State, held: tuple[int, ...]) -> None:
         """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
+        if not held:
+            return
         owners = self.rows.owners_of(held)
         normals = list(owners)
-        for _ in range(SETTLING if held else 0):
+        for _ in range(SETTLING):
             p = self.numbers(state.t, state.x)
             rest = p.gap[list(owners.values())]
             if not rest.any() and not p.speed[list(held)].any():
@@ -634,14 +653,13 @@ class Run:
             state.x = x
 
     def take(
-        self, state: State, part: Any, mode: Mode, kinds: list[tuple[str, int]], system: System
+        self, state: State, part: Part, kinds: list[tuple[str, int]]
     ) -> tuple[bool, list[tuple[str, int]]]:
         """Keep what was integrated up to the event that ended it."""
-        told = part.statistics or {}
         for name in self.totals:
-            self.totals[name] += int(told.get(name, 0))
-        own = len(kinds)
-        stopped = told.get("code") == TERMINATED
+            self.totals[name] += part.statistics[name]
+        mode, own = part.mode, len(kinds)
+        stopped = part.statistics["code"] == TERMINATED
         end = part.events[-1].time if stopped else float(self.times[-1])
         at_end = [r for r in part.events if stopped and r.time == end]
         acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
@@ -658,15 +676,16 @@ class Run:
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
         self.pieces.append(
             Piece(
-                state.t, end, mode.modes, part._model, mode.columns, part._dense,
-                part._sensitivity_model,
+                state.t, end, mode.modes, part.now, mode.columns, part.dense,
+                part.sensitivity_model,
             )
         )  # fmt: skip
         if not stopped:
             return True, []
         if self.carried is not None and acting:
             one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
-            rates = system.evaluate_ode(one.before[: self.n], end)
+            before = np.ascontiguousarray(one.before[: self.n])
+            rates = part.now.derivatives(np.array([end]), before[None])[0]
             self.carried.ended(one, rates)
             what, i = kinds[one.index]
             if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:

@@ -27,6 +27,7 @@ from pydy._graph.interpret import evaluator
 from pydy._names import column_names
 from pydy._rank import DEPENDENT
 from pydy._system.sensitivities import Sensitive, Wanted
+from pydy._system.simulation import simulated
 from pydy._system.snapshot import Snapshot
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
@@ -252,16 +253,18 @@ class Carried(Transitions):
         self._before: np.ndarray | None = None  # the last event; None if there was none
         self._columns = np.full((len(now.times), *self.total.shape), np.nan)
 
-    def simulate(self, system: Any, given: np.ndarray, mode: Mode, **options: Any) -> Any:
+    def simulate(
+        self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
+    ) -> dict[str, Any]:
         """Simulate in one mode, with S at the start `given`."""
-        self._columns[self.now.times == system.times[0]] = given
+        self._columns[self.now.times == now.times[0]] = given
         controlled = self._controlled or mode.turns
         wanted = Wanted([*self._counts], controlled, None, given, mode.untimed)
-        return system.simulate(sensitivities=wanted, **options)
+        return simulated(now, solver, options, wanted)
 
     def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
         """Keep a part of the motion; note in records of its start what that does to columns."""
-        start, values = part.times[0], part.sensitivity.values
+        start, values = part.times[0], part.sensitivities[1]
         begun = {
             "time_sensitivity": np.where(self.doubtful, np.nan, self.time),
             "sensitivity_before": self._before,

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy.trajectory import Trajectory
+from pydy._system.snapshot import Snapshot
+from pydy.trajectory import EventRecord, Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -30,6 +31,21 @@ class Piece:
     sensitive: Any = None
 
 
+@dataclass(frozen=True, eq=False)
+class Part:
+    """What was integrated in one mode, up to the event that ended it; see `simulated`."""
+
+    mode: Any  # Mode
+    now: Snapshot
+    times: np.ndarray
+    states: np.ndarray
+    events: Sequence[EventRecord]
+    statistics: dict[str, Any]
+    dense: Any
+    sensitivities: Any = None
+    sensitivity_model: Any = None
+
+
 class _Several:
     """What is evaluated piece by piece."""
 
@@ -39,6 +55,8 @@ class _Several:
 
     def _each(self, times: np.ndarray, value: Callable[[Piece, Any], np.ndarray]) -> np.ndarray:
         """Return what the piece of each time gives; at a transition it is the one after it."""
+        if len(self.pieces) == 1:
+            return value(self.pieces[0], slice(None))
         places = np.searchsorted(self._starts[1:], times, side="right")
         masks = [(k, places == k) for k in (np.unique(places) if len(places) else (0,))]
         values = [(own, value(self.pieces[k], own)) for k, own in masks]

@@ -7,7 +7,9 @@ can move; at events that change the state; and when it cannot go on.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from contextlib import nullcontext
 from dataclasses import replace
+from math import isfinite
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any
@@ -15,7 +17,6 @@ from weakref import WeakSet
 
 import numpy as np
 
-from pydy import _forks
 from pydy._array_layout import address
 from pydy._errors import (
     IntegrationError,
@@ -54,7 +55,7 @@ from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.layout import Wanted, rows_of, table_of
 from pydy.solvers.run.shipped import function_of, stepper
-from pydy.solvers.run.workspace import Workspace
+from pydy.solvers.run.workspace import Twin, Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
@@ -99,20 +100,14 @@ class Extension:
 
     The steps are kept with their states alone, in `rows` of `layout.Steps`. Where a time is wanted,
     the step over it is taken again, with the same bits, and projected as an output is: in a
-    Workspace like that of the run, which `make` returns. At the time of an event it is the state
-    after it.
+    `twin` of the run's Workspace. At the time of an event it is the state after it.
     """
 
-    def __init__(self, make: Callable[[], Workspace], rows: np.ndarray, n: int) -> None:
-        self._make, self._rows, self._n = make, rows, n
-        self._in_use = _forks.Lock()  # by one of several threads
+    def __init__(self, twin: Twin, rows: np.ndarray, n: int) -> None:
+        self._twin, self._rows, self._n = twin, rows, n
         # Not the ends of steps that an event cut short.
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
         self.starts = rows[self._steps, 0]  # the times at which the steps begin
-
-    @_forks.cached_property
-    def _workspace(self) -> Workspace:
-        return self._make()
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return states and sensitivities at ascending times of the run, shape (m, n)."""
@@ -120,11 +115,11 @@ class Extension:
         places = np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
         if np.array_equal(self.starts[places], times):
             return self._rows[self._steps[places], 2 : 2 + n]
-        work, out = self._workspace, np.full(m * n + BLOCK, np.nan)
+        work, out = self._twin.taken(), np.full(m * n + BLOCK, np.nan)
         wanted = Wanted(self._rows, np.array(times, dtype=float), self._steps[places], out)
         table = table_of(rows_of(wanted))
-        with self._in_use:
-            function_of("extend", bool(work.callbacks))(work.place, address(table))
+        function_of("extend", bool(work.callbacks))(work.place, address(table))
+        self._twin.left(work)
         return out[: m * n].reshape(m, n)
 
     def __deepcopy__(self, memo: Any) -> Extension:
@@ -165,12 +160,11 @@ class Integration(Workspace):
         self.records: list[EventRecord] = []
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
-        parts = (options.constraints, options.events)
-        wanted = any(p is not None for p in parts) or options.progress
-        attended = wanted or bool(self.callbacks) or self._tight
+        wanted = options.constraints is not None or options.progress
+        self._attended = wanted or bool(self.callbacks) or self._tight
         self.reusable = not (self.callbacks or self.call is None)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
-        self.beginning.counts[at.BUDGET] = 0 if attended else self._budget
+        self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
@@ -191,7 +185,8 @@ class Integration(Workspace):
         """Project and check an initial state without integrating, and return it."""
         self._set_out(x0)
         with self.interrupts:
-            self._start()
+            if self._attended:
+                self._start()
         return self.memory.x[: self.n].copy()
 
     def _set_out(self, x0: np.ndarray) -> int:
@@ -204,6 +199,10 @@ class Integration(Workspace):
             self.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, self.progress.times[0]
+            if not self._attended:
+                self.memory.x[: self.n] = x0
+                self.progress.state[at.TIME] = self.progress.times[0]
+                self._start()
         return self._advance(self._rows, True)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
@@ -211,16 +210,14 @@ class Integration(Workspace):
         try:
             code = self._set_out(x0)
             rows = self._rows
-            if code == FINISHED:  # most end in their first slice
+            if code == FINISHED and self.options.events is None:  # most end in their first slice
                 self.code, self._rows = FINISHED, _NO_ROWS
                 return rows[: self._number]
-            if code in (at.PAUSED, at.STEPS_FULL):
-                with self.interrupts:
+            with self.interrupts if code != FINISHED else nullcontext():
+                if self._attended and code == at.PAUSED:
                     self._start()
-                    self._run()
-                    self._look_at_end()
-            else:
-                self._fail(code)
+                self._run(code)
+                self._look_at_end()
         except KeyboardInterrupt:
             self._stop(INTERRUPTED, IntegrationInterrupted)
         except MemoryError as error:
@@ -242,20 +239,15 @@ class Integration(Workspace):
         self.progress.counts[at.BUDGET] = budget
         return self._advance(self._rows, False)
 
-    def _run(self) -> None:
+    def _run(self, code: int) -> None:
+        """Go on to the end, from what the first slice came back with."""
         state, count = self.progress.state, self.progress.counts
-        budget = self._budget
+        budget, taken, elapsed = self._budget, 0, 0.0
         bar = None
         if self.options.progress:
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
             while True:
-                self.interrupts.check()
-                start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
-                code = self._slice(budget)
-                elapsed = perf_counter() - start
-                if bar is not None:
-                    bar.update(state[at.TIME] - bar.n - bar.start)
                 if code == FINISHED:
                     return self._end(FINISHED)
                 if code == at.EVENT:
@@ -269,9 +261,15 @@ class Integration(Workspace):
                     self.put_steps_aside()
                 elif code != at.PAUSED:
                     self._fail(code)
-                taken = count[at.STEPS] + count[at.REJECTED] - taken
                 if code == at.PAUSED and elapsed > 0.0:
+                    taken = count[at.STEPS] + count[at.REJECTED] - taken
                     budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
+                self.interrupts.check()
+                start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
+                code = self._slice(budget)
+                elapsed = perf_counter() - start
+                if bar is not None:
+                    bar.update(state[at.TIME] - bar.n - bar.start)
         finally:
             if bar is not None:
                 bar.close()
@@ -373,14 +371,14 @@ class Integration(Workspace):
         assert wanted is not None
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values = call.evaluate(wanted.values, x, t)
-        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
-        for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
+        values, rates = call.evaluate(wanted.values, x, t), None
+        for k, value in enumerate(values.tolist()):
             if k in forced:
                 value = call.evaluate(wanted.values, x, forced[k])[k]
             if (k in zero and k not in forced) or value == 0.0:
-                value = rate
-            self.watch.sides[k] = int(np.sign(value)) if np.isfinite(value) else 0
+                rates = call.evaluate(wanted.rates, x, t) if rates is None else rates
+                value = rates[k]
+            self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
 
     def _look_at_start(self, wanted: CompiledEvents) -> None:
@@ -389,6 +387,8 @@ class Integration(Workspace):
         They do not act: a ball released at rest is at an apex, and still flies to the next.
         """
         values = self._take_sides(())
+        if values.all():
+            return
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         for k in np.flatnonzero(values == 0.0):
             if wanted.directions[k] in (0, self.watch.sides[k]):
@@ -397,19 +397,22 @@ class Integration(Workspace):
     def _look_at_end(self) -> None:
         """Record events that are zero at the last time, or would be a rounding error later."""
         wanted, call = self.options.events, self.call
-        if wanted is None or call is None or self.status != "finished":
+        if wanted is None or call is None or self.code != FINISHED:
             return
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values = call.evaluate(wanted.values, x, t)
         rates = call.evaluate(wanted.rates, x, t)[: len(values)]
-        told = {r.index for r in self.records if r.time == t}
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
-        for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
-            side = int(sides[k])
-            reaches = value == 0.0 or (rate * side < 0.0 <= value * side <= near * abs(rate))
+        ahead = values * sides
+        reaches = (ahead >= 0.0) & (ahead <= near * abs(rates)) & (rates * sides < 0.0)
+        reaches |= values == 0.0
+        if not reaches.any():
+            return
+        told = {r.index for r in self.records if r.time == t}
+        for k, side in enumerate(sides.tolist()):
             wrong = wanted.directions[k] == side
-            self.watch.fired[k] = side != 0 and reaches and not wrong and k not in told
+            self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in told
         if self.watch.fired.any():
             self._act()
 
@@ -579,7 +582,7 @@ class Integration(Workspace):
         rows = self.kept_steps()
         if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
             return None
-        return Extension(self.again(), rows, self.n)
+        return Extension(Twin(self), rows, self.n)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache, partial
 from typing import Any
@@ -129,6 +130,7 @@ class Workspace:
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
+        self.twins: list[Workspace] = []  # what `Twin` has reserved, while no other has it
         self._further = self._reserve_newton() if method == IMPLICIT else []
         self._table = self.table_with(self.problem, self.constraints)
         self.place = address(self._table)
@@ -171,14 +173,6 @@ class Workspace:
         self.beginning.state[at.TIME] = times[0]
         self.call = call
         return True
-
-    def again(self) -> Callable[[], Workspace]:
-        """Return a function that makes a copy with its own memory, independent of later changes."""
-        options = replace(self.options, dense_output=False, events=None)
-        f, times = self._f, self.progress.times
-        if self.call is not None:
-            f = replace(self.call, p=self.call.p.copy(), r=self.call.r.copy())
-        return partial(Workspace, self.name, f, self.n, times[:1].copy(), self._args, options)
 
     def forget_steps(self) -> None:
         """Begin with no kept steps, and room for them."""
@@ -407,3 +401,31 @@ class Workspace:
             guess=np.zeros(n),
         )
         return rows_of(self._newton)
+
+
+class Twin:
+    """A copy of a Workspace with its own memory, independent of later changes.
+
+    Twins of one Workspace share what they have reserved, as long as they take other numbers.
+    """
+
+    def __init__(self, own: Workspace) -> None:
+        options = replace(own.options, dense_output=False, events=None)
+        self._call, self._times = own.call, own.progress.times[:1].copy()
+        f = own._f
+        if own.call is not None:
+            f = self._call = replace(own.call, p=own.call.p.copy(), r=own.call.r.copy())
+        self._make = partial(Workspace, own.name, f, own.n, self._times, own._args, options)
+        self._free = own.twins if not own.callbacks else []
+
+    def taken(self) -> Workspace:
+        """Return a Workspace that no other thread has."""
+        with suppress(IndexError):
+            work = self._free.pop()
+            if work.call is self._call or work.rebind(self._call, self._times):
+                return work
+        return self._make()
+
+    def left(self, work: Workspace) -> None:
+        """Take a Workspace back, for the next call."""
+        self._free[:] = [work]
