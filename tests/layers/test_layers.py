@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
 from pydy._system.layers import _Frozen
+from pydy.contact import Contacts
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.layers.layer import Part
@@ -16,6 +17,7 @@ from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
+from touching import ball, e, y
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
 X = np.array([0.1, 0.4, -0.3, 0.2, 1.0, 0.5])
@@ -461,3 +463,35 @@ def test_the_way_back_tells_of_jumps_that_derivatives_miss():
     function = _Frozen(system, {}).function("final", (Part("p", (0,), (1,), False),))
     with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
         function.backward((0,), (np.ones(1),), np.ones(2))
+
+
+def test_motions_with_contacts_and_their_derivatives(library):
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 0.7, num=8)
+    contacts = Contacts(system, [floor], {e: 0.8})
+    layer = library.layer(system, contacts=contacts, **TIGHT)
+    fall, v = np.sqrt(2.0 / 9.81), np.sqrt(2.0 * 9.81)
+    s = 0.7 - fall  # after the impact: y = e v s − g s²/2
+    close(layer.final(p={"e": 0.8}), [0.8 * v * s - 9.81 * s**2 / 2, 0.8 * v - 9.81 * s], 1e-8)
+    close(layer.simulate(), contacts.simulate(**TIGHT).states, 0.0)
+
+    def height(e):
+        return layer.final(p={"e": e})[0]
+
+    def from_above(y):
+        return layer.simulate(x={"y": y})[-1, 0]
+
+    values = library.array([0.6, 0.8])
+    close(library.grad(height, library.array(0.8)), v * s, 1e-8)
+    close(library.vmapped_grad(height)(values), [v * s, v * s], 1e-8)
+    close(library.jvp(height, library.array(0.8), library.array(2.0)), 2.0 * v * s, 1e-8)
+    by_height = 0.8 * (9.81 * s / v - 1.0) + 9.81 * s / v  # v' = g/v, s' = −1/v
+    close(library.grad(from_above, library.array(1.0)), by_height, 1e-8)
+    above, below = (float(from_above(library.array(h))) for h in (1.0 + 1e-4, 1.0 - 1e-4))
+    close(by_height, (above - below) / 2e-4, 1e-6)
+
+
+def test_contacts_of_a_layer_are_those_of_its_system(library):
+    (system, floor), (other, _) = ball(), ball()
+    with pytest.raises(TypeError, match="`contacts` must be Contacts of this System"):
+        library.layer(other, contacts=Contacts(system, [floor]))

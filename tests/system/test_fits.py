@@ -10,11 +10,13 @@ import zoo
 from ball import bouncing_ball
 from cases import system_of
 from pydy.analysis import Trial
+from pydy.contact import Contacts, Stick
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
+from touching import N, ball, block, e, mu, vx, x, y
 
 TIMES = np.linspace(0.0, 10.0, num=101)
 BOTH = pytest.mark.parametrize("method", ["shooting", "collocation"])
@@ -532,3 +534,54 @@ def test_stiff_equations_are_fitted_with_an_implicit_method(oscillator, monkeypa
     result = oscillator.fit(["k0"], trial)
     np.testing.assert_allclose(result["k0"], 4e3, rtol=1e-6)
     assert set(used) == {taken}
+
+
+def dropped(e, times, height=1.0):
+    """Heights of a ball up to its third impact."""
+    fall, v = np.sqrt(2.0 * height / 9.81), np.sqrt(2.0 * height * 9.81)
+    heights = height - 9.81 * times**2 / 2
+    for k, start in ((1, fall), (2, fall * (1.0 + 2.0 * e))):
+        s = times - start
+        heights = np.where(s >= 0.0, e**k * v * s - 9.81 * s**2 / 2, heights)
+    return heights
+
+
+def bounces(**values):
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.3}, [0.0, 1.0]
+    return system, Contacts(system, [floor], {e: 0.5, **values})
+
+
+def test_a_restitution_and_a_height_from_a_recorded_bounce():
+    times = np.linspace(0.05, 1.2, num=24)
+    system, contacts = bounces()
+    trial = Trial(times, {y: dropped(0.8, times)}, {y: 1.3}, start=0.0, unknown=[y])
+    found = system.fit([e], trial, contacts=contacts)
+    np.testing.assert_allclose(found.estimates, [0.8, 1.0], rtol=1e-7)
+    assert system.constants[e] == 0.5
+    # The search may try what has no motion: a restitution above one.
+    system.constants[e] = 0.95
+    found = system.fit([e], Trial(times, {y: dropped(1.0, times)}, {y: 1.0}, start=0.0),
+                       contacts=contacts)  # fmt: skip
+    np.testing.assert_allclose(found.estimates, 1.0, rtol=1e-6)
+
+
+def test_a_coefficient_of_friction_from_a_block_that_slides_until_it_stops():
+    system, P = block()
+    system.initial_conditions, system.times = {x: 0.0, vx: 2.0}, [0.0, 1.0]
+    contacts = Contacts(system, [Stick(P, mu=mu, along=N.x, normal=9.81, name="floor")], {mu: 0.5})
+    times = np.linspace(0.0, 1.0, num=21)
+    stop = 2.0 / (0.3 * 9.81)
+    s = np.minimum(times, stop)
+    found = system.fit([mu], Trial(times, {x: 2.0 * s - 0.3 * 9.81 * s**2 / 2}), contacts=contacts)
+    np.testing.assert_allclose(found.estimates, 0.3, rtol=1e-7)
+
+
+def test_contacts_are_those_of_the_system_and_take_no_segments():
+    system, contacts = bounces()
+    trial = Trial([0.1, 0.2], {y: [1.0, 1.0]})
+    with pytest.raises(TypeError, match="`contacts` must be Contacts of this System"):
+        system.fit([e], trial, contacts=bounces()[1])
+    for more in ({"segments": 2}, {"method": "collocation"}):
+        with pytest.raises(ValueError, match="`contacts` need method='shooting' with segments=1"):
+            system.fit([e], trial, contacts=contacts, **more)

@@ -457,10 +457,7 @@ class Ensembles(Setup):
         control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        if self._checked_contacts(contacts) is None:
-            now = self._now(solver_kwargs.get("events"), constants)
-        else:
-            now = self._now(contacts.symbols, constants)
+        now = self._now(solver_kwargs.get("events"), constants, contacts)
         definition = now.definition
         varied, common = _split_specifieds(specifieds)
         plan = now.plan

@@ -66,8 +66,9 @@ class _Part:
 
 class _Fit:
     def __init__(
-        self, system: Any, parameters: Any, trials: list[Trial], segments: int, options: Any
-    ) -> None:
+        self, system: Any, parameters: Any, trials: list[Trial], segments: int, contacts: Any,
+        options: Any,
+    ) -> None:  # fmt: skip
         self.system = system
         self.runner = copy(system)
         self.runner._searching = True
@@ -78,7 +79,8 @@ class _Fit:
         given: dict[Any, Any] = dict.fromkeys(keys)
         for trial in trials:
             given |= check_mapping("constants", getattr(trial, "constants", None))
-        self.now = system._now(self.options.get("events"), given)
+        self.now = system._now(self.options.get("events"), given, contacts)
+        self.moving = self.runner if contacts is None else contacts.of(self.runner)
         definition = self.now.definition
         self.expressions: dict[Any, Any] = {}
         self.data = [
@@ -222,7 +224,7 @@ class _Fit:
                 known[speed] = np.gradient(known[coordinate], times)
         if len(known) < len(self.order):
             try:
-                ride = self.runner.simulate(**self.options)
+                ride = self.moving.simulate(**self.options)
                 if np.isfinite(ride.states).all():
                     states = ride.states.copy()
             except (IntegrationError, SingularMatrixError):
@@ -272,7 +274,7 @@ class _Fit:
         if len(times) < 2:
             times = np.append(times, times)  # a single sample, where the part begins
         symbols, columns = self._set(z, k, part, times)
-        ride = self.runner.simulate(sensitivities=symbols, **self.options)
+        ride = self.moving.simulate(sensitivities=symbols, **self.options)
         self.largest = np.maximum(self.largest, np.abs(ride.states).max(axis=0))
         if len(ride.times) < len(times):
             raise ValueError(
@@ -630,6 +632,7 @@ class Fitting(Setup):
         solver: str | None = None,
         most: int = 100,
         progress: bool = False,
+        contacts: Any = None,
         **solver_kwargs: Any,
     ) -> FitResult:
         """Estimate parameters from measured motions by least squares with exact derivatives.
@@ -673,6 +676,9 @@ class Fitting(Setup):
             The maximum number of evaluations, or of iterations of that solver.
         progress : bool, optional
             Show a progress bar; requires tqdm.
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this System, which the motions are simulated with, in one segment. Constants
+            of contacts, such as a restitution, may be parameters.
         **solver_kwargs
             Options of the native solver; `rtol` and `atol` are 1e-9 by default. If `ode_solver` is
             not native it is ``'radau'`` for SciPy's implicit methods, and where odeint takes its
@@ -719,7 +725,13 @@ class Fitting(Setup):
         collocated = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
         own = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
         _check_method(collocated, segments, own, solver_kwargs)
-        work = _Fit(self, parameters, given, segments, {} if collocated else solver_kwargs)
+        if self._checked_contacts(contacts) is not None and (collocated or segments > 1):
+            raise ValueError(
+                "`contacts` need method='shooting' with segments=1: collocation takes the "
+                "equations of motion alone, and segments would begin in any modes."
+            )
+        options = {} if collocated else solver_kwargs
+        work = _Fit(self, parameters, given, segments, contacts, options)
         if not collocated:
             work.choose_solver()
         z = work.guess()
@@ -742,6 +754,8 @@ class Fitting(Setup):
             )
             return _collocated(work, z, (mesh, disturbed, searching, progress))
         count = 0
+        # A search may try a gap that is negative at first, or a restitution above one.
+        refused = () if contacts is None else (ValueError,)
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             nonlocal count
@@ -750,7 +764,7 @@ class Fitting(Setup):
                 values, slopes = work.evaluate(z, first=count == 1)
                 if count == 1 and work.measure():
                     values, slopes = work.evaluate(z)
-            except (IntegrationError, SingularMatrixError):
+            except (IntegrationError, SingularMatrixError, *refused):
                 if count == 1:
                     raise
                 values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))

@@ -198,14 +198,16 @@ class _Motion:
     """The states of a simulation, or the last of them, as a function of x, r and p."""
 
     def __init__(
-        self, system: Any, now: Snapshot, final: bool, parts: tuple[Part, ...], options: Any
-    ) -> None:
+        self, system: Any, now: Snapshot, final: bool, parts: tuple[Part, ...], contacts: Any,
+        options: Any,
+    ) -> None:  # fmt: skip
         self.parts, self._final, self._options = parts, final, options
         self._times = now.checked_times()
         definition = now.definition
         n = len(definition.states)
         self.shape: tuple[int, ...] = (n,) if final else (len(self._times), n)
         self._twin = system = copy(system)  # what is set on it does not reach the user's
+        self._contacts = contacts and contacts.of(system)
         system._searching = True
         system.ode_solver = native_solver(system.ode_solver)
         system.initial_conditions = dict(zip(definition.states, now.x.tolist(), strict=True))
@@ -273,10 +275,13 @@ class _Motion:
         for part, entries, values in zip(self.parts, self._entries, flat, strict=True):
             columns = np.ascontiguousarray(values.T)
             varied[self._keys[part.group]] = dict(zip(entries, columns, strict=True))
-        return self._twin.integrate_ensemble(**varied, **more, **self._options)
+        more = {**more, **self._options, "contacts": self._contacts}
+        return self._twin.integrate_ensemble(**varied, **more)
 
     def _one(self, row: list[np.ndarray], by: list[Any] | None = None) -> Any:
         self._set(row)
+        if self._contacts is not None:
+            return self._contacts.simulate(sensitivities=by, **self._options)
         options = {"dense_output": False, **self._options}
         return self._twin.simulate(sensitivities=by, **options)
 
@@ -336,9 +341,12 @@ class _Motion:
 
     def _check_reached(self, missed: Any) -> None:
         if missed and self._final:
+            remedy = "Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
+            if self._contacts is not None:
+                remedy = "With `contacts`, events that are not terminal have derivatives."
             raise ValueError(
                 "`final` goes forward to times that are given, but a terminal event ended the "
-                "motion. Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
+                f"motion. {remedy}"
             )
 
     def _jacobian(
@@ -384,14 +392,16 @@ class _Motion:
         flat, lead = self._flat(given), given[0].shape[:-1]
         weights = weights.reshape(len(flat[0]), *self.shape)
         with self._lock:
-            if self._final:
+            if self._final and self._contacts is None:
                 found = np.empty((len(weights), sum(map(len, places))))
                 for k, w in enumerate(weights):
                     found[k] = self._or_nan(lead, self._back, by, [one[k] for one in flat], w)
             else:
                 distinct, back = _distinct(flat)
-                slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))
-                found = np.einsum("mtnk,mtn->mk", slopes[back], weights)
+                slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))[back]
+                if self._final:
+                    slopes, weights = slopes[:, -1:], weights[:, None]
+                found = np.einsum("mtnk,mtn->mk", slopes, weights)
         ends = np.cumsum([len(k) for k in places])[:-1]
         result = []
         for k, mine, columns in zip(wanted, places, np.split(found, ends, axis=1), strict=True):
@@ -424,9 +434,9 @@ def _distinct(flat: list[np.ndarray]) -> tuple[list[np.ndarray], np.ndarray]:
 class _Frozen:
     """The functions of a System as it was."""
 
-    def __init__(self, system: Any, options: dict[str, Any]) -> None:
-        self._now = system._now(options.get("events"))
-        self._system, self._options = copy(system), options
+    def __init__(self, system: Any, contacts: Any, options: dict[str, Any]) -> None:
+        self._now = system._now(options.get("events"), contacts=contacts)
+        self._system, self._contacts, self._options = copy(system), contacts, options
         self._made: dict[Any, Function] = {}
 
     def __getstate__(self) -> dict[str, Any]:
@@ -464,13 +474,14 @@ class _Frozen:
                 f"`times` must have at least two values before `{kind}` can be called, got "
                 f"{len(now.times)}. Set `system.times`, and make the layer after that."
             )
-        return _Motion(self._system, now, kind == "final", parts, self._options)
+        final = kind == "final"
+        return _Motion(self._system, now, final, parts, self._contacts, self._options)
 
 
 class Layers(Setup):
     """Differentiable functions for other libraries."""
 
-    def as_jax(self, **solver_kwargs: Any) -> Layer:
+    def as_jax(self, *, contacts: Any = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of JAX.
 
         They are compiled as for `evaluate_ode` and `simulate`. They work under `jax.jit`,
@@ -479,6 +490,9 @@ class Layers(Setup):
 
         Parameters
         ----------
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this System, which simulations are done with; their constants are arguments
+            too.
         **solver_kwargs
             Options of the `ode_solver` for simulations, as in `simulate`; ``'dop853'`` is used if
             it is not native.
@@ -507,9 +521,9 @@ class Layers(Setup):
         """
         from pydy.layers.of_jax import JaxArrays
 
-        return Layer(_Frozen(self, solver_kwargs), JaxArrays(), "JAX")
+        return Layer(_Frozen(self, contacts, solver_kwargs), JaxArrays(), "JAX")
 
-    def as_torch(self, **solver_kwargs: Any) -> Layer:
+    def as_torch(self, *, contacts: Any = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of PyTorch.
 
         They take and return tensors of float64, and work with autograd, and with `torch.func`:
@@ -517,7 +531,7 @@ class Layers(Setup):
 
         Parameters
         ----------
-        **solver_kwargs
+        contacts, **solver_kwargs
             As in `as_jax`.
 
         Returns
@@ -539,4 +553,4 @@ class Layers(Setup):
         """
         from pydy.layers.of_torch import TorchArrays
 
-        return Layer(_Frozen(self, solver_kwargs), TorchArrays(), "PyTorch")
+        return Layer(_Frozen(self, contacts, solver_kwargs), TorchArrays(), "PyTorch")

@@ -151,9 +151,7 @@ class _Search:
         self.autonomous = until is None and not _depends_on_time(now)
         if system._checked_contacts(contacts) is not None:
             self.autonomous &= not contacts.depends_on_time
-            contacts = copy(contacts)
-            contacts.system = self.runner
-        self.contacts = contacts
+        self.contacts = contacts and contacts.of(self.runner)
         self.held: Any = None  # the modes of contacts at the start
         self.options = {"rtol": ORBIT, **options}
         self.chosen = "atol" not in options

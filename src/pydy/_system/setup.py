@@ -28,6 +28,7 @@ from pydy._system.scipy_solvers import resolve_ode_solver
 from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
+from pydy.solvers.events import Event
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -208,8 +209,11 @@ class Setup:
         self._generated = [made, *self._generated[:1]]
         return made
 
-    def _now(self, events: Any = None, constants: Any = None) -> Snapshot:
+    def _now(self, events: Any = None, constants: Any = None, contacts: Any = None) -> Snapshot:
         """Return everything as it is now, with the symbols that one call brings."""
+        if self._checked_contacts(contacts) is not None:
+            own = [events] if isinstance(events, Event) else events
+            events = [*contacts.symbols, *(own if isinstance(own, (list, tuple)) else ())]
         more = constants if isinstance(constants, Mapping) else {}
         definition = self._defined({**self._constants, **more} if more else self._constants)
         if events is not None:

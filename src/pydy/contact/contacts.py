@@ -31,7 +31,9 @@ from pydy.solvers.solver import Solver
 from pydy.system import System
 
 # Methods of a System that take contacts.
-_TAKE_CONTACTS = ("adjoint_gradient", "find_periodic_orbit", "integrate_ensemble")
+_TAKE_CONTACTS = (
+    "adjoint_gradient", "as_jax", "as_torch", "find_periodic_orbit", "fit", "integrate_ensemble"
+)  # fmt: skip
 # How `constraints` may be given; closed contacts are held by projection.
 _HELD = (None, "project", "baumgarte")
 
@@ -198,7 +200,7 @@ class Contacts:
         columns = _columns(sensitivities, control_sensitivities)
         run = self._run(events, columns, **solver_kwargs)
         trajectory = run.trajectory()
-        if not np.isfinite(trajectory.outputs).all():
+        if not (self.system._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, run.now)
         return trajectory
 
@@ -266,6 +268,12 @@ class Contacts:
             f"Contacts have no `{name}`: that of a System knows no transitions. A System of one "
             "combination of modes, which has it, is returned by `in_modes`."
         )
+
+    def of(self, system: System) -> Contacts:
+        """Return the same for a copy of the System, which may have other values."""
+        twin = copy(self)
+        twin.system = system
+        return twin
 
     def motions(self, *given: Any) -> Motions:
         """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
@@ -348,8 +356,8 @@ class Motions:
         columns: Sequence[int],
         options: Mapping[str, Any],
     ) -> None:
-        self.contacts, self.options = copy(contacts), {**options}
-        self.contacts.system = system = copy(contacts.system)
+        system, self.options = copy(contacts.system), {**options}
+        self.contacts = contacts.of(system)
         system.ode_solver = solver
         system.specifieds = {**system.specifieds, **specifieds}
         self.columns: tuple[str, ...] = ()
@@ -383,8 +391,8 @@ class Motions:
         """Return states, outputs, and how the motion ended."""
         if self.contacts._kept is None:  # in another process
             self.contacts._now()
-        contacts = copy(self.contacts)
-        contacts.system = system = copy(self.contacts.system)
+        system = copy(self.contacts.system)
+        contacts = self.contacts.of(system)
         system.initial_conditions = dict(zip(self._states, x.tolist(), strict=True))
         system.constants = dict(zip(self._constants, p.tolist(), strict=True))
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}

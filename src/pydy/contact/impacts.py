@@ -23,6 +23,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -35,8 +36,9 @@ from pydy.contact.decide import (
     STICKS,
     Problem,
     chosen,
+    solved,
 )
-from pydy.contact.tuning import SLACK
+from pydy.contact.tuning import SLACK, WITHIN
 
 OPTIONS = (  # what an impulse may do, by the number of tangential directions
     [CLOSED, OPEN],
@@ -168,3 +170,124 @@ def _options(problem: Problem) -> list[Sequence[str]]:
         OPTIONS[len(tangent)] if i in problem.touching else [OPEN]
         for i, tangent in enumerate(problem.tangent)
     ]
+
+
+# -- what an impact does to a motion ---------------------------------------------------------------
+
+
+def strike(run: Any, state: Any, closing: set[int]) -> None:
+    """Apply the impulses of contacts that close to a `Run`; all that are closed take part."""
+    p, rows = run.numbers(state.t, state.x), run.rows
+    hit = {
+        i
+        for i, normal in enumerate(rows.normal)
+        if normal is not None
+        and (i in closing | state.touching or (i in state.rising and p.is_closed(i)))
+    }
+    rows.check_directions(hit - run.struck, run.values(state.t, state.x))
+    run.struck |= hit
+    problem = run.problem(p, state)
+    rates = solved(problem, run.modes).rates
+    blow, rests = _blow(run, state, (p, problem, rates), (hit, closing))
+    work, rises = blow.work(p.speed)
+    if rises:
+        raise run.fail(state.t, state.x, RISES[run.kept.hypothesis])
+    before, e = state.x, np.zeros(len(rows.normal))  # what is given back of each speed
+    if run.kept.hypothesis == "newton":
+        back = [i for i in closing - rests.keys() if p.speed[rows.normal[i]] < 0.0]
+        e[back] = p.restitution[back]
+    slopes: Any = None
+    if run.carried is not None:
+        slopes = _carried(run, state, p, (blow, e), (hit, closing))
+    state.x = before.copy()
+    state.x[run.first : run.first + len(p.moves)] += p.moves @ blow.forces
+    q = p.after(blow.forces)
+    impulses: dict[str, tuple[float, ...]] = {}
+    for i in sorted(hit):
+        normal, name = rows.normal[i], run.contacts[i].name
+        if blow.modes[i] != OPEN:
+            impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows.tangent[i]))
+        _parted(run, state, i, (p, q, blow, e[i]))
+        if i in closing:
+            run.note(state, i, "closes", before)
+        if i in rests and i in closing:
+            run.first_height.pop(i, None)
+            by_phases = run.kept.hypothesis == "poisson"
+            ratio = rests[i] / abs(p.speed[normal]) if by_phases else p.restitution[i]
+            run.note_rest(state, i, p, (rests[i], abs(rates[normal]), ratio), slopes)
+        elif i in state.touching:
+            run.first_height.pop(i, None)
+    for i in state.touching:
+        # Friction with a known normal force has no impulse, but may slide now.
+        if rows.normal[i] is None:
+            state.resting.discard(i)
+            if q.is_still(rows.tangent[i], blow.rates[rows.tangent[i]]):
+                state.resting.add(i)
+    run.impacts.append((state.t, impulses, work))
+
+
+def _blow(
+    run: Any, state: Any, numbers: tuple[Any, Problem, np.ndarray], which: tuple[set[int], set[int]]
+) -> tuple[Blow, dict[int, float]]:
+    """Return an impact, and the speeds of rebounds that are left out of it, as they are low."""
+    (p, problem, rates), (hit, closing) = numbers, which
+    hypothesis, e, speed = run.kept.hypothesis, p.restitution, p.moving()
+    free = np.zeros(len(e))
+    own, every = {"hold": p.mu, "pressed": free}, frozenset(hit)
+    problem = replace(problem, **own, resting=every, touching=every)
+    by_phases = hypothesis == "poisson"
+    blow = poisson(problem, speed, e) if by_phases else None
+    rests: dict[int, float] = {}
+    for i in sorted(hit if by_phases else closing):
+        normal = run.rows.normal[i]
+        leaves = e[i] * abs(p.speed[normal])
+        if by_phases:  # friction, and other contacts, change it
+            hits = blow is not None and blow.modes[i] != OPEN
+            leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
+        if e[i] > 0.0 and run.is_low(i, leaves, rates[normal], p, state.x):
+            rests[i] = leaves
+    left = e.copy()
+    left[list(rests)] = 0.0
+    if not by_phases:
+        blow = newton(problem, speed, left, closing, state.touching)
+    elif rests:
+        blow = poisson(problem, speed, left)
+    if blow is None:
+        raise run.fail(state.t, state.x, contradiction(hypothesis, left))
+    return blow, rests
+
+
+def _carried(
+    run: Any, state: Any, p: Any, what: tuple[Blow, np.ndarray], which: tuple[set[int], set[int]]
+) -> dict[str, np.ndarray]:
+    """Apply the derivatives of an impact; return those of the rows before it."""
+    (blow, e), (hit, closing), normals = what, which, run.rows.normal
+    newtons = run.kept.hypothesis == "newton"
+    kept = {i: float(e[i]) for i in hit & closing if newtons and p.speed[normals[i]] < 0.0}
+    still = frozenset(state.touching if newtons else ())
+    values = run.values(state.t, state.x)
+    slopes: dict[str, np.ndarray] = run.carried.impact(values, p, blow, kept, still)
+    if run.pieces:
+        run.check_instant(state, p, slopes["gap"], closing)
+    return slopes
+
+
+def _parted(run: Any, state: Any, i: int, what: tuple[Any, Any, Blow, float]) -> None:
+    """Note whether a contact that was hit leaves, stays closed or rests, by rows before and after.
+
+    By Newton's hypothesis it gives back a part of its speed, the last of `what`.
+    """
+    p, q, blow, kept = what
+    normal, rows, mode = run.rows.normal[i], run.rows.tangent[i], blow.modes[i]
+    by_phases = run.kept.hypothesis == "poisson"
+    leaves = blow.rates[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]
+    slow = max(SLACK * abs(p.speed[normal]), WITHIN * np.finfo(float).eps * q.slow[normal])
+    state.resting.discard(i)
+    if leaves > slow and leaves > 0.0:
+        state.touching.discard(i)
+        state.rising.add(i)
+        return
+    state.touching.add(i)
+    state.rising.discard(i)
+    if rows and (mode == STICKS or q.is_still(rows, blow.rates[rows])):
+        state.resting.add(i)

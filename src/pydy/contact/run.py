@@ -35,7 +35,7 @@ from pydy.contact.decide import (
     solved,
     within,
 )
-from pydy.contact.impacts import RISES, contradiction, newton, poisson
+from pydy.contact.impacts import strike
 from pydy.contact.missed import missed
 from pydy.contact.modes import Compiled
 from pydy.contact.rows import Numbers, StartError
@@ -108,7 +108,7 @@ class Run:
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
-        self._seen: set[int] = set()  # contacts that have closed
+        self.struck: set[int] = set()  # contacts that have closed
         self._numbers_of: dict[Any, float] = dict(
             zip(now.definition.constants, now.p.tolist(), strict=True)
         )
@@ -223,7 +223,7 @@ class Run:
             for i in range(len(self.contacts))
         )
         if closing:
-            self.impact(state, closing)
+            strike(self, state, closing)
         return state
 
     # -- what happens -----------------------------------------------------------------------------
@@ -288,115 +288,28 @@ class Run:
                 state.rising.add(i)
         return found
 
-    def impact(self, state: State, closing: set[int]) -> None:
-        """Apply the impulses of contacts that close; all that are closed take part."""
-        p = self.numbers(state.t, state.x)
-        normals, tangents = self.rows.normal, self.rows.tangent
-        hit = {
-            i
-            for i, normal in enumerate(normals)
-            if normal is not None
-            and (i in closing | state.touching or (i in state.rising and p.is_closed(i)))
-        }
-        self.rows.check_directions(hit - self._seen, self.values(state.t, state.x))
-        self._seen |= hit
-        e = p.restitution.copy()
-        rates = solved(self.problem(p, state), self.modes).rates
-        problem = replace(
-            self.problem(p, state),
-            hold=p.mu,
-            pressed=np.zeros(len(self.contacts)),
-            resting=frozenset(hit),
-            touching=frozenset(hit),
-        )
-        by_phases = self.kept.hypothesis == "poisson"
-        blow = poisson(problem, p.moving(), e) if by_phases else None
-        rests: dict[int, float] = {}  # the speeds of rebounds that are left out
-        for i in sorted(hit if by_phases else closing):
-            normal = normals[i]
-            assert normal is not None
-            leaves = e[i] * abs(p.speed[normal])
-            if by_phases:  # friction, and other contacts, change it
-                hits = blow is not None and blow.modes[i] != OPEN
-                leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
-            if e[i] > 0.0 and self._is_low(i, leaves, rates[normal], p, state.x):
-                rests[i] = leaves
-        left = e.copy()
-        left[list(rests)] = 0.0
-        if not by_phases:
-            blow = newton(problem, p.moving(), left, closing, state.touching)
-        elif rests:
-            blow = poisson(problem, p.moving(), left)
-        if blow is None:
-            raise self.fail(state.t, state.x, contradiction(self.kept.hypothesis, left))
-        after = blow.rates
-        work, rises = blow.work(p.speed)
-        if rises:
-            raise self.fail(state.t, state.x, RISES[self.kept.hypothesis])
-        before = state.x.copy()
-        if self.carried is not None:
-            kept_of = {
-                i: 0.0 if i in rests else float(e[i])
-                for i in hit & closing
-                if p.speed[normals[i]] < 0.0 and not by_phases
-            }
-            still = frozenset(() if by_phases else state.touching)
-            d = self.carried.impact(self.values(state.t, before), p, blow, kept_of, still)
-            if self.pieces:
-                self.check_instant(state, p, d["gap"], closing)
-        state.x = before.copy()
-        speeds = slice(self.first, self.first + p.moves.shape[0])
-        state.x[speeds] += p.moves @ blow.forces
-        q = p.after(blow.forces)
-        impulses: dict[str, tuple[float, ...]] = {}
-        for i in sorted(hit):
-            normal, rows, mode = normals[i], tangents[i], blow.modes[i]
-            assert normal is not None
-            name = self.contacts[i].name
-            if mode != OPEN:
-                impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows))
-            kept = 0.0 if i in rests or p.speed[normal] >= 0.0 or i not in closing else e[i]
-            leaves = after[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]
-            slow = max(SLACK * abs(p.speed[normal]), WITHIN * np.finfo(float).eps * q.slow[normal])
-            if leaves > slow and leaves > 0.0:
-                state.touching.discard(i)
-                state.resting.discard(i)
-                state.rising.add(i)
-            else:
-                state.touching.add(i)
-                state.rising.discard(i)
-                state.resting.discard(i)
-                if rows and (mode == STICKS or q.is_still(rows, after[rows])):
-                    state.resting.add(i)
-            if i in closing:
-                self.note(state, i, "closes", before)
-            if i in rests and i in closing:
-                v, a = rests[i], abs(rates[normal])
-                ratio = v / abs(p.speed[normal]) if by_phases else e[i]
-                later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
-                limit = float(state.t + 2.0 * v * later)
-                self.first_height.pop(i, None)
-                record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
-                if isinstance(self.carried, Carried):  # with the forces of other contacts held
-                    by_e, by_free, by_speed = d["restitution"][i], d["free"], d["speed"]
-                    slower = v * later * a * by_e + v / a * by_free[normal]
-                    faster = -e[i] * by_speed[normal] - p.speed[normal] * by_e
-                    moved = self.carried.time + 2.0 * later * (faster + slower)
-                    if by_phases:  # others change the ratio from one rebound to the next
-                        moved = np.full(len(moved), np.nan)
-                    record = replace(record, time_sensitivity=moved)
-                if limit <= self.times[-1]:
-                    self.records.append(record)
-            elif i in state.touching:
-                self.first_height.pop(i, None)
-        for i in state.touching:
-            # Friction with a known normal force has no impulse, but may slide now.
-            rows = tangents[i]
-            if normals[i] is None:
-                state.resting.discard(i)
-                if q.is_still(rows, after[rows]):
-                    state.resting.add(i)
-        self.impacts.append((state.t, impulses, work))
+    def note_rest(
+        self, state: State, i: int, p: Numbers, rebound: tuple[float, float, float], slopes: Any
+    ) -> None:
+        """Note when impacts of a contact that accumulate end.
+
+        That is by the speed of the first `rebound`, its acceleration, and the ratio by which speeds
+        fall; the `slopes` are those of the rows before the impact.
+        """
+        v, a, ratio = rebound
+        later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
+        limit, name = float(state.t + 2.0 * v * later), f"{self.contacts[i].name} rests"
+        record = EventRecord(limit, name, i, state.x.copy(), state.x.copy())
+        if isinstance(self.carried, Carried):  # with the forces of other contacts held
+            normal, by_e = self.rows.normal[i], slopes["restitution"][i]
+            slower = v * later * a * by_e + v / a * slopes["free"][normal]
+            faster = -p.restitution[i] * slopes["speed"][normal] - p.speed[normal] * by_e
+            moved = self.carried.time + 2.0 * later * (faster + slower)
+            if self.kept.hypothesis == "poisson":  # others change the ratio between rebounds
+                moved = np.full(len(moved), np.nan)
+            record = replace(record, time_sensitivity=moved)
+        if limit <= self.times[-1]:
+            self.records.append(record)
 
     def check_instant(
         self, state: State, p: Numbers, slopes: np.ndarray, closing: Collection[int]
@@ -417,7 +330,7 @@ class Run:
         atol = float(np.min(self.atol))
         return float(ERRORS * (atol + self.rtol * self.quickest.get(i, 0.0)))
 
-    def _is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
+    def is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
 
         Heights are compared with that of the first impact of the sequence, and with what the
@@ -779,7 +692,7 @@ class Run:
             for kind in what & {"opens", "slips", "stops"}:
                 self.note(state, i, kind, state.x)
         if closing:
-            self.impact(state, closing)
+            strike(self, state, closing)
             return {}
         return fixed
 

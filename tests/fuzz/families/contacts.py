@@ -19,6 +19,8 @@ from sympy.physics.mechanics import (
 
 from fuzz.kinds import Kind, RefusedError, choice, nothing, real
 from fuzz.table import empty_or_none, expression, key, mapping, target
+from pydy._system.layers import _Frozen
+from pydy.analysis import Trial
 from pydy.contact import (
     Clearance,
     Contacts,
@@ -289,3 +291,14 @@ def _(v):
 @target("find_periodic_orbit.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
 def _(v):
     return None if v is None else _system().find_periodic_orbit(1.0, contacts=v)
+
+
+@target("fit.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    trial = Trial([0.0, 0.1, 0.2], {_block().y: [0.1, 0.05, -0.1]})
+    return _system().fit([_block().g], trial, contacts=v).estimates
+
+
+@target("as_jax.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    return _Frozen(_system(), v, {}).start()
