@@ -9,6 +9,7 @@ from dataclasses import asdict, replace
 from operator import attrgetter
 from typing import Any
 
+from pydy._backends.c.source import HELPERS
 from pydy._backends.writer import Dialect, Each, Template, Writer, stages
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
@@ -23,7 +24,34 @@ from pydy.solvers.tuning import HALF, ROUNDINGS, SOUND, STARTING_MOVE
 # once, beside the functions.
 
 
-PRELUDE = numbered(resource("prelude.js"))
+_MATHEMATICS = """\
+const { sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh,
+  floor, ceil, pow, atan2, sign } = Math;
+const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINITY = Infinity;
+
+"""
+# What C has beside JavaScript in the solves of `_backends/core`: types, and macros for lanes.
+_OF_C = (
+    (r"static inline \w+ ", "function "),
+    (r"(?:const )?(?:double|int\d+_t) \*?(\w+)(?=[,)])", r"\1"),
+    (r"const (?:double|int\d+_t) ", "const "),
+    (r"(?:double|int\d+_t) ", "let "),
+    (r"LESS\(([^,]+), ([^,]+), ([^;]+)\);", r"\1 - \2 * \3;"),
+    (r"\[AT\((.*?)\)\]", r"[\1]"),
+    (r" *SERIAL\n|\(double\)", ""),
+)
+
+
+def _script(code: str) -> str:
+    """Return functions of C as JavaScript, which has the same arithmetic."""
+    for pattern, replacement in _OF_C:
+        code = re.sub(pattern, replacement, code)
+    return code
+
+
+PRELUDE = _MATHEMATICS + "\n".join(
+    _script(numbered(HELPERS[name])) for name in ("lu_factor", "lu_solve", "constrained")
+)
 
 LONGEST = 4000
 """Operations in one function at most: engines leave longer ones to their interpreter."""
@@ -35,7 +63,7 @@ _MATRIX = (
 )
 _FILLED = Each("entries", "{name}_a[{k}] = {value};")
 _CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
-_FACTOR = (_FILLED, f"if (luFactor({_CALL})) failed = true;")
+_FACTOR = (_FILLED, f"if (lu_factor({_CALL})) failed = true;")
 _COLUMN = Each("column", "{name}[{k}] = {value};")
 _GUARDED = (Each("fast", "{name}[{k}] = {value};"), "if (!({sound})) {{", "  {body}")
 
@@ -50,13 +78,13 @@ JAVASCRIPT = Dialect(
     let="const {name} = {value};",
     rules={
         "factor": _FACTOR,
-        "solve": (_COLUMN, "luSolve({n}, {factor}_a, {factor}_pivots, {name});"),
+        "solve": (_COLUMN, "lu_solve({n}, {factor}_a, {factor}_pivots, {name});"),
         "guard": (
             *_GUARDED,
             *_FACTOR,
             _COLUMN,
             "for (let k = 0; k < {many}; k += {n})",
-            "  luSolve({n}, {name}_a, {name}_pivots, {name}.subarray(k, k + {n}));",
+            "  lu_solve({n}, {name}_a, {name}_pivots, {name}.subarray(k, k + {n}));",
             "}}",
         ),
         "constrained": (
