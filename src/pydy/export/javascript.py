@@ -14,6 +14,7 @@ from pydy._backends.writer import Dialect, Each, Template, Writer, stages
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, plain_text, resource
+from pydy.solvers.core.declarations import included
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
 from pydy.solvers.tuning import HALF, ROUNDINGS, SOUND, STARTING_MOVE
@@ -30,9 +31,9 @@ const { sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh
 const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINITY = Infinity;
 
 """
-# What C has beside JavaScript in the solves of `_backends/core`: types, and macros for lanes.
+# What C has beside JavaScript in linear algebra: types, and macros for lanes and compilers.
 _OF_C = (
-    (r"static inline \w+ ", "function "),
+    (r"(?:static inline|INLINE|APART) \w+ ", "function "),
     (r"(?:const )?(?:double|int\d+_t) \*?(\w+)(?=[,)])", r"\1"),
     (r"const (?:double|int\d+_t) ", "const "),
     (r"(?:double|int\d+_t) ", "let "),
@@ -204,12 +205,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "KEPT": kept,
         "BOUND": bound,
         "INTEGRATOR": resource("integrator.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS)),
-        "PROJECTION": resource("projection.js")
-        .replace("{{SOUND}}", repr(SOUND))
-        .replace("{{HALF}}", repr(HALF))
-        .replace("{{STARTING_MOVE}}", repr(STARTING_MOVE))
-        if model.constraints
-        else "",
+        "PROJECTION": _projection() if model.constraints else "",
         "METHOD": literal(_method()),
         "INFO": literal(
             {
@@ -249,6 +245,19 @@ _EVENTS = """{
           x.set(allResets.subarray(k * x.length, (k + 1) * x.length));
         },
       }"""
+
+
+def _projection() -> str:
+    """Return what holds constraints, with the factorisation of the native solvers."""
+    header = included("projection.h")["projection.h"]
+    algebra = header[header.index("INLINE void set_identity") : header.index("/* Compute `step`")]
+    parts = {
+        "SOUND": repr(SOUND),
+        "HALF": repr(HALF),
+        "STARTING_MOVE": repr(STARTING_MOVE),
+        "ALGEBRA": _script(algebra),
+    }
+    return re.sub(r"\{\{([A-Z_]+)\}\}", lambda m: parts[m[1]], resource("projection.js"))
 
 
 def _variables(variables: Sequence[Variable]) -> list[dict[str, Any]]:

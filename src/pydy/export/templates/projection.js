@@ -1,43 +1,8 @@
 // Constraints held: the state is moved back onto them by the least motion, in the norm of the mass
 // matrix. E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section IV.4.
 
-/** Replace a symmetric matrix by its Cholesky factor; by the identity where it has none. */
-function choleskyFactor(n, a) {
-  for (let j = 0; j < n; j++) {
-    let pivot = a[j * n + j];
-    for (let k = 0; k < j; k++) pivot -= a[j * n + k] ** 2;
-    if (!(pivot > 4 * n * EPS * a[j * n + j])) {
-      a.fill(0);
-      for (let i = 0; i < n; i++) a[i * n + i] = 1;
-      return;
-    }
-    a[j * n + j] = Math.sqrt(pivot);
-    for (let i = j + 1; i < n; i++) {
-      let value = a[i * n + j];
-      for (let k = 0; k < j; k++) value -= a[i * n + k] * a[j * n + k];
-      a[i * n + j] = value / a[j * n + j];
-    }
-  }
-}
-
-/** Replace each of m rows a by a L⁻ᵀ. */
-function divideRows(m, n, rows, factor) {
-  for (let row = 0; row < m; row++) for (let i = 0; i < n; i++) {
-    let value = rows[row * n + i];
-    for (let k = 0; k < i; k++) value -= factor[i * n + k] * rows[row * n + k];
-    rows[row * n + i] = value / factor[i * n + i];
-  }
-}
-
-/** Replace y by L⁻ᵀ y. */
-function divideTransposed(n, factor, y) {
-  for (let i = n - 1; i >= 0; i--) {
-    let value = y[i];
-    for (let k = i + 1; k < n; k++) value -= factor[k * n + i] * y[k];
-    y[i] = value / factor[i * n + i];
-  }
-}
-
+const root = Math.sqrt, ROUNDING = EPS;
+{{ALGEBRA}}
 /**
  * Return the least y with rows · y = right; `right` keeps what no y can reach. There may be more rows
  * than their rank: the last ones take the place of others that are nearly dependent, and
@@ -105,7 +70,7 @@ function projector(sizes, evaluate) {
   const massFactor = () => {
     if (!weighted) return identity;
     const factor = part(5);
-    choleskyFactor(u, factor);
+    factorise(factor, u);
     return factor;
   };
   /** Tell how far positions are from the constraints, in roundings, and whether that is good enough. */
@@ -135,9 +100,9 @@ function projector(sizes, evaluate) {
         }
         rows[i * u + k] = Math.abs(total) <= 4 * q * EPS * size ? 0 : total; // nothing but rounding
       }
-      divideRows(h, u, rows, factor);
+      divide_rows(rows, h, factor, u);
       const right = part(0).map((value) => -value), step = minimumNorm(h, u, rows, right, positions);
-      divideTransposed(u, factor, step);
+      divide_transposed(factor, u, step);
       for (let j = 0; j < q; j++) for (let k = 0; k < u; k++) x[j] += kinematics[j * u + k] * step[k];
       redundant = step.redundant;
       if (right.some((rest) => rest !== 0)) {
@@ -148,9 +113,9 @@ function projector(sizes, evaluate) {
     }
     if (v > 0) {
       const factor = massFactor(), rows = part(4), right = part(1).map((value) => -value);
-      divideRows(v, u, rows, factor);
+      divide_rows(rows, v, factor, u);
       const step = minimumNorm(v, u, rows, right, motions);
-      divideTransposed(u, factor, step);
+      divide_transposed(factor, u, step);
       for (let k = 0; k < u; k++) x[q + k] += step[k];
     }
     return true;
