@@ -15,7 +15,7 @@ the order in which the speeds go.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
@@ -24,7 +24,7 @@ from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
-from pydy._mechanics.components import transposed
+from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
@@ -75,7 +75,6 @@ def eliminated(
     detours = kinematics.detours
     push = _Push(kinematics, detours.arranged(kinematics.groups), inertias, loads, plain, detours)
     graph, speeds = push.graph, push.speeds
-    sizes = _Sizes(push)
     left = dict.fromkeys(speeds)
     done: list[_Passed | _Gone] = []
     pivots: list[tuple[int, int]] = []
@@ -102,7 +101,7 @@ def eliminated(
                 found[node] = graph.sum([(graph.mul(d, found[c]), 1.0) for c, d in row.items()])
     floors = {s: graph.sum([part[:2] for part in push.floors[s]]) for s in speeds}
     fixed = dict(zip(floors, _without_state(graph, list(floors.values())), strict=True))
-    limits = sizes.of(speeds)
+    limits = _sizes(push)
     sound = graph.boolean(True)
     for speed, pivot in pivots:
         limit = graph.sum([(limits[speed], len(speeds) * SINGULAR)])
@@ -224,11 +223,6 @@ class _Push:
         self.cells[key] = [(node, 1.0)]
         return node
 
-    def _dot(self, a: list[int], b: list[int]) -> int:
-        graph, zero = self.graph, self.graph.zero
-        terms = [graph.mul(x, y) for x, y in zip(a, b, strict=True) if x != zero and y != zero]
-        return terms[0] if len(terms) == 1 else graph.add(*terms)
-
     def pass_on(self, group: list[int]) -> _Passed:
         """Let a group of anchors hand its form and forces over to what it is made of."""
         graph = self.graph
@@ -244,13 +238,13 @@ class _Push:
             if not turned:
                 self._reduce(c, columns, [rows[k] for k in group], within)
             for s, column in zip(others, across, strict=True):
-                self.add(c, s, self._dot(slope, column), 2.0 if c == s else 1.0)
+                self.add(c, s, dot(self.graph, slope, column), 2.0 if c == s else 1.0)
             if c in self.floors:
                 self._found(c, dict(zip(group, slope, strict=True)))
         whole = {k: self.whole[k] for k in group}
         for c in sorted({c for row in whole.values() for c in row}):
             slope = [row.get(c, graph.zero) for row in whole.values()]
-            self.forces[c].append((self._dot(slope, forces), 1.0))
+            self.forces[c].append((dot(self.graph, slope, forces), 1.0))
         for k in group:
             self._forget(k)
             for c in rows[k]:
@@ -261,10 +255,10 @@ class _Push:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
         zero = self.graph.zero
         slope = [row.get(c, zero) for row in rows]
-        image = [self._dot(line, slope) for line in within]
+        image = [dot(self.graph, line, slope) for line in within]
         for d in columns:
             if d <= c:
-                self.add(c, d, self._dot([row.get(d, zero) for row in rows], image))
+                self.add(c, d, dot(self.graph, [row.get(d, zero) for row in rows], image))
 
     def _turn(self, group: list[int], within: list[list[int]]) -> bool:
         """Add Rᵀ K R where all anchors turn by one angle; say whether they do."""
@@ -384,54 +378,48 @@ def _sorted_groups(groups: list[list[int]], rows: dict[int, Row]) -> list[list[i
     return order[::-1]
 
 
-class _Sizes:
-    """How large each diagonal entry of the mass matrix is, to judge a pivot by.
+def _sizes(push: _Push) -> dict[int, int]:
+    """Return how large each diagonal entry of the mass matrix is, to judge a pivot by.
 
     The composite bodies' own entries would cost as much as a composite form. What is handed on here
     is one number for each group of anchors, a mean square: a rotation leaves it as it is, so that
     in most mechanisms it depends on constants alone.
     """
+    graph = push.graph
+    home = {k: i for i, group in enumerate(push.groups) for k in group}
+    slopes = _mean_squares(push, home)
+    totals: dict[int, list[tuple[int, float]]] = defaultdict(list)
+    for anchors, weight in push.weights:
+        for key in dict.fromkeys(home.get(a, -a) for a in anchors):
+            totals[key].append((weight, 1.0))
+    for i, slope in enumerate(slopes):
+        size = graph.sum(totals[i])
+        for key, n in slope.items():
+            totals[key].append((graph.mul(n, size), 1.0))
+    return {s: graph.sum(totals[-s]) for s in push.speeds}
 
-    def __init__(self, push: _Push) -> None:
-        self.graph, self.own, self.order = push.graph, push.whole, push.groups
-        self.weights = push.weights
 
-    def of(self, speeds: Iterable[int]) -> dict[int, int]:
-        """Return a node for each speed."""
-        graph = self.graph
-        home = {k: i for i, group in enumerate(self.order) for k in group}
-        slopes = self._slopes(home)
-        totals: dict[int, list[tuple[int, float]]] = defaultdict(list)
-        for anchors, weight in self.weights:
-            for key in dict.fromkeys(home.get(a, -a) for a in anchors):
-                totals[key].append((weight, 1.0))
-        for i in range(len(self.order)):
-            size = graph.sum(totals[i])
-            for key, slope in slopes[i].items():
-                totals[key].append((graph.mul(slope, size), 1.0))
-        return {s: graph.sum(totals[-s]) for s in speeds}
-
-    def _slopes(self, home: dict[int, int]) -> list[dict[int, int]]:
-        """Return for each group the mean square of its rows by the groups it is made of."""
-        graph = self.graph
-        found: list[dict[int, int]] = []
-        for group in self.order:
-            squares: dict[int, list[tuple[int, float]]] = defaultdict(list)
-            members: dict[int, set[int]] = defaultdict(set)
-            for k in group:
-                for c, d in self.own[k].items():
-                    key = home.get(c, -c)
-                    squares[key].append((graph.powi(d, 2), 1.0))
-                    members[key].add(c)
-            found.append(
-                {
-                    key: graph.sum([(graph.sum(terms), 1.0 / min(len(group), len(members[key])))])
-                    for key, terms in squares.items()
-                }
-            )
-        nodes = list(dict.fromkeys(n for slope in found for n in slope.values()))
-        fixed = dict(zip(nodes, _without_state(graph, nodes), strict=True))
-        return [{key: fixed[n] for key, n in slope.items()} for slope in found]
+def _mean_squares(push: _Push, home: dict[int, int]) -> list[dict[int, int]]:
+    """Return for each group that of its rows by the groups it is made of."""
+    graph = push.graph
+    found: list[dict[int, int]] = []
+    for group in push.groups:
+        squares: dict[int, list[tuple[int, float]]] = defaultdict(list)
+        members: dict[int, set[int]] = defaultdict(set)
+        for k in group:
+            for c, d in push.whole[k].items():
+                key = home.get(c, -c)
+                squares[key].append((graph.powi(d, 2), 1.0))
+                members[key].add(c)
+        found.append(
+            {
+                key: graph.sum([(graph.sum(terms), 1.0 / min(len(group), len(members[key])))])
+                for key, terms in squares.items()
+            }
+        )
+    nodes = list(dict.fromkeys(n for slope in found for n in slope.values()))
+    fixed = dict(zip(nodes, _without_state(graph, nodes), strict=True))
+    return [{key: fixed[n] for key, n in slope.items()} for slope in found]
 
 
 def _without_state(graph: Graph, nodes: list[int]) -> list[int]:

@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
-from pydy._graph.identities import signatures
+from pydy._graph.identities import signatures, vanish
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._graph.rewrite import substitute
@@ -521,13 +521,12 @@ def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> 
 
 def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     """Return whether nodes are zero as functions."""
-    rest = [n for n in nodes if n != graph.zero]
-    if not rest or not any(signatures(graph, rest)):
+    if vanish(graph, nodes):
         return True
     # Identities of angles are not seen modulo a prime.
-    leaves = _leaves(graph, rest)
+    leaves = _leaves(graph, nodes)
     inputs = [graph.input("x", k) for k in range(len(leaves))]
-    rest = substitute(graph, rest, dict(zip(leaves, inputs, strict=True)))
+    rest = substitute(graph, nodes, dict(zip(leaves, inputs, strict=True)))
     values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
     x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
     found = values_at(dict(zip(inputs, x, strict=True)), _STATES)

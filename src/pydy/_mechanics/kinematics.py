@@ -210,11 +210,6 @@ class Kinematics:
         values = signatures(self.graph, [*a, *b])
         return values[: len(a)] == values[len(a) :]
 
-    def vanishes(self, nodes: Sequence[int]) -> bool:
-        """Return whether nodes are zero as functions."""
-        rest = [n for n in nodes if n != self.graph.zero]
-        return not rest or not any(signatures(self.graph, rest))
-
     # -- anchors ----------------------------------------------------------------------------------
 
     def anchored(self, v: Vec, groups: list[list[int]] | None = None) -> Vec:

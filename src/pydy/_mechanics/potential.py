@@ -80,8 +80,12 @@ class _Term:
     axis: int
 
     @property
+    def direction(self) -> Vector:
+        return (self.frame.x, self.frame.y, self.frame.z)[self.axis]
+
+    @property
     def vector(self) -> Vector:
-        return self.size * (self.frame.x, self.frame.y, self.frame.z)[self.axis]
+        return self.size * self.direction
 
     def __str__(self) -> str:
         kind = "force on the point" if isinstance(self.where, Point) else "torque on the frame"
@@ -335,9 +339,7 @@ class _Search:
         origins = self.fixed(term.where) if isinstance(term.where, Point) else []
         if not origins:
             return None
-        direction = self.mechanism.components(
-            (term.frame.x, term.frame.y, term.frame.z)[term.axis], self.frame
-        )
+        direction = self.mechanism.components(term.direction, self.frame)
         if not all(self._is_constant(part) for part in direction):
             return None
         place = self.mechanism.components(term.where.pos_from(origins[0]), self.frame)

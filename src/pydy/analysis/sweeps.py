@@ -15,7 +15,7 @@ from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy.analysis.linear import complex_plane
 from pydy.analysis.tuning import AT_ONCE, CROSSED
-from pydy.plot import axes_of
+from pydy.plot import axes_of, with_unit
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -231,7 +231,7 @@ class EigenvalueSweep:
             if column.imag.max() > 0.0:
                 imag = np.where(column.imag > 0.0, column.imag, np.nan)
                 ax.plot(self.values, imag, color=colour, linestyle="--")
-        ax.set_xlabel(f"{self.parameter} ({unit})" if unit else self.parameter)
+        ax.set_xlabel(with_unit(self.parameter, unit))
         ax.set_ylabel("real and imaginary (dashed) parts (1/s)")
         return ax
 
@@ -241,8 +241,7 @@ class EigenvalueSweep:
         colours = np.broadcast_to(self.values[:, None], found.shape)
         points = ax.scatter(found.real, found.imag, c=colours, s=6)
         ax.scatter(found[0].real, found[0].imag, marker="x", color="k", linewidths=0.8)
-        label = f"{self.parameter} ({unit})" if unit else self.parameter
-        ax.figure.colorbar(points, ax=ax, label=label)
+        ax.figure.colorbar(points, ax=ax, label=with_unit(self.parameter, unit))
         return ax
 
 

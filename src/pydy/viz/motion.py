@@ -29,6 +29,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._mechanics.components import flat, identity, in_rows, transposed, turned
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 from pydy._rank import DIGITS
@@ -114,16 +115,13 @@ class _Poses:
         # A trajectory from a file has names in the place of symbols.
         self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
         self.read = SymPyReader(graph, atoms, "the scene")
-        one, zero = graph.one, graph.zero
-        self.rotations: dict[Any, Matrix3] = {
-            geometry.reference: [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
-        }
+        self.rotations: dict[Any, Matrix3] = {geometry.reference: identity(graph)}
 
     @collector_paused()
     def program(self) -> Program:
         geometry, graph, names = self.geometry, self.graph, self.names
         parts = {
-            "rotations": [c for f in geometry.frames for row in self.rotation(f) for c in row],
+            "rotations": [c for f in geometry.frames for c in flat(self.rotation(f))],
             "positions": [c for p in geometry.points for c in self.position(p)],
             "vectors": [
                 c for v in geometry.vectors for c in self.components(v, f"the arrow `{v}`")
@@ -136,9 +134,9 @@ class _Poses:
             (len(geometry.vectors), 3),
             (len(geometry.series),),
         ]
-        flat = iter(simplify(graph, [n for nodes in parts.values() for n in nodes]))
+        simplified = iter(simplify(graph, [n for nodes in parts.values() for n in nodes]))
         blocks = [
-            (name, shape, list(islice(flat, len(nodes))))
+            (name, shape, list(islice(simplified, len(nodes))))
             for shape, (name, nodes) in zip(shapes, parts.items(), strict=True)
         ]
         sizes = (len(names.states), len(names.specifieds), len(names.constants))
@@ -153,7 +151,10 @@ class _Poses:
                     step = self.nodes(
                         before.dcm(after), f"the orientation of frame `{after}` in `{before}`"
                     )
-                    self.rotations[after] = self._product(self.rotations[before], step)
+                    columns = transposed(in_rows(step))
+                    self.rotations[after] = [
+                        turned(self.graph, columns, row) for row in self.rotations[before]
+                    ]
         return self.rotations[frame]
 
     def _path_to(self, frame: Any) -> list[Any]:
@@ -218,16 +219,6 @@ class _Poses:
             f"{start} holds `{symbol}`, for which the trajectory has no value: it is not one "
             f"of its states, specifieds and constants. {remedy}"
         )
-
-    def _product(self, a: Matrix3, b: list[int]) -> Matrix3:
-        graph = self.graph
-        return [
-            [
-                graph.sum([(graph.mul(row[k], b[3 * k + j]), 1.0) for k in range(3)])
-                for j in range(3)
-            ]
-            for row in a
-        ]
 
 
 # -- Motion ----------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 
-from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
+from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
 from pydy._backends.tuning import (
@@ -350,7 +350,7 @@ class Emitter:
         self.sincos = sincos_call if brief else sincos
         self.v = vector_type("double", lanes)
         self.b = vector_type("i1", lanes)
-        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+        self.suffix = suffix(lanes)
         self.fused, self.swallowed = fusion(program)
         self.fallbacks = fallbacks
         wanted = None if fallbacks else program.without_fallbacks()

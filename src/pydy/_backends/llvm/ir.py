@@ -8,7 +8,7 @@ registers.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 WIDTHS = (1, 2, 4, 8)
@@ -40,6 +40,11 @@ def hex_double(value: float) -> str:
 def vector_type(element: str, lanes: int) -> str:
     """Return the type of `lanes` elements side by side; one lane is the plain element."""
     return element if lanes == 1 else f"<{lanes} x {element}>"
+
+
+def suffix(lanes: int) -> str:
+    """Return how the names of intrinsics for `lanes` doubles end."""
+    return "f64" if lanes == 1 else f"v{lanes}f64"
 
 
 def literal(value: float, lanes: int) -> str:
@@ -137,6 +142,18 @@ class Function:
         """Store a value; the counterpart of `load`."""
         place = pointer if index == "0" else self.at(pointer, index, element or kind)
         self.do(f"store {kind} {value}, ptr {place}, align {1 if kind == 'i8' else 8}")
+
+    def lane_by_lane(self, name: str, vectors: Sequence[str], lanes: int) -> str:
+        """Call a function of doubles for each lane of some vectors, each with its type."""
+        if lanes == 1:
+            return self.let(f"call double @{name}({', '.join(vectors)})")
+        result = "poison"
+        for lane in range(lanes):
+            args = [self.let(f"extractelement {vector}, i32 {lane}") for vector in vectors]
+            value = self.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
+            whole = f"{vector_type('double', lanes)} {result}"
+            result = self.let(f"insertelement {whole}, double {value}, i32 {lane}")
+        return result
 
     def variable(self, kind: str, value: str) -> str:
         """Return a slot that holds `value`; LLVM keeps it in a register if it can."""

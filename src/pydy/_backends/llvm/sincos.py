@@ -10,7 +10,7 @@ those of fdlibm (k_sin.c and k_cos.c, Sun Microsystems 1993), of degree 13 and 1
 
 from __future__ import annotations
 
-from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
+from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
 
 LIMIT = 1e5
 
@@ -48,7 +48,7 @@ class _Arithmetic:
         self.f = f
         self.lanes = lanes
         self.v = vector_type("double", lanes)
-        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+        self.suffix = suffix(lanes)
 
     def number(self, value: float) -> str:
         return literal(value, self.lanes)
@@ -215,14 +215,6 @@ def sincos_functions(lanes: int) -> str:
     whole.do("ret void")
     f = Function(f"pydy_sincos_far_{lanes}", "void", f"{v} %x, ptr %out", "|noinline nounwind")
     for index, name in enumerate(("sin", "cos")):
-        result = "poison"
-        for lane in range(lanes):
-            x = "%x" if lanes == 1 else f.let(f"extractelement {v} %x, i32 {lane}")
-            value = f.let(f"call double @{name}(double {x})")
-            if lanes == 1:
-                result = value
-            else:
-                result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
-        f.store(v, result, "%out", str(index))
+        f.store(v, f.lane_by_lane(name, [f"{v} %x"], lanes), "%out", str(index))
     f.do("ret void")
     return whole.text() + f.text()

@@ -16,7 +16,7 @@ from pydy._backends.llvm.emit import (
     called,
     solver_declarations,
 )
-from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, vector_type
+from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, suffix, vector_type
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
@@ -73,7 +73,7 @@ _LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ANGL
 def _arithmetic_declarations(widths: Iterable[int]) -> str:
     lines = []
     for width in widths:
-        v, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
+        v, end = vector_type("double", width), suffix(width)
         lines.append(f"declare {v} @llvm.fma.{end}({v}, {v}, {v})")
         lines.append(f"declare {v} @llvm.fabs.{end}({v})")
     return "\n".join(lines)
@@ -81,7 +81,6 @@ def _arithmetic_declarations(widths: Iterable[int]) -> str:
 
 def _declarations(program: Program, lanes: int) -> str:
     v = vector_type("double", lanes)
-    suffix = "f64" if lanes == 1 else f"v{lanes}f64"
     lines = [
         f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
         for name, arity in called(program, "libm").items()
@@ -92,7 +91,7 @@ def _declarations(program: Program, lanes: int) -> str:
     lines.append(_arithmetic_declarations(packs))
     for name, arity in called(program, "intrinsic").items():
         if name != "fabs":
-            lines.append(f"declare {v} @llvm.{name}.{suffix}({', '.join([v] * arity)})")
+            lines.append(f"declare {v} @llvm.{name}.{suffix(lanes)}({', '.join([v] * arity)})")
     return "\n".join(lines) + "\n"
 
 
@@ -101,12 +100,7 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     v = vector_type("double", lanes)
     vectors = [f"{v} %a{k}" for k in range(arity)]
     f = Function(f"{name}.lanes", v, ", ".join(vectors), "internal|nounwind memory(none)")
-    result = "poison"
-    for lane in range(lanes):
-        args = [f.let(f"extractelement {vector}, i32 {lane}") for vector in vectors]
-        value = f.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
-        result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
-    f.do(f"ret {v} {result}")
+    f.do(f"ret {v} {f.lane_by_lane(name, vectors, lanes)}")
     return f.text()
 
 
