@@ -266,6 +266,15 @@ class Graph(Nodes):
         """Return ``a ** exponent`` for an integer exponent."""
         return self.product([(a, exponent)])
 
+    def linear(self, node: int) -> dict[int, float]:
+        """Return what a node is a sum of, with coefficients; a number is so many times one."""
+        op, args = self.ops[node], self.args[node]
+        if op == "const":
+            return {self.one: args[0]} if args[0] else {}
+        if op != "sum":
+            return {node: 1.0}
+        return {self.one: args[0], **dict(args[1])} if args[0] else dict(args[1])
+
     # -- functions ------------------------------------------------------------------------------
 
     def call(self, op: str, *nodes: int) -> int:

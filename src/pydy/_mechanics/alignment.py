@@ -23,7 +23,7 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._mechanics.components import about, flat, identity, in_rows, terms_of, transposed, turned
+from pydy._mechanics.components import about, flat, identity, in_rows, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.tuning import ROUNDED, SAME_DIRECTION, STEEP
@@ -307,7 +307,7 @@ class _Alignment:
             axis = {body.root: turn.own, body.before: turn.before}.get(frame)
             if axis is None:
                 return False
-            rows = [terms_of(g, n) for n in self.kinematics.read.all(part)]
+            rows = [g.linear(n) for n in self.kinematics.read.all(part)]
             for node in dict.fromkeys(n for row in rows for n in row):
                 v = np.array([row.get(node, 0.0) for row in rows])
                 size = float(axis @ v)
@@ -484,7 +484,7 @@ def _turn(graph: Graph, matrix: Matrix) -> _Turn | None:
     angles = set()
     for i, row in enumerate(matrix):
         for j, entry in enumerate(row):
-            for node, c in terms_of(graph, entry).items():
+            for node, c in graph.linear(entry).items():
                 op = graph.ops[node]
                 if op not in parts:
                     return None

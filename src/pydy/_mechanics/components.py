@@ -56,19 +56,9 @@ def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
     return [list(column) for column in zip(*matrix, strict=True)]
 
 
-def terms_of(graph: Graph, node: int) -> dict[int, float]:
-    """Return what a node is a sum of; a number is so many times one."""
-    if graph.ops[node] == "const":
-        return {graph.one: graph.args[node][0]} if node != graph.zero else {}
-    if graph.ops[node] != "sum":
-        return {node: 1.0}
-    c0, terms = graph.args[node]
-    return {graph.one: c0, **dict(terms)} if c0 else dict(terms)
-
-
 def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Leave out what rotations by numbers leave of zeros: so small a share of one vector."""
-    rows = [terms_of(graph, n) for n in nodes]
+    rows = [graph.linear(n) for n in nodes]
     sizes: dict[int, float] = {}
     for row in rows:
         for n, c in row.items():

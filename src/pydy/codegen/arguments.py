@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from inspect import signature
@@ -201,6 +201,10 @@ class _Checked:
             return None
         return lambda times: function.along(times)[:, list(self.kept)]
 
+    def of(self, places: Iterable[int]) -> _Checked:
+        """Return the same for some of the specifieds that it is kept for."""
+        return replace(self, kept=tuple(self.kept[j] for j in places))
+
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         value = evaluate_function(self.function, self.names, x, t, self.time_first)
         return value if len(self.kept) == len(self.names) else value[list(self.kept)]
@@ -345,18 +349,14 @@ class SpecifiedsPlan:
         mine = {s: e for s, e in self.expressions.items() if s not in other.given}
         result.expressions = {**mine, **other.expressions}
         result.given = self.given | other.given
-        sampled, functions = [], []
-        for columns, samples in self.sampled:
-            left = [j for j, c in enumerate(columns) if kept[c]]
-            if left:
-                sampled.append((columns[left], samples.of(left)))
-        for columns, function in self._functions:
-            left = [j for j, c in enumerate(columns) if kept[c]]
-            if left:
-                part = tuple(function.kept[j] for j in left)
-                functions.append((columns[left], replace(function, kept=part)))
-        result.sampled = (*sampled, *other.sampled)
-        result._functions = (*functions, *other._functions)
+
+        def left_of(parts: Iterable[tuple[np.ndarray, Any]]) -> Iterator[tuple[np.ndarray, Any]]:
+            for columns, part in parts:
+                if left := [j for j, c in enumerate(columns) if kept[c]]:
+                    yield columns[left], part.of(left)
+
+        result.sampled = (*left_of(self.sampled), *other.sampled)
+        result._functions = (*left_of(self._functions), *other._functions)
         return result
 
     def check_times(self, t: np.ndarray, argument: str) -> None:

@@ -94,7 +94,7 @@ def difference_basis(
 
     def terms(cell: int) -> dict[int, float]:
         if cell not in known:
-            known[cell] = _terms(graph, cell)
+            known[cell] = graph.linear(cell)
         return known[cell]
 
     def difference(i: int, j: int) -> dict[int, float]:
@@ -115,23 +115,10 @@ def difference_basis(
     rows = [[zero] * n for _ in range(n)]
     for i in range(n):
         for j in range(i + 1):
-            rows[i][j] = rows[j][i] = _node(graph, steps[i][j])
-    right = [_terms(graph, b) for b in column] + [{}]
-    differences = [_node(graph, _minus(right[i], right[i + 1])) for i in range(n)]
+            rows[i][j] = rows[j][i] = graph.sum(steps[i][j].items())
+    right = [graph.linear(b) for b in column] + [{}]
+    differences = [graph.sum(_minus(right[i], right[i + 1]).items()) for i in range(n)]
     return rows, differences
-
-
-def _terms(graph: Graph, node: int) -> dict[int, float]:
-    """Return a node as a linear combination, a constant under the key −1."""
-    op, args = graph.ops[node], graph.args[node]
-    if op == "const":
-        return {-1: args[0]} if args[0] else {}
-    if op == "sum":
-        terms = dict(args[1])
-        if args[0]:
-            terms[-1] = args[0]
-        return terms
-    return {node: 1.0}
 
 
 def _minus(a: dict[int, float], b: dict[int, float]) -> dict[int, float]:
@@ -143,7 +130,3 @@ def _minus(a: dict[int, float], b: dict[int, float]) -> dict[int, float]:
         else:
             result.pop(n, None)
     return result
-
-
-def _node(graph: Graph, terms: dict[int, float]) -> int:
-    return graph.sum([(n, c) for n, c in terms.items() if n >= 0], terms.get(-1, 0.0))
