@@ -43,7 +43,7 @@ def make_scene(
         moving = partial(attrgetter("_times"), source), source._motion, source._live_system
     equations = definition.equations
     options = dict(options)
-    reference_frame, origin = (options.pop(k, None) for k in ("reference_frame", "origin"))
+    given = (options.pop(k, None) for k in ("reference_frame", "origin"))
     loads = flag(options.pop("loads", False), "`loads`")
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
@@ -53,20 +53,7 @@ def make_scene(
             "`scene` needs visuals, such as Visual(Sphere(0.1), point): the System's `eom_method` "
             "was given no bodies that could be shown."
         )
-    if reference_frame is None:
-        if mechanism is None:
-            raise ValueError("`reference_frame` must be given: the System knows of no frame.")
-        reference_frame = mechanism.frame
-    check_kind("reference_frame", reference_frame, ReferenceFrame)
-    if origin is None:
-        origin = find_origin(reference_frame, [body.masscenter for body in bodies])
-        if origin is None:
-            raise ValueError(
-                "`origin` must be given, the point where the scene's zero is: no point at rest in "
-                f"`{reference_frame}` is connected with the bodies. Pass `origin=O`, or say "
-                f"`O.set_vel({reference_frame}, 0)` when you derive the equations."
-            )
-    check_kind("origin", origin, Point)
+    reference_frame, origin = _seen_from(mechanism, *given)
     if "up" not in options and mechanism is not None:
         up = guess_up(reference_frame, bodies, mechanism.loads, constants)
         if up is None and mechanism.lagrangian is not None and reference_frame is mechanism.frame:
@@ -95,6 +82,26 @@ def make_scene(
         ]
         visuals = [*visuals, *load_arrows(mechanism.bodies, shown)]
     return Scene(reference_frame, origin, *visuals, model=model, **options)
+
+
+def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[Any, Any]:
+    """Return the reference frame and the origin of a scene, by default those of the mechanism."""
+    if frame is None:
+        if mechanism is None:
+            raise ValueError("`reference_frame` must be given: the System knows of no frame.")
+        frame = mechanism.frame
+    check_kind("reference_frame", frame, ReferenceFrame)
+    if origin is None:
+        bodies = mechanism.bodies if mechanism is not None else ()
+        origin = find_origin(frame, [body.masscenter for body in bodies])
+        if origin is None:
+            raise ValueError(
+                "`origin` must be given, the point where the scene's zero is: no point at rest in "
+                f"`{frame}` is connected with the bodies. Pass `origin=O`, or say "
+                f"`O.set_vel({frame}, 0)` when you derive the equations."
+            )
+    check_kind("origin", origin, Point)
+    return frame, origin
 
 
 def _rests(where: Any, frame: Any) -> bool:
