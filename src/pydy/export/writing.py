@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from pydy._backends.writer import Dialect, Template, Writer, stages
 from pydy._checks import Check, checked, flag, one_of
 from pydy._files import write_files
-from pydy._graph.interpret import constrained_sample
+from pydy._graph.interpret import constrained_sample, singular
 from pydy._graph.operations import Operation, is_constrained, operands, with_operands
 from pydy._graph.program import Program, Tape
 from pydy._graph.tuning import numbered
@@ -73,7 +73,8 @@ _CASADI = Dialect(
         "constrained": "ca.vertcat({fast})",
     },
 )
-DIALECTS = {"numpy": _dialect("np"), "jax": _dialect("jnp"), "casadi": _CASADI}
+_ALIASES = {"numpy": "np", "jax": "jnp"}
+DIALECTS = {**{target: _dialect(name) for target, name in _ALIASES.items()}, "casadi": _CASADI}
 _JAX: Template = (
     "def {name}(t, x, r=None, p=None):",
     '    """{purpose}"""',
@@ -149,6 +150,8 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "CONSTANTS": _dictionary(model.constants),
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
+        "ARGUMENTS": re.sub(r"\bnp\b", _ALIASES.get(target, ""), resource("arguments.py.txt")),
+        "PIVOTS": numbered(getsource(singular)),
         "CONSTRAINED": numbered(getsource(constrained_sample)),
         "FUNCTIONS": "\n\n".join(
             python_function(
