@@ -14,6 +14,7 @@ from itertools import chain
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
+from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import (
     BASIC_BLOCK,
     FALLBACK_STACK,
@@ -327,9 +328,9 @@ BRANCH_WEIGHTS = (
 class Emitter:
     """Writes the operations of one stage.
 
-    So many `registers` hold values of all lanes. In `brief`, routines are called where there are
-    any. As a `whole` they are one basic block, whose values LLVM moves to memory as it likes.
-    Without `fallbacks` a guard that is not sound reports status -1 in place of solving its system.
+    In `brief`, routines are called where there are any. As a `whole` they are one basic block,
+    whose values LLVM moves to memory as it likes. Without `fallbacks` a guard that is not sound
+    reports status -1 in place of solving its system.
     """
 
     def __init__(
@@ -337,7 +338,6 @@ class Emitter:
         f: Function,
         program: Program,
         lanes: int,
-        registers: int,
         setup: bool,
         brief: bool = False,
         whole: bool = False,
@@ -356,7 +356,7 @@ class Emitter:
         wanted = None if fallbacks else program.without_fallbacks()
         uses = readers(program, self.swallowed, setup, wanted)
         self.whole = whole
-        self.capacity = len(program.ops) if whole else max(registers - TEMPORARY, 4)
+        self.capacity = len(program.ops) if whole else max(target().vectors(lanes) - TEMPORARY, 4)
         self.names = Registers(f, self.v, self.capacity, uses)
         self.written = 0  # operations of this block
         self.began = len(f.lines)

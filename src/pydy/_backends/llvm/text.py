@@ -115,7 +115,7 @@ def prepare_text(
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
-    e = Emitter(f, program, lanes, target().vectors(lanes), True, brief, fallbacks=fallbacks)
+    e = Emitter(f, program, lanes, True, brief, fallbacks=fallbacks)
     e.names.lie(layout)
     e.stage()
     f.do("ret void")
@@ -172,8 +172,7 @@ def stage_text(
     A function that others of the module call is told the layout of its arrays.
     """
     f = Function(name, "i32", KERNEL, f"{'internal' if layout else ''}|nounwind")
-    vectors = target().vectors(lanes)
-    e = Emitter(f, program, lanes, vectors, False, brief, fallbacks=fallbacks)
+    e = Emitter(f, program, lanes, False, brief, fallbacks=fallbacks)
     e.solves.status = f.variable("i32", "0")
     e.names.lie(layout)
     e.stage()
@@ -198,7 +197,7 @@ def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str 
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
     whole = not loop and _is_one_block(program, lanes)
-    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief, whole)
+    e = Emitter(f, program, lanes, False, brief, whole)
     e.solves.status = f.variable("i32", "0")
     for place, group in enumerate(("%x", "%r", "%out")):
         e.names.steps[group] = f.load("i64", "%steps", str(place))
