@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import filterfalse
 from typing import Any
 
 import numpy as np
@@ -370,8 +371,8 @@ class Graph(Nodes):
 
     def inputs(self, roots: Iterable[int], *, moving: bool = False) -> list[int]:
         """Return the inputs that the roots depend on, or those of them that are no constants."""
-        still = self.constant if moving else bytearray(len(self.ops))
-        return [n for n in self.reachable(roots) if self.ops[n] == "input" and not still[n]]
+        found = [n for n in self.reachable(roots) if self.ops[n] == "input"]
+        return [*filterfalse(self.constant.__getitem__, found)] if moving else found
 
     def inputs_of(self, roots: Iterable[int]) -> set[str]:
         """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
