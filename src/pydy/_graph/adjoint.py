@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 from pydy._graph.derivative import times
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, symmetric
 from pydy._graph.roots import is_steep, of_half_power, slope
 
 Terms = list[tuple[int, float]]
@@ -166,15 +166,14 @@ class _Sweep:
         """Return what a system hands on to its parts: b̄ = λ and Ā = −λ xᵀ, with signs."""
         g = self.graph
         kind, n, entries = system
+        entries = symmetric(n, entries) if kind == "ldl" else entries
         result = [(b, m, 1.0) for b, m in zip(column, multipliers, strict=True)]
         for k, multiplier in enumerate(multipliers):
             first, i = k - k % n, k % n
             for j in range(n):
-                # An SPD factor reads the lower triangle only.
-                low = max(i, j) * n + min(i, j) if kind == "ldl" else i * n + j
-                if entries[low] in self.active:
+                if (entry := entries[i * n + j]) in self.active:
                     solution = g.make("item", (node, first + j))
-                    result.append((entries[low], g.mul(multiplier, solution), -1.0))
+                    result.append((entry, g.mul(multiplier, solution), -1.0))
         return [part for part in result if part[0] in self.active]
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, SOLVES
+from pydy._graph.operations import OPERATIONS, SOLVES, symmetric
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 
 Row = dict[int, int]
@@ -299,6 +299,7 @@ def _system_slopes(
 ) -> dict[int, list[int]]:
     """Return b' − A' x of a system A x = b, for each key of the rows of its entries and of b."""
     kind, n, entries = system
+    entries = symmetric(n, entries) if kind == "ldl" else entries
     keys: set[int] = set()
     for e in (*entries, *column):
         keys.update(rows[e])
@@ -310,9 +311,7 @@ def _system_slopes(
             if key in rows[column[i]]:
                 terms.append((rows[column[i]][key], 1.0))
             for j in range(n):
-                # An SPD factor reads the lower triangle only; so must its derivative.
-                low = max(i, j) * n + min(i, j) if kind == "ldl" else i * n + j
-                d = rows[entries[low]].get(key)
+                d = rows[entries[i * n + j]].get(key)
                 if d is not None:
                     terms.append((g.mul(d, x[j]), -1.0))
             right.append(g.sum(terms))

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, symmetric
 from pydy._graph.tuning import SOLVED_MODULO_A_PRIME
 
 
@@ -117,13 +117,9 @@ class _Solutions:
         if n > SOLVED_MODULO_A_PRIME:
             return None
         if entries not in self._inverses:
-            cells = [self.values[e] for e in entries]
-            low = kind == "ldl"
-            matrix = [
-                [cells[max(i, j) * n + min(i, j) if low else i * n + j] for j in range(n)]
-                for i in range(n)
-            ]
-            self._inverses[entries] = inverse(matrix)
+            read = symmetric(n, entries) if kind == "ldl" else entries
+            cells = [self.values[e] for e in read]
+            self._inverses[entries] = inverse([cells[k : k + n] for k in range(0, n * n, n)])
         found = self._inverses[entries]
         if found is None:
             return None
