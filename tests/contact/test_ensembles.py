@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.contact import Contacts, Unilateral
-from pydy.errors import PyDyUserWarning
+from pydy.errors import IntegrationInterrupted, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from touching import TIGHT, J, N, O, a, ball, e, falling_body, g, k, m, mu, vx, vy, x, y
@@ -168,3 +168,21 @@ def test_a_store_belongs_to_its_contacts(what, tmp_path):
     assert run(resume=True).load().equals(first)
     with pytest.raises(ValueError, match="was written by another ensemble: its equations, contac"):
         run(what, resume=True)
+
+
+def test_a_motion_that_is_stopped_ends_at_its_next_transition():
+    system, floor = ball(restitution=0.9)
+    system.initial_conditions, system.times = {y: 1.0}, [0.0, 5.0]
+    contacts = Contacts(system, [floor])
+    options = {"sensitivities": None, "control_sensitivities": False}
+    motions = contacts.motions(system._now(), system.ode_solver, {}, [], options)
+    asked = []
+
+    def stopped():
+        asked.append(True)
+        return len(asked) == 3
+
+    with pytest.raises(IntegrationInterrupted) as caught:
+        motions(np.array([1.0, 0.0]), np.zeros(0), system._now().p, system.times, stopped)
+    apex = (2 / 9.81) ** 0.5 * 1.9  # that after the impact, from which on the gap is watched
+    assert caught.value.time == pytest.approx(apex)

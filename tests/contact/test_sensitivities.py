@@ -1,7 +1,7 @@
 """Derivatives of motions with contacts, against closed forms and central differences."""
 
 import math
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.errors import ContactError
+from pydy.errors import ContactError, PyDyUserWarning
 from pydy.mechanics import Definition
 from touching import (
     TIGHT,
@@ -303,3 +303,33 @@ def test_what_happens_at_one_instant_has_no_derivative_by_what_parts_it():
     found = find([g, e], final=z, contacts=contacts, **TIGHT)
     assert found.values == pytest.approx(exact.sensitivity["z"][-1], abs=1e-12)
     assert np.isnan(found.by_state).all()
+
+
+def test_at_an_impact_at_the_last_time_derivatives_are_those_of_the_state_after_it():
+    system, floor = ball(restitution=e)
+    fall = math.sqrt(2.0 / 9.81)
+    system.initial_conditions, system.times = {y: 1.0}, [0.0, fall / 2, fall]
+    motion = Contacts(system, [floor], {e: 0.8}).simulate(sensitivities=[e, y], **TIGHT)
+    v = 9.81 * fall
+    assert motion["v_y"][-1] == pytest.approx(0.8 * v, abs=1e-9)
+    # y = e v s − g s²/2 after it, with s' = −1/v and v' = g/v by the height
+    assert motion.sensitivity["v_y"][-1] == pytest.approx([v, 0.8 * 9.81 / v + 9.81 / v], abs=1e-9)
+    assert motion.sensitivity["y"][-1] == pytest.approx([0.0, -0.8], abs=1e-9)
+    (impact,) = motion.events
+    assert impact.time_sensitivity == pytest.approx([0.0, 1.0 / v], abs=1e-9)
+    assert impact.sensitivity_after[1] == pytest.approx(motion.sensitivity["v_y"][-1])
+
+
+@pytest.mark.parametrize("height", [0.4, -0.4])
+def test_a_load_that_jumps_on_the_way_is_warned_of(height):
+    P = O.locatenew("P", y * N.y)
+    P.set_vel(N, vy * N.y)
+    pull = -m * g + sm.Piecewise((2.0, y > height), (0.0, True))
+    system = System(
+        Definition(N, [y], [vy], bodies=[me.Particle("ball", P, m)], loads=[(P, pull * N.y)]),
+        {g: 9.81}, {}, "dop853", {y: 1.0}, np.linspace(0.0, 1.0, 11),
+    )  # fmt: skip
+    contacts = Contacts(system, [Unilateral(y, name="floor", restitution=0.5)])
+    told = pytest.warns(PyDyUserWarning, match=r"the load on v_y\(t\) jumps by 2")
+    with told if height > 0.0 else nullcontext():
+        contacts.simulate(sensitivities=[g], **TIGHT)

@@ -14,6 +14,7 @@ from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
+from pydy._system.jumps import warn_of_jumps
 from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events, native_solver
@@ -195,13 +196,15 @@ class Contacts:
         Warns
         -----
         PyDyUserWarning
-            Outputs are not finite.
+            Outputs are not finite; or a load jumps on the way, which `sensitivities` do not know.
         """
         columns = _columns(sensitivities, control_sensitivities)
         run = self._run(events, columns, **solver_kwargs)
         trajectory = run.trajectory()
         if not (self.system._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, run.now)
+        if isinstance(run.carried, Carried) and not self.system._searching:
+            warn_of_jumps(run.now, lambda: trajectory, run.carried.sensitive)
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
@@ -386,7 +389,12 @@ class Motions:
         return *about, self.contacts._now()[1].rows.identity
 
     def __call__(
-        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
+        self,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        times: np.ndarray,
+        stopped: Callable[[], bool],
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         if self.contacts._kept is None:  # in another process
@@ -399,6 +407,7 @@ class Motions:
         system.specifieds = {**system.specifieds, **varied}
         system.times = times
         run = contacts._run(self._given, self._wanted, **self.options)
+        run.stopped = stopped
         code, motion = FINISHED, None
         try:
             motion = run.trajectory()

@@ -302,40 +302,50 @@ def press(problem: Problem, forces: np.ndarray, i: int) -> float:
     return float(problem.pressed[i] + (0.0 if normal is None else forces[normal]))
 
 
-def solved(problem: Problem, modes: Sequence[str]) -> Solution:
-    """Return the forces of a combination, and how well its inequalities hold."""
+def _held(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the forces of a combination that hold its rows, or come next to it.
+
+    Also by how much each row is missed beyond `SLACK` of its terms, and what forces may differ by
+    that changes nothing.
+    """
     held = held_rows(problem, modes)
     unknown, forces = directions(problem, modes)
     free, square = problem.free, problem.square
-    missed = np.zeros(0)
     null = np.zeros((len(held), 0))
-    if held:
-        start = np.zeros(len(held)) if problem.bias is None else problem.bias[held]
-        right = -(free[held] + square[held] @ forces)
-        matrix = square[held] @ unknown
-        size = np.sqrt(np.abs(np.diag(square))[held])
-        size[size == 0.0] = 1.0
-        scaled = matrix / size[:, None]
-        right_of = (right - matrix @ start) / size
-        found, _, rank, _ = np.linalg.lstsq(scaled, right_of, rcond=DEPENDENT)
-        width = np.ones(len(held))
-        if rank < len(held):
-            # Forces of different kinds, or on bodies of other masses, have sizes of their own.
-            own = np.linalg.norm(scaled, axis=0)
-            own[own == 0.0] = 1.0
-            again = np.linalg.lstsq(scaled / own, right_of, rcond=DEPENDENT)
-            if again[2] > rank:
-                width, rank, found = own, again[2], again[0] / own
-        found = start + found
-        if rank < len(held):
-            null = (np.linalg.svd(scaled / width)[2][rank:] / width).T
-        forces = forces + unknown @ found
-        most = np.abs(right) + np.abs(matrix) @ np.abs(found)
-        for i in (i for i, mode in enumerate(modes) if mode == STICKS):
-            # Beside what its friction could do, the rest of a motion through v² is nothing.
-            most_of_it = problem.hold[i] * abs(press(problem, forces, i))
-            most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
-        missed = np.abs(matrix @ found - right) - SLACK * most
+    if not held:
+        return forces, np.zeros(0), null
+    start = np.zeros(len(held)) if problem.bias is None else problem.bias[held]
+    right = -(free[held] + square[held] @ forces)
+    matrix = square[held] @ unknown
+    size = np.sqrt(np.abs(np.diag(square))[held])
+    size[size == 0.0] = 1.0
+    scaled = matrix / size[:, None]
+    right_of = (right - matrix @ start) / size
+    found, _, rank, _ = np.linalg.lstsq(scaled, right_of, rcond=DEPENDENT)
+    width = np.ones(len(held))
+    if rank < len(held):
+        # Forces of different kinds, or on bodies of other masses, have sizes of their own.
+        own = np.linalg.norm(scaled, axis=0)
+        own[own == 0.0] = 1.0
+        again = np.linalg.lstsq(scaled / own, right_of, rcond=DEPENDENT)
+        if again[2] > rank:
+            width, rank, found = own, again[2], again[0] / own
+    found = start + found
+    if rank < len(held):
+        null = (np.linalg.svd(scaled / width)[2][rank:] / width).T
+    forces = forces + unknown @ found
+    most = np.abs(right) + np.abs(matrix) @ np.abs(found)
+    for i in (i for i, mode in enumerate(modes) if mode == STICKS):
+        # Beside what its friction could do, the rest of a motion through v² is nothing.
+        most_of_it = problem.hold[i] * abs(press(problem, forces, i))
+        most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
+    return forces, np.abs(matrix @ found - right) - SLACK * most, null
+
+
+def solved(problem: Problem, modes: Sequence[str]) -> Solution:
+    """Return the forces of a combination, and how well its inequalities hold."""
+    forces, missed, null = _held(problem, modes)
+    free, square, held = problem.free, problem.square, held_rows(problem, modes)
     rates = free + square @ forces
     terms, rounding = problem.terms(forces), problem.rounding(forces)
     consistent = bool((missed <= rounding[held]).all()) if held else True

@@ -185,22 +185,24 @@ class Mode:
             found = g.solve(matrix, [right], "lu")[0]
         else:
             nodes = {symbol: node for node, symbol in rows.symbols.items()}
-            bias = [nodes[rows.biases[row]] for row in every]
-            right = [
-                g.sub(one, rows.dot(g, line, bias)) for one, line in zip(right, matrix, strict=True)
-            ]
-            square = [[rows.dot(g, a, b) for b in matrix] for a in matrix]
-            shares = g.solve(square, [right], "lu")[0]
-            found = [
-                g.sum([(bias[k], 1.0), *(
-                    (g.mul(line[k], s), 1.0) for line, s in zip(matrix, shares, strict=True)
-                )])
-                for k in range(len(unknown))
-            ]  # fmt: skip
+            found = self._nearest(g, matrix, right, [nodes[rows.biases[row]] for row in every])
         for part, y in zip(unknown, found, strict=True):
             for row, share in part.items():
                 forces[row].append((g.mul(share, y), 1.0))
         self.forces = [g.sum(part) for part in forces]
+
+    def _nearest(
+        self, g: Graph, matrix: list[list[int]], right: list[int], bias: list[int]
+    ) -> list[int]:
+        """Return the solution of fewer equations than unknowns that is next to the biases."""
+        dot = self.rows.dot
+        left = [g.sub(one, dot(g, line, bias)) for one, line in zip(right, matrix, strict=True)]
+        square = [[dot(g, a, b) for b in matrix] for a in matrix]
+        shares = g.solve(square, [left], "lu")[0]
+        return [
+            g.add(own, dot(g, column, shares))
+            for own, column in zip(bias, zip(*matrix, strict=True), strict=True)
+        ]
 
     def _direction(self, i: int, mode: str) -> list[int]:
         """Return the direction in which a contact slides.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -90,6 +90,7 @@ class Run:
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
         self.kept, self.solver, self.now, self.times = kept, solver, now, times
         self.user_events, self.options = events, options
+        self.stopped: Callable[[], bool] = lambda: False  # is asked between transitions
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -378,6 +379,8 @@ class Run:
         instants, transitions = 0, 0
         excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
         while True:
+            if self.stopped():
+                raise KeyboardInterrupt
             before, touching, resting = state.t, set(state.touching), set(state.resting)
             found = self.decide(state, fixed, excluded)
             if self.redundant and excluded:
@@ -415,19 +418,7 @@ class Run:
         # An impact elsewhere may have turned round what was on its way up.
         normals = self.rows.normal
         state.rising = {i for i in state.rising if p.speed[normals[i]] > 0.0 or p.is_closed(i)}
-        every, held, self.sizes = list[int](), tuple[int, ...](), solution.sizes
-        if state.touching:
-            problem = self.problem(p, state)
-            every = held_rows(problem, solution.modes)
-            held = tuple(independent(p.square, every))
-            self.sizes = solved(problem, solution.modes).sizes
-        self.redundant = len(held) < len(every)
-        for i, mode_of in enumerate(solution.modes):
-            if mode_of in SLIDES:
-                speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
-                self.quickest[i] = max(self.quickest.get(i, 0.0), speed)
-            else:
-                self.quickest.pop(i, None)
+        held, every = self.hold(p, state, solution)
         self.settle(state, held)
         if self.carried is not None and held:
             settled = self.numbers(state.t, state.x)
@@ -440,7 +431,7 @@ class Run:
         later = self.times > state.t
         here = self.times == state.t
         self.states[here] = state.x
-        if not later.any():
+        if self.carried is None and not later.any():
             return True, []
         now = replace(
             system._now(events),
@@ -462,7 +453,11 @@ class Run:
         if self.carried is not None:
             slides = any(solution.modes[i] in SLIDES for i in state.resting)
             rates = now.derivatives(np.array([state.t]), state.x[None])[0]
-            simulate = partial(self.carried.simulate, mode, self.carried.starts(rates, slides))
+            given = self.carried.starts(rates, slides)
+            if not later.any():
+                self.carried.begun(state.t, given, self.records)
+                return True, []
+            simulate = partial(self.carried.simulate, mode, given)
         try:
             part = Part(mode, now, **simulate(now, solver, options))
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
@@ -470,15 +465,31 @@ class Run:
             self.states[np.flatnonzero(later)[: len(states)]] = states
             if isinstance(error, MemoryError):
                 raise
+            last = error.state[: self.n]
             if isinstance(error, IntegrationInterrupted):
-                raise IntegrationInterrupted(
-                    str(error), *self.so_far(error.time, error.state[: self.n])
-                ) from None
-            raise self.fail(
-                error.time, error.state[: self.n],
-                f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
-            ) from error  # fmt: skip
+                raise IntegrationInterrupted(str(error), *self.so_far(error.time, last)) from None
+            why = f"The integration stopped in the modes {', '.join(self.modes)}: {error}"
+            raise self.fail(error.time, last, why) from error
         return self.take(state, part, kinds)
+
+    def hold(
+        self, p: Numbers, state: State, solution: Solution
+    ) -> tuple[tuple[int, ...], list[int]]:
+        """Return the rows that are held, independent ones and all; note forces and speeds."""
+        every, held, self.sizes = list[int](), tuple[int, ...](), solution.sizes
+        if state.touching:
+            problem = self.problem(p, state)
+            every = held_rows(problem, solution.modes)
+            held = tuple(independent(p.square, every))
+            self.sizes = solved(problem, solution.modes).sizes
+        self.redundant = len(held) < len(every)
+        for i, mode in enumerate(solution.modes):
+            if mode in SLIDES:
+                speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
+                self.quickest[i] = max(self.quickest.get(i, 0.0), speed)
+            else:
+                self.quickest.pop(i, None)
+        return held, every
 
     def shorten(
         self, p: Numbers, state: State, solution: Solution, options: dict[str, Any]

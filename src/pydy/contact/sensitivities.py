@@ -120,6 +120,9 @@ class Transitions:
         found: np.ndarray = self.total - np.outer(rates, self.time)
         return found
 
+    def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
+        """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
+
     def opened(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> np.ndarray:
         """Return whether the gap of a contact that closes opens by each column.
 
@@ -243,7 +246,7 @@ class Carried(Transitions):
     def __init__(
         self, wanted: Any, controlled: bool, rows: ContactRows, now: Snapshot, solved: Any
     ) -> None:
-        sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
+        self.sensitive = sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
@@ -257,22 +260,26 @@ class Carried(Transitions):
         self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
     ) -> dict[str, Any]:
         """Simulate in one mode, with S at the start `given`."""
-        self._columns[self.now.times == now.times[0]] = given
         controlled = self._controlled or mode.turns
         wanted = Wanted([*self._counts], controlled, None, given, mode.untimed)
         return simulated(now, solver, options, wanted)
 
-    def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
-        """Keep a part of the motion; note in records of its start what that does to columns."""
-        start, values = part.times[0], part.sensitivities[1]
-        begun = {
+    def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
+        """Keep S⁺ of what begins at a time, and note it in the records of the transition there."""
+        self._columns[self.now.times == start] = given
+        told: dict[str, Any] = {
             "time_sensitivity": np.where(self.doubtful, np.nan, self.time),
             "sensitivity_before": self._before,
-            "sensitivity_after": values[0],
+            "sensitivity_after": given,
         }
         for k, record in enumerate(records):
             if record.time == start and record.time_sensitivity is None:
-                records[k] = replace(record, **begun)
+                records[k] = replace(record, **told)
+
+    def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
+        """Keep a part of the motion."""
+        start, values = part.times[0], part.sensitivities[1]
+        self.begun(start, values[0], records)
         rows = (self.now.times > start) & (self.now.times <= end)
         self._columns[rows] = values[1 : 1 + int(rows.sum())]
 

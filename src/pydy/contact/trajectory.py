@@ -100,6 +100,11 @@ class _Dense:
     def __init__(self, pieces: Pieces) -> None:
         self._pieces = pieces
 
+    @property
+    def starts(self) -> np.ndarray:
+        """The times at which the solver's steps begin."""
+        return np.concatenate([piece.dense.starts for piece in self._pieces.pieces])  # type: ignore
+
     def __call__(self, times: np.ndarray) -> np.ndarray:
         return self._pieces.whole(times)
 

@@ -142,7 +142,12 @@ class Motions(Protocol):
         """The data that identify them, in addition to the Programs, numbers and options."""
 
     def __call__(
-        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
+        self,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        times: np.ndarray,
+        stopped: Callable[[], bool],
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states and outputs up to where a motion came, and what `Results.note` needs.
 
@@ -315,7 +320,8 @@ class Batch:
         for k in range(m):
             if self.stopped():
                 raise KeyboardInterrupt
-            found, outputs, info = motions(self.x[k], self.r[k], self.p[k], times)
+            own = self.x[k], self.r[k], self.p[k]
+            found, outputs, info = motions(*own, times, self.stopped)
             results.states[:, k, : len(found)] = found.T
             results.outputs[:, k, : len(outputs)] = outputs.T
             if results.columns is not None and len(found):
