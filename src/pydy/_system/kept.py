@@ -53,7 +53,8 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     held = surely_held(at)[0]
     if not held:
         _check_constant(at)
-    told = "" if held else violations(at, redundant=False)
+    look: Callable[..., Any] = is_off if mended else violations  # nothing is told of it
+    told = not held and look(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.unimplied
     if unimplied and (found := contradicted(at.values(rates))):
@@ -63,7 +64,7 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
         return False
     if not told:
         check_redundant(at)
-        told = violations(at)
+        told = look(at)
     if told and not mended:
         remedy = "Call `system.set_dependent_initial_conditions()` first."
         if whose:
@@ -141,13 +142,28 @@ def violations(
     """
     if surely_held(at)[0]:
         return ""
+    judged = _judged(at, redundant, before, blocks)
+    return described(float(at.t[0]), *judged, ConstraintNames(at.definition.equations))
+
+
+def is_off(at: At, redundant: bool = True) -> bool:
+    """Return whether a state has `violations`, without naming them: printing takes long."""
+    residuals, allowed = _judged(at, redundant)
+    return not (np.abs(residuals) <= allowed).all()
+
+
+def _judged(
+    at: At,
+    redundant: bool,
+    before: At | None = None,
+    blocks: tuple[bool, bool] = (True, True),
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the residuals of a state, zero where rows do not count, and the allowed ones."""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
     equations, (q, v) = at.definition.equations, blocks
     looked_at = _rows_of(equations, q, q and redundant, v, v and redundant)
-    residuals = np.where(looked_at, residuals, 0.0)
-    allowed = allowed_after(DIGITS * bounds, inherited)
-    return described(float(at.t[0]), residuals, allowed, ConstraintNames(equations))
+    return np.where(looked_at, residuals, 0.0), allowed_after(DIGITS * bounds, inherited)
 
 
 def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
