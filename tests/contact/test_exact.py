@@ -12,6 +12,7 @@ from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
+from pydy.solvers import Event
 from touching import (
     TIGHT,
     J,
@@ -668,3 +669,23 @@ def test_contacts_at_times_that_begin_late():
         system.times = start + np.array([0.0, 0.5, 1.0])
         heights.append(Contacts(system, [floor]).simulate(rtol=1e-8, atol=1e-8)["y"])
     assert heights[1] == pytest.approx(heights[0], abs=1e-6)
+
+
+def test_symbols_of_events_alone_are_constants_too():
+    system, floor = ball(restitution=0.5)
+    level = sm.Symbol("level")
+    system.initial_conditions, system.times = {y: 1.0}, [0.0, 0.4]
+    contacts = Contacts(system, [floor])
+    events = [Event(y - level, name="passes")]
+    contacts.simulate(events=events)
+    system.constants[level] = 0.5
+    motion = contacts.simulate(events=events, **TIGHT)
+    assert motion.events[0].time == pytest.approx((1.0 / 9.81) ** 0.5)
+    made, contacts = contacts._kept, Contacts(system, [floor])
+    contacts.simulate(events=events, **TIGHT)
+    assert made.constants == contacts._kept.constants
+    several = system.integrate_ensemble(
+        contacts=contacts, events=events, constants={level: [0.5, 0.3]}, reduce="events"
+    )
+    wanted = [[0.5], [0.7]]
+    assert several["passes_times"].values[:, :1] ** 2 * 9.81 / 2 == pytest.approx(np.array(wanted))

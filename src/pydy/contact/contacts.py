@@ -147,8 +147,8 @@ class Contacts:
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
 
-    def _now(self) -> tuple[Snapshot, Compiled]:
-        now = self.system._now(self.symbols)
+    def _now(self, events: Any = None) -> tuple[Snapshot, Compiled]:
+        now = self.system._now(events, contacts=self)
         if self._kept is None or self._kept.definition != now.definition:
             self._kept = Compiled(self.system, now, self.contacts, self.hypothesis)
         return now, self._kept
@@ -323,7 +323,7 @@ class Contacts:
                 "Contacts need a native solver, which locates events: set `system.ode_solver = "
                 "'dop853'`, or another one of pydy.solvers."
             )
-        now, kept = self._now()
+        now, kept = self._now(events)
         given = [] if events is None else [*check_events(events, now.definition.places["states"])]
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
@@ -374,7 +374,7 @@ class Motions:
         self._given = (
             [] if given is None else [*check_events(given, now.definition.places["states"])]
         )
-        definition, kept = now.definition, self.contacts._now()[1]
+        definition, kept = now.definition, self.contacts._now(self._given)[1]
         self.outputs = kept.outputs
         self.events = (*kept.transitions, *(event.name for event in self._given))
         self._states, self._constants = definition.states, definition.constants
@@ -386,7 +386,7 @@ class Motions:
         events = [(e.name, e.expression, e.direction, e.terminal) for e in self._given]
         held = self.options.get("constraints")
         about = self.contacts.hypothesis, events, held, self.columns, self._control
-        return *about, self.contacts._now()[1].rows.identity
+        return *about, self.contacts._now(self._given)[1].rows.identity
 
     def __call__(
         self,
@@ -398,7 +398,7 @@ class Motions:
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         if self.contacts._kept is None:  # in another process
-            self.contacts._now()
+            self.contacts._now(self._given)
         system = copy(self.contacts.system)
         contacts = self.contacts.of(system)
         system.initial_conditions = dict(zip(self._states, x.tolist(), strict=True))

@@ -200,9 +200,11 @@ class Mode:
         square = [[dot(g, a, b) for b in matrix] for a in matrix]
         shares = g.solve(square, [left], "lu")[0]
         return [
-            g.add(own, dot(g, column, shares))
-            for own, column in zip(bias, zip(*matrix, strict=True), strict=True)
-        ]
+            g.sum([(own, 1.0), *(
+                (g.mul(line[k], s), 1.0) for line, s in zip(matrix, shares, strict=True)
+            )])
+            for k, own in enumerate(bias)
+        ]  # fmt: skip
 
     def _direction(self, i: int, mode: str) -> list[int]:
         """Return the direction in which a contact slides.

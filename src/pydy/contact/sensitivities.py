@@ -260,13 +260,18 @@ class Carried(Transitions):
         self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
     ) -> dict[str, Any]:
         """Simulate in one mode, with S at the start `given`."""
+        self._columns[self.now.times == now.times[0]] = given
         controlled = self._controlled or mode.turns
         wanted = Wanted([*self._counts], controlled, None, given, mode.untimed)
         return simulated(now, solver, options, wanted)
 
     def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
-        """Keep S⁺ of what begins at a time, and note it in the records of the transition there."""
+        """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
         self._columns[self.now.times == start] = given
+        self._note(start, given, records)
+
+    def _note(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
+        """Note S⁺ in the records of the transition that led to it."""
         told: dict[str, Any] = {
             "time_sensitivity": np.where(self.doubtful, np.nan, self.time),
             "sensitivity_before": self._before,
@@ -279,7 +284,7 @@ class Carried(Transitions):
     def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
         """Keep a part of the motion."""
         start, values = part.times[0], part.sensitivities[1]
-        self.begun(start, values[0], records)
+        self._note(start, values[0], records)
         rows = (self.now.times > start) & (self.now.times <= end)
         self._columns[rows] = values[1 : 1 + int(rows.sum())]
 
