@@ -52,7 +52,7 @@ def resolve(generator: Any) -> type:
 
 
 def refusal(generator: Any) -> NotImplementedError:
-    """Return the error for what is no code generator."""
+    """Return the error for a value that is no code generator."""
     meant = nearest(generator, names(), or_all=False) if isinstance(generator, str) else ""
     message = (
         f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
@@ -62,7 +62,7 @@ def refusal(generator: Any) -> NotImplementedError:
 
 
 def compile_program(program: Program | Tangent, generator: Any, options: dict[str, Any]) -> Kernel:
-    """Compile a Program; also what a pickled Kernel calls where it lands."""
+    """Compile a Program; an unpickled Kernel calls this too."""
     return compiled_by(resolve(generator)(**options), program)
 
 

@@ -161,7 +161,7 @@ class Writer:
 
 
 def stages(program: Program) -> tuple[list[int], list[int]]:
-    """Return the nodes of the set-up stage and of the run stage without those of fallbacks."""
+    """Return the nodes of the set-up and run stages, without those of fallbacks."""
     put_off = {k for nodes in program.fallback.values() for k in nodes}
     nodes = [k for k in range(len(program.ops)) if k not in put_off]
     return [k for k in nodes if program.setup[k]], [k for k in nodes if not program.setup[k]]

@@ -62,7 +62,7 @@ class _Sweep:
             self.terms.setdefault(node, []).append((term, coefficient))
 
     def of(self, node: int) -> int:
-        """Return the adjoint of a node; what comes by one way of a switch stays under it."""
+        """Return the adjoint of a node; a switch selects contributions from its sides."""
         g, terms = self.graph, self.terms.get(node, ())
         ways: dict[tuple[int, bool], Terms] = {}
         rest: Terms = []
@@ -130,7 +130,7 @@ class _Sweep:
             self.add(part, term, sign)
 
     def _guard(self, node: int) -> None:
-        """Hand on what comes of the way that the solution was found in, or of the system."""
+        """Pass on a guard's adjoint: along the fast side where sound, else to the system."""
         g, bars = self.graph, self.vectors.get(node)
         if not bars:
             return
@@ -163,7 +163,7 @@ class _Sweep:
         column: Sequence[int],
         multipliers: Sequence[int],
     ) -> list[tuple[int, int, float]]:
-        """Return what a system hands on to its parts: b̄ = λ and Ā = −λ xᵀ, with signs."""
+        """Return the adjoints of a linear system's parts: b̄ = λ and Ā = −λ xᵀ, with signs."""
         g = self.graph
         kind, n, entries = system
         entries = symmetric(n, entries) if kind == "ldl" else entries

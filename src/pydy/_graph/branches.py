@@ -45,14 +45,14 @@ def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[in
 
 
 def _turning(graph: Graph, node: int) -> int:
-    """Return what changes its sign where a node is a whole number."""
+    """Return a node that changes its sign where another one is a whole number."""
     return graph.call("sin", graph.mul(graph.const(math.pi), node))
 
 
 def sides(
     graph: Graph, nodes: Sequence[int], switch: int, bends: bool = False
 ) -> tuple[list[int], list[int]]:
-    """Return what nodes are above and below one of their switches, each continued beyond it.
+    """Return nodes as they are above and below one of their switches, each continued beyond it.
 
     The larger and smaller of two are continued if what only `bends` there is to be, too.
     """

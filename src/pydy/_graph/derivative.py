@@ -229,7 +229,7 @@ def _holds_root(g: Graph, term: int, others: Sequence[tuple[int, int]]) -> bool:
 
 
 def _by_argument(g: Graph, node: int, others: Sequence[tuple[int, int]]) -> bool:
-    """Return whether a factor is differentiated by its argument, with what it is multiplied by."""
+    """Return whether a factor is differentiated by its argument, together with its cofactors."""
     if g.ops[node] not in ("sqrt", "asin", "acos", "acosh") or not is_steep(g, node):
         return False
     if is_carried(g, node) or g.ops[g.args[node][0]] in ("max", "min", "select"):

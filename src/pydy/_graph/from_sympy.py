@@ -166,7 +166,7 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
     def of(
         cls, graph: Graph, node: int, symbols: Mapping[int, Any], name: Any = None
     ) -> NodeExpression:
-        """Return the expression of a node; `symbols` says what each input stands for.
+        """Return the expression of a node; `symbols` are those of the inputs.
 
         It prints as its name, which may be an expression, or as a number.
         """
@@ -232,7 +232,7 @@ HANDLERS: dict[Any, Handler] = {
 
 
 def _handler(kind: type) -> Handler | None:
-    """Return what translates expressions of a SymPy class, or None."""
+    """Return the translator of expressions of a SymPy class, or None."""
     handler = HANDLERS.get(kind)
     if handler is None and issubclass(kind, sm.Basic) and not issubclass(kind, AppliedUndef):
         name = named_in_sympy(kind.__name__)

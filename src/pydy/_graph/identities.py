@@ -34,7 +34,7 @@ def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
 def evaluated(
     graph: Graph, nodes: Sequence[int], *, solving: bool = False
 ) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
-    """Return each node's value, what it divides by and calls, and its cost written out as a tree.
+    """Return each node's value, denominators, calls, and its cost written out as a tree.
 
     Functions other than sine and cosine count as calls.
     """
@@ -134,7 +134,7 @@ def _known(known: dict[float, int], number: float) -> int:
 
 
 def _kind(op: str, args: tuple[object, ...]) -> tuple[object, ...]:
-    """Return what of a node's arguments is not another node."""
+    """Return the arguments of a node that are not nodes."""
     if op == "factor":
         return args[:2]
     if op == "item":

@@ -73,7 +73,7 @@ def run(
 
 
 class _Samples:
-    """Values of operations at m samples; what only the fallbacks of guards need is put off."""
+    """Values of operations at m samples; those for guards' fallbacks on demand."""
 
     def __init__(
         self,

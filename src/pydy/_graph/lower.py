@@ -124,7 +124,7 @@ class _Lowering:
         return tape.make(op, *(new[a] for a in args))
 
     def _fallback(self, guard: int) -> None:
-        """Lower again what the fallback of a guard and those before it need, but no call."""
+        """Lower again the operations of a guard's fallback, except function calls."""
         tape, graph = self.tape, self.graph
         if not tape.called:
             return

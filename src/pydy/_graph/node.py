@@ -380,7 +380,7 @@ class Graph(Nodes):
 
 
 def _is_counted(op: str, args: tuple[Any, ...]) -> bool:
-    """Return whether a factor stays what it is in a product."""
+    """Return whether a factor stays a factor of its own in a product."""
     if op != "sum":
         return op not in _SPECIAL_FACTORS
     c0, terms = args
@@ -409,5 +409,5 @@ def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
 
 
 def input_symbols(graph: Graph, **groups: Iterable[Any]) -> dict[int, Any]:
-    """Return the symbol of each input node; the groups are those of `input_nodes`."""
+    """Return the symbol of each input node; for the groups see `input_nodes`."""
     return {graph.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}

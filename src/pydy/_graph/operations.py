@@ -336,7 +336,7 @@ def symmetric(n: int, entries: Sequence[int]) -> list[int]:
 
 
 def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
-    """Return whether a guard solves for what constraints hold, by the mark of its last row.
+    """Return whether a guard solves a constrained system, by the mark of its last row.
 
     Rows so marked on the diagonal are constraints, in units of their rounding errors; as many as
     are marked `INDEPENDENT` are so at generic states (`pydy._graph.interpret.constrained`).

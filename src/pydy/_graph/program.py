@@ -177,7 +177,7 @@ class Program:
         sizes: tuple[int, int, int],
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     ) -> Program:
-        """Take from a tape what the blocks need, renumbered."""
+        """Make a Program of the operations in a tape that the blocks need, renumbered."""
         roots = [n for _, _, nodes in blocks for n in nodes]
         order = _in_order_of_need(tape, roots)
         new = {old: k for k, old in enumerate(order)}
@@ -228,7 +228,7 @@ class Program:
 
     @cached_property
     def digest(self) -> str:
-        """SHA-256 of everything that decides what the Program computes."""
+        """SHA-256 of everything that determines the Program's results."""
         sha = hashlib.sha256()
         sha.update(repr((self.num_states, self.num_specifieds, self.num_constants)).encode())
         for op, args in zip(self.ops, self.args, strict=True):
@@ -323,7 +323,7 @@ class Program:
 
 
 def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
-    """Return what the roots need, each value as late as possible before its first use.
+    """Order the operations of the roots: each value as late as possible before its first use.
 
     Few values are then alive at a time: machine code keeps them in registers, and the register
     allocator, whose time grows with the values alive, is done sooner. Of a sum's operands, one that
@@ -371,7 +371,7 @@ def _levels(tape: Tape) -> list[int]:
 
 
 def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
-    """Return the arguments of sines and cosines and then those, innermost first."""
+    """Return the arguments of sines and cosines, then these functions, innermost first."""
     seen = set(roots)
     stack = list(roots)
     while stack:

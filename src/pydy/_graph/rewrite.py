@@ -14,7 +14,7 @@ def rebuild(
     roots: Sequence[int],
     rule: Callable[[int, str, tuple[Any, ...]], int],
 ) -> list[int]:
-    """Return the roots with every node replaced by what ``rule(node, op, args)`` makes of it.
+    """Return the roots with every node replaced by the result of ``rule(node, op, args)``.
 
     The operands in `args` are already replaced.
     """

@@ -135,7 +135,7 @@ def _is_even(g: Graph, node: int) -> bool:
 def _polynomial(
     g: Graph, node: int, weight: int, slopes: dict[int, list[tuple[int, float]]]
 ) -> None:
-    """Add the slopes of a node times `weight` by what it is a polynomial of."""
+    """Add the slopes of a node times `weight`, as a polynomial of its bases."""
     if g.ops[node] == "sum":
         for n, c in g.args[node][1]:
             if not g.constant[n]:
@@ -156,7 +156,7 @@ def _polynomial(
 
 
 def _inner(g: Graph, node: int, weight: int, slopes: dict[int, list[tuple[int, float]]]) -> None:
-    """Add the slopes of what is no polynomial, of a wave by its argument."""
+    """Add the slopes of a node that is no polynomial; of a wave, by its argument."""
     if g.ops[node] in _SMOOTH:
         partials = OPERATIONS[g.ops[node]].partials
         assert partials is not None

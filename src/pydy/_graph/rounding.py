@@ -106,7 +106,7 @@ def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]
 
 
 def _within(g: Graph, factor: int) -> list[int]:
-    """Return what a product may be differentiated by in place of a factor.
+    """Return the nodes by which a product may be differentiated in place of a factor.
 
     y √y is differentiated by y, and a sum of roots times something term by term.
     """

@@ -37,7 +37,7 @@ class _Run:
         self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
 
     def all(self, passes: Sequence[tuple[str, Pass]]) -> int:
-        """Run passes one after another; take what costs less. Return what merging saved."""
+        """Run passes one after another, keeping cheaper results; return the savings by merging."""
         merged = 0
         for name, function in passes:
             if name not in self.passes or self._left.get(name) == self.nodes:
@@ -55,7 +55,7 @@ class _Run:
 def _around_guards(
     graph: Graph, roots: Sequence[int], guards: Sequence[int], passes: Passes
 ) -> list[int]:
-    """Simplify what every call computes; what only a guard's fallback needs stays as it is."""
+    """Simplify operations of every call; leave those for guards' fallbacks alone."""
     away = {guard: graph.input("guard", k) for k, guard in enumerate(guards)}
     hot = [[graph.args[guard][3], *graph.args[guard][4]] for guard in guards]
     every = substitute(graph, [*roots, *(n for part in hot for n in part)], away)

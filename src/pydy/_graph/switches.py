@@ -42,5 +42,5 @@ class Passes:
         return cls(frozenset(cls.names()) - {"ldl", "lu"})
 
     def running(self) -> tuple[str, ...]:
-        """Return the names of those that are on."""
+        """Return the names of the passes that are on."""
         return tuple(name for name in self.names() if name in self)

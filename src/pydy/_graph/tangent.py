@@ -50,7 +50,7 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """Derivatives along directions, with those attributes of a Program that kernels need."""
+    """Derivatives along directions, with the attributes of a Program that kernels need."""
 
     shared: Program  # the values that come first among the outputs, if any, and a block 'shared'
     parts: tuple[Part, ...]  # columns of no part are zero
@@ -93,7 +93,7 @@ class Tangent:
 
     @property
     def carried(self) -> range:
-        """At most what the setup stage leaves for the run stage, in number."""
+        """An upper bound on the number of values passed from the set-up to the run stage."""
         # Vectors of columns may be filled up: to less than twice as many.
         parts = (2 * part.count * len(part.program.carried) for part in self.parts)
         return range(len(self.shared.carried) + sum(parts))
@@ -111,7 +111,7 @@ class Tangent:
 
     @cached_property
     def digest(self) -> str:
-        """SHA-256 of everything that decides what is computed."""
+        """SHA-256 of everything that determines the results."""
         parts = (f"{p.first} {p.count} {p.program.digest}" for p in self.parts)
         directions = None if self.directions is None else self.directions.tolist()
         text = (self.shared.digest, *parts, repr(self.shape), repr(directions))
@@ -119,7 +119,7 @@ class Tangent:
 
     @property
     def operation_count(self) -> dict[str, Counter[str]]:
-        """Operations by kind; those of a part once for every column."""
+        """Operations by kind; a part counts once for every column."""
         counts = {stage: own.copy() for stage, own in self.shared.operation_count.items()}
         for part in self.parts:
             for stage, own in part.program.operation_count.items():
@@ -128,7 +128,7 @@ class Tangent:
         return counts
 
     def written_out(self) -> Program:
-        """Return the Program of all columns one after the other, for back ends that take those."""
+        """Return the Program of all columns in turn, for back ends that do not take Tangents."""
         tape, n = Tape(), self.shared.num_states
         values = _copied(tape, self.shared, {})
         zero = tape.const(0.0)
@@ -315,7 +315,7 @@ class _Parting:
         )
 
     def _put_off(self) -> list[int]:
-        """Return the shared values; what only fallbacks need is behind guards here too."""
+        """Return the shared values; values for fallbacks alone stay behind guards."""
         whole, groups = self._whole, dict[int, list[int]]()
         for node in self._places:
             guard = node
@@ -451,7 +451,7 @@ def _turns(columns: int) -> int:
 
 
 def _within(cost: Counter[int], first: int, stop: int) -> Counter[int]:
-    """Return what some of the columns execute."""
+    """Return the operations that some of the columns execute."""
     mask = (1 << stop) - (1 << first)
     own: Counter[int] = Counter()
     for bits, operations in cost.items():

@@ -123,7 +123,7 @@ def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, Any]:
 
 
 def _joined(kinematics: Kinematics, parts: Parts) -> Parts:
-    """Add components in the same frame; leave out what is zero."""
+    """Add components in the same frame, without zeros."""
     found: dict[Any, Vec] = {}
     for v, frame in parts:
         found[frame] = kinematics.plus(found[frame], v) if frame in found else v
@@ -175,7 +175,7 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
 
 
 def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | None:
-    """Return the component of a place that is taken off, beside that along the hinge before.
+    """Return the component of a position to remove, in addition to that along the inner hinge.
 
     The way along the axis is that component over the direction's, which must not be small: between
     nearly parallel hinges the other point would be far away, and between parallel ones nowhere.
@@ -263,7 +263,7 @@ class _Alignment:
                 self._write(body, body.root, self.unit)
 
     def _needed(self) -> list[Any]:
-        """Return the frames of bodies, loads and places, and those between them and the ground."""
+        """Return the frames of bodies, loads and positions, and all between them and the ground."""
         k = self.kinematics
         frames = {b.frame for b in k.body.bodies if hasattr(b, "frame")}
         frames |= {where for where, _ in k.loads}
@@ -279,7 +279,7 @@ class _Alignment:
     # -- what there is ----------------------------------------------------------------------------
 
     def _classified(self, frame: Any) -> _Body | None:
-        """Add a frame to what its parent moves with, or return a body of its own."""
+        """Add a frame to its parent's group if it is fixed there, or return a new group."""
         k, g = self.kinematics, self.graph
         before = k.tree.parent(frame)
         body = _Body(frame, before, frames={frame: self.unit})
@@ -431,7 +431,7 @@ class _Alignment:
         self._write(body, axes, own)
 
     def _fixed(self, home: Any, matrix: Matrix, body: _Body) -> Any:
-        """Return axes that are fixed beside others."""
+        """Return axes that are fixed relative to others."""
         if matrix == self.unit:
             return home
         k = self.kinematics
@@ -531,7 +531,7 @@ def _bends(
 def _own_axes(
     turn: _Turn, place: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
 ) -> np.ndarray:
-    """Return the matrix that gives components in a body's axes from those in its frame."""
+    """Return the matrix from components in a body's frame to those in its axes."""
     if _axis(turn.own) == (index, sign) and np.count_nonzero(_snapped(sum(ahead[:1], _ZERO))) < 3:
         return _UNIT
     if not ahead:
@@ -562,7 +562,7 @@ def _angle(even: np.ndarray, odd: np.ndarray, index: int) -> tuple[float, float]
 
 
 def _circle(graph: Graph, terms: list[tuple[int, float]], start: float) -> tuple[int, int]:
-    """Return cosine and sine of a sum; those of the sum without right angles."""
+    """Return cosine and sine of a sum, of which right angles are taken out."""
     quarters = round(start / (np.pi / 2))
     start -= quarters * np.pi / 2
     phi = graph.sum(terms, 0.0 if abs(start) < ROUNDED else start)

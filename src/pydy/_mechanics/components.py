@@ -57,7 +57,7 @@ def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
 
 
 def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Leave out what rotations by numbers leave of zeros: so small a share of one vector."""
+    """Drop components that are rounding errors of numeric rotations, relative to the vector."""
     rows = [graph.linear(n) for n in nodes]
     sizes: dict[int, float] = {}
     for row in rows:

@@ -103,7 +103,7 @@ def _unmoved(k: Kinematics, velocity: Vec, place: Vec, held: list[int]) -> tuple
 
 
 def _place_of(k: Kinematics, where: Any) -> Vec:
-    """Return components of what turns a frame, or leads to a point from one that may be fixed."""
+    """Return the components that orient a frame, or locate a point from another one."""
     if isinstance(where, ReferenceFrame):
         return [*k.vector(where.x, k.inertial), *k.vector(where.y, k.inertial)]
     fixed = (way for p, way in places(where).items() if k.tree.velocity(p) == 0)
@@ -155,7 +155,7 @@ def warn_of_kinematics(equations: Equations) -> None:
 
 
 def _frames(k: Kinematics) -> Iterator[Moved]:
-    """Yield the frames by which bodies are oriented, beside their parents where that is known."""
+    """Yield the frames that orient the bodies, with their parents where known."""
     seen = {k.inertial}
     for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
         while frame not in seen and frame in k.tree.oriented:
@@ -225,7 +225,7 @@ def _depends_alike(k: Kinematics, what: str, place: Vec, velocity: Vec, points: 
 
 
 def _values(k: Kinematics, nodes: list[int], held: list[int]) -> np.ndarray:
-    """Return values at random states, those where all are numbers; there may be none."""
+    """Return values at random states where all of them are finite; there may be none."""
     with np.errstate(all="ignore"):
         found = numbers_of(k.graph, nodes, held)
     values: np.ndarray = found[np.isfinite(found).all(axis=1)]

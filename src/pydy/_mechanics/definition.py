@@ -172,7 +172,7 @@ class Definition:
 
     @cached_property
     def method(self) -> Any:
-        """What System shows as its `eom_method`: this, or what `as_method` makes of it, once."""
+        """The System's `eom_method`: this object, or the result of `as_method`, made once."""
         return self if self.as_method is None else self.as_method(self)
 
     def _kinematic(self, equations: Any, rates: Sequence[Any]) -> tuple[Any, ...]:

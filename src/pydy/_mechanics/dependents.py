@@ -89,7 +89,7 @@ class Chosen:
 
 
 def _without_errors(matrices: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return matrices with zeros for what is small in its row and within its bound."""
+    """Replace entries that are small in their row and within their rounding bound by zeros."""
     sizes = np.abs(matrices)
     small = sizes < HALF * sizes.max(axis=2, keepdims=True, initial=0.0)
     found: np.ndarray = np.where(small & (sizes <= bounds), 0.0, matrices)
@@ -97,7 +97,7 @@ def _without_errors(matrices: np.ndarray, bounds: np.ndarray) -> np.ndarray:
 
 
 def _in_one_size(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return matrices at several states with rows and columns of one size, and what brought them.
+    """Scale matrices at several states to rows and columns of size one; return the scales too.
 
     The largest of each is near one at one of the states: rows may vanish in singular positions.
     """
@@ -225,7 +225,7 @@ def _searched(
 
 
 def _of_rounding(states: GenericStates) -> list[int]:
-    """Return the rows that are zero but for rounding, and those whose terms are roundings already.
+    """Return rows that are zero up to rounding, and rows of terms that are rounding errors.
 
     In an oblique plane the directions of two hinges are parallel whatever the angles, up to what
     rounding leaves of terms that cancel. Where SymPy adds up numbers beforehand, it leaves a row of
@@ -322,13 +322,13 @@ def _known(
 
 
 def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return what is zero at all states but for rounding, and not by chance: its terms are not."""
+    """Return which values are zero up to rounding at all states although their terms are not."""
     left: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
     return left
 
 
 def _constant(states: GenericStates, rows: Iterable[int], sign: float = 1.0) -> list[int]:
-    """Return those rows that no input changes by more than rounding does, if all have a `sign`.
+    """Return the rows that no input changes by more than rounding, with inputs of one `sign`.
 
     A row of large terms may be no more than their rounding, but changes with what they hold.
     """

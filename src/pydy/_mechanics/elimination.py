@@ -32,7 +32,7 @@ from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
 
 @dataclass(frozen=True)
 class _Passed:
-    """A group of anchors that handed over: their rows, and those in one step."""
+    """An eliminated group of anchors: their rows, and the rows of the whole step."""
 
     rows: dict[int, Row]
     whole: dict[int, Row]
@@ -196,7 +196,7 @@ class _Push:
                             yield a, b, graph.mul(x, y, matrix[i][j]), 1.0
 
     def _weigh(self, inertia: Inertia, rows: list[Row]) -> None:
-        """Note what a velocity weighs, of two each by itself."""
+        """Record the inertia of a velocity vector as a weight of its anchors."""
         for start in range(0, len(rows), 3):
             own = range(start, start + 3)
             trace = [(inertia.matrix[i][i], 1.0) for i in own if rows[i]]
@@ -224,7 +224,7 @@ class _Push:
         return node
 
     def pass_on(self, group: list[int]) -> _Passed:
-        """Let a group of anchors hand its form and forces over to what it is made of."""
+        """Transfer a group's quadratic form and forces to the anchors it depends on."""
         graph = self.graph
         rows = {k: self.own[k] for k in group}
         within = [[self.entry(a, b) for b in group] for a in group]
@@ -281,7 +281,7 @@ class _Push:
         return True
 
     def _moves(self, order: list[list[int]]) -> None:
-        """Find out which speeds move each anchor, and those that weigh together with it."""
+        """Find which speeds move each anchor and the anchors coupled to it."""
         bits = {s: 1 << k for k, s in enumerate(self.speeds)}
         for group in reversed(order):
             for k in group:
@@ -296,7 +296,7 @@ class _Push:
             self._found(s, {s: self.graph.one})
 
     def _found(self, speed: int, slopes: dict[int, int]) -> None:
-        """Note what velocities themselves weigh when a speed moves them.
+        """Record a lower bound of a speed's pivot: the inertia of the velocities that it moves.
 
         A pivot is not below that, once speeds are eliminated that do not move these velocities: it
         is the least that the bodies weigh, whatever those do.
@@ -342,7 +342,7 @@ def _key(a: int, b: int) -> tuple[int, int]:
 def _needed(
     order: Sequence[list[int]], rows: Mapping[int, Row], wanted: set[int]
 ) -> list[list[int]]:
-    """Return what of the groups is wanted, and what that is made of; the outer ones first."""
+    """Return the wanted anchors of each group and the ones they depend on, outer groups first."""
     found = []
     for group in order:
         if needed := [k for k in group if k in wanted]:
@@ -352,7 +352,7 @@ def _needed(
 
 
 def _sorted_groups(groups: list[list[int]], rows: dict[int, Row]) -> list[list[int]]:
-    """Return groups after what they are made of; single anchors where groups hang on each other.
+    """Sort groups after those they depend on; split groups that depend on each other.
 
     In the order in which they were made they are not always sorted: a node can be made of another
     that became an anchor later. That order is kept as far as it goes, a body at a time.
@@ -423,7 +423,7 @@ def _mean_squares(push: _Push, home: dict[int, int]) -> list[dict[int, int]]:
 
 
 def _without_state(graph: Graph, nodes: list[int]) -> list[int]:
-    """Write what is the same in every state without the state."""
+    """Rewrite nodes that are equal in every state without the state."""
     moving = graph.inputs(nodes, moving=True)
     if not moving:
         return nodes

@@ -104,13 +104,13 @@ class Mechanism:
 
 
 def _sum_of_products(a: Iterable[Any], b: Iterable[Any]) -> Any:
-    """Multiply two vectors of three; SymPy's matrices spend more on what they are made of."""
+    """Return the scalar product of two vectors, faster than by SymPy's matrices."""
     return sm.Add(*(x * y for x, y in zip(a, b, strict=True) if x != 0 and y != 0))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Equations:
-    """Equations of motion ``M u' = F`` with kinematics ``q' = G``, and what constrains them."""
+    """Equations of motion ``M u' = F`` with kinematics ``q' = G`` and constraints."""
 
     time: sm.Symbol
     coordinates: tuple[Any, ...]
@@ -171,7 +171,7 @@ class Equations:
 
     @property
     def expressions(self) -> tuple[Any, ...]:
-        """What the equations of motion are made of, as far as it is written as expressions.
+        """The expressions in the equations of motion, as far as they are written as such.
 
         Constraints that were left out as redundant are so with the right numbers only.
         """
@@ -187,7 +187,7 @@ class Equations:
         )
 
     def in_states(self, expression: Any) -> Any:
-        """Return an expression with q' in terms of the states, and what is zero in motion left out.
+        """Return an expression in terms of the states, without auxiliary speeds.
 
         Each distinct sub-expression is rewritten once.
         """
@@ -201,7 +201,7 @@ class Equations:
 
     @cached_property
     def following(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """The places of residuals among the holonomic constraints, and of what they give in q."""
+        """The positions of residuals in the holonomic constraints, and of their unknowns in q."""
         if self.implicit is None:
             return (), ()
         rows = {*self.implicit.residuals.values()}
@@ -229,7 +229,7 @@ class Equations:
 
     @cached_property
     def residual_blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
-        """The same in blocks, of which each follows from those before."""
+        """The positions of residuals and unknowns in blocks that are solved one after the other."""
         rows, places = self.following
         residuals = [self.holonomic[k] for k in rows]
         blocks = blocks_of(residuals, [self.coordinates[k] for k in places])
@@ -260,7 +260,7 @@ class Equations:
 
     @property
     def constrained(self) -> bool:
-        """Whether there are constraints, those that were left out as redundant included."""
+        """Whether there are constraints, including redundant ones."""
         return bool(self.holonomic or self.velocity or any(self.left_out))
 
     @cached_property
@@ -273,7 +273,7 @@ class Equations:
 
     @cached_property
     def constraint_forces(self) -> ConstraintForces | None:
-        """What gives multipliers and reactions; None without bodies."""
+        """The equations of multipliers and reactions; None without bodies."""
         if self.multibody is None:
             return None
         self.check_unchanged()

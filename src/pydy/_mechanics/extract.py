@@ -46,7 +46,7 @@ def equations_of_system(
 def equations_of_joints(
     method: JointsMethod, source: str | None = None, implicit: Implicit | None = None
 ) -> Equations:
-    """Return the equations of a JointsMethod, as those of a System."""
+    """Return the equations of a JointsMethod, read like those of a SymPy System."""
     bodies = [_plain(body) for body in method.bodies]
 
     def definition() -> Definition:
@@ -153,7 +153,7 @@ def extract(
 
 
 def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
-    """Return the reader of a user's object, which tells what contradicts itself in it."""
+    """Return the reader of a user's object, which refuses contradictions in it."""
 
     def reader(*args: Any) -> Equations:
         found = read(*args)

@@ -137,7 +137,7 @@ class ConstraintForces:
         name: str,
         noncontributing: Iterable[Any] = (),
     ) -> tuple[Vector, Vector]:
-        """Return force and torque about a point of what holds some bodies, beside the loads.
+        """Return force and torque about a point that hold some bodies, besides the loads.
 
         The `members` are these bodies, and massless points and frames whose loads act on them;
         further `loads` are pairs of a Point or ReferenceFrame and a Vector. The components are in
@@ -174,7 +174,7 @@ class ConstraintForces:
 
     @cached_property
     def _owners(self) -> dict[Any, list[Any]]:
-        """What each load's point or frame moves with: bodies, or the inertial frame for ground."""
+        """The bodies that each load's point or frame moves with, or the inertial frame."""
         k, bodies = self._kinematics, self.body.bodies
         found = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
         still, rest, rigid = {}, [], [b for b in bodies if is_rigid(b)]
@@ -230,7 +230,7 @@ class ConstraintForces:
         return line
 
     def _fixed_to(self, frames: Sequence[Any]) -> dict[Any, list[Any]]:
-        """Return what each frame is fixed to: of all that turns as it does, what is nearest to it.
+        """Return the bodies that turn like each frame: of several, the nearest ones.
 
         A carriage turns as the ground does.
         """

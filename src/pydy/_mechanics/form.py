@@ -73,7 +73,7 @@ class Formed:
     simplified: tuple[Graph, list[int]] | None = None
 
     def inputs(self) -> set[tuple[str, int]]:
-        """Return the inputs that q', M, F and u' depend on, and the constants of what moves."""
+        """Return the inputs of q', M, F and u', and the constants of moving bodies."""
         graph = self.graph
         roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
         roots += self.accelerations or []
@@ -86,7 +86,7 @@ class Formed:
         return [groups[g][k] for g, k in sorted(self.inputs()) if g in groups]
 
     def input_symbols(self, time: Any, states: Sequence[Any]) -> dict[int, Any]:
-        """Return what each input node stands for, derivatives of speeds left out."""
+        """Return the symbol of each input node, except derivatives of speeds."""
         return input_symbols(self.graph, t=[time], x=states, p=self.constants, r=self.specifieds)
 
     def energy(self, time: Any, coordinates: Sequence[Any], speeds: Sequence[Any]) -> Any:
@@ -203,7 +203,7 @@ def useful_axes(body: Multibody) -> list[bool]:
 
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
-    """Return what is zero for each auxiliary speed: its active less its inertia force."""
+    """Return the residual for each auxiliary speed: its active minus its inertia force."""
     kinematics = moving(body, in_bodies=True, auxiliary=True, driven=True)
     g, n = kinematics.graph, len(kinematics.speeds)
     _, rest = composite(kinematics, [], loads_and_inertias(kinematics)[1])
@@ -371,7 +371,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
 
 
 def disagreeing(kinematics: Kinematics) -> list[Any]:
-    """Return the points whose given velocity is not what follows from their place.
+    """Return the points whose given velocity contradicts their position.
 
     That is, if those that they are reached from move as they are said to, each with the given
     velocity if it is one of the points returned.
@@ -482,7 +482,7 @@ def alike(graph: Graph, a: Vec, b: Vec) -> bool:
 
 
 def _split(graph: Graph, node: int) -> tuple[float, int]:
-    """Return a number and what it multiplies."""
+    """Split a node into a number and the rest of the product."""
     value = graph.value(node)
     return graph.scaled(node) if value is None else (value, graph.one)
 
@@ -535,7 +535,7 @@ def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
 
 
 def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the inputs, and what is looked at as if it were one."""
+    """Return the inputs, and nodes that are treated like inputs."""
     found: dict[int, None] = {}
     seen, left = set(nodes), list(nodes)
     while left:

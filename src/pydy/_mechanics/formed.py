@@ -189,7 +189,7 @@ def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
 
 @collector_paused()
 def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
-    """Return the formed equations of motion, or None where those of the method hold."""
+    """Return the equations formed from bodies, or None where the method's own are kept."""
     why = _unfit(equations, body)
     if not why:
         try:
@@ -251,7 +251,7 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
 
 
 def _magnitudes(matrix: np.ndarray) -> np.ndarray:
-    """Return the sizes of entries; what is nearly nothing may be what cancelling terms left.
+    """Return the sizes of entries; tiny ones may be left over from cancelling terms.
 
     Rows and columns are scaled until their largest entries are about 1, as units would do.
     """
@@ -373,7 +373,7 @@ class _Space:
 
 
 def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:
-    """Return the block of linear equations in the speeds: coefficients, and what is left."""
+    """Split linear equations in the speeds into coefficients and constant terms."""
     g, speeds = states.graph, states.speeds
     cells: list[int] = []
     rows = jacobian_rows(g, nodes, speeds)

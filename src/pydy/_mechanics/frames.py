@@ -37,12 +37,12 @@ class Frames:
         self._planes: dict[Any, list[list[Vec]]] = {}
 
     def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
-        """Add axes behind others, which turn so beside them; None if they are fixed."""
+        """Add axes after others; `turns` is their angular velocity, None if fixed."""
         self.above[axes], self.steps[axes], self.turns[axes] = above, step, turns
         self.tree.oriented[axes] = depth
 
     def write(self, frame: Any, axes: Any, matrix: list[Vec] | None) -> None:
-        """Let components in a frame be turned into those in axes that are fixed in it."""
+        """Write components of a frame in other axes that are fixed in it."""
         self.written[frame] = axes, matrix
 
     def axes(self, frame: Any) -> Any:
@@ -76,11 +76,11 @@ class Frames:
         return way
 
     def is_fixed(self, axes: Any) -> bool:
-        """Return whether axes do not turn beside those that they were put behind."""
+        """Return whether axes are fixed in those that they were added after."""
         return axes in self.turns and self.turns[axes] is None
 
     def step(self, axes: Any) -> list[Vec]:
-        """Return the matrix that gives components in axes from those in their parent."""
+        """Return the matrix from components in the parent to components in some axes."""
         if axes not in self.steps:
             above = self.tree.parent(axes)
             self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
@@ -93,7 +93,7 @@ class Frames:
         return self._planes[axes]
 
     def given(self, frame: Any, parent: Any) -> list[Vec]:
-        """Return the user's matrix that gives components in a frame from those in its parent."""
+        """Return the user's matrix from components in the parent to those in a frame."""
         matrix = self.tree.rotation(frame, parent)
         return [self.read.all(matrix.row(i)) for i in range(3)]
 

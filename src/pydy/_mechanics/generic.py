@@ -165,7 +165,7 @@ class GenericStates:
         return closed(list(self.samples([*blocks, *self.closing()], trials, **options)))
 
     def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
-        """Return how far values of nodes may be from those where the constraints hold exactly.
+        """Return bounds on the errors of nodes due to residuals of the constraints.
 
         Shape (samples, nodes). Roundings add to it, and what is left of the constraints: a step of
         Newton's method takes that away, so the state is not known better than by its length.
@@ -243,7 +243,7 @@ class GenericStates:
         return inputs
 
     def _resized(self, inputs: Inputs, near: Mapping[Any, float], gradient: np.ndarray) -> bool:
-        """Bring lengths that nothing tells from order one to those of the mechanism.
+        """Scale free lengths from order one to the size of the mechanism.
 
         Beside legs of one metre, offsets of nanometres vanish, and rows seem to follow from others.
         The mechanism's lengths are those `near` which it is assembled, or the levers of angles, as
@@ -283,9 +283,9 @@ class GenericStates:
         return [min(largest, turned / s) if s > 0.0 else lengths for s in steep]
 
     def _per_unit(self) -> np.ndarray:
-        """Return how much of a unit each of what may be moved is per its own: see `per_unit`.
+        """Return the natural units of coordinates and free numbers; see `per_unit`.
 
-        Coordinates, and then all that has no value.
+        Coordinates come first, then all symbols without a value.
         """
         graph, places = self.graph, [*self.coordinates, *self._others]
         slopes = per_unit(graph, [*self.holonomic, *self.velocity], places)
@@ -380,7 +380,7 @@ def units_of(samples: list[dict[str, np.ndarray]]) -> np.ndarray:
 def _solved(
     gradient: np.ndarray, residuals: np.ndarray, share: float, units: np.ndarray
 ) -> np.ndarray:
-    """Return the least step, in units, along what moves the residuals by more than a share."""
+    """Return the least step, in units, along directions that move the residuals noticeably."""
     gradient = gradient * units
     sizes = np.linalg.norm(gradient, axis=1)
     scale = np.where(sizes > 0.0, sizes, 1.0)
@@ -401,7 +401,7 @@ def row_units(tables: np.ndarray) -> np.ndarray:
 
 
 def column_units(tables: np.ndarray) -> np.ndarray:
-    """Return the unit of each column of tables at several states, a power of 1024 likewise.
+    """Return the unit of each column of tables at several states, a power of 1024 too.
 
     What moves by kilometres would stand still beside angles, which close no loop alone.
     """

@@ -143,7 +143,7 @@ class Implicit:
 
 
 def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
-    """Refuse what depends on speeds by a residual in positions and constraints."""
+    """Refuse positions and constraints that contain unknowns of residuals with speeds."""
     rates = zip(body.coordinates, body.coordinate_derivatives, strict=True)
     moved = {*body.speed_rates}
     found = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
@@ -193,7 +193,7 @@ def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -
 def blocks_of(
     residuals: Sequence[Any], unknowns: Sequence[Any]
 ) -> list[tuple[list[int], list[int]]]:
-    """Return the places of residuals and of what they give, in blocks that follow from others."""
+    """Return the positions of residuals and unknowns, in blocks that are solved in turn."""
     if len(residuals) <= 1:
         return [([k], [k]) for k, _ in enumerate(residuals)]
     from scipy.sparse import csr_array  # which other models do without

@@ -60,14 +60,14 @@ def points_of(kinematics: Kinematics) -> list[Any]:
 
 
 def loads_and_inertias(kinematics: Kinematics) -> tuple[list[Inertia], list[Load]]:
-    """Return what bodies and loads contribute."""
+    """Return the contributions of all bodies and loads."""
     return without_rest(kinematics, *contributions(kinematics, kinematics.body.bodies))
 
 
 def contributions(
     kinematics: Kinematics, bodies: Iterable[Any]
 ) -> tuple[list[Inertia], list[Load]]:
-    """Return what these bodies contribute, and all loads."""
+    """Return the contributions of some bodies, and of all loads."""
     inertias: list[Inertia] = []
     loads: list[Load] = []
     for body in bodies:
@@ -86,7 +86,7 @@ def contributions(
 def without_rest(
     kinematics: Kinematics, inertias: list[Inertia], loads: list[Load]
 ) -> tuple[list[Inertia], list[Load]]:
-    """Write 0 for velocities that vanish: what acts there, at a contact say, does no work."""
+    """Replace velocities that vanish by zero: forces there, as at a contact, do no work."""
     nodes = [n for a in inertias for n in a.velocity] + [n for b in loads for n in b.velocity]
     values = signatures(kinematics.graph, nodes)
     rest = {n for n, value in zip(nodes, values, strict=True) if not value}
@@ -185,7 +185,7 @@ class _Lump:
 
 
 def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
-    """Return what bodies and loads contribute, and the inertias as bodies have them.
+    """Return the contributions of bodies, lumped where possible, and loads; the inertias too.
 
     The last are what pivots are judged by. Bodies are joined where vectors are in their axes.
     """
@@ -240,7 +240,7 @@ class _Lumps:
     # -- bodies -----------------------------------------------------------------------------------
 
     def _joined(self, body: Any) -> bool:
-        """Add a body to what moves with its frame, unless it must be seen by itself."""
+        """Add a body to the lump of its frame, unless it must stay separate."""
         k, g = self.kinematics, self.graph
         if not is_rigid(body) or body.frame is k.inertial:
             return False
@@ -267,7 +267,7 @@ class _Lumps:
         return True
 
     def _spins(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
-        """Place what a wheel has beyond a body that does not spin; `tensor` becomes that body's."""
+        """Separate a wheel's spin; `tensor` becomes that of a body without spin."""
         k, g = self.kinematics, self.graph
         own, alpha = k.spin(frame, home)
         relative = [g.sub(a, b) for a, b in zip(own, k.spin(home)[0], strict=True)]
@@ -317,7 +317,7 @@ class _Lumps:
         ]
 
     def _add(self, lump: _Lump, part: _Lump, place: Vec) -> None:
-        """Add what is referred to a point at `place`."""
+        """Add inertia referred to a point at the position `place`."""
         g, axes = self.graph, range(3)
         moved = [g.sum([(part.first[i], 1.0), (g.mul(part.mass, place[i]), 1.0)]) for i in axes]
         lump.second = [
@@ -343,7 +343,7 @@ class _Lumps:
         lump.mass = g.add(lump.mass, part.mass)
 
     def _steiner(self, part: _Lump, moved: Vec, place: Vec, i: int, j: int) -> int:
-        """Return what an inertia has more about a point from which its own is at `place`."""
+        """Return the parallel-axis term of an inertia whose own point is at `place`."""
         g = self.graph
 
         def moment(a: int, b: int) -> int:
@@ -361,7 +361,7 @@ class _Lumps:
             self._hand_on(*key)
 
     def _hand_on(self, frame: Any, point: Any) -> None:
-        """Let what a joint leaves in place move with the body before."""
+        """Move the inertia that a joint does not displace to the body before."""
         k, g = self.kinematics, self.graph
         inner = before = k.frames.parent(frame) if frame in k.tree.oriented else None
         while k.frames.is_fixed(before):

@@ -350,7 +350,7 @@ def _partly_constant(g: Graph, node: int) -> bool:
 
 
 def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
-    """Return what loads do at the speeds."""
+    """Return the generalised forces of the loads."""
     return composite(kinematics, [], loads)[1]
 
 
@@ -368,7 +368,7 @@ def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
 
 @collector_paused()
 def rotation(body: Multibody, known: Known, frame: Any) -> Found:
-    """Return the matrix of a frame's axes as columns, in those of the inertial frame."""
+    """Return the matrix whose columns are a frame's axes in the inertial frame."""
     kinematics = moving(body, in_bodies=True)
     columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
     return known.found(kinematics, [column[i] for i in range(3) for column in columns])

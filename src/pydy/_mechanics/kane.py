@@ -18,7 +18,7 @@ from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:
-    """Return what the equations of a KanesMethod are made from.
+    """Read bodies, loads and kinematics of a KanesMethod.
 
     ``kanes_equations()`` need not have been called.
     """

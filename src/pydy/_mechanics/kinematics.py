@@ -125,7 +125,7 @@ class Kinematics:
         return self.dt(self.speeds)
 
     def symbols(self) -> dict[int, Any]:
-        """Return what each input node stands for, auxiliary speeds left out."""
+        """Return the symbol of each input node, except auxiliary speeds."""
         body, read, g = self.body, self.read, self.graph
         states = (*body.coordinates, *body.speeds)
         return input_symbols(
@@ -155,7 +155,7 @@ class Kinematics:
         return not self.frames.steps
 
     def _cosine(self, frame: Any) -> list[Vec]:
-        """Return the matrix that gives components in a frame from those in the inertial one."""
+        """Return the matrix from components in the inertial frame to those in a frame."""
         if frame not in self._cosines:
             parent, own = self.frames.parent(frame), self.frames.step(frame)
             if parent is not self.inertial:
@@ -295,7 +295,7 @@ class Kinematics:
         return found
 
     def turning(self, frame: Any) -> list[Vec]:
-        """Return [α] + [ω][ω] in a frame's axes: what a place there is to be multiplied by."""
+        """Return [α] + [ω][ω] in a frame's axes, which gives accelerations of positions."""
         if frame not in self._turnings:
             g, (w, alpha) = self.graph, self.spin(frame)
             matrix = [[g.zero] * 3 for _ in range(3)]
@@ -328,7 +328,7 @@ class Kinematics:
         return derived if self.equal(derived, theirs) else theirs
 
     def _falling(self, a: Vec, home: Any, pull: Vec | None) -> Vec:
-        """Return an acceleration as it is seen by what falls."""
+        """Return an acceleration relative to free fall."""
         if pull is None:
             return a
         own = self.expressed(pull, self.inertial, home)
@@ -352,7 +352,7 @@ class Kinematics:
     # -- points -----------------------------------------------------------------------------------
 
     def place(self, points: Iterable[Any]) -> None:
-        """Find out how points hang together; those whose motion is wanted must be among them."""
+        """Connect points by their positions; points whose motion is wanted must be there."""
         roles = {where: "which a load acts at" for where, _ in self.body.loads}
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
         self._ways, self._parts = self.tree.paths(points, roles), {}
@@ -452,7 +452,7 @@ class Kinematics:
         return point
 
     def fixed_step(self, point: Any) -> tuple[Any, Any, Vec] | None:
-        """Return a point, the frame in which another is fixed beside it, and the way from there.
+        """Return a point, the frame in which another is fixed to it, and the vector between.
 
         None where the point's own velocity is given, or the way is none of constants in one frame.
         """

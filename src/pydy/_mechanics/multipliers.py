@@ -35,7 +35,7 @@ _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows 
 
 @dataclass(frozen=True)
 class Constraints:
-    """Constraints of accelerations, J u' + b = 0, and what tells how well they hold."""
+    """Constraints of accelerations, J u' + b = 0, with the residuals of their integrals."""
 
     rows: Sequence[list[int]]  # Rows may depend on each other, but must not contradict each other
     drift: Sequence[int]
@@ -142,7 +142,7 @@ def accelerations(
 
 
 def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:
-    """Return what each speed gains of a unit of impulse by itself; zero where it moves no mass."""
+    """Return each speed's change per unit of impulse on it alone; zero where it moves no mass."""
     found = []
     for k, line in enumerate(matrix):
         massless = graph.call("eq", line[k], graph.zero)
@@ -182,7 +182,7 @@ def _constrained(
     sound: int | None = None,
     fast: Sequence[int] | None = None,
 ) -> list[int]:
-    """Return `fast` where it is sound, else the solution with rows in units of what is zero."""
+    """Return `fast` where it is sound, else the solution with rows scaled by their rounding."""
     n, d = len(forcing), len(held.rows)
     zero, one = graph.zero, graph.one
     shares = [
@@ -306,7 +306,7 @@ def _work_of_dense(n: int) -> int:
 def solved_soundly(
     graph: Graph, square: Sequence[list[int]], right: list[int], sizes: list[int]
 ) -> tuple[list[int], int]:
-    """Return the solution by LDLᵀ, and whether no pivot is small beside its row's size."""
+    """Return the solution by LDLᵀ, and whether no pivot is small relative to its row."""
     eliminated, sound = _Elimination(graph, square), graph.boolean(True)
     found = eliminated.solution(right)
     for pivot, size in zip(eliminated.pivots, sizes, strict=True):
@@ -315,7 +315,7 @@ def solved_soundly(
 
 
 def _usual(graph: Graph, own: Sequence[int]) -> list[int]:
-    """Return what squares of rows usually are, where a row of J may be about to vanish.
+    """Return the usual squared sizes of rows, where a row of J may be about to vanish.
 
     That is no more than the mean of all rows and than what the row would be at other states: rows
     in different units are compared with themselves. A square may be negative at states that are
@@ -355,7 +355,7 @@ def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 
 def _used_as_they_are(graph: Graph, nodes: Sequence[int]) -> set[int]:
-    """Return what nodes depend on other than through functions like the sine."""
+    """Return the inputs on which nodes depend other than through functions like the sine."""
     found: set[int] = set()
     ahead = list(nodes)
     while ahead:

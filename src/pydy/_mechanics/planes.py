@@ -64,7 +64,7 @@ class Detours:
                     self.rows[core] = {c: graph.mul(d, size) for c, d in row.items()}
 
     def arranged(self, groups: Sequence[Sequence[int]]) -> Groups:
-        """Return groups with those between two frames before the first that is handed on there.
+        """Insert the groups of intermediate axes before the first group that passes them.
 
         What is handed on by the same rotations can then be so together.
         """

@@ -50,7 +50,7 @@ _FAR = (-41.0, 41.0)  # six turns from there, or as many units
 
 @dataclass
 class Potential:
-    """What is known about the potential energy."""
+    """The potential energy, as far as it is known."""
 
     # Of the loads that were recognised, in terms of q, t, constants and specifieds.
     expression: Any = sm.S.Zero
@@ -243,7 +243,7 @@ class _Search:
     def _pathways(
         self, loads: list[tuple[Any, Any]], opposites: Sequence[Sequence[bool]]
     ) -> list[tuple[Any, Any]]:
-        """Take what pulls alike in all segments of a pathway, by its length; return the others."""
+        """Take loads that pull equally in all segments of a pathway; return the others."""
         segments: list[tuple[int, int, Any, Any]] = []  # two loads, the force by its line, L²
         for j in range(len(loads)):
             used = {i for pair in segments for i in pair[:2]}
@@ -270,7 +270,7 @@ class _Search:
         return [load for i, load in enumerate(loads) if i not in taken]
 
     def _of_length(self, segments: Sequence[tuple[Any, Any]]) -> Any:
-        """Return the energy of what pulls in segments, if that depends on their lengths' sum."""
+        """Return the energy of a pull along segments, if it depends on the sum of their lengths."""
         lengths = {sm.Dummy("L", positive=True): square for _, square in segments}
         law, (first, *others) = segments[0][0], lengths
         for length, square in lengths.items():
@@ -375,7 +375,7 @@ class _Search:
     # -- closed forms -----------------------------------------------------------------------------
 
     def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
-        """Take what can be integrated; return what lacks a place, and all that is unknown."""
+        """Take integrable loads; return those without a position, and all that are unknown."""
         rest = self._integrable(terms, self._integrate)
         # A constant force may lack a place that would tell its potential.
         constant = [t for t in rest if isinstance(t.where, Point) and self._is_constant(t.size)]
@@ -406,7 +406,7 @@ class _Search:
         return rest
 
     def _along_one_rate(self, terms: list[_Term]) -> list[_Term]:
-        """Take what works along one coordinate, whatever the speeds are; return the others.
+        """Take loads that do work along one coordinate, at any speeds; return the others.
 
         That is a load alone, or opposite torques on two frames, whose power is a force by the
         coordinate's rate: a spring or a stop of a joint.
@@ -499,7 +499,7 @@ class _Search:
 
     @cached_property
     def _single(self) -> list[tuple[Any, Any, Any]]:
-        """The coordinates with a speed that their rates are a number times, beside what else."""
+        """Coordinates with a speed and the constant factor of that speed in their rate."""
         found = []
         rates = self.equations.coordinate_derivatives
         for c, rate in zip(self.equations.coordinates, rates, strict=True):
@@ -549,7 +549,7 @@ def _primitive(force: Any, x: Any) -> Any:
 
 
 def _of_either_sign(energy: Any) -> Any:
-    """Return an integral with logarithms of either sign: what was integrated is a derivative."""
+    """Return an integral whose logarithms allow arguments of either sign."""
     return energy.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
 
 
@@ -574,7 +574,7 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
 
 
 def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int, int], bool]:
-    """Return what tells whether two of some vectors are opposite, up to the rounding of numbers.
+    """Return a function that tells whether two of the vectors are opposite, up to rounding.
 
     A law times a vector of decimals is rounded in other ways than its opposite.
     """
@@ -719,7 +719,7 @@ def _integral_of_powers(law: Any, distance: Any) -> Any:
 
 
 def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
-    """Return whether ``d potential/dt = -sum(powers)``, on both sides of what they switch at."""
+    """Return whether ``d potential/dt = -sum(powers)``, on both sides of every switch."""
     states = GenericStates(equations, (potential, *powers), "the energy")
     energy, lost = states.read(potential), states.read.all(powers)
     sums = [[*states.rates([energy]), *lost]]
@@ -773,7 +773,7 @@ def _small(pairs: np.ndarray, sums: Sequence[Sequence[int]]) -> bool:
 
 
 def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
-    """Return whether an energy is another on the two sides of a switch, right beside it."""
+    """Return whether an energy jumps at a switch."""
     above, below = sides(states.graph, [energy], switch)
     step = states.graph.sub(*above, *below)
     block = [("step", (1,), [step])]

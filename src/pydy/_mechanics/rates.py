@@ -120,7 +120,7 @@ def _cofactors(matrix: list[list[Any]]) -> list[list[Any]]:
 
 
 def divide_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
-    """Return whether all that is divided by in values is so in others, but for its sign."""
+    """Return whether all denominators of some values occur in others, up to sign."""
     divisors = [
         [p.base for e in part for p in sm.sympify(e).atoms(sm.Pow) if p.exp.is_negative]
         for part in (values, others)

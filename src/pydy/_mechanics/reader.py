@@ -41,7 +41,7 @@ Way = tuple[Any, tuple[Any, ...]]
 
 @dataclass(frozen=True, eq=False)
 class Multibody:
-    """Bodies, loads and kinematics: what equations of motion are formed from."""
+    """Bodies, loads and kinematics, from which equations of motion are formed."""
 
     frame: Any  # the inertial frame
     bodies: tuple[Any, ...]
@@ -80,12 +80,12 @@ class Multibody:
 
     @property
     def places(self) -> list[Any]:
-        """The holonomic constraints but for the residuals of an `Implicit`, which are kept."""
+        """The holonomic constraints, except the residuals of an `Implicit`."""
         given = set() if self.implicit is None else {*self.implicit.residuals.values()}
         return [e for e in (*self.holonomic, *self.closed) if e not in given]
 
     def check_unchanged(self) -> None:
-        """Raise where a body is not as it was: what is derived now would be of another model."""
+        """Refuse bodies that changed since they were read: later derivations would contradict."""
         for body, before in self.noted:
             names = ("mass", "inertia", "mass center", "frame", "position", "orientation")
             for name, old, new in zip(names, before, _noted(body), strict=True):
@@ -106,7 +106,7 @@ class Multibody:
 
 
 def _noted(body: Any) -> tuple[Any, ...]:
-    """Return what a body is like, as `Multibody.check_unchanged` names it."""
+    """Return a record of a body's properties for `Multibody.check_unchanged`."""
     point = body.masscenter
     if not is_rigid(body):
         return body.mass, None, point, None, {**places(point)}, {}
@@ -139,7 +139,7 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
 
 
 def checked_vector(value: Any, what: str) -> Any:
-    """Return a Vector, or say what it was instead."""
+    """Return a Vector, or raise an error that shows the value."""
     if not isinstance(value, Vector):
         raise TypeError(
             f"{what} must be a Vector, such as {shown(value)}*N.x with the axis of a frame N, got "
@@ -241,7 +241,7 @@ def _check_symmetric(body: Any) -> None:
 
 
 class InputReader(SymPyReader):
-    """Reads expressions; what is neither a state nor time becomes an input when it is met."""
+    """Reads expressions; symbols other than states and time become inputs when they occur."""
 
     def __init__(self, graph: Graph, atoms: dict[Any, int], states: Sequence[Any]) -> None:
         super().__init__(graph, atoms, "the bodies, loads and kinematics")
@@ -358,7 +358,7 @@ class Tree:
 
     @staticmethod
     def rotation(frame: Any, parent: Any) -> Any:
-        """Return the matrix that gives components in a frame from those in its parent."""
+        """Return the matrix from components in the parent to those in a frame."""
         return frame._dcm_dict[parent]
 
     @staticmethod
@@ -429,7 +429,7 @@ class Tree:
         return found
 
     def _hung(self, wanted: Sequence[Any], nearest: dict[Any, Any]) -> Callable[[Any], Way]:
-        """Return what gives the way to a point without a velocity from the one that it hangs on.
+        """Return the step that locates a point without a velocity from a point with one.
 
         That is the next on the way to a nearest given velocity. Where several are equally near and
         contradict each other it matters which: it is the one that SymPy takes.
@@ -486,7 +486,7 @@ class Tree:
         nearest: dict[Any, Any],
         hung: Callable[[Any], Way],
     ) -> Way:
-        """Return what comes before a point with a given velocity, and the way from there."""
+        """Return the point before one with a given velocity, and the vector between."""
         base, steps = above[point], [places(point)[above[point]]]
         while True:
             source = base
@@ -543,7 +543,7 @@ def _of_speeds(vector: Any) -> bool:
 
 
 def _length(vector: Any) -> float:
-    """Return how long a velocity is written; those of several frames come last."""
+    """Return the written length of a velocity; vectors in several frames count as longest."""
     if len(vector.args) > 1:
         return float("inf")
     return float(sum(sm.count_ops(part) + 1 for parts, _ in vector.args for part in parts))

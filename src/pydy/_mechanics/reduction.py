@@ -194,7 +194,7 @@ def _constraints(
 def _given_accelerations(
     kinematics: Kinematics, rows: list[list[int]], drift: list[int]
 ) -> tuple[list[list[int]], list[int]] | None:
-    """Return K and b of the user's acceleration constraints, unless they are those of `rows`."""
+    """Return K and b of the user's acceleration constraints, unless they equal those of `rows`."""
     g, body = kinematics.graph, kinematics.body
     if not body.acceleration:
         return None
@@ -210,7 +210,7 @@ def _given_accelerations(
 
 
 def _is_clear(graph: Graph, determinant: int) -> int:
-    """Return whether a determinant is not small beside what it is at other states."""
+    """Return whether a determinant is not small compared to its size at other states."""
     if graph.constant[determinant]:
         return graph.boolean(True)
     size = graph.call("abs", determinant)

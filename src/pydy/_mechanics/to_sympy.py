@@ -54,7 +54,7 @@ def written(
     symbols: Mapping[int, Any],
     name: Callable[[str, Any], Any] | None = None,
 ) -> tuple[list[Any], dict[Any, Any]]:
-    """Return nodes as expressions, and what the names in them stand for, in order.
+    """Return nodes as expressions, and the definitions of the names in them, in order.
 
     `symbols` are those of the inputs. ``name(op, expression)`` returns a symbol for what occurs
     more than once, None for none.

@@ -280,7 +280,7 @@ class Textbook:
 
 
 def _joined(factors: Sequence[tuple[Any, int]]) -> dict[Any, int]:
-    """Return powers of factors; 1/cos θ, which stands for itself, may be beside a cos θ."""
+    """Add up powers of equal factors; 1/cos θ is a factor of its own, next to cos θ."""
     powers: dict[Any, int] = {}
     for factor, n in factors:
         powers[factor] = powers.get(factor, 0) + n

@@ -209,7 +209,7 @@ def _platform(fmi: str) -> tuple[str, str]:
 
 
 def _attributes(**values: Any) -> str:
-    """Return attributes of an element; those that are None are left out."""
+    """Return the attributes of an element, without those that are None."""
     return "".join(f" {k}={quoteattr(str(v))}" for k, v in values.items() if v is not None)
 
 
@@ -242,7 +242,7 @@ def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
 
 
 class _Words(NamedTuple):
-    """What a version of FMI calls things."""
+    """The terms of a version of FMI."""
 
     token: str
     abilities: tuple[str, ...]

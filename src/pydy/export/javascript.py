@@ -135,7 +135,7 @@ def javascript_of(program: Program, name: str) -> str:
 def _functions(
     program: Program, nodes: list[int], results: Sequence[int], fields: dict[str, str]
 ) -> Iterator[str]:
-    """Yield the lines of a function, and of those that it calls where it is very long."""
+    """Yield the lines of a function, divided into several where it is very long."""
     chunked = len(nodes) > LONGEST
     writer = Writer(
         program, _PARTS if chunked else JAVASCRIPT, "r" in fields["arguments"], **fields

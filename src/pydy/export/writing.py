@@ -250,7 +250,7 @@ def python_function(program: Program, name: str, target: str) -> str:
 
 
 def write(model: Model, path: Path, **options: Any) -> Exported:
-    """Write a model to a file, and for C to the header beside it.
+    """Write a model to a file, for C with a header next to it.
 
     Parameters
     ----------
@@ -325,7 +325,7 @@ def _write_py(model: Model, path: Path, target: str = "numpy") -> tuple[Path, ..
 
 
 class Format(NamedTuple):
-    """A suffix's format: what writes its files, and what checks the options that it takes."""
+    """The format of a suffix: the functions that write its files and check its options."""
 
     write: Callable[..., tuple[Path, ...]]
     options: Mapping[str, Check] = MappingProxyType({})

@@ -45,7 +45,7 @@ class _Step(NamedTuple):
 
 
 class _Axis(NamedTuple):
-    """A hinge or slide between two bodies: where its force acts, and what it works on."""
+    """A hinge or slide between two bodies: its frames or points, and its speed."""
 
     kind: str
     vector: Any
@@ -119,7 +119,7 @@ class Assembly:
         return [self._number(f"{prefix}{a}", name, v) for a, v in zip("xyz", values, strict=True)]
 
     def _name_joints(self, joints: Sequence[Joint]) -> None:
-        """Give each joint its coordinates and speeds; those that mimic others come last."""
+        """Give each joint its coordinates and speeds; joints that mimic others come last."""
         t, waiting = me.dynamicsymbols._t, [j for j in joints if j.mimics is not None]
         for joint in joints:
             if joint.mimics is not None:
@@ -284,7 +284,7 @@ class Assembly:
             self._loads += [(axis.inner.point, -force * axis.vector)]
 
     def _resist(self, joint: Joint, axis: _Axis) -> None:
-        """Add what a hinge or slide does by itself: spring, damper, friction, rotor."""
+        """Add a hinge's or slide's own loads: spring, damper, friction, rotor."""
         q, u, force = axis.coordinate, axis.speed, sm.S.Zero
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
@@ -413,7 +413,7 @@ class Assembly:
         )
 
     def _rows(self, tie: Tie) -> Iterator[Any]:
-        """Yield what is zero where two links, or two coordinates, are tied to each other."""
+        """Yield the residuals by which two links, or two coordinates, are tied together."""
         if tie.kind == "joint":
             references = {j.name: j.reference for link in self.tree.links for j in link.joints}
             (q,) = self.joints[tie.one].coordinates

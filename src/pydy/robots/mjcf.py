@@ -58,7 +58,7 @@ _SHOWN_GROUPS = 3  # as in MuJoCo's own viewer: the others are for contacts
 
 
 def read_mjcf(path: Path) -> Tree:
-    """Return what an MJCF file says."""
+    """Read an MJCF file into a Tree."""
     mujoco = require("mujoco", "robots", "Reading MJCF files")
     said: list[str] = []
     before = mujoco.get_mju_user_warning()
@@ -174,7 +174,7 @@ class _Model:
         return link
 
     def without_name(self, kind: str, k: int) -> str:
-        """Return what to call the k-th thing of a kind: a joint after its body."""
+        """Return a name for the k-th element of a kind; joints are named after their body."""
         model = self.model
         if kind != "JOINT":
             return f"{kind.lower()}{k}"
@@ -219,7 +219,7 @@ class _Model:
         return joint
 
     def note_of_joint(self, j: int, joint: Joint, own: slice) -> None:
-        """List what a joint has that has no counterpart here."""
+        """List properties of a joint that have no counterpart here."""
         model, name, kind = self.model, joint.name, joint.kind
         sprung = not self.disabled("SPRING")
         damped = not self.disabled("DAMPER")

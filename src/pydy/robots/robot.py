@@ -118,7 +118,7 @@ class Robot:
         return found
 
     def scene(self, **options: Any) -> Scene:
-        """Return what the robot looks like, to be animated with a trajectory.
+        """Return a scene of the robot's shapes, to be animated with a trajectory.
 
         Parameters
         ----------

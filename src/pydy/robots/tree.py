@@ -41,7 +41,7 @@ class Joint:
 
 @dataclass
 class Look:
-    """A shape of a link: what the viewer shows."""
+    """A visible shape of a link."""
 
     shape: Any  # or what reads it from its file, which may take longer than all else
     place: np.ndarray
@@ -119,7 +119,7 @@ class Tree:
     looks: list[Look] = field(default_factory=list)  # of the world
 
     def check(self) -> None:
-        """Refuse what cannot move: negative numbers, and joints that nothing with mass follows."""
+        """Refuse trees that cannot move: negative masses, and joints without mass beyond them."""
         negative: list[str] = []
         heavy = [link.mass > 0.0 or bool(link.inertia.any()) for link in self.links]
         for k in range(len(self.links) - 1, -1, -1):
@@ -178,7 +178,7 @@ def _drop_rounding(link: Link) -> None:
 
 
 def cosines(turn: np.ndarray) -> np.ndarray:
-    """Return a rotation whose entries that are 0, 1 or −1 but for rounding are just that."""
+    """Return a rotation with entries set to 0, 1 or −1 where they are so up to rounding."""
     near = np.rint(turn)
     return np.where(np.abs(turn - near) <= _COSINE, near, turn)
 

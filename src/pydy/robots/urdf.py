@@ -141,7 +141,7 @@ class _Reader:
 
 
 def read_urdf(path: Path, floating: bool = False) -> Tree:
-    """Return what a URDF file says; the root link rests in the world, or floats in it."""
+    """Read a URDF file into a Tree; the root link is fixed in the world, or floats."""
     reader = _Reader(path)
     root = reader.root
     if root.tag != "robot":

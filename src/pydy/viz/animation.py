@@ -23,7 +23,7 @@ from pydy.viz.visuals import Visual
 
 @dataclass(frozen=True)
 class Look:
-    """What the user said about how the scene is to be seen."""
+    """The user's settings of how the scene is shown."""
 
     up: np.ndarray  # (3,): a unit vector, as `view`
     ground: bool | float | None = None
@@ -111,13 +111,13 @@ def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def followed(items: Sequence[Item]) -> list[int]:
-    """Return the visuals whose middle the camera follows: those that move."""
+    """Return the moving visuals, whose centre the camera follows."""
     moving = (np.ptp(i.positions, axis=0).any() and not isinstance(i.shape, Plane) for i in items)
     return [k for k, moves in enumerate(moving) if moves]
 
 
 def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
-    """Return how the middle of what moves moves, levelled."""
+    """Return the smoothed path of the centre of the moving visuals."""
     moving = followed(animation.items) or [0]
     path = np.mean([animation.items[k].positions for k in moving], axis=0)
     path -= path[0]
@@ -266,7 +266,7 @@ def animate(
 
 
 def _check(placed: Placement, geometry: Geometry, times: np.ndarray) -> None:
-    """Refuse numbers that are none, naming what has them."""
+    """Refuse numbers that are not finite, naming the visual that has them."""
     named = [(f"The orientation of `{f}`", a) for f, a in placed.rotations.items()]
     named += [(f"The position of `{p}`", a) for p, a in placed.positions.items()]
     for k, vector in enumerate(geometry.vectors):
@@ -319,7 +319,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
 def _scales(
     visuals: Sequence[Visual], placed: Placement, size: float
 ) -> dict[tuple[str, float | None], float]:
-    """Return lengths of arrows for vectors of magnitude one, by name and what was asked for."""
+    """Return lengths of arrows per unit of their vectors, by name, with the user's own scales."""
     longest: dict[str, np.ndarray] = {}
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     for k, visual in enumerate(arrows):

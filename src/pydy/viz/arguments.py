@@ -21,7 +21,7 @@ from pydy.viz.visuals import Visual
 
 
 def check_kind(argument: str, value: Any, kind: type) -> None:
-    """Refuse what is no object of a class."""
+    """Refuse a value that is not of a class."""
     if not isinstance(value, kind):
         raise TypeError(
             f"`{argument}` must be a {kind.__name__}, got the {type(value).__name__} "
@@ -66,7 +66,7 @@ def _entry(value: Any) -> Any:
 def unknowns_beside(
     given: set[int], dependents: tuple[list[int], list[int]], sizes: tuple[int, int], states: Any
 ) -> list[list[int]]:
-    """Return the places in x of what a live page solves the constraints for.
+    """Return the positions in x of the states for which a live page solves the constraints.
 
     Those are the dependent coordinates and speeds, unless sliders set one of them: then all
     coordinates, or speeds, that have no slider. `sizes` counts both.
@@ -150,7 +150,7 @@ def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]
 def named_constants(
     constants: Any, own: Mapping[Any, Any], scene: tuple[Any, Any, Sequence[Visual]], series: Any
 ) -> dict[Any, Any]:
-    """Return constants that are given beside a trajectory's own by the keys of these.
+    """Return constants given in addition to a trajectory's own, by the keys of these.
 
     A key that stands for none of them must occur in what the scene, a reference frame, an origin
     and visuals, draws, or in its series.
@@ -205,14 +205,14 @@ def units_of(units: Any) -> dict[str, str]:
 
 
 def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ...]:
-    """Return when events happened during what is shown, and their names; a hundred at most."""
+    """Return times and names of the events that are shown; at most a hundred."""
     events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
     shown = [event for event in events if times[0] <= event[0] <= times[-1]]
     return tuple(shown[:: max(1, -(-len(shown) // 100))])
 
 
 def modes_of(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
-    """Return from when to when each contact is in which mode, during what is shown.
+    """Return the intervals of each contact's modes within the times that are shown.
 
     What is narrower than a pixel of a wide screen is shown as the mode before it.
     """
@@ -246,7 +246,7 @@ def playback(fps: float | None, speed: float | None, duration: float) -> tuple[f
 
 
 def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
-    """Return a trajectory with as many instants as a film shows, if it knows what is between."""
+    """Return a trajectory with an instant for each picture of a film, if it can be interpolated."""
 
     def step_of(duration: float) -> float:
         step = playback(fps, speed, duration)[1]

@@ -22,7 +22,7 @@ _THINNEST = 0.03
 
 
 def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
-    """Return the simplest solid that has a body's inertia, or a ball for what has none.
+    """Return the simplest solid with a body's inertia, or a ball for a particle.
 
     Where all three moments are equal that is a sphere, where two are a cylinder or disc about the
     third axis, else a box. `values` are those of all symbols at the first instant, for an inertia

@@ -124,7 +124,7 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
 
 
 def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
-    """Return an image of 256 colours: those of a frame, and shades of the scene's."""
+    """Return a palette of 256 colours: those of a picture, and shades of the scene's."""
     shades = np.linspace(0.4, 1.0, _SHADES)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
     sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
@@ -280,7 +280,7 @@ def save(
 
 
 def _whole(figure: Any) -> Any:
-    """Return Axes that are as large as their figure: what is beyond them is beyond the picture."""
+    """Return Axes that fill their figure, so that the picture clips everything beyond."""
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
 
 
@@ -327,7 +327,7 @@ class _Drawing:
         return [_rgb(colour) for colour in sorted({i.shape.colour for i in self.shown.items})]
 
     def draw(self, k: int) -> None:
-        """Draw instant k of those to be shown."""
+        """Draw the k-th instant."""
         seen, t = self.seen, float(self.shown.times[k])
         target = seen.target.copy()
         if seen.path is not None:

@@ -122,7 +122,7 @@ class Live:
 
 @dataclass(frozen=True, eq=False)
 class LiveSystem:
-    """What a System tells a live page."""
+    """The parts of a System that a live page needs."""
 
     model: Model
     # states, inputs, constants, outputs: symbols; in the order of the model's variables
@@ -189,7 +189,7 @@ def live_page(
     animation: Animation,
     motion: Motion,
 ) -> LivePage | None:
-    """Return what a live page holds besides the page of an animation; None where it is none.
+    """Return the additional content of a live page; None for an animation.
 
     `live` is what users pass, `scene` the reference frame, origin, visuals and series.
     """
@@ -315,7 +315,7 @@ class LivePage:
 def _sliders(
     live: Live, system: LiveSystem
 ) -> tuple[list[dict[str, Any]], list[tuple[Any, float, Mapping[Any, Any]]]]:
-    """Return the sliders for the page, and the symbols of the user's own with what they set."""
+    """Return the sliders of the page, and the user's own ones with the inputs they set."""
     groups = (
         ("p", Places(system.constants, "constants of the system"), system.model.constants),
         ("x", Places(system.states, "states of the system"), system.model.states),
@@ -405,7 +405,7 @@ def _start(
 def _sizes(
     items: Sequence[Item], system: LiveSystem, definitions: Mapping[Any, Any]
 ) -> tuple[Program, list[list[Any]]]:
-    """Return the Program of lengths that depend on constants, and what each belongs to."""
+    """Return the Program of lengths that depend on constants, and their visuals."""
     graph = Graph()
     atoms = input_nodes(graph, p=system.constants)
     reader = SymPyReader(graph, atoms, "the shapes")
@@ -425,7 +425,7 @@ def _sizes(
 def _series(
     series: Mapping[str, Any], animation: Animation, system: LiveSystem
 ) -> tuple[list[list[Any]], tuple[tuple[str, Any], ...]]:
-    """Return where the page finds each curve, and those that are computed with the poses."""
+    """Return the source of each curve on the page, and expressions to compute with the poses."""
     plotted: list[list[Any]] = []
     formulas: list[tuple[str, Any]] = []
     for label in animation.series:

@@ -61,7 +61,7 @@ class Names:
 
 @dataclass(frozen=True)
 class Geometry:
-    """What is to be computed: distinct frames and points, arrows' vectors, expressions."""
+    """The distinct frames, points, vectors of arrows, and expressions to compute."""
 
     reference: Any  # the frame and the point that the scene is seen from
     origin: Any
@@ -248,7 +248,7 @@ class Motion:
 
 @dataclass(frozen=True)
 class Model:
-    """What a System tells a Scene."""
+    """The interface between a System and a Scene."""
 
     states: tuple[Any, ...]  # symbols
     # mapping of symbols to expressions: derivatives of the coordinates, auxiliary speeds
@@ -263,7 +263,7 @@ class Model:
 
 
 def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (m,) and states (m, width) as arrays, or say what is wrong with them."""
+    """Check times (m,) and states (m, width), and return them as arrays."""
     t, x = ascending(times, "`times`"), real_array(states, "`states`")
     if not len(t):
         raise ValueError("`times` must be a sequence of one time or more, got none.")

@@ -50,7 +50,7 @@ _SYMBOL = re.compile(r"(?P<base>[A-Za-z]+?)_?(?P<index>\d+|(?<=_)[A-Za-z0-9]+)?(
 
 
 def typeset(label: str) -> list[str]:
-    """Return a label's base and index; the index of what is no symbol's name is empty.
+    """Split a label into base and index; the index is empty if it is no symbol's name.
 
     Examples
     --------
@@ -145,7 +145,7 @@ _READ_SECONDS = 3600.0  # when every browser has long read a page
 
 
 def opened(html: str) -> Path:
-    """Show a page in the browser, from a temporary file; delete those that have been read."""
+    """Show a page in the browser from a temporary file; delete earlier files."""
     for old in Path(tempfile.gettempdir()).glob("pydy-scene-????????/scene.html"):
         with suppress(OSError):
             folder = os.lstat(old.parent)  # neither a link nor somebody else's
@@ -172,7 +172,7 @@ def embedded(html: str) -> str:
 def page_data(
     animation: Animation, look: Look, speed: float, live: LivePage | None = None
 ) -> dict[str, Any]:
-    """Return what the page's scripts read, as JSON types.
+    """Return the data for the page's scripts, as JSON types.
 
     Lengths are in units of about half the scene's diagonal, a power of two: browsers draw with
     32-bit floats, whose range a scene of planets or of atoms leaves in squares and products.

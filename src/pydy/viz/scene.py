@@ -112,12 +112,12 @@ def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _lines(own: np.ndarray, table: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """Return states at times between those of a table, by straight lines."""
+    """Interpolate a table of states linearly."""
     return np.stack([np.interp(times, own, column) for column in table.T], 1)
 
 
 def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
-    """Return an animation with what moves in other runs, fainter."""
+    """Return an animation with the moving visuals of other runs, fainter."""
     others = []
     for label, run in runs_of(compare):  # before and after its own times it rests
         times = np.clip(animation.times, run.times[0], run.times[-1])

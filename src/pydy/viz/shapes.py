@@ -121,7 +121,7 @@ class Shape(metaclass=_Spelling):
             raise AttributeError(f"{type(self).__name__} has no attribute `{name}`.")
 
     def measured(self, values: Mapping[Any, Any]) -> Self:
-        """Return this shape with numbers for lengths, given those of symbols."""
+        """Return this shape with numbers in place of symbols in its lengths."""
         numbers: dict[str, Any] = {}
         kind = type(self).__name__
         for attribute in self.lengths:
@@ -146,7 +146,7 @@ class Shape(metaclass=_Spelling):
         return replace(self, **numbers) if numbers else self
 
     def dimensions(self) -> Iterator[tuple[str, Any]]:
-        """Yield the shape's own fields: what says how it looks, except colour and name."""
+        """Yield the shape's own fields: all except colour and name."""
         common = {f.name for f in fields(Shape)}
         for entry in fields(self):
             if entry.name not in common:
@@ -275,7 +275,7 @@ def polyhedron(shape: Shape) -> np.ndarray:
 
 
 def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the triangles of the convex hull of points, or None for what is no list of points.
+    """Return the triangles of the convex hull of points, or None for other values.
 
     They are counter-clockwise from outside.
     """

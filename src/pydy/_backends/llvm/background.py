@@ -76,7 +76,7 @@ def in_use() -> None:
 
 
 def submit(task: Task) -> None:
-    """Have a task done on the side; what is left when the interpreter ends is dropped."""
+    """Queue a task for the background; unfinished tasks are dropped when the interpreter ends."""
     global _thread
     in_use()
     with _START:

@@ -40,7 +40,7 @@ _SOURCES = _written_by()
 
 @once
 def _circumstances() -> bytes:
-    """Everything but the Program that decides what the machine code is."""
+    """Everything except the Program that determines the machine code, as bytes."""
     host = target()
     sha = hashlib.sha256(_SOURCES)
     parts = (host.processor, host.features, llvmlite_version, *map(str, binding.llvm_version_info))
@@ -62,7 +62,7 @@ def target_machine(quick: bool = False) -> Any:
 
 @dataclass(frozen=True)
 class Source:
-    """What can be compiled."""
+    """A module that can be compiled."""
 
     what: str  # identifies the IR: a Program's digest with the options
     # returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
@@ -137,7 +137,7 @@ class Shipped:
         self._texts = {path.stem: path.read_text("utf-8") for path in folder.glob("*.ll")}
 
     def source(self, name: str, functions: Sequence[str] = ()) -> Source:
-        """Return what a file is compiled as; its functions, by default the one of its name."""
+        """Return a file as a Source of some functions, by default the one of its name."""
         text = self._texts[name]
         what = f"shipped {hashlib.sha256(text.encode()).hexdigest()}"
         return Source(what, partial(_finished, text), tuple(functions) or (name,), loops=True)
@@ -147,7 +147,7 @@ CORE = Shipped(Path(__file__).parents[1] / "core")
 
 
 def _finished(text: str, brief: bool) -> str:
-    """Return the IR with what LLVM compiles for: passes lay data out by that."""
+    """Return the IR with its target, by which LLVM's passes lay out data."""
     layout = _emitter(False).target_data
     return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n{text}'
 
@@ -208,7 +208,7 @@ _READY = b"\npydy is ready to compile\n"
 
 
 def _wait_until_ready(pipe: Any) -> None:
-    """Pass over what the user's own settings of Python print when it starts."""
+    """Skip the output that the user's own settings of Python print at its start."""
     seen = b""
     while not seen.endswith(_READY):
         seen = seen[-len(_READY) :] + _received(pipe, 1)
@@ -241,7 +241,7 @@ def _started() -> subprocess.Popen[bytes]:
 
 
 def serve(sources: str) -> None:
-    """Compile what comes in, until nothing more can come; nothing for another version's process."""
+    """Serve requests to compile until the pipe closes; refuse those of another version."""
     if sources != _SOURCES.hex():
         return
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a Ctrl-C is meant for the program

@@ -86,7 +86,7 @@ class Solves:
         self._routines = solver_names(writer.lanes)
 
     def reserve(self) -> None:
-        """Make room for what guards need.
+        """Reserve memory for guards.
 
         A matrix for the fallback is written as soon as its entries are computed: kept alive in
         registers until the guard, they would crowd out what the elimination works with. Numbers
@@ -278,7 +278,7 @@ class Solves:
     def _filled(
         self, guard: int, n: int, stored: list[int], symmetric: bool
     ) -> tuple[str, str, str]:
-        """Complete a matrix; gives it, scratch memory, and what is to be freed.
+        """Complete a matrix; return it, scratch memory, and memory to be freed.
 
         A sparse one is written out only here. More than a little memory is taken from the heap.
         """
@@ -455,7 +455,7 @@ class Emitter:
         return self.f.let(f"uitofp {self.b} {value} to {self.v}")
 
     def node(self, node: int) -> None:
-        """Write one operation; what only a fallback needs is written there."""
+        """Write one operation; operations for a fallback alone are written in it."""
         if node in self.put_off or node in self.swallowed:
             return
         self._count()
@@ -467,7 +467,7 @@ class Emitter:
         self.written += 1
 
     def divide(self) -> None:
-        """Begin another basic block if this one has become long with what is no operation."""
+        """Begin another basic block if this one has become long with loads and stores."""
         if len(self.f.lines) - self.began > LINES and not self.whole:
             self._next_block()
 
@@ -485,7 +485,7 @@ class Emitter:
                 self.load_carried(other)
 
     def write_fallback(self, guard: int) -> None:
-        """Write what only the fallback of a guard needs."""
+        """Write the operations that only a guard's fallback needs."""
         for node in self.program.fallback[guard]:
             if node not in self.swallowed:
                 self._count()
@@ -622,7 +622,7 @@ class Emitter:
 
 
 def called(program: Program, kind: str) -> dict[str, int]:
-    """Return what a Program's operations call by an emitter: names, with how many arguments."""
+    """Return the functions that a Program's operations call: names and numbers of arguments."""
     rows = [OPERATIONS[op] for op in sorted(set(program.ops)) if op in OPERATIONS]
     words = [(row.llvm.partition(" "), row.arity) for row in rows]
     return {word: arity for (name, _, word), arity in words if name == kind}

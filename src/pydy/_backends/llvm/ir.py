@@ -107,7 +107,7 @@ class Function:
         return result
 
     def _frame(self) -> list[str]:
-        """Return what reserves the slots: on the stack, or from the heap when they are many."""
+        """Return the lines that reserve the slots: on the stack, or on the heap if many."""
         sizes = [_bytes(kind, count) for _, kind, count in self._frames]
         if sum(sizes) <= STACK_BYTES:
             return [

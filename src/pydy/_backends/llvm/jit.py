@@ -18,7 +18,7 @@ _LOCK = _forks.Lock()
 
 
 class Code:
-    """Machine code in memory, by `addresses`; it and what it calls live as long as this object."""
+    """Machine code in memory, by `addresses`: this object keeps it and the code it calls."""
 
     def __init__(self, engine: Any, names: Sequence[str], calls: Sequence[Code]) -> None:
         self._engine = engine

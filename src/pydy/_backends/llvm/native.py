@@ -91,7 +91,7 @@ def native_kernel(
 
 
 def _keep(source: Source, compile_source: Compile) -> None:
-    """Compile for the next process; this one goes on with what is there at once."""
+    """Compile for later processes; this one uses the code that is ready first."""
     _cache_folder.write(source.key, compile_source(source))
 
 
@@ -119,7 +119,7 @@ _SWEEP = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 8)
 
 
 def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> None:
-    """Do what the sweep's gate does, without a look into NumPy's objects."""
+    """Do the work of the sweep's gate without reading NumPy's objects directly."""
     t, x, r = arrays[:3]
     r_step = r.shape[1] if len(r) > 1 else 0
     by_columns = x.flags.f_contiguous and not x.flags.c_contiguous
@@ -134,7 +134,7 @@ def gates() -> _Gates:
 
 
 def _sizes(program: Program | Tangent) -> tuple[int, int, int, int, int]:
-    """Return the numbers of states, specifieds, constants, what is carried, and outputs."""
+    """Return the numbers of states, specifieds, constants, carried values, and outputs."""
     inputs = program.num_states, program.num_specifieds, program.num_constants
     return *inputs, len(program.carried), len(program.outputs)
 
@@ -207,7 +207,7 @@ def nlp_functions() -> jit.Code:
 
 
 def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any]:
-    """Return what a sweep whose arrays are (items, samples) reads, but for the samples' number.
+    """Return the arguments of a sweep over arrays (items, samples), except the number of samples.
 
     That is `Words` of ``core/kernel.h``, the last three of one call, how many numbers of scratch
     memory it needs, and what keeps the code alive.

@@ -25,7 +25,7 @@ class Layout(NamedTuple):
 
 
 class Registers:
-    """Which values are at hand, what they are called, and where in memory the others wait.
+    """The values in registers with their names, and the places in memory of the others.
 
     LLVM writes more values of straight-line code to memory than it must, and writing wide vectors
     to memory limits kernels of many lanes. Here the value whose next use is
@@ -57,7 +57,7 @@ class Registers:
             self._spread = layout.spread
 
     def fix(self, node: int, name: str) -> None:
-        """Name what takes no register of this kind: a literal, a truth value."""
+        """Name a value that takes no register of this kind: a literal, a truth value."""
         self._fixed[node] = name
 
     def home(self, node: int, pointer: str, index: int) -> None:
@@ -124,7 +124,7 @@ class Registers:
 
     @contextmanager
     def aside(self) -> Iterator[None]:
-        """Forget afterwards what is loaded meanwhile, on a way that is not always taken."""
+        """Forget, at the end of the block, values loaded on a branch that is not always taken."""
         names, homes, fixed = dict(self._names), dict(self._homes), dict(self._fixed)
         slots, free = dict(self._slots), list(self._free)
         yield

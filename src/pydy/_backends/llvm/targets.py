@@ -56,7 +56,7 @@ _NAMES = ("native", "generic", *_LEVELS)
 
 @dataclass(frozen=True)
 class Target:
-    """What LLVM compiles for."""
+    """The target of LLVM's code."""
 
     name: str  # as PYDY_CPU has it
     triple: str  # triple, processor, features: in LLVM's words
@@ -77,7 +77,7 @@ def registers_for(features: Collection[str], machine: str) -> Registers:
 
 
 def chosen(name: str, machine: str, processor: str, features: Collection[str]) -> Target:
-    """Return the target of a name on a machine: its triple, its processor and what that has.
+    """Return the named target on a machine: triple, processor and its features.
 
     'native' is this machine's processor; 'generic' any of its architecture; 'x86-64-v3' and
     'x86-64-v4' any of a level of x86-64.

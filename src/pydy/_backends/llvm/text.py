@@ -137,7 +137,7 @@ KERNEL = _parameters()
 
 
 def _kernel(program: Program, lanes: int, brief: bool, fallbacks: bool) -> str:
-    """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
+    """Return the functions of the second stage: `kernel`, and `strided` for wide code.
 
     It reads from memory, after the arrays, the distances between two items of x, r and out; how
     many blocks of states there are; and the distance between two blocks of r. It does as many as it
@@ -303,7 +303,7 @@ def tangent_text(tangent: Tangent, lanes: int, brief: bool) -> str:
 
 
 class _Text:
-    """Functions for the shared part and for each other part, and what calls them.
+    """Functions for the shared part and for each other part, and the function that calls them.
 
     With one lane a part takes as many columns at once as a register holds numbers: it reads a row
     of seeds as a vector and spreads each shared value over the columns. The last columns of a part

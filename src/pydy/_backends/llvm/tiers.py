@@ -32,7 +32,7 @@ from pydy._graph.tangent import Tangent, program_from_bytes
 
 
 class Quality(Enum):
-    """What native functions are like.
+    """The quality of native functions.
 
     Short ones give the status -1 where a guard is not sound: they have no fallbacks.
     """

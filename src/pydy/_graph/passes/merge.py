@@ -61,7 +61,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
 
 
 def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Add what nodes are often equal to: reciprocals, and squares of sines and cosines."""
+    """Add candidates for equal nodes: reciprocals, and squares of sines and cosines."""
     found: dict[int, None] = {}
     angles: dict[int, list[int]] = {}
     for node in nodes:
@@ -82,7 +82,7 @@ def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 
 def _is_rougher(graph: Graph, other: int, node: int) -> bool:
-    """Return whether `other` is a sum in which may cancel what an exact factor of `node` keeps."""
+    """Return whether `other` is a sum with cancellation that `node`, an exact product, avoids."""
     _, product = graph.scaled(node)
     if graph.ops[product] != "prod" or graph.ops[graph.scaled(other)[1]] != "sum":
         return False

@@ -32,7 +32,7 @@ def is_pair(tree: Tree) -> bool:
 
 
 def share_pairs(rows: Sequence[Sequence[Signed]]) -> list[list[Signed]]:
-    """Return the rows, each as what is left to combine, with common pairs joined.
+    """Join common pairs of the rows; return the rows with what remains to be combined.
 
     Rows are the operands, each once, of products or of sums, and whether they are positive; a − b
     and b − a are the same pair. What is left are operands and pairs of signed trees (see
