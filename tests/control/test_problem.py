@@ -629,6 +629,12 @@ def test_bad_arguments_are_told(mass):
     refused("`boundary` must hold equations and", system, J, 1.0, boundary=[x.subs(T, 0)])
     refused("`path` must hold equations and inequ", system, J, 1.0, path=[sm.Ne(x, 0)])
     refused("`boundary` must be a sequence", system, J, 1.0, boundary=3, error=TypeError)
+    for objective in (sm.nan, sm.zoo):
+        refused("`objective` must be .*, got (nan|zoo)", system, objective, 1.0)
+    for name, always in (("path", x <= sm.oo), ("boundary", x.subs(T, 1) >= -sm.oo)):
+        refused(f"`{name}` has .*oo`, which is not finite", system, J, 1.0, **{name: [always]})
+    jerk = sm.Eq(x.diff().subs(T, 0), 0)
+    refused(r"`boundary` has `Subs\(Derivative\(x", system, J, 1.0, boundary=[jerk])
 
 
 @pytest.mark.parametrize(
@@ -915,6 +921,7 @@ def test_bounds_change_over_the_motion():
         ({"F": ([1.0, 0.0], 0.5)}, 1.0, r"`bounds\[F\(t\)\]` must have low <= high everywhere"),
         ({"F": (np.array([np.nan, 0.0]), 0.5)}, 1.0, "rows of finite numbers"),
         ({"F": (SampledInput([0, 1], [1, 2]), 5)}, TF, "and the duration is free"),
+        ({"F": (SampledInput([0, 1], [1, 2]), 5)}, 1.5, "whole motion, from 0 to 1.5, got .* to 1"),
         ({TF: ([0.0, 1.0], 5)}, TF, r"`bounds\[tf\]` must be a pair of numbers"),
         ({"v": ([-1.0, -2.0], [1.0, -1.0])}, 1.0, r"is 0.0.*\(-2.0, -1.0\) exclude"),
     ],

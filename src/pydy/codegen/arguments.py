@@ -135,12 +135,10 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
 
 def checked_expression(value: Any, what: str) -> Any:
     """Return a number or an expression as SymPy's; no text, which SymPy would read."""
-    infinite = value is sm.oo or value is -sm.oo
-    if isinstance(value, (sm.Expr, Boolean)) and not (
-        infinite or getattr(value, "is_Matrix", False)
-    ):
+    none = isinstance(value, sm.Expr) and value in (sm.oo, -sm.oo, sm.zoo, sm.nan)
+    if isinstance(value, (sm.Expr, Boolean)) and not (none or getattr(value, "is_Matrix", False)):
         return value
-    if infinite or isinstance(value, (Number, np.generic)):
+    if none or isinstance(value, (Number, np.generic)):
         number(value, what, finite=True)
         return sm.sympify(value)
     raise ValueError(f"{what} must be SymPy expressions or numbers, got {shown(value)}.")

@@ -111,6 +111,11 @@ class Reader:
                     f"`a >= b`, got {shown(relation)}."
                 )
             expression = relation.lhs - relation.rhs
+            if expression.has(sm.oo, -sm.oo, sm.zoo, sm.nan):
+                raise ValueError(
+                    f"`{argument}` has `{relation}`, which is not finite. Leave out a condition "
+                    "that always holds."
+                )
             low = 0.0 if isinstance(relation, (sm.Eq, sm.Ge, sm.Gt)) else float("-inf")
             high = float("inf") if isinstance(relation, (sm.Ge, sm.Gt)) else 0.0
             found.append(Condition(expression, low, high, str(relation)))
@@ -137,7 +142,8 @@ class Reader:
         replaced = {old: self._symbol(*value, what) for old, value in found.items()}
         result = expression.xreplace(replaced)
         instants = {i.symbol for i in self.instants}
-        left = sorted(result.atoms(AppliedUndef, sm.Derivative, sm.Subs), key=sm.default_sort_key)
+        kinds = (sm.Subs, sm.Derivative, AppliedUndef)  # those that hold others first
+        left = [e for kind in kinds for e in sorted(result.atoms(kind), key=sm.default_sort_key)]
         strange = sorted(result.free_symbols - instants - self.known, key=sm.default_sort_key)
         if left or strange:
             one = (left or strange)[0]

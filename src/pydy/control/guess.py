@@ -37,7 +37,7 @@ class Limit:
 
 
 def limit(value: Any, what: str, duration: float | None, *, finite: bool = False) -> Limit:
-    """Return a guess, or a side of bounds, that the user gave; numbers may have to be finite."""
+    """Return a guess, whose numbers are finite, or a side of bounds, that the user gave."""
     if isinstance(value, SampledInput):
         if duration is None:
             raise ValueError(
@@ -47,6 +47,11 @@ def limit(value: Any, what: str, duration: float | None, *, finite: bool = False
             )
         if value.size != 1:
             raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
+        if not finite and not value.covers(np.array([0.0, duration])):
+            raise ValueError(
+                f"{what} must have samples for the whole motion, from 0 to {duration:g}, got those "
+                f"from {value.breaks[0]:g} to {value.breaks[-1]:g}. Add samples."
+            )
         return Limit(value, duration)
     samples = real_array(value, what)
     if samples.ndim == 0:
