@@ -211,7 +211,7 @@ class Setup:
 
     def _now(self, events: Any = None, constants: Any = None, contacts: Any = None) -> Snapshot:
         """Return everything as it is now, with the symbols that one call brings."""
-        if self._checked_contacts(contacts) is not None:
+        if contacts is not None and self._checked_contacts(contacts):
             own = [events] if isinstance(events, Event) else events
             events = [*contacts.symbols, *(own if isinstance(own, (list, tuple)) else ())]
         more = constants if isinstance(constants, Mapping) else {}
