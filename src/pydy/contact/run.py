@@ -90,7 +90,7 @@ class Run:
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
         self.kept, self.solver, self.now, self.times = kept, solver, now, times
         self.user_events, self.options = events, options
-        self.stopped: Callable[[], bool] = lambda: False  # is asked between transitions
+        self.stopped: Callable[[], bool] | None = None  # is asked between transitions
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -379,7 +379,7 @@ class Run:
         instants, transitions = 0, 0
         excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
         while True:
-            if self.stopped():
+            if self.stopped is not None and self.stopped():
                 raise KeyboardInterrupt
             before, touching, resting = state.t, set(state.touching), set(state.resting)
             found = self.decide(state, fixed, excluded)
@@ -419,10 +419,11 @@ class Run:
         normals = self.rows.normal
         state.rising = {i for i in state.rising if p.speed[normals[i]] > 0.0 or p.is_closed(i)}
         held, every = self.hold(p, state, solution)
-        self.settle(state, held)
-        if self.carried is not None and held:
-            settled = self.numbers(state.t, state.x)
-            self.carried.project(self.values(state.t, state.x), settled, held)
+        if held:
+            self.settle(state, held)
+            if self.carried is not None:
+                settled = self.numbers(state.t, state.x)
+                self.carried.project(self.values(state.t, state.x), settled, held)
         mode, system = self.kept.mode(solution.modes, held, every)
         events, kinds = mode.events
         events = [*events, *self.user_events]
@@ -557,8 +558,6 @@ class Run:
 
     def settle(self, state: State, held: tuple[int, ...]) -> None:
         """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
-        if not held:
-            return
         owners = self.rows.owners_of(held)
         normals = list(owners)
         for _ in range(SETTLING):
