@@ -96,7 +96,7 @@ class Noted(Transitions):
         self.ends(self._unit, self._moments[record.index], rates)
 
     def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
-        """Take the time of a stop in a plane for unknown: states beside it stop nowhere."""
+        """Treat the time of a stop in a plane as unknown: nearby motions do not stop there."""
         self.doubtful[:] = True
 
     def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
@@ -105,7 +105,7 @@ class Noted(Transitions):
         return []
 
     def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
-        """Return what a trajectory takes beside the states: nothing."""
+        """Return the trajectory's further arguments: none."""
         return {}
 
 

@@ -147,14 +147,14 @@ class Stick:
         return len(self.along or self.point) == 2
 
     def speeds(self, frame: Any) -> tuple[Any, ...]:
-        """Return the sliding speed or speeds; velocities are those in the inertial frame."""
+        """Return the sliding speed or speeds, from velocities in the inertial frame."""
         if not isinstance(self.point, Point):
             return tuple(self.point)
         velocity = self.velocity(frame)
         return tuple(velocity.dot(axis) for axis in self.along)
 
     def velocity(self, frame: Any) -> Vector:
-        """Return the velocity of the point, or that beside what it slides on."""
+        """Return the velocity of the point, relative to the body it slides on."""
         velocity = self.point.vel(frame)
         return velocity if self.against is None else velocity - self.against.vel(frame)
 
@@ -169,14 +169,14 @@ class Contact:
 
     @property
     def kind(self) -> str:
-        """What its modes may be: those of a gap, of friction, or of both."""
+        """The kind of its modes: of a gap, of friction, or of both."""
         if self.unilateral is None:
             return "friction"
         return "gap" if self.stick is None else "both"
 
     @property
     def coefficients(self) -> dict[str, Any]:
-        """What needs numbers beside the gap and the sliding speed, with what stands for nothing."""
+        """The expressions that need numbers besides gap and sliding speed; neutral if absent."""
         gap, stick = self.unilateral, self.stick
         pressed = None if stick is None else stick.normal
         return {

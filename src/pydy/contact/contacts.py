@@ -142,7 +142,7 @@ class Contacts:
 
     @property
     def depends_on_time(self) -> bool:
-        """Whether gaps, sliding speeds or coefficients do, beside the states."""
+        """Whether gaps, sliding speeds or coefficients depend on time explicitly."""
         rows = self._now()[1].rows
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
@@ -208,7 +208,7 @@ class Contacts:
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
-        """Return the System that moves in some modes, for what knows no transitions.
+        """Return the System with fixed modes, for analyses without transitions.
 
         Linear models, equilibria and exports are those of one combination of modes: what it holds
         are constraints, and nothing ends it.
@@ -283,7 +283,7 @@ class Contacts:
         return Motions(self, *given)
 
     def resumed(self, modes: tuple[str, ...] | None, **options: Any) -> ContactTrajectory:
-        """Simulate from initial conditions that are near those of some modes.
+        """Simulate from initial conditions close to given modes.
 
         They are projected on what these hold. Without modes it is what `simulate` does.
         """
@@ -338,7 +338,7 @@ class Contacts:
 
 
 def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:
-    """Return what makes sensitivities, if any are wanted."""
+    """Return the sensitivities to compute, or None."""
     if wanted is None:
         return None
     return partial(Carried, wanted, flag(controlled, "`control_sensitivities`"))
@@ -382,7 +382,7 @@ class Motions:
 
     @property
     def identity(self) -> Any:
-        """What tells them from others of the same equations, numbers and options."""
+        """The data that identify them, in addition to equations, numbers and options."""
         events = [(e.name, e.expression, e.direction, e.terminal) for e in self._given]
         held = self.options.get("constraints")
         about = self.contacts.hypothesis, events, held, self.columns, self._control

@@ -112,7 +112,7 @@ def innermost(y: np.ndarray, null: np.ndarray, cones: Sequence[Cone], size: floa
 
 @dataclass
 class Relaxed:
-    """Forces of all rows, and what contacts do with them."""
+    """The forces of all rows, and the modes of the contacts with them."""
 
     forces: np.ndarray
     # The unit vectors of contacts whose friction is as large as it may be.
@@ -168,7 +168,7 @@ SLIDES = {FORWARD: 1.0, BACKWARD: -1.0, SLIDING: 1.0, STARTING: 1.0}
 
 @dataclass(frozen=True)
 class Problem:
-    """What the combinations are tried on."""
+    """The problem that combinations of modes are tried on."""
 
     free: np.ndarray  # (rows,), c
     square: np.ndarray  # (rows, rows), A
@@ -196,7 +196,7 @@ class Problem:
         return np.asarray(own + np.abs(self.square) @ np.abs(forces))
 
     def rounding(self, forces: np.ndarray) -> np.ndarray:
-        """Return what of velocities a, with some impulses λ, may be rounding; zero for forces.
+        """Return bounds on the rounding errors of velocities a with impulses λ; zero for forces.
 
         Entries of A that should be zero are rounded as √(A_ii A_jj), their bound, is. Forces are
         compared where an event has found them at their limits: there rounding tells.
@@ -210,7 +210,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class Solution:
-    """What a combination gives."""
+    """The result of a combination."""
 
     modes: tuple[str, ...]
     # (rows,), λ and a.
@@ -251,7 +251,7 @@ def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
 
 
 def independent(square: np.ndarray, rows: Sequence[int]) -> list[int]:
-    """Return those of some rows that do not follow from the ones before them.
+    """Return the rows that are independent of earlier ones.
 
     By Cholesky's factorisation of J M⁻¹ Jᵀ, row by row; pivots are squares of what is left.
     """
@@ -297,7 +297,7 @@ def directions(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.n
 
 
 def press(problem: Problem, forces: np.ndarray, i: int) -> float:
-    """Return the normal force of a contact: what is known of it, and that of its row."""
+    """Return the normal force of a contact: the known part plus that of its row."""
     normal = problem.normal[i]
     return float(problem.pressed[i] + (0.0 if normal is None else forces[normal]))
 

@@ -70,7 +70,7 @@ def contradiction(hypothesis: str, e: np.ndarray) -> str:
 
 @dataclass(frozen=True)
 class Phase:
-    """What a phase of an impact does."""
+    """The result of a phase of an impact."""
 
     # (rows,), impulses beside those that are given, and the velocities after them.
     forces: np.ndarray
@@ -82,7 +82,7 @@ class Phase:
 
 @dataclass(frozen=True)
 class Blow:
-    """What an impact does."""
+    """The result of an impact."""
 
     forces: np.ndarray  # (rows,), all impulses
     rates: np.ndarray  # the velocities after them

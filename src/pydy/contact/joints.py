@@ -95,7 +95,7 @@ class Roll(Stick):
         return f"<Roll {self.name}>"
 
     def speeds(self, frame: Any) -> tuple[Any, ...]:
-        """Return the sliding speed or speeds; velocities are those in the inertial frame."""
+        """Return the sliding speed or speeds, from velocities in the inertial frame."""
         centre, plane = self.body.masscenter, self.normal_vector.args[0][1]
         touched = centre.pos_from(self.plane_point) + self.arm
         velocity = centre.vel(frame) + self.body.frame.ang_vel_in(frame).cross(self.arm)
@@ -176,7 +176,7 @@ class Clearance(Stick):
         return f"<Clearance {self.name}>"
 
     def speeds(self, frame: Any) -> tuple[Any, ...]:
-        """Return the sliding speed; velocities are those in the inertial frame.
+        """Return the sliding speed, from velocities in the inertial frame.
 
         It is that of the pin on the bush where they touch, r and r + c away from the centres.
         """

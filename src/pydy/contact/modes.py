@@ -49,7 +49,7 @@ def _(equations: Equations, source: str | None = None, implicit: Any = None) -> 
 
 
 def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
-    """Return the outputs of each contact, by its place and what they are."""
+    """Return the symbols of each contact's outputs, by its position and their kind."""
     found = {}
     for i, c in enumerate(contacts):
         number = 0 if c.stick is None else 2 if c.stick.plane else 1
@@ -61,7 +61,7 @@ def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
 
 
 def check_names(rows: ContactRows, outputs: Iterable[Any], others: Iterable[Any]) -> None:
-    """Raise where quantities of the System have the names of those that the contacts add.
+    """Refuse quantities of the System with the names of outputs that the contacts add.
 
     The `outputs` are the user's; the `others` are states, constants and specifieds.
     """
@@ -76,7 +76,7 @@ def check_names(rows: ContactRows, outputs: Iterable[Any], others: Iterable[Any]
 
 
 def modes_of(contact: Contact) -> list[str]:
-    """Return what a contact may do, beside beginning to slide; if it may open, that first."""
+    """Return a contact's possible modes, except the beginning of a slide; 'open' comes first."""
     found = [] if contact.unilateral is None else [OPEN]
     if contact.stick is None:
         return [*found, CLOSED]
@@ -84,7 +84,7 @@ def modes_of(contact: Contact) -> list[str]:
 
 
 def margin_symbol(contact: Contact) -> Any:
-    """Return what a contact that sticks has to spare: (μ_s N)² − F²."""
+    """Return the symbol of a sticking contact's margin: (μ_s N)² − F²."""
     return sm.Symbol(f"{contact.name}_margin")
 
 
@@ -260,7 +260,7 @@ class Mode:
         return found
 
     def _is_linear(self, node: int) -> bool:
-        """Whether a quantity is linear in what changes along a motion."""
+        """Return whether a quantity is linear in the states and time."""
         g = self.graph
         moving = [n for n in g.reachable([node]) if g.ops[n] == "input" and not g.constant[n]]
         (slopes,) = jacobian(g, [node], moving)
@@ -268,7 +268,7 @@ class Mode:
 
     @cached_property
     def events(self) -> tuple[list[Event], list[tuple[str, int]]]:
-        """What ends the mode, and what each event is: what happens, to which contact.
+        """The events that end the mode, with the kind and contact of each.
 
         A gap on the way up may be zero by rounding: until its speed turns, that is watched. On the
         way down, so is where its speed turns, unless it is as simple as the states: there it is
@@ -357,7 +357,7 @@ _GAP, _FRICTION = ("closes", "opens", "rests"), ("slips", "stops")
 
 
 class Compiled:
-    """What is made for a definition: rows of the contacts, and modes as they occur."""
+    """The compiled parts of a definition: rows of the contacts, and modes as they occur."""
 
     def __init__(
         self, system: System, now: Snapshot, contacts: tuple[Contact, ...], hypothesis: str

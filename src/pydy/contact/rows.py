@@ -74,21 +74,21 @@ class Numbers:
         return vars(self)[name]
 
     def is_closed(self, i: int) -> bool:
-        """Whether a gap is zero beside its rounding errors."""
+        """Return whether a gap is zero within its rounding errors."""
         return bool(self.gap[i] <= WITHIN * ROUNDING * self.near[i])
 
     def moving(self) -> np.ndarray:
-        """Return the speeds without those that are zero beside their rounding errors."""
+        """Return the speeds, with those within their rounding errors set to zero."""
         return np.where(np.abs(self.speed) <= WITHIN * ROUNDING * self.slow, 0.0, self.speed)
 
     def after(self, impulses: np.ndarray) -> Numbers:
-        """Return the same after impulses, as to what speeds are the sums of."""
+        """Return the numbers after impulses, which enlarge the terms that speeds are sums of."""
         found, slow = copy(self), self.slow + np.abs(self.square) @ np.abs(impulses)
         found.slow = slow
         return found
 
     def is_still(self, rows: Sequence[int], speeds: np.ndarray) -> bool:
-        """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
+        """Return whether sliding speeds are zero within the rounding of terms or earlier speeds."""
         sizes = np.maximum(self.slow[list(rows)], np.abs(self.speed[list(rows)]))
         return bool(np.linalg.norm(speeds) <= WITHIN * ROUNDING * np.linalg.norm(sizes))
 
@@ -193,7 +193,7 @@ class ContactRows:
 
     @property
     def identity(self) -> Any:
-        """What tells the rows from others: their nodes, numbered when they were read."""
+        """The key of the rows: their nodes, numbered when they were read."""
         g, groups = self.graph, (self.jacobian, self.moves, self.formed.matrix)
         parts = (self.gaps, self.speeds, self.drift, self.free, *(r for own in groups for r in own))
         parts += (self.mu, self.static, self.restitution, self.pressed)
@@ -203,7 +203,7 @@ class ContactRows:
         return names, inputs, nodes, [list(part) for part in parts]
 
     def _smooth(self, what: str, expression: Any, slopes: bool) -> Any:
-        """Return an expression as it may be differentiated, or say what jumps in it."""
+        """Return an expression in a differentiable form, or refuse a jump in it by name."""
         moving = (self.equations.time, *self.equations.coordinates, *self.equations.speeds)
         found = switched(what, expression, moving, slopes)
         if found is None:
@@ -227,7 +227,7 @@ class ContactRows:
         return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
 
     def _moves(self) -> list[list[int]]:
-        """Return for each row what a unit of its force adds to u'.
+        """Return for each row the change of u' by a unit of its force.
 
         With dependent speeds u_d = A u_i + …, by the last rows of the matrix, the force of a row
         is Jᵢ + Aᵀ J_d.
@@ -252,7 +252,7 @@ class ContactRows:
         return g.solve([list(row) for row in matrix], columns, kind)
 
     def _terms(self) -> list[int]:
-        """Return the sizes of what the rows' accelerations without contact forces are sums of.
+        """Return the sizes of the terms of the rows' accelerations without contact forces.
 
         A body that is about to leave a curved surface has a weight and a centripetal acceleration,
         and the two cancel. With M u' = F these are J M⁻¹ F + b.
@@ -270,7 +270,7 @@ class ContactRows:
 
     @cached_property
     def parts(self) -> Parts:
-        """What `Numbers` has, by its names."""
+        """The blocks of `Numbers`, by name."""
         g, e = self.graph, self.equations
         q, u, k, c = (len(s) for s in (e.coordinates, e.speeds, self.speeds, self.contacts))
         by_q, by_u = ([g.input("x", j) for j in own] for own in (range(q), range(q, q + u)))
@@ -294,7 +294,7 @@ class ContactRows:
 
     @cached_property
     def _groups(self) -> tuple[Parts, Parts, Any]:
-        """The parts that hold no M⁻¹, the others, and what evaluates these when they are wanted."""
+        """The parts without M⁻¹, the others, and the function that evaluates these on demand."""
         late = {name: self.parts[name] for name in _LATE}
         early = {name: part for name, part in self.parts.items() if name not in late}
         groups = ([n for _, nodes in own.values() for n in nodes] for own in (early, late))
@@ -302,7 +302,7 @@ class ContactRows:
 
     @cached_property
     def _ways(self) -> dict[int, Any]:
-        """For each friction at a point on a gap, what gives J of the gap and of v, and the axes.
+        """For each friction at a point on a gap: the functions of both Jacobians, and the axes.
 
         The velocity has three rows, in the inertial frame.
         """
@@ -372,7 +372,7 @@ class ContactRows:
         return bool((found["gap"] > 2.0 * WITHIN * ROUNDING * found["near"]).all())
 
     def owners_of(self, held: Sequence[int]) -> dict[int, int]:
-        """Return the contacts of the normal rows among those that are held, in their order."""
+        """Return the contacts of the normal rows among the active rows, in their order."""
         owners = {n: i for i, n in enumerate(self.normal) if n is not None}
         return {n: owners[n] for n in held if n in owners}
 

@@ -143,7 +143,7 @@ class Run:
         return values
 
     def problem(self, p: Numbers, state: State) -> Problem:
-        """Return what the combinations of modes are tried on, for accelerations."""
+        """Return the problem of accelerations that combinations of modes are tried on."""
         self.note_directions(p, state)
         return Problem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
@@ -152,7 +152,7 @@ class Run:
         )  # fmt: skip
 
     def note_directions(self, p: Numbers, state: State) -> None:
-        """Note in which directions contacts slide in a plane; those that begin to keep theirs."""
+        """Record the directions of sliding in a plane; contacts that begin to slide keep theirs."""
         for i, rows in enumerate(self.rows.tangent):
             if len(rows) == 2 and i in state.touching and i not in state.resting:
                 speed = p.speed[rows]
@@ -230,7 +230,7 @@ class Run:
     # -- what happens -----------------------------------------------------------------------------
 
     def options_of(self, state: State, p: Numbers, i: int) -> list[str]:
-        """Return the modes that a contact may have, those that are likely first."""
+        """Return the possible modes of a contact, likely ones first."""
         if i not in state.touching:
             return [OPEN]
         rows, found = self.rows.tangent[i], [CLOSED]
@@ -315,7 +315,7 @@ class Run:
     def check_instant(
         self, state: State, p: Numbers, slopes: np.ndarray, closing: Collection[int]
     ) -> None:
-        """Refuse derivatives of contacts that close at one instant, but beside it at several."""
+        """Refuse derivatives where contacts close together only at this very state."""
         for i in sorted(closing):
             apart = self.carried.apart(i, slopes[i], p, SLACK + ERRORS * self.rtol)
             if apart:
@@ -411,7 +411,7 @@ class Run:
                 )  # fmt: skip
 
     def run(self, state: State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
-        """Integrate in one mode; return whether that is the end, and what ended it otherwise."""
+        """Integrate in one mode; return whether the end was reached, and else the event."""
         state.directions.update(solution.directions)
         self.bias = solution.bias
         p = self.numbers(state.t, state.x)
@@ -523,7 +523,7 @@ class Run:
         return self.solver
 
     def references(self, p: Numbers, state: State, solution: Solution) -> dict[Any, float]:
-        """Return the biases, what rises, and in which directions contacts slide in a plane.
+        """Return the biases, the opening gaps, and the directions of sliding in a plane.
 
         The least speed is rounding, or, where they begin to slide, a part of what the solver
         resolves: below it the direction is that of the acceleration. They have begun at a part of
@@ -557,7 +557,7 @@ class Run:
         return found
 
     def settle(self, state: State, held: tuple[int, ...]) -> None:
-        """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
+        """Remove rounding errors of closed gaps and sticking speeds by Newton's method."""
         owners = self.rows.owners_of(held)
         normals = list(owners)
         for _ in range(SETTLING):
@@ -578,7 +578,7 @@ class Run:
     def take(
         self, state: State, part: Part, kinds: list[tuple[str, int]]
     ) -> tuple[bool, list[tuple[str, int]]]:
-        """Keep what was integrated up to the event that ended it."""
+        """Keep the states up to the event that ended the mode."""
         for name in self.totals:
             self.totals[name] += part.statistics[name]
         mode, own = part.mode, len(kinds)
@@ -641,12 +641,12 @@ class Run:
                 self.note(state, i, kind, state.x)
 
     def note(self, state: State, i: int, kind: str, before: np.ndarray) -> None:
-        """Note what has happened to a contact."""
+        """Record a transition of a contact."""
         name = f"{self.contacts[i].name} {kind}"
         self.records.append(EventRecord(state.t, name, i, before.copy(), state.x.copy()))
 
     def after(self, state: State, fired: list[tuple[str, int]]) -> dict[int, str]:
-        """Note what happened; return the modes that follow from it.
+        """Record a transition; return the modes after it.
 
         What happens to several contacts at the same instant is told by values that are nearly zero.
         """

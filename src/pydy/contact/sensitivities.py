@@ -59,7 +59,7 @@ class Transitions:
 
     @cached_property
     def _slopes(self) -> Any:
-        """What the slopes are of, their evaluator, and the places of their inputs' directions."""
+        """The differentiated blocks, their evaluator, and the columns of inputs' directions."""
         rows = self.rows
         parts = {name: rows.parts[name] for name in _SLOPES}
         nodes = [n for _, own in parts.values() for n in own]
@@ -99,7 +99,7 @@ class Transitions:
     # -- what transitions do ----------------------------------------------------------------------
 
     def ends(self, before: np.ndarray, time: np.ndarray, rates: np.ndarray) -> None:
-        """Take the derivatives at the event that ends a mode: S before it, and those of its time.
+        """Take S before the event that ends a mode, and the derivatives of its time.
 
         These are NaN where they are not known.
         """
@@ -141,7 +141,7 @@ class Transitions:
         kept: Mapping[int, float],
         still: Collection[int],
     ) -> dict[str, np.ndarray]:
-        """Apply the derivatives of an impact; return those of the rows before it.
+        """Apply the derivatives of an impact; return the rows' derivatives before it.
 
         The `values` are numbers before it. By Newton's hypothesis, `kept` is the restitution of
         each contact that closes, zero where it rests; those that are `still` touched before it.
@@ -183,7 +183,7 @@ class Transitions:
         given: np.ndarray,
         moved: np.ndarray,
     ) -> np.ndarray:
-        """Return the derivatives of a phase's impulses beside what is `given`.
+        """Return the derivatives of a phase's impulses in addition to those `given`.
 
         What is `moved` are velocities after it but for what these derivatives add.
         """
@@ -220,7 +220,7 @@ class Transitions:
         return _least(matrix, right, p.square.diagonal())
 
     def project(self, values: Mapping[Any, float], p: Numbers, held: Sequence[int]) -> None:
-        """Project D on what rows that are held leave free."""
+        """Project D onto the directions that active rows leave free."""
         owners, first = self.rows.owners_of(held), self._first
         normals = list(owners)
         self.total = self.total.copy()
@@ -316,7 +316,7 @@ class Carried(Transitions):
         return [name for name, off in zip(column_names(self._counts), wrong, strict=True) if off]
 
     def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
-        """Return what a trajectory takes beside the states."""
+        """Return the trajectory's further arguments: its sensitivities."""
         model = PieceSensitivities(pieces)
         return {
             "sensitivities": (self._counts, self._columns[reached]),

@@ -35,7 +35,7 @@ _BOUNDED = {sm.sin: "asin", sm.cos: "asin", sm.tanh: "atanh"}  # what is NaN bey
 
 
 def switched(what: str, expression: Any, moving: Iterable[Any], slopes: bool) -> Switched | None:
-    """Return what switches in an expression, or None; refuse what cannot be right."""
+    """Return the switches of an expression, or None; refuse jumps and kinks."""
     seen: dict[int, Any] = {}
     stack = [expression]
     while stack:
@@ -121,7 +121,7 @@ class Switched:
         return self.steps.setdefault(s, sm.Dummy("k", integer=True))
 
     def _surfaces(self) -> Iterator[tuple[Any, Any, Any, Any]]:
-        """Yield what switches, both sides of an equation that tells where, and both expressions."""
+        """Yield each switch, both sides of the equation of its surface, and both expressions."""
         conditions = [
             r for r in self.whole.atoms(Relational)
             if self._moves(r) and not isinstance(r, (sm.Eq, sm.Ne))  # true at a point, or but there
@@ -146,7 +146,7 @@ class Switched:
             yield k, s, k, (self.whole, self.whole.xreplace({k: k - 1}))
 
     def _read(self) -> None:
-        """Put on the graph, of each surface, where it is and what is on both sides of it."""
+        """Read each surface into the graph: its equation, and the expressions on both sides."""
         g = self.graph
         names = [*self.symbols.values(), *self.steps.values()]
         names += [d for d in self.floats.values() if d.is_Dummy]
@@ -170,14 +170,14 @@ class Switched:
                 self.kept.append((switch, len(nodes), evaluator(g, every)))
 
     def _known(self, value: Any) -> int:
-        """Return an input in place of a number, so that what rounding leaves of sums has bounds."""
+        """Return an input in place of a number, so that rounding bounds include it."""
         made = sm.Dummy(str(value), real=True)
         self.exact[made] = float(value) if value.is_extended_real else np.nan
         self.inputs[made] = self.graph.input("x", len(self.inputs))
         return self.inputs[made]
 
     def check(self, values: Mapping[Any, float] | None = None) -> None:
-        """Refuse what switches to another value; of constants without values, for all of them."""
+        """Refuse switches with a jump in value; constants without values may be any."""
         for f in self.functions:
             if isinstance(f, sm.DiracDelta):
                 self._refuse(f)

@@ -47,14 +47,14 @@ class Part:
 
 
 class _Several:
-    """What is evaluated piece by piece."""
+    """A quantity that is evaluated piece by piece."""
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = list(pieces)
         self._starts = np.array([piece.start for piece in pieces])
 
     def _each(self, times: np.ndarray, value: Callable[[Piece, Any], np.ndarray]) -> np.ndarray:
-        """Return what the piece of each time gives; at a transition it is the one after it."""
+        """Evaluate each time by its piece; at a transition, by the later one."""
         if len(self.pieces) == 1:
             return value(self.pieces[0], slice(None))
         places = np.searchsorted(self._starts[1:], times, side="right")
@@ -174,7 +174,7 @@ class ContactTrajectory(Trajectory):
         return {**vars(self), "contact_work": self.contact_work}  # it needs continuous extensions
 
     def end(self, last: int = -1) -> tuple[tuple[str, ...], Any]:
-        """Return the modes of a part of the motion, and what evaluates its derivatives."""
+        """Return the modes of a part of the motion, and the function of its derivatives."""
         piece = self._pieces.pieces[last]
         return piece.modes, piece.model.derivatives
 

@@ -66,7 +66,7 @@ def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.nd
 
 
 def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.ndarray:
-    """Return the intervals' errors of a solution, or of its objective where that is what is left.
+    """Return each interval's error of the solution, or of its objective if that is larger.
 
     The objective's are shares of its size, times the number of intervals; they do not count where
     their sum is within the tolerance, and that of the search. `objective` is that of all phases.

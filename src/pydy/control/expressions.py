@@ -21,7 +21,7 @@ from pydy.control.transcription import Condition, Instant
 
 @dataclass(eq=False)
 class Reader:
-    """Reads expressions of one problem; `instants` are those of everything that was read.
+    """Reads expressions of one problem; `instants` collects their instants.
 
     States and controls are functions of time or derivatives of such, `known` are the constants and
     the duration's symbol.
@@ -35,7 +35,7 @@ class Reader:
     instants: list[Instant] = field(default_factory=list)
 
     def objective(self, expression: Any) -> tuple[Any, Any]:
-        """Return the integrand and what is added to the integral; nothing else is allowed."""
+        """Split the objective into its integrand and a term at instants; refuse other forms."""
         integrals = sorted(expression.atoms(sm.Integral), key=sm.default_sort_key)
         dummies = {integral: sm.Dummy(f"integral{k}") for k, integral in enumerate(integrals)}
         rest = expression.xreplace(dummies)
@@ -102,7 +102,7 @@ class Reader:
         )
 
     def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
-        """Return relations as conditions, which hold what the relations hold."""
+        """Return relations as conditions with the same meaning."""
         found = []
         for relation in relations:
             if not isinstance(relation, Relational) or isinstance(relation, sm.Ne):
@@ -156,7 +156,7 @@ class Reader:
         return result
 
     def _instants_in(self, expression: Any) -> dict[Any, tuple[str, int, Any]]:
-        """Return what the expression holds at instants: kind, index and the time."""
+        """Return the quantities at instants in an expression: kind, index and time."""
         kinds = [("state", k, s) for k, s in enumerate(self.states)]
         kinds += [("control", k, s) for k, s in enumerate(self.controls)]
         found: dict[Any, tuple[str, int, Any]] = {}
@@ -202,7 +202,7 @@ class Reader:
 
 
 def bends(objective: Any) -> str:
-    """Return what to say of a search that failed where the objective may have no derivative."""
+    """Return a message on places where the objective may have no derivative, or ''."""
     kinds = (sm.Abs, sm.Max, sm.Min, sm.sign, sm.Piecewise, sm.Heaviside)
     bent = sorted((e for e in objective.atoms(*kinds) if not e.is_number), key=sm.default_sort_key)
     if not bent:

@@ -89,7 +89,7 @@ class Experiment:
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """What was found."""
+    """The result of an identification."""
 
     z: np.ndarray  # (k,), the parameters
     # For each experiment: model minus sample, divided by the noise, (m, q).
@@ -195,7 +195,7 @@ class Identification:
         search: Callable[..., Solution],
         watch: Callable[[Iteration], None],
     ) -> Identified:
-        """Find the parameters, from z on, with what `solver_of` returns.
+        """Find the parameters, from z on, by the solver that `solver_of` returns.
 
         Without a `mesh`, it is refined until its error is small beside the residuals, or until the
         estimates stay where they are beside their standard errors.
@@ -289,7 +289,7 @@ class Identification:
 
 
 class _Joined:
-    """Experiments on meshes, with their unknowns as one vector: those `own` of each are there."""
+    """Experiments on meshes, with their unknowns in one vector, at the positions `own`."""
 
     def __init__(self, asked: Identification, meshes: Sequence[np.ndarray]) -> None:
         self.asked, self.experiments = asked, asked.experiments
@@ -352,7 +352,7 @@ class _Joined:
         return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
 
     def _known(self, slope: np.ndarray) -> Piece:
-        """Return what is known of parameters before, and a slope."""
+        """Return the priors of the parameters, and a slope."""
         problem = self.made[0].problem
         count = len(self.parameters)
         data = np.array([np.zeros(count), np.zeros(count), slope])
@@ -362,7 +362,7 @@ class _Joined:
         return Piece(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the disturbances' unknowns, and what makes residuals of them."""
+        """Return the disturbances' unknowns, and the function of their residuals."""
         places, factors = [np.empty(0, dtype=int)], [np.empty(0)]
         for made, own in zip(self.made, self.own, strict=True):
             (points,) = made.scheme.points(made.mesh)
@@ -433,7 +433,7 @@ class _Joined:
         return slopes
 
     def _spread(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> float:
-        """Return ½ log det H_v but for a constant."""
+        """Return ½ log det H_v up to a constant."""
         R, A = self._linear(nlp, residuals, z)
         free = self._free(nlp)
         states = free.copy()
@@ -488,7 +488,7 @@ def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:
 
 
 def _system(R: Any, A: Any) -> tuple[Any, Any]:
-    """Return K, and what makes it regular where constraints are redundant: a diagonal."""
+    """Return K, and a diagonal that makes it regular where constraints are redundant."""
     K = scipy.sparse.block_array(
         [[-scipy.sparse.eye_array(R.shape[0]), R, None], [R.T, None, A.T], [None, A, None]],
         format="csc",

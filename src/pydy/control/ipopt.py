@@ -98,7 +98,7 @@ class Solution:
         status: int, history: Sequence[Iteration],
         interrupted: BaseException | None,
     ) -> Solution:  # fmt: skip
-        """Return the Solution of what a solver tells of the program in units of its own."""
+        """Return a solver's result, which is in scaled units, as a Solution."""
         return cls(
             # IPOPT widens bounds by 1e-8, without which some searches come to no end.
             z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
@@ -203,7 +203,7 @@ def _probe(lib: Any) -> bool:
 
 
 class Watched:
-    """The iterations of a search, and what was raised on the way, which ends it."""
+    """The iterations of a search, and the exception that ended it, if any."""
 
     def __init__(
         self, nlp: Any, watch: Callable[[Iteration], None], interrupts: Interrupts
@@ -230,7 +230,7 @@ class Watched:
 
 @contextmanager
 def _kept(raised: list[BaseException], guard: Any) -> Iterator[None]:
-    """Keep what a signal's handler raises on the way into a function, before it can catch it.
+    """Keep an exception that a signal handler raises at the entrance of a callback.
 
     ctypes reports it as unraisable, and answers with whatever lies in the result, often true: the
     search then ends at the next iteration. Signals reach the main thread alone.

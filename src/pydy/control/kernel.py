@@ -143,7 +143,7 @@ class Equations:
     def read(
         self, graph: Graph, expressions: Iterable[Any], what: str, duration: Any = None
     ) -> list[int]:
-        """Return expressions as nodes of a copy of the graph; `what` is for messages.
+        """Read expressions into a copy of the graph; `what` names them in messages.
 
         They may hold the symbol of the duration, an input of the group 'T'.
         """
@@ -153,7 +153,7 @@ class Equations:
 
 
 def violated(at: Any) -> dict[int, float]:
-    """Return what the motion keeps by itself, as norms of quaternions, where it is not zero.
+    """Return nonzero residuals of invariants such as norms of quaternions.
 
     `at` is a start; the residuals of these holonomic constraints come by their places.
     """
@@ -261,7 +261,7 @@ class Point:
         return made
 
     def _content(self, roots: list[int], outputs: tuple[int, int], hessian: str | None) -> bytes:
-        """Return a digest of all that decides what is derived."""
+        """Return a digest of everything that determines the derivatives."""
         g = self.graph
         order = g.reachable(roots)
         new = {old: k for k, old in enumerate(order)}
@@ -349,14 +349,14 @@ class Functions:
         return cls(programs, sizes, outputs, np.array(gradient_at, dtype=int), first, second)
 
     def to_bytes(self) -> bytes:
-        """Return what `from_bytes` reads."""
+        """Return the bytes that `from_bytes` reads."""
         programs = {name: program.to_bytes() for name, program in self.programs.items()}
         places = [at.tolist() for at in (self.gradient_at, self.jacobian_at, self.hessian_at)]
         return marshal.dumps((programs, self.sizes, self.outputs, *places))
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Functions:
-        """Read what `to_bytes` returns."""
+        """Read the bytes of `to_bytes`."""
         programs, sizes, outputs, *places = marshal.loads(data)
         own = {name: Program.from_bytes(one) for name, one in programs.items()}
         return cls.of(own, sizes, outputs, *places)
@@ -367,7 +367,7 @@ class Functions:
         return {name: backend.compile(program) for name, program in self.programs.items()}
 
     def sweep(self, name: str) -> tuple[np.ndarray, int, Any]:
-        """Return what native code needs for one of the functions; see `sweep_by_columns`."""
+        """Return the arguments of native code for one of the functions; see `sweep_by_columns`."""
         if name not in self._sweeps:
             self._sweeps[name] = sweep_by_columns(self.programs[name], _LANES)
         words, scratch, code = self._sweeps[name]

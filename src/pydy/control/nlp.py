@@ -171,7 +171,7 @@ class Nlp:
         return low, high
 
     def by_piece(self, values: np.ndarray) -> list[tuple[Piece, np.ndarray]]:
-        """Return what each piece has of all rows, as views (rows, points)."""
+        """Return each piece's part of all rows, as views (rows, points)."""
         ends = np.cumsum([piece.rows * piece.points for piece in self.pieces])
         parts = np.split(values, ends[:-1])
         return [
@@ -301,7 +301,7 @@ class Native:
     def __call__(
         self, name: str, y: np.ndarray, weight: float = 1.0, multipliers: Any = None
     ) -> tuple[np.ndarray, bool]:
-        """Return what a function has at y, and whether all of it is finite."""
+        """Evaluate a function at y; return its values and whether all are finite."""
         n, m, slopes, curvatures = self._sizes
         y = np.ascontiguousarray(y, float)
         given = np.ascontiguousarray(np.empty(0) if multipliers is None else multipliers, float)

@@ -458,7 +458,7 @@ class OptimalControl(Search[OptimalTrajectory]):
     def _guess(
         self, made: Transcription, given: Any, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
-        """Return where to start: what is given, else straight lines between the ends."""
+        """Return the user's guess, completed by straight lines between the ends."""
         guess = Guess(given, self._unknown, self._duration, self._symbol)
         duration = guess.duration(self._bounds_at(self._symbol))
         places, slopes = made.places
@@ -609,7 +609,7 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
 
 
 def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return what to call all equations, and the constraints among them."""
+    """Return the names of all equations, and of the constraints among them."""
     equations = definition.equations
     coordinates, speeds, others = (
         unique_names(part)

@@ -24,7 +24,7 @@ from pydy.solvers.tableaus import tableau_of
 
 @dataclass(frozen=True, eq=False)
 class Moved:
-    """What gives the derivatives of the states."""
+    """The function of the states' derivatives."""
 
     kernel: Kernel  # x' of t, x, r and p
     signals: Any  # gives r, but for the controls and specifieds that are unknown numbers

@@ -289,7 +289,7 @@ class _Controls(OfTime):
     z: np.ndarray
 
     def along(self, times: np.ndarray) -> np.ndarray:
-        """Return the controls at m times; before and after the motion those at its ends."""
+        """Return the controls at m times, constant before and after the motion."""
         duration = self.transcription.split(self.z)[3]
         return self.transcription.controls_at(self.z, np.clip(times, 0.0, duration))
 
@@ -367,7 +367,7 @@ def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.n
 def why_in_vain(
     solution: Solution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
 ) -> str:
-    """Return why a search failed: what IPOPT says, and controls that it could not move.
+    """Explain why a search failed: IPOPT's message, and controls without effect.
 
     To first order it cannot tell where to move those that change no equation where it begins, but
     would elsewhere, as from u = 0 where u² is a force. That is no contradiction.

@@ -83,7 +83,7 @@ class Points:
 
 @dataclass(frozen=True)
 class Slots:
-    """Values at the nodes of a mesh, if any, then those at each of some fractions of intervals.
+    """Values at the nodes of a mesh, if any, then at each of some fractions of its intervals.
 
     A second block of nodes has the slopes there.
     """

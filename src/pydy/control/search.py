@@ -41,12 +41,12 @@ class Part(NamedTuple):
 
 
 class Search(Generic[Found]):
-    """Optimal control problems that are solved together, and what is found: `Found`."""
+    """Optimal control problems that are solved together, with a result of type `Found`."""
 
     _problems: Sequence[Any]  # of OptimalControl
 
     def check(self, guess: Any = None) -> None:
-        """Raise what is wrong before the search.
+        """Check the problem before the search.
 
         Parameters
         ----------
@@ -223,11 +223,11 @@ class Search(Generic[Found]):
         return [found]
 
     def _whole(self, phases: Sequence[Any], solution: Solution) -> Any:
-        """Return what is found, of the motions of the problems."""
+        """Make the result from the motions of the problems."""
         return phases[0]
 
     def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> Piece:
-        """Return what holds between two problems."""
+        """Return the conditions that link two problems."""
         raise NotImplementedError
 
     # -- the program of all ------------------------------------------------------------------------
@@ -303,7 +303,7 @@ class Search(Generic[Found]):
     def _solved(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
     ) -> tuple[Any, Sequence[Any]]:
-        """Return the motion on meshes, and those of the problems."""
+        """Return the solution on meshes, and the motions of the problems."""
         nlp, start, parts = self._joined(meshes, guesses)
         several, warm = len(parts) > 1, None
         last = None if several else guesses[0]
@@ -352,7 +352,7 @@ class Search(Generic[Found]):
 
 
 def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray:
-    """Return the unknowns without jumps of controls by whole turns, if nothing depends on those.
+    """Remove jumps of controls by whole turns, if nothing depends on them.
 
     The equations of a point see an angle but for turns; between the points its polynomial does not.
     """
@@ -401,7 +401,7 @@ def _mesh_tolerance(value: Any) -> float | None:
 
 
 def _checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
-    """Return what is swept, and as many values for each."""
+    """Return the swept quantities, with equally many values for each."""
     given = check_mapping("values", values)
     rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
     for key, row in zip(given, rows, strict=True):

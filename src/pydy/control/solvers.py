@@ -44,7 +44,7 @@ def fitting_solver_of(name: Any, options: Any) -> Callable[..., Solution]:
 
 
 class _Program(Watched):
-    """A program as cyipopt and POUNCE ask for it; what cannot be computed is NaN."""
+    """A program in the form that cyipopt and POUNCE expect; failed evaluations are NaN."""
 
     def _filled(self, name: str, *given: Any) -> np.ndarray:
         try:

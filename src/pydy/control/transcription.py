@@ -100,7 +100,7 @@ class Problem:
         return self.once(key, lambda: self._at_points(points))
 
     def labels_at(self, points: Points) -> tuple[str, ...]:
-        """Return what the rows of collocation points are, without path conditions."""
+        """Return the names of the collocation points' rows, without path conditions."""
         held = len(self.equations.constraints)
         first = len(self.labels) - held
         if points.rows == "constraints":
@@ -114,7 +114,7 @@ class Problem:
         return () if points.rows == "constraints" else self.path
 
     def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
-        """Return what is compiled for all meshes, and for problems that differ in numbers."""
+        """Return the code that is compiled once for all meshes and numbers."""
         if key not in self._compiled:
             with collector_paused():  # until the graph is gone, which is no old object
                 self._compiled[key] = make()
@@ -347,7 +347,7 @@ class Transcription:
     def joined(
         self, states: np.ndarray, controls: np.ndarray, constants: Any, duration: Any
     ) -> np.ndarray:
-        """Return the unknowns, of what `split` returns."""
+        """Join the parts that `split` returns into the unknowns."""
         last = [duration] if self.problem.duration is None else []
         parts = (np.ravel(states), np.ravel(controls), np.asarray(constants, float), last)
         return np.concatenate(parts).astype(float)
@@ -360,7 +360,7 @@ class Transcription:
     # -- the program ------------------------------------------------------------------------------
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
-        """Return the program; bounds and sizes are those of the unknowns."""
+        """Return the nonlinear program, given bounds and sizes of the unknowns."""
         return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
@@ -457,7 +457,7 @@ class Transcription:
     def samples(
         self, times: np.ndarray, values: np.ndarray, weights: np.ndarray
     ) -> tuple[Piece, Piece]:
-        """Return what samples add to the objective, and their residuals as rows.
+        """Return the samples' terms of the objective, and their residuals as rows.
 
         The times (m,) are by the clock of `Problem.begin`; residuals are the `weights` times the
         difference of model and `values` (m, q).
@@ -486,7 +486,7 @@ class Transcription:
         )
 
     def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the constants p and the specifieds r, with those that were found."""
+        """Return the constants p and the specifieds r, including the ones found."""
         p = self.problem
         numbers = np.concatenate([p.constants, p.specifieds])
         numbers[list(p.free)] = self.split(z)[2]
@@ -518,7 +518,7 @@ class Transcription:
         return found
 
     def controls_at(self, z: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Return the controls at m times, shape (m, c), those of the interval before at a node."""
+        """Return the controls at m times, shape (m, c); at a node, those of the interval before."""
         return self.controls_in(z, *self._local(times / self.split(z)[3], "left"))
 
     def controls_in(self, z: np.ndarray, k: np.ndarray, s: np.ndarray) -> np.ndarray:
@@ -597,7 +597,7 @@ def sizes_of(
 
 
 def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
-    """Let bounds, the second and third row, be none where they are far wider than what is told."""
+    """Drop bounds, the second and third row, that are far wider than the known sizes."""
     sizes[1:][(sizes[1:] > WIDE * told) & (told > 0.0)] = 0.0
 
 
