@@ -1,5 +1,7 @@
 """Eight trajectories at once: the same results as one by one, whatever the neighbours."""
 
+import warnings
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -9,10 +11,21 @@ import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy._graph.interpret import run as interpret
+from pydy.ensemble.model import Model
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
-from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS, START_OFF_CONSTRAINTS
+from pydy.solvers import Event
+from pydy.solvers.outcome import (
+    ENERGY_CHANGED,
+    EVENT_UNDEFINED,
+    EVENTS_ACCUMULATE,
+    LEFT_CONSTRAINTS,
+    START_OFF_CONSTRAINTS,
+    STEP_UNDERFLOW,
+    TERMINATED,
+    TOO_MANY_STEPS,
+)
 from pydy.system import System
 
 
@@ -288,3 +301,114 @@ def test_samples_are_judged_together_as_alone(monkeypatch):
         alone = system.integrate_ensemble(constants={"g": gravities[k : k + 1]}, **options)
         for name in alone.data_vars:
             assert same_bits(alone[name][0], many[name][k]), name
+
+
+# -- events ----------------------------------------------------------------------------------------
+
+
+def told(ask):
+    """An ensemble in lanes and one by one, and what was warned of."""
+    found = []
+    for lanes in (True, False):
+        with pytest.MonkeyPatch.context() as patch, warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            if not lanes:
+                patch.setattr(Model, "in_lanes", False)
+            found.append((ask(), {str(warning.message) for warning in caught}))
+        assert found[-1][0].attrs["lanes"] == (8 if lanes else 1)
+    identical(found[0][0], found[1][0])
+    assert len(found[0][1]) == len(found[1][1])  # each names one of its samples, by chance
+    return found[0][0]
+
+
+def watched(system, events, values, **options):
+    options = {"reduce": ["final", ("events", 400)], **options}
+    return told(lambda: system.integrate_ensemble(events=events, **values, **options))
+
+
+METHODS = [
+    ("dop853", {"rtol": 1e-8, "atol": 1e-8}),
+    ("tsit5", {"rtol": 1e-6, "atol": 1e-6, "first_step": 0.01}),
+    ("vern9", {"rtol": 1e-8, "max_step": 0.1}),
+    ("rk4", {"step": 0.02}),
+]
+
+
+@pytest.mark.parametrize(("method", "options"), METHODS)
+@pytest.mark.parametrize("seed", range(2))
+def test_events_in_lanes_have_the_bits_of_the_solver_for_one(method, options, seed):
+    system, rng = pendulum(1 + seed % 2), np.random.default_rng(seed)
+    values, states = random_values(system, 19, seed), list(system.states)
+    a, b, c = rng.permutation(len(states))[:3]
+    x, y, z = states[a], states[b], states[c]
+    time = me.dynamicsymbols._t
+    events = [
+        Event(x - 0.1, direction=int(rng.integers(-1, 2)), reset={y: -0.9 * y}, name="line"),
+        Event(sm.sin(3 * x) + y * z, direction=int(rng.integers(-1, 2)), name="curve"),
+        Event(time - 0.5 - 0.1 * z, reset={z: z + 0.01}, name="time"),
+        Event(x + y - 1.2, terminal=bool(seed % 2), name="last"),
+    ]
+    found = watched(system, events, values, ode_solver=method, **options)
+    assert found["time_count"].values.sum() >= 10
+    outputs = watched(system, events, values, ode_solver=method, reduce=None, **options)
+    assert set(outputs.status.values) <= {0, TERMINATED}
+    few = watched(system, events[:1], values, ode_solver=method, reduce="final", **options)
+    assert (few.status == 0).all()
+
+
+def test_logs_of_lanes_are_emptied_where_that_of_one_is():
+    system, time = pendulum(1), me.dynamicsymbols._t
+    values, q = random_values(system, 9), system.coordinates[0]
+    events = [Event(sm.sin(900 * time + q), name="often"), Event(q - 0.1, reset={q: q + 0.1})]
+    found = watched(system, events, values, ode_solver="dop853")
+    assert (found["often_count"] > 500).all()
+
+
+def test_what_lanes_leave_to_python_is_as_one_by_one():
+    system, time = pendulum(1), me.dynamicsymbols._t
+    values, q, u = random_values(system, 9), system.coordinates[1], system.speeds[0]
+    values["initial_conditions"][q][:3] = 0.0, 0.3, -0.2  # zero at first
+    both = [Event(q - 0.2, reset={u: 0.9 * u}), Event(2 * q - 0.4, reset={u: u + 0.1}, name="b")]
+    assert (watched(system, both, values)["b_count"] > 0).any()
+    ends = [Event(q, terminal=True, reset={u: 0.5 * u}), Event(time - 2.0, name="end")]
+    found = watched(system, ends, values)
+    assert set(found.status.values) == {0, TERMINATED}
+    assert (found["end_count"] == (found.status == 0)).all()
+    undefined = [Event(sm.sqrt(q) - 0.1, name="root")]
+    assert EVENT_UNDEFINED in watched(system, undefined, values).status.values
+    rests = [Event(sm.Max(0, q), name="rest")]
+    assert (watched(system, rests, values).status == 0).all()
+    over = watched(system, [Event(q)], values, max_steps=12)
+    assert set(over.status.values) == {0, TOO_MANY_STEPS}
+
+
+def test_samples_that_fail_after_events_are_alone():
+    system, x, v, _ = runaway()
+    speeds = {"initial_conditions": {v: np.array([0.1, 1.0, 0.2, 0.0, 0.4])}}
+    kicks = [Event(x - 0.1, direction=1, reset={v: 1.5 * v}, name="kick"), Event(v - 1e9)]
+    found = watched(system, kicks, speeds)
+    assert set(found.status.values) == {0, STEP_UNDERFLOW}
+    assert found["kick_count"].values.tolist() == [1, 1, 1, 0, 1]
+
+
+@pytest.mark.parametrize("kind", ["pchip", "previous"])
+def test_events_beside_sampled_inputs_are_noted_in_lanes(kind):
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,), (x, v) = system.specifieds_symbols, system.states
+    t = np.linspace(0.0, 3.0, num=9)
+    push = {force: SampledInput(t, 4.0 * np.cos(3.0 * t), interpolation=kind)}
+    starts = {"initial_conditions": {x: np.linspace(-1.0, 1.0, num=11)}, "specifieds": push}
+    events = [Event(x + force / 9.0, name="pushed"), Event(v - 0.9, terminal=True)]
+    found = watched(system, events, starts, times=np.linspace(0.0, 3.0, num=7))
+    assert set(found.status.values) <= {0, TERMINATED}
+
+
+def test_balls_come_to_rest_in_lanes():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,), (x, v) = system.specifieds_symbols, system.states
+    system.specifieds, system.times = {force: -9.81}, np.linspace(0.0, 2.0, num=5)
+    system.constants = {"k0": 0.0, "c0": 0.0, "m0": 1.0}
+    floor = Event(x, direction=-1, reset={v: -0.3 * v}, name="floor")
+    heights = {"initial_conditions": {x: np.array([0.0, 0.5, 1.0, 30.0])}}
+    found = watched(system, [floor], heights)
+    assert found.status.values.tolist()[1:] == [EVENTS_ACCUMULATE] * 2 + [0]

@@ -136,7 +136,7 @@ def construct():
         (construct, 639, 55),
         (integrate, 27, 11),
         (simulate, 92, 21),
-        (with_contacts, 126, 27),
+        (with_contacts, 127, 27),
         (ensemble, 87, 24),
     ],
     ids=lambda value: getattr(value, "__name__", ""),

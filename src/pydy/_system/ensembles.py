@@ -435,7 +435,8 @@ class Ensembles(Setup):
         -----
         Trajectories are integrated one by one, by the same solvers, if specifieds are Python
         functions, with `control_sensitivities`, sensitivities with respect to samples, `events` or
-        ``constraints='project'``, and with 'radau'.
+        ``constraints='project'``, with `events` beside ``constraints='project'``, with resets
+        beside SampledInputs, and with 'radau'. So are samples that fail, once more.
 
         Examples
         --------

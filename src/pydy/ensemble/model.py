@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -19,12 +20,12 @@ from pydy.analysis.jumps import Passed, Watched
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
-from pydy.solvers.tuning import LANES
+from pydy.solvers.tuning import LANES, ROUNDING
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
-    from pydy.solvers.run.lanes import HeldLanes
+    from pydy.solvers.run.lanes import LanesAlone, LanesWatched
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -186,9 +187,22 @@ class Model:
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
         beside, held = self.sensitivities, self.options.constraints is not None
-        asks = self.options.events is not None or self.motions is not None
+        watched = self.options.events is not None
+        asks = self.motions is not None or (watched and not self._watched_in_lanes)
         asks = asks or (beside is not None and (held or beside.sized is not None))
         return self.method != "radau" and not self.functions and not asks
+
+    @property
+    def _watched_in_lanes(self) -> bool:
+        """Whether events need Python for exceptions alone."""
+        options, events = self.options, self.options.events
+        assert events is not None
+        beside = self.sensitivities is not None or options.constraints is not None
+        kernels = (events.values, events.rates, events.resets)
+        native = all(k is None or k.settled is not None for k in kernels)
+        acts = not (any(events.resetting) and self.sampled) and not any(events.turns)
+        exact = bool(np.min(options.rtol) < 10.0 * ROUNDING)  # what then is told of each start
+        return native and acts and not (beside or exact or any(events.constant))
 
     @property
     def event_names(self) -> tuple[str, ...]:
@@ -266,6 +280,7 @@ class Batch:
     r: np.ndarray  # (m, s)
     p: np.ndarray  # (m, k)
     stopped: Callable[[], bool]  # tells whether to give up
+    logs: bool = True  # whether to note events
 
     def some(self, places: np.ndarray) -> Batch:
         """Return some of the samples."""
@@ -338,29 +353,41 @@ class Batch:
         model = self.model
         if not model.in_lanes:
             return self._one_by_one(times, states)
-        x, held = self.x, None
+        x = self.x
+        alone: LanesAlone | None = None  # for what lanes do one after another
         if model.options.constraints is not None:
-            x, held = self._on_constraints(times)
+            x, alone = self._on_constraints(times)
+        elif model.options.events is not None:
+            alone = self._watched(times)
         counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
-            times, model.options, states, self.stopped, controlled, held,
+            times, model.options, states, self.stopped, controlled, alone,
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})
-        if held is not None:
-            results.told["nearness"] = held.nearness()
-            lost = np.flatnonzero(counts["status"] != FINISHED)
+        if alone is not None:
+            results.told["nearness"] = alone.nearness()
+            ended = alone.ended(counts["status"], states[:, :, -1:])
+            results.stretches, results.records = alone.stretches(ended), alone.records()
+            lost = np.flatnonzero(~ended)
             if lost.size:  # why, the solver of single trajectories tells
                 results.take(lost, self.some(lost)._one_by_one(times))
         return results
 
-    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, HeldLanes]:
+    def _watched(self, times: np.ndarray) -> LanesWatched:
+        """Return how lanes look for events."""
+        from pydy.solvers.run.lanes import LanesWatched
+
+        one, samples = self._single(0, times, None), (self.x, self.r, self.p, self.model.sampled)
+        return LanesWatched(one, samples, times, partial(_kernel, lanes=LANES), self.logs)
+
+    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, LanesAlone]:
         """Return the states in which motions begin, and how they are held on constraints.
 
         NaN where a motion cannot begin: the solver of single trajectories tells why.
         """
         from pydy._errors import IntegrationError
-        from pydy.solvers.run.lanes import HeldLanes
+        from pydy.solvers.run.lanes import LanesAlone
 
         x, seen, one = np.full_like(self.x, np.nan), [], None
         for k in range(len(x)):
@@ -369,7 +396,7 @@ class Batch:
                 x[k] = one.begin(np.ascontiguousarray(self.x[k]))
             seen.append(one.seen.copy())
         assert one is not None
-        return x, HeldLanes(one, np.array(seen))
+        return x, LanesAlone(one, np.array(seen))
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""

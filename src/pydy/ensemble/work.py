@@ -165,7 +165,8 @@ class Work:
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
             times = times[[0, -1]]  # steps do not depend on the outputs
-        batch = Batch(model, *samples.rows(), stopped)
+        logs = model.kept is not None or _EventTimes in map(type, self.reductions)
+        batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
         if model.kept is not None:
             if not (model.kept.mended or model.options.constraints is not None):

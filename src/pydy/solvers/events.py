@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from numbers import Real
 from typing import Any
@@ -11,8 +11,7 @@ import numpy as np
 
 from pydy._checks import flag, text
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.tuning import CLOSE, CROWD, CROWDED, ROUNDING, ROUNDINGS
-from pydy.trajectory import EventRecord
+from pydy.solvers.tuning import CLOSE, ROUNDING, ROUNDINGS
 
 
 @dataclass(frozen=True)
@@ -151,12 +150,23 @@ class CompiledEvents:
     may_rest: tuple[bool, ...] = ()
 
 
-def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, span: float) -> bool:
-    """Return whether the latest occurrences of an event accumulate: Zeno behaviour."""
-    same = [r.time for r in records[-CROWD * number :] if r.index == event][-CROWD:]
-    if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), span):
-        return True
-    return len(same) == CROWD and t - same[0] < CROWDED * span
+def stretches(events: CompiledEvents, rests: np.ndarray, span: float) -> list[str]:
+    """Return what to say of expressions that stayed at zero, from ``Watch.rests`` and a span."""
+    told = []
+    for k in np.flatnonzero(events.may_rest):
+        first, last = rests[2 * k : 2 * k + 2].tolist()
+        # What is shorter may be rounding.
+        if first < last and last - first <= CLOSE**2 * max(abs(last), span):
+            continue
+        if first <= last:  # neither is NaN
+            when = f"from t = {first:.6g} to {last:.6g}, at least"
+            when = f"at and beside t = {first:.6g}" if first == last else when
+            told.append(
+                f"The expression of the event `{events.names[k]}` is exactly zero {when}: there no "
+                "sign tells when the event happens, and its times are arbitrary. Pass an "
+                "expression that passes through zero, such as `x` in place of `Max(0, x)`."
+            )
+    return told
 
 
 def forcing_time(

@@ -4,10 +4,11 @@
 
 INLINE int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
-/* Change the state at the event that has just ended a step; tell whether that is done.
+/* Change the state at the event that has just ended a step: ACTED, or EVENTS_ACCUMULATE where it has
+   followed itself ever faster, or LEFT.
 
-   Python has to see to what is not as simple: several events at once, errors, and events that may
-   accumulate. Then nothing has changed. */
+   Python has to see to what is not as simple: several events at once, and errors. Then nothing has
+   changed. */
 int64_t act_on_event(const Run *run)
 {
     const Watch *w = &run->watch;
@@ -23,25 +24,24 @@ int64_t act_on_event(const Run *run)
     for (int64_t k = 0; k < number; k++)
         if (w->fired.at[k] != 0) {
             if (event >= 0)
-                return 0;
+                return LEFT;
             event = k;
         }
-    if (event < 0 || !(w->kinds.at[event] & RESETS) || !(t - w->latest.at[event] > CROWDED * span)
-        || line + 1 + number > w->log_times.size)
-        return 0;
+    if (event < 0 || !(w->kinds.at[event] & RESETS) || line + 1 + number > w->log_times.size)
+        return LEFT;
     const double *row = after + event * n;
     set_inputs(p, t);
     if (call_kernel(w->words.at[RESETTER], p->clock.at, x, p->r.at, w->resets_c.at, after) != 0
         || call_kernel(w->words.at[WATCHER], p->clock.at, x, p->r.at, w->c.at, was) != 0
         || call_kernel(w->words.at[WATCHER], p->clock.at, row, p->r.at, w->c.at, values) != 0
         || call_kernel(w->words.at[RATER], p->clock.at, row, p->r.at, w->rates_c.at, w->told.at) != 0)
-        return 0;
+        return LEFT;
     for (int64_t i = 0; i < n; i++)
         if (!is_finite(row[i]))
-            return 0;
+            return LEFT;
     for (int64_t k = 0; k < number; k++)
         if (k != event && w->sides.at[k] != 0 && values[k] != values[k])
-            return 0;
+            return LEFT;
     /* whether the reset leads away from zero, or the rate tells the side */
     const double value = values[event], bound = 8.0 * ROUNDING * bounds[event];
     const int left = value != was[event] && absolute(value) > bound;
@@ -50,7 +50,7 @@ int64_t act_on_event(const Run *run)
         const double told = by_rate ? rates[k] : values[k];
         w->sides.at[k] = is_finite(told) ? sign_of(told) : 0;
     }
-    w->latest.at[event] = w->log_times.at[line] = t;
+    w->log_times.at[line] = t;
     w->log_events.at[line] = event;
     for (int64_t i = 0; i < n; i++) {
         w->log_states.at[line * n + i] = x[i];
@@ -59,5 +59,11 @@ int64_t act_on_event(const Run *run)
     run->progress.counts.at[LOGGED] = line + 1;
     if (run->method.shape.at[ESTIMATES] == 0)
         state[SIZE] = run->beginning.state.at[SIZE]; /* that of all steps, or the solver's own */
-    return 1;
+    double *latest = w->latest.at + event * CROWD;
+    const int crowded = t - latest[0] <= 16.0 * ROUNDING * maximum(absolute(t), span)
+        || t - latest[CROWD - 2] < CROWDED * span;
+    for (int64_t k = CROWD - 1; k > 0; k--)
+        latest[k] = latest[k - 1];
+    latest[0] = t;
+    return crowded ? EVENTS_ACCUMULATE : ACTED;
 }

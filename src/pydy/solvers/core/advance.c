@@ -186,6 +186,6 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
         begin(run, flat);
     do
         code = step_on(run, flat);
-    while (goes_on(run, code));
+    while (goes_on(run, &code));
     return code;
 }

@@ -13,21 +13,17 @@
 #define UNKNOWN (0.0 / 0.0)
 #define STEPPER(run) {&(run)->method, &(run)->problem, &(run)->memory}
 
-/* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
-   parts of the step, from its start on, and their middles. Behind them is the time at which the start is
-   known. */
-enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
-
-/* Parts that are compiled apart, and called by their addresses. */
-typedef int64_t Project(const Run *run, double t, double *x, const double *from);
-typedef int64_t Scan(const Run *run, double t, double h);
-typedef int64_t Act(const Run *run);
-
-/* Tell whether a step that ended with a code is followed by others: after an event that has acted. */
-INLINE int goes_on(const Run *run, int64_t code)
+/* Tell whether a step that ended with a code is followed by others: after an event that has acted. The
+   code may become that with which the integration ends there. */
+INLINE int goes_on(const Run *run, int64_t *code)
 {
     const int64_t act = run->watch.words.at[ACT];
-    return code == EVENT && act != 0 && ((Act *)act)(run) != 0;
+    if (*code != EVENT || act == 0)
+        return 0;
+    const int64_t told = ((Act *)act)(run);
+    if (told == EVENTS_ACCUMULATE)
+        *code = told;
+    return told == ACTED;
 }
 
 INLINE int64_t hold(const Run *run, double t, double *x, const double *from)

@@ -2,9 +2,6 @@
 
 #include "run.h"
 
-/* A step is looked at in parts. Their ends have irrational ratios: no oscillation looks slow at all. */
-static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0};
-
 enum { BACK = 2 }; /* located, though it has the sign again that it began with */
 
 enum { TRIES = 20 }; /* parabolas for a least value: a few lead to it where it is smooth */

@@ -7,6 +7,19 @@
 #include "equations.h"
 #include "sums.h"
 
+/* A step is looked at in parts. Their ends have irrational ratios: no oscillation looks slow at all. */
+static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0};
+
+/* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
+   parts of the step, from its start on, and their middles. Behind them is the time at which the start is
+   known. */
+enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
+
+/* Parts that are compiled apart, and called by their addresses. */
+typedef int64_t Project(const Run *run, double t, double *x, const double *from);
+typedef int64_t Scan(const Run *run, double t, double h);
+typedef int64_t Act(const Run *run);
+
 typedef struct {
     const Method *method;
     const Equations *equations;

@@ -19,44 +19,98 @@
 #define ADD(field, value) put(l->field.at, 0, OF(field) + (value))
 #define SOME(which, value) where(which, (Real)(value), (Real)(0.0))
 
-/* -- constraints ------------------------------------------------------------------------------ */
+/* -- what each lane does alone ---------------------------------------------------------------- */
 
-typedef int64_t Project(const Run *run, double t, double *x, const double *from);
-
-INLINE const Run *held_in(const LaneRun *run, int64_t lane)
+INLINE const Run *alone_in(const LaneRun *run, int64_t lane)
 {
-    return (const Run *)run->holding.runs.at[lane];
+    return (const Run *)run->alone.runs.at[lane];
 }
 
 INLINE double *seen_in(const LaneRun *run, int64_t lane)
 {
-    return held_in(run, lane)->constraints.values.at + run->holding.words.at[HOLDING_SEEN];
+    return alone_in(run, lane)->constraints.values.at + run->alone.words.at[ALONE_SEEN];
 }
 
-/* Give the constraints of a lane the inputs of a sample, and what was seen of them at its start. */
-INLINE void take_constraints(const LaneRun *run, int64_t sample, int64_t lane)
+/* Give the run of a lane the inputs of a sample, and what was seen of it at its start. */
+INLINE void take_alone(const LaneRun *run, int64_t sample, int64_t lane)
 {
-    const Holding *g = &run->holding;
-    const Run *own = held_in(run, lane);
+    const Alone *g = &run->alone;
+    const LaneWatch *w = &run->lane_watch;
+    const Run *own = alone_in(run, lane);
     const Numbers *r = &run->queue.r, *p = &run->queue.p;
     SERIAL
     for (int64_t i = 0; i < r->columns; i++)
         own->problem.r.at[i] = r->at[sample * r->columns + i];
-    ((Prepare *)g->words.at[HOLDING_PREPARE])(p->at + sample * p->columns, own->constraints.c.at);
+    for (int64_t k = 0; k < g->prepared.size; k++) {
+        const int64_t *row = g->prepared.at + k * g->prepared.columns;
+        ((Prepare *)row[0])(p->at + sample * p->columns, (double *)row[1 + lane]);
+    }
     SERIAL
     for (int64_t i = 0; i < g->seen.columns; i++)
         seen_in(run, lane)[i] = g->seen.at[sample * g->seen.columns + i];
+    for (int64_t k = 0; k < w->words.at[EVENTS]; k++) {
+        w->sides.at[k * W + lane] = (double)w->began.at[sample * w->began.columns + k];
+        for (int64_t i = 0; i < CROWD; i++)
+            own->watch.latest.at[k * CROWD + i] = i == 0 ? w->first.at[sample * w->first.columns + k] : -INF;
+        own->watch.rests.at[2 * k] = own->watch.rests.at[2 * k + 1] = __builtin_nan("");
+        w->known.at[lane] = __builtin_nan("");
+    }
+    own->progress.counts.at[LOGGED] = 0;
+}
+
+/* Move the log of a lane to that of all, where one is kept. */
+APART void empty_log(const LaneRun *run, int64_t lane)
+{
+    const LaneWatch *w = &run->lane_watch;
+    const Watch *own = &alone_in(run, lane)->watch;
+    int64_t *number = alone_in(run, lane)->progress.counts.at + LOGGED, n = w->log_states.columns;
+    for (int64_t k = 0; k < *number && w->log_times.size > 0; k++) {
+        const int64_t line = w->words.at[LANES_LOGGED]++;
+        w->log_samples.at[line] = run->lanes.samples.at[lane];
+        w->log_times.at[line] = own->log_times.at[k];
+        w->log_events.at[line] = own->log_events.at[k];
+        SERIAL
+        for (int64_t i = 0; i < n; i++) {
+            w->log_states.at[line * n + i] = own->log_states.at[k * n + i];
+            w->log_after.at[line * n + i] = own->log_after.at[k * n + i];
+        }
+    }
+    *number = 0;
+}
+
+/* Tell whether the log of all lanes may have no room for what they may log until it is looked at. */
+INLINE int log_is_full(const LaneRun *run)
+{
+    const LaneWatch *w = &run->lane_watch;
+    return w->log_times.size > 0
+        && w->words.at[LANES_LOGGED] + 2 * W * (1 + alone_in(run, 0)->watch.log_times.size) > w->log_times.size;
+}
+
+/* Note what a sample's run ends with. */
+INLINE void leave_alone(const LaneRun *run, int64_t sample, int64_t lane)
+{
+    const Numbers *seen = &run->alone.seen;
+    const LaneWatch *w = &run->lane_watch;
+    SERIAL
+    for (int64_t i = 0; i < seen->columns; i++)
+        seen->at[sample * seen->columns + i] = seen_in(run, lane)[i];
+    for (int64_t k = 0; k < w->words.at[EVENTS]; k++) {
+        w->began.at[sample * w->began.columns + k] = (int64_t)w->sides.at[k * W + lane];
+        for (int64_t i = 2 * k; i < 2 * k + 2; i++)
+            w->rests.at[sample * w->rests.columns + i] = alone_in(run, lane)->watch.rests.at[i];
+    }
+    empty_log(run, lane);
 }
 
 /* Move the states of some lanes onto their constraints; return the bits of those that missed. `ends`
    tells whether steps end there. */
 APART int64_t hold_lanes(const LaneRun *run, const double *times, double *x, int64_t which, int ends)
 {
-    double *state = run->holding.state.at;
+    double *state = run->alone.state.at;
     const int64_t n = run->lane_problem.words.at[STATES];
     int64_t missed = 0;
     FOR_LANES(which) {
-        const Run *own = held_in(run, lane);
+        const Run *own = alone_in(run, lane);
         double *from = own->memory.x.at;
         SERIAL
         for (int64_t i = 0; i < n; i++)
@@ -118,9 +172,8 @@ APART void retire(const LaneRun *run, int64_t which, int64_t status)
         counts[LANES_EVALUATIONS] = (int64_t)l->evaluations.at[lane];
         counts[LANES_STATUS] = status < 0 ? (int64_t)l->reason.at[lane] : status;
         q->reached.at[sample] = l->time.at[lane];
-        SERIAL
-        for (int64_t i = 0; i < run->holding.seen.columns; i++)
-            run->holding.seen.at[sample * run->holding.seen.columns + i] = seen_in(run, lane)[i];
+        if (run->alone.runs.size > 0)
+            leave_alone(run, sample, lane);
         l->samples.at[lane] = LANES_VACANT;
     }
 }
@@ -143,8 +196,8 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             copy_in(&q->x, sample, m->x.at, lane);
             copy_in(&q->r, sample, p->r.at, lane);
             copy_in(&q->p, sample, p->p.at, lane);
-            if (run->holding.runs.size > 0)
-                take_constraints(run, sample, lane);
+            if (run->alone.runs.size > 0)
+                take_alone(run, sample, lane);
             l->time.at[lane] = q->times.at[0];
             fresh |= (int64_t)1 << lane;
         }
@@ -166,6 +219,8 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             l->due.at[lane] = INF, l->samples.at[lane] = LANES_RESTING;
         }
     prepare(p);
+    for (int64_t k = 0; k < run->lane_watch.prepared.size; k++)
+        ((Prepare *)run->lane_watch.prepared.at[2 * k])(p->p.at, (double *)run->lane_watch.prepared.at[2 * k + 1]);
     return fresh;
 }
 
@@ -184,26 +239,30 @@ INLINE Real guess_first_size(const Stepper *s, Real t, double largest)
     return where(flags(failed), SLIVER * trial, size);
 }
 
-/* Begin with the samples that lanes have just taken. */
-APART void start(const LaneRun *run, const Stepper *s, int64_t fresh)
+/* Begin with the samples that lanes have just taken, and go on after the events of others. */
+APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t after)
 {
     const Lanes *l = &run->lanes;
     const Queue *q = &run->queue;
     const Memory *m = s->memory;
-    const Flags new = flags(fresh);
+    const Flags new = flags(fresh), begin = flags(fresh | after);
     const Real t = OF(time);
-    const int64_t failed = rates(s->equations, t, m->x.at, m->trial.at) & fresh;
+    const int64_t failed = rates(s->equations, t, m->x.at, m->trial.at) & (fresh | after);
     for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
-        put(m->stages.at, i, where(new, item(m->trial.at, i), item(m->stages.at, i)));
+        put(m->stages.at, i, where(begin, item(m->trial.at, i), item(m->stages.at, i)));
     const double first = q->numbers.at[LANES_FIRST], largest = q->numbers.at[LANES_LARGEST];
-    const Real size = first == 0.0 ? guess_first_size(s, t, largest) : (Real)(first);
-    SET(size, new, size);
-    SET(last_error, new, FIRST_ERROR);
-    SET(growth, new, s->method->control.at[GROW]);
+    /* what the user asked for is the first step alone, or all */
+    int64_t guessed = first == 0.0 ? fresh | after : s->method->shape.at[ESTIMATES] > 0 ? after : 0;
+    Real size = (Real)(first);
+    if (guessed != 0)
+        size = where(flags(guessed), guess_first_size(s, t, largest), size);
+    SET(size, begin, size);
+    SET(last_error, begin, FIRST_ERROR);
+    SET(growth, begin, s->method->control.at[GROW]);
     SET(steps, new, 0.0);
     SET(rejected, new, 0.0);
-    SET(evaluations, new, first == 0.0 ? 2.0 : 1.0);
-    SET(reason, new, where(usable(size), (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE)));
+    SET(evaluations, new, 0.0);
+    SET(reason, begin, where(usable(size), (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE)));
     FOR_LANES(fresh) {
         const int64_t before = l->samples.at[lane] * (q->times.size - 1);
         l->next.at[lane] = 0.0, l->due.at[lane] = q->times.at[0];
@@ -213,26 +272,263 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh)
         write_outputs(run, m->x.at, well);
         well &= bits(OF(due) == q->times.at[0]);
     }
+    const int64_t finished = (fresh | after) & ~failed & bits(OF(due) == INF);
+    ADD(evaluations, SOME(begin, 1.0) + SOME(flags(guessed & ~failed & ~finished), 1.0));
     retire(run, failed, SINGULAR);
-    retire(run, fresh & ~failed & bits(OF(due) == INF), FINISHED);
+    retire(run, finished, FINISHED);
+}
+
+/* -- events ----------------------------------------------------------------------------------- */
+
+/* Return the bits of the lanes whose events stay away from zero in the step just taken, as
+   `stays_clear` tells of one. */
+APART int64_t clear_lanes(const LaneRun *run)
+{
+    const Memory *m = &run->memory;
+    const LaneWatch *w = &run->lane_watch;
+    const int64_t *words = w->words.at, *kinds = alone_in(run, 0)->watch.kinds.at;
+    const int64_t number = words[EVENTS];
+    const Real h = item(m->step.at, 0);
+    if (words[REACHER] == 0)
+        return 0;
+    for (int64_t j = 0; j < w->moving.size; j++) {
+        const int64_t i = w->moving.at[j];
+        Real far = sizes(item(m->new.at, i) - item(m->x.at, i));
+        for (int64_t stage = 0; stage <= run->method.shape.at[STAGES]; stage++)
+            far = larger(far, h * sizes(item(m->stages.at + stage * m->x.size, i)));
+        put(w->reach.at, words[MOVES] + i, CLEAR * far);
+    }
+    put(w->reach.at, words[MOVES] + words[MOVING], h);
+    put(run->lane_problem.clock.at, 0, item(run->lanes.time.at, 0));
+    const int64_t failed = call_kernel(words[REACHER], run->lane_problem.clock.at, m->x.at, w->reach.at,
+        w->reach_c.at, w->further.at);
+    Flags clear = flags(~failed & ((1 << W) - 1));
+    for (int64_t k = 0; k < number; k++)
+        if (!(kinds[k] & TURNS))
+            clear = clear & (item(w->further.at, k) * item(w->sides.at, k) > item(w->further.at, number + k));
+    return bits(clear);
+}
+
+/* Tell where the samples of an event, on its side of zero, may have a least value between them: there
+   `least_place` has a closer look. */
+INLINE Flags may_dip(const Real *z)
+{
+    Flags found = flags(0);
+    Real left = (z[1] - z[0]) / (PLACES[1] - PLACES[0]);
+    for (int i = 1; i < PARTS; i++) {
+        const double a = PLACES[i - 1], b = PLACES[i], c = PLACES[i + 1];
+        const Real right = (z[i + 1] - z[i]) / (c - b);
+        const Flags bent = (right > left) & (z[i - 1] > 0.0);
+        if (bits(bent) != 0) {
+            const Real bend = (right - left) / (c - a), slope = left + bend * (b - a);
+            const Real place = b - 0.5 * slope / bend;
+            const double first = i > 1 ? a : -PLACES[1];
+            const double last = i + 1 < PARTS ? c : 2.0 - PLACES[PARTS - 1];
+            found = found | (bent & (place >= first) & (place <= last));
+        }
+        left = right;
+    }
+    return found;
+}
+
+/* Evaluate all event expressions at t + theta h of each lane; return the bits of those that failed. */
+INLINE int64_t probe_lanes(const LaneRun *run, const Stepper *s, double theta, double *out)
+{
+    const LaneProblem *p = &run->lane_problem;
+    const Real t = item(run->lanes.time.at, 0), h = item(s->memory->step.at, 0);
+    interpolate(s, (Real)(theta), s->memory->trial.at);
+    set_inputs(p, t + theta * h);
+    return call_kernel(run->lane_watch.words.at[WATCHER], p->clock.at, s->memory->trial.at, p->r.at,
+        run->lane_watch.c.at, out);
+}
+
+/* Return the bits of the lanes, of those that `look`, in whose steps `scan_events` would find nothing
+   without a closer look: at the ends of all parts each event is on its side, far from zero as far as
+   it is not linear, and dips nowhere. */
+APART int64_t quiet_lanes(const LaneRun *run, const Stepper *s, int64_t look, const double *after)
+{
+    const LaneWatch *w = &run->lane_watch;
+    const int64_t number = w->words.at[EVENTS], *kinds = alone_in(run, 0)->watch.kinds.at;
+    const Flags unknown = item(w->known.at, 0) != item(run->lanes.time.at, 0);
+    int64_t failed = 0;
+    if ((bits(unknown) & look) != 0) {
+        failed |= probe_lanes(run, s, PLACES[0], w->further.at) & bits(unknown);
+        for (int64_t k = 0; k < number; k++)
+            put(w->ends.at, k, where(unknown, item(w->further.at, k), item(w->ends.at, k)));
+    }
+    for (int part = 1; part <= PARTS; part++)
+        failed |= probe_lanes(run, s, PLACES[part], w->ends.at + part * number * W);
+    Flags quiet = flags(look & ~failed);
+    for (int64_t k = 0; k < number; k++) {
+        const Real side = item(w->sides.at, k);
+        Real z[PARTS + 1], least, most;
+        for (int j = 0; j <= PARTS; j++) {
+            const Real value = item(w->ends.at, j * number + k);
+            z[j] = value * side;
+            least = j == 0 ? value : minimum(least, value);
+            most = j == 0 ? value : maximum(most, value);
+            quiet = j == 0 ? quiet : quiet & (z[j] > 0.0);
+        }
+        if (!(kinds[k] & LINEAR))
+            quiet = quiet & (least * most > 0.0) & (minimum(absolute(least), absolute(most)) > PARTS * (most - least));
+        quiet = quiet & ~may_dip(z);
+    }
+    for (int64_t k = 0; k < number; k++)
+        put(w->ends.at, k, where(quiet, item(w->ends.at, PARTS * number + k), item(w->ends.at, k)));
+    put(w->known.at, 0, where(quiet, item(after, 0), item(w->known.at, 0)));
+    return bits(quiet);
+}
+
+/* Copy what a lane knows of its events to its own run, or back. */
+INLINE void exchange(const LaneRun *run, int64_t lane, int back)
+{
+    const LaneWatch *w = &run->lane_watch;
+    const Watch *own = &alone_in(run, lane)->watch;
+    const int64_t number = w->words.at[EVENTS];
+    double *ends = own->values.at + ENDS * number, *known = own->values.at + PROBES * number;
+    if (back)
+        w->known.at[lane] = *known;
+    else
+        *known = w->known.at[lane];
+    SERIAL
+    for (int64_t k = 0; k < number; k++)
+        if (back)
+            w->sides.at[k * W + lane] = (double)own->sides.at[k], w->ends.at[k * W + lane] = ends[k];
+        else
+            own->sides.at[k] = (int64_t)w->sides.at[k * W + lane], ends[k] = w->ends.at[k * W + lane];
+}
+
+/* Look for events in the step of one lane as in that of one trajectory; the code is that of
+   `scan_events`. */
+APART int64_t look_alone(const LaneRun *run, int64_t lane, double after, double *theta)
+{
+    const Run *own = alone_in(run, lane);
+    const Memory *m = &run->memory, *to = &own->memory;
+    const int64_t n = run->lane_problem.words.at[STATES];
+    SERIAL
+    for (int64_t i = 0; i < n; i++) {
+        to->x.at[i] = m->x.at[i * W + lane], to->new.at[i] = m->new.at[i * W + lane];
+        for (int64_t j = 0; j < run->method.shape.at[DEPTH]; j++)
+            to->interpolant.at[j * to->x.size + i] = m->interpolant.at[j * m->x.size + i * W + lane];
+    }
+    exchange(run, lane, 0);
+    own->progress.state.at[TIME] = after;
+    const int64_t code = ((Scan *)own->watch.words.at[SCAN])(own, run->lanes.time.at[lane], m->step.at[lane]);
+    *theta = own->progress.state.at[FOUND];
+    exchange(run, lane, 1);
+    return code;
+}
+
+/* Look for events in the steps of some lanes, with a code for each, and the theta up to which each
+   step counts. Return the bits of those that end at events; others may be too long. */
+APART int64_t look_for_events(const LaneRun *run, const Stepper *s, int64_t look, const double *after,
+    int64_t *codes, double *theta, int64_t *unresolved)
+{
+    int64_t stopped = 0;
+    for (int64_t lane = 0; lane < W; lane++)
+        theta[lane] = 1.0;
+    look &= ~quiet_lanes(run, s, look, after);
+    FOR_LANES(look) {
+        codes[lane] = look_alone(run, lane, after[lane], theta + lane);
+        *unresolved |= (int64_t)(codes[lane] == UNRESOLVED) << lane;
+        stopped |= (int64_t)(codes[lane] != 0 && codes[lane] != UNRESOLVED) << lane;
+        if (codes[lane] == UNRESOLVED)
+            theta[lane] = 1.0;
+    }
+    return stopped;
+}
+
+/* Set the states in which the steps of some lanes end before their time. */
+APART void end_within(const Stepper *s, int64_t stopped, const double *theta)
+{
+    const Memory *m = s->memory;
+    const Flags inside = flags(stopped) & (item(theta, 0) < 1.0);
+    interpolate(s, where(inside, item(theta, 0), (Real)(1.0)), m->trial.at);
+    for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
+        put(m->new.at, i, where(inside, item(m->trial.at, i), item(m->new.at, i)));
+}
+
+/* Act on an event that has ended the step of a run. The code says how its integration ends, or that
+   it goes on: EVENT. What is not as simple is left to Python. */
+INLINE int64_t act_alone(const LaneRun *run, int64_t lane)
+{
+    const Run *own = alone_in(run, lane);
+    const Watch *w = &own->watch;
+    const int64_t number = w->words.at[EVENTS], n = own->problem.words.at[STATES];
+    int64_t *logged = own->progress.counts.at + LOGGED, fired = 0, event = 0;
+    const int full = *logged + 1 + number > w->log_times.size;
+    for (int64_t k = 0; k < number; k++)
+        if (w->fired.at[k] != 0)
+            fired += 1, event = k;
+    if (full)
+        empty_log(run, lane);
+    if (fired == 1 && w->kinds.at[event] & STOPS) {
+        w->log_times.at[*logged] = own->progress.state.at[TIME], w->log_events.at[*logged] = event;
+        for (int64_t i = 0; i < n; i++)
+            w->log_states.at[*logged * n + i] = w->log_after.at[*logged * n + i] = own->memory.x.at[i];
+        *logged += 1;
+        return TERMINATED;
+    }
+    const int64_t told = w->words.at[ACT] == 0 ? LEFT : ((Act *)w->words.at[ACT])(own);
+    if (full) /* as Python does, after which the log is empty */
+        empty_log(run, lane);
+    return told == ACTED ? EVENT : told == LEFT ? NOT_COMPUTED : told;
+}
+
+/* See to what has ended the steps of some lanes; return the bits of those that go on. */
+APART int64_t act_in_lanes(const LaneRun *run, int64_t which, const int64_t *codes)
+{
+    const int64_t n = run->lane_problem.words.at[STATES];
+    int64_t going_on = 0;
+    FOR_LANES(which) {
+        const Run *own = alone_in(run, lane);
+        int64_t code = codes[lane];
+        for (int64_t i = 0; i < n; i++)
+            own->memory.x.at[i] = run->memory.x.at[i * W + lane];
+        own->progress.state.at[TIME] = run->lanes.time.at[lane];
+        if (code == LOG_FULL)
+            empty_log(run, lane);
+        if (code == EVENT)
+            code = act_alone(run, lane);
+        exchange(run, lane, 1);
+        for (int64_t i = 0; i < n; i++)
+            run->memory.x.at[i * W + lane] = own->memory.x.at[i];
+        if (code == EVENT || code == LOG_FULL)
+            going_on |= (int64_t)1 << lane;
+        else
+            retire(run, (int64_t)1 << lane, code);
+    }
+    return going_on;
 }
 
 /* -- steps ------------------------------------------------------------------------------------ */
 
 /* Write the outputs due within the step of some lanes, in turns; return the bits of those whose
-   constraints were missed there, with nothing written. */
-INLINE int64_t write_within(const LaneRun *run, const Stepper *s, int64_t within, Real after)
+   constraints were missed there, with nothing written. An event within ends the step at a `theta`,
+   with the outputs due there. */
+APART int64_t write_within(const LaneRun *run, const Stepper *s, int64_t within, double *after,
+    const double *theta)
 {
     const Lanes *l = &run->lanes;
     const Real t = OF(time), size = item(s->memory->step.at, 0), next = OF(next), due = OF(due);
     double *trial = s->memory->trial.at;
     int64_t missed = 0, place[W];
+    Real end = item(after, 0);
+    Flags inside = flags(0);
+    if (theta != 0) {
+        inside = item(theta, 0) < 1.0;
+        end = where(inside, t + item(theta, 0) * size, end);
+        put(after, 0, end);
+    }
     SERIAL
     for (int64_t lane = 0; lane < W; lane++)
         place[lane] = l->place.at[lane];
-    for (int64_t left = within; left != 0; left &= bits(OF(due) < after) & ~missed) {
+    for (int64_t left = within;;) {
+        left &= bits((OF(due) < end) | (inside & (OF(due) == end))) & ~missed;
+        if (left == 0)
+            break;
         interpolate(s, (OF(due) - t) / size, trial);
-        if (run->holding.runs.size > 0)
+        if (run->alone.seen.columns > 0)
             missed |= hold_lanes(run, l->due.at, trial, left, 0);
         write_outputs(run, trial, left & ~missed);
     }
@@ -254,24 +550,26 @@ int64_t step_lanes(const LaneRun *run)
     const double last = q->times.at[q->times.size - 2], largest = q->numbers.at[LANES_LARGEST];
     const double limit = (double)q->state.at[LANES_LIMIT], *control = run->method.control.at;
     const int adaptive = shape[ESTIMATES] > 0, reuse = shape[END_IN_ESTIMATE] == 1;
-    const int held = run->holding.runs.size > 0, again = held || !reuse;
-    double *end = m->stages.at + shape[STAGES] * m->x.size, reached[W];
-    int64_t working = 0, calls = 0;
+    const int held = run->alone.seen.columns > 0, again = held || !reuse;
+    const int watched = run->lane_watch.words.at[EVENTS] > 0;
+    double *slopes = m->stages.at + shape[STAGES] * m->x.size, reached[W], theta[W];
+    int64_t working = 0, acted = 0, stopped = 0, calls = 0, codes[W];
     for (int64_t lane = 0; lane < W; lane++)
         working |= (int64_t)(l->samples.at[lane] >= 0) << lane;
     for (int vacant = 1;;) {
-        while (vacant) {
-            const int64_t fresh = fill(run, &working);
+        while (vacant || acted != 0) {
+            const int64_t fresh = vacant ? fill(run, &working) : 0;
             if (working == 0)
                 return LANES_EMPTY;
-            if (fresh == 0)
-                break;
-            start(run, s, fresh);
             vacant = 0;
+            if ((fresh | acted) == 0)
+                break;
+            start(run, s, fresh, acted);
+            acted = 0;
             for (int64_t lane = 0; lane < W; lane++)
                 vacant = vacant || l->samples.at[lane] == LANES_VACANT;
         }
-        if (q->state.at[LANES_BUDGET] <= 0)
+        if (q->state.at[LANES_BUDGET] <= 0 || (watched && log_is_full(run)))
             return LANES_PAUSED;
         q->state.at[LANES_BUDGET] -= 1;
 
@@ -283,17 +581,17 @@ int64_t step_lanes(const LaneRun *run)
         limit_step(t, goal, &size, &after);
         size = where(active, size, (Real)(0.0));
         const Flags tired = OF(steps) + OF(rejected) >= limit;
-        const int64_t stopped = bits((tired | ~moves(t, size, after, goal)) & active);
-        if (stopped != 0) {
-            retire(run, stopped & bits(tired), TOO_MANY_STEPS);
-            retire(run, stopped & ~bits(tired), -1);
+        const int64_t over = bits((tired | ~moves(t, size, after, goal)) & active);
+        if (over != 0) {
+            retire(run, over & bits(tired), TOO_MANY_STEPS);
+            retire(run, over & ~bits(tired), -1);
             vacant = 1;
             continue;
         }
 
         int64_t failed = take_step(s, t, size, &calls);
         if (reuse)
-            failed |= rates(s->equations, after, m->new.at, end);
+            failed |= rates(s->equations, after, m->new.at, slopes);
         Real error = (Real)(0.0);
         if (adaptive)
             error = error_of_step(s);
@@ -309,25 +607,31 @@ int64_t step_lanes(const LaneRun *run)
         }
         const Flags tried = good;
         if (again && bits(good) != 0) {
-            failed |= rates(s->equations, after, m->new.at, end);
+            failed |= rates(s->equations, after, m->new.at, slopes);
             good = good & ~flags(failed);
         }
         ADD(evaluations, (double)(shape[STAGES] - 1 + reuse) + SOME(tried, again));
 
-        Flags within = good & (OF(due) < after);
-        if (bits(within) != 0) {
-            const int64_t broken = prepare_interpolant(s, t, size, &calls) & bits(within);
-            ADD(evaluations, SOME(within, shape[DENSE_STAGES]));
+        int64_t look = watched && bits(good) != 0 ? bits(good) & ~clear_lanes(run) : 0, unresolved = 0;
+        int64_t within = bits(good & (OF(due) < after)) | look;
+        if (within != 0) {
+            const int64_t broken = prepare_interpolant(s, t, size, &calls) & within;
+            ADD(evaluations, SOME(flags(within), shape[DENSE_STAGES]));
             if (broken != 0) {
                 retire(run, broken, SINGULAR);
                 working &= ~broken;
                 vacant = 1;
-                good = good & flags(working);
-                within = within & good;
+                look &= ~broken;
             }
-            const int64_t off = write_within(run, s, bits(within), after);
-            missed |= off;
-            good = good & ~flags(off);
+            put(reached, 0, after);
+            if (look != 0)
+                stopped = look_for_events(run, s, look, reached, codes, theta, &unresolved);
+            within &= ~(broken | unresolved);
+            missed |= write_within(run, s, within, reached, stopped == 0 ? 0 : theta);
+            good = good & flags(~(broken | unresolved | missed));
+            after = item(reached, 0);
+            if (stopped != 0)
+                end_within(s, stopped, theta);
         }
         for (int64_t at_end = bits(good & (OF(due) == after)); at_end != 0;) {
             write_outputs(run, m->new.at, at_end);
@@ -343,12 +647,12 @@ int64_t step_lanes(const LaneRun *run)
             put(l->growth.at, 0, where(bad, (Real)(1.0), (Real)(control[GROW])));
         }
         if (bits(bad) != 0) {
-            const Flags singular = flags(failed), off = flags(missed);
-            const Flags measured = (absolute(error) < INF) & ~singular & ~off;
+            const Flags singular = flags(failed), off = flags(missed), far = flags(unresolved);
+            const Flags measured = (absolute(error) < INF) & ~singular & ~off & ~far;
             /* a step of fixed size that fails cannot be helped */
             const Real shorter =
                 adaptive ? shorter_size(control, size, error, measured) : (Real)(0.0);
-            const Real reason = where(measured, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
+            const Real reason = where(measured | far, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
             h = where(bad, shorter, h);
             SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
             SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
@@ -358,7 +662,13 @@ int64_t step_lanes(const LaneRun *run)
         put(l->time.at, 0, where(good, after, t));
         for (int64_t i = 0; i < n; i++) {
             put(m->x.at, i, where(good, item(m->new.at, i), item(m->x.at, i)));
-            put(m->stages.at, i, where(good, item(end, i), item(m->stages.at, i)));
+            put(m->stages.at, i, where(good, item(slopes, i), item(m->stages.at, i)));
+        }
+        if (stopped != 0) {
+            acted = act_in_lanes(run, stopped, codes);
+            vacant = vacant || acted != stopped;
+            good = good & ~flags(stopped);
+            stopped = 0;
         }
         const int64_t finished = bits(good & (OF(due) == INF));
         if (finished != 0) {

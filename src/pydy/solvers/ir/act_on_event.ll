@@ -1,7 +1,7 @@
-; sources 367b443af8af250e1c6837de3a320e81e7c883ff4d1f0b711bb630e7f36c7328
+; sources a71e99baac7840192407c59c13c86f9a96e8bfe5f482eecc02252e937fdca60f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-define range(i64 0, 2) i64 @act_on_event(ptr noundef readonly %0) #0 {
+define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %2 = getelementptr inbounds i8, ptr %0, i64 720
   %3 = getelementptr inbounds i8, ptr %0, i64 144
   %4 = getelementptr inbounds i8, ptr %0, i64 576
@@ -54,7 +54,7 @@ define range(i64 0, 2) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 46:                                               ; preds = %40
   %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %238, label %48
+  br i1 %47, label %257, label %48
 
 48:                                               ; preds = %46, %40
   %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
@@ -65,7 +65,7 @@ define range(i64 0, 2) i64 @act_on_event(ptr noundef readonly %0) #0 {
 52:                                               ; preds = %48, %1
   %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
   %54 = icmp slt i64 %53, 0
-  br i1 %54, label %238, label %55
+  br i1 %54, label %257, label %55
 
 55:                                               ; preds = %52
   %56 = getelementptr inbounds i8, ptr %0, i64 816
@@ -74,252 +74,280 @@ define range(i64 0, 2) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %59 = load i64, ptr %58, align 8
   %60 = and i64 %59, 4
   %61 = icmp eq i64 %60, 0
-  br i1 %61, label %238, label %62
+  br i1 %61, label %257, label %62
 
 62:                                               ; preds = %55
-  %63 = getelementptr inbounds i8, ptr %0, i64 1200
-  %64 = load ptr, ptr %63, align 8
-  %65 = getelementptr inbounds double, ptr %64, i64 %53
-  %66 = load double, ptr %65, align 8
-  %67 = fsub double %29, %66
-  %68 = fmul double %13, 1.000000e-09
-  %69 = fcmp ogt double %67, %68
-  br i1 %69, label %70, label %238
+  %63 = add nsw i64 %23, 1
+  %64 = add nsw i64 %63, %16
+  %65 = getelementptr inbounds i8, ptr %0, i64 1008
+  %66 = getelementptr inbounds i8, ptr %0, i64 1016
+  %67 = load i64, ptr %66, align 8
+  %68 = icmp sgt i64 %64, %67
+  br i1 %68, label %257, label %69
 
-70:                                               ; preds = %62
-  %71 = add nsw i64 %23, 1
-  %72 = add nsw i64 %71, %16
-  %73 = getelementptr inbounds i8, ptr %0, i64 1008
-  %74 = getelementptr inbounds i8, ptr %0, i64 1016
+69:                                               ; preds = %62
+  %70 = mul nsw i64 %53, %19
+  %71 = getelementptr inbounds double, ptr %28, i64 %70
+  %72 = getelementptr inbounds i8, ptr %0, i64 168
+  %73 = load ptr, ptr %72, align 8
+  store double %29, ptr %73, align 8
+  %74 = getelementptr inbounds i8, ptr %0, i64 248
   %75 = load i64, ptr %74, align 8
-  %76 = icmp sgt i64 %72, %75
-  br i1 %76, label %238, label %77
+  %76 = icmp sgt i64 %75, 0
+  br i1 %76, label %77, label %78
 
-77:                                               ; preds = %70
-  %78 = mul nsw i64 %53, %19
-  %79 = getelementptr inbounds double, ptr %28, i64 %78
-  %80 = getelementptr inbounds i8, ptr %0, i64 168
-  %81 = load ptr, ptr %80, align 8
-  store double %29, ptr %81, align 8
-  %82 = getelementptr inbounds i8, ptr %0, i64 248
-  %83 = load i64, ptr %82, align 8
-  %84 = icmp sgt i64 %83, 0
-  br i1 %84, label %85, label %86
-
-85:                                               ; preds = %77
+77:                                               ; preds = %69
   tail call fastcc void @sample(ptr noundef nonnull %3) #3
-  br label %86
+  br label %78
 
-86:                                               ; preds = %77, %85
-  %87 = load ptr, ptr %2, align 8
-  %88 = getelementptr inbounds i8, ptr %87, i64 64
-  %89 = load i64, ptr %88, align 8
-  %90 = getelementptr inbounds i8, ptr %0, i64 168
-  %91 = load ptr, ptr %90, align 8
-  %92 = getelementptr inbounds i8, ptr %0, i64 192
-  %93 = load ptr, ptr %92, align 8
-  %94 = getelementptr inbounds i8, ptr %0, i64 1128
-  %95 = load ptr, ptr %94, align 8
-  %96 = inttoptr i64 %89 to ptr
-  %97 = tail call i32 %96(ptr noundef %91, ptr noundef %25, ptr noundef %93, ptr noundef %95, ptr noundef %28) #4
-  %98 = icmp eq i32 %97, 0
-  br i1 %98, label %99, label %238
+78:                                               ; preds = %69, %77
+  %79 = load ptr, ptr %2, align 8
+  %80 = getelementptr inbounds i8, ptr %79, i64 64
+  %81 = load i64, ptr %80, align 8
+  %82 = getelementptr inbounds i8, ptr %0, i64 168
+  %83 = load ptr, ptr %82, align 8
+  %84 = getelementptr inbounds i8, ptr %0, i64 192
+  %85 = load ptr, ptr %84, align 8
+  %86 = getelementptr inbounds i8, ptr %0, i64 1128
+  %87 = load ptr, ptr %86, align 8
+  %88 = inttoptr i64 %81 to ptr
+  %89 = tail call i32 %88(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
+  %90 = icmp eq i32 %89, 0
+  br i1 %90, label %91, label %257
 
-99:                                               ; preds = %86
-  %100 = load ptr, ptr %2, align 8
-  %101 = load i64, ptr %100, align 8
-  %102 = load ptr, ptr %90, align 8
-  %103 = load ptr, ptr %92, align 8
-  %104 = getelementptr inbounds i8, ptr %0, i64 744
-  %105 = load ptr, ptr %104, align 8
-  %106 = inttoptr i64 %101 to ptr
-  %107 = tail call i32 %106(ptr noundef %102, ptr noundef %25, ptr noundef %103, ptr noundef %105, ptr noundef %31) #4
-  %108 = icmp eq i32 %107, 0
-  br i1 %108, label %109, label %238
+91:                                               ; preds = %78
+  %92 = load ptr, ptr %2, align 8
+  %93 = load i64, ptr %92, align 8
+  %94 = load ptr, ptr %82, align 8
+  %95 = load ptr, ptr %84, align 8
+  %96 = getelementptr inbounds i8, ptr %0, i64 744
+  %97 = load ptr, ptr %96, align 8
+  %98 = inttoptr i64 %93 to ptr
+  %99 = tail call i32 %98(ptr noundef %94, ptr noundef %25, ptr noundef %95, ptr noundef %97, ptr noundef %31) #4
+  %100 = icmp eq i32 %99, 0
+  br i1 %100, label %101, label %257
 
-109:                                              ; preds = %99
-  %110 = load ptr, ptr %2, align 8
-  %111 = load i64, ptr %110, align 8
-  %112 = load ptr, ptr %90, align 8
-  %113 = load ptr, ptr %92, align 8
-  %114 = load ptr, ptr %104, align 8
-  %115 = inttoptr i64 %111 to ptr
-  %116 = tail call i32 %115(ptr noundef %112, ptr noundef %79, ptr noundef %113, ptr noundef %114, ptr noundef %32) #4
-  %117 = icmp eq i32 %116, 0
-  br i1 %117, label %118, label %238
+101:                                              ; preds = %91
+  %102 = load ptr, ptr %2, align 8
+  %103 = load i64, ptr %102, align 8
+  %104 = load ptr, ptr %82, align 8
+  %105 = load ptr, ptr %84, align 8
+  %106 = load ptr, ptr %96, align 8
+  %107 = inttoptr i64 %103 to ptr
+  %108 = tail call i32 %107(ptr noundef %104, ptr noundef %71, ptr noundef %105, ptr noundef %106, ptr noundef %32) #4
+  %109 = icmp eq i32 %108, 0
+  br i1 %109, label %110, label %257
 
-118:                                              ; preds = %109
-  %119 = load ptr, ptr %2, align 8
-  %120 = getelementptr inbounds i8, ptr %119, i64 56
-  %121 = load i64, ptr %120, align 8
-  %122 = load ptr, ptr %90, align 8
-  %123 = load ptr, ptr %92, align 8
-  %124 = getelementptr inbounds i8, ptr %0, i64 1104
-  %125 = load ptr, ptr %124, align 8
-  %126 = load ptr, ptr %33, align 8
-  %127 = inttoptr i64 %121 to ptr
-  %128 = tail call i32 %127(ptr noundef %122, ptr noundef %79, ptr noundef %123, ptr noundef %125, ptr noundef %126) #4
-  %129 = icmp eq i32 %128, 0
-  br i1 %129, label %130, label %238
+110:                                              ; preds = %101
+  %111 = load ptr, ptr %2, align 8
+  %112 = getelementptr inbounds i8, ptr %111, i64 56
+  %113 = load i64, ptr %112, align 8
+  %114 = load ptr, ptr %82, align 8
+  %115 = load ptr, ptr %84, align 8
+  %116 = getelementptr inbounds i8, ptr %0, i64 1104
+  %117 = load ptr, ptr %116, align 8
+  %118 = load ptr, ptr %33, align 8
+  %119 = inttoptr i64 %113 to ptr
+  %120 = tail call i32 %119(ptr noundef %114, ptr noundef %71, ptr noundef %115, ptr noundef %117, ptr noundef %118) #4
+  %121 = icmp eq i32 %120, 0
+  br i1 %121, label %122, label %257
 
-130:                                              ; preds = %118
-  %131 = icmp sgt i64 %19, 0
-  br i1 %131, label %139, label %135
+122:                                              ; preds = %110
+  %123 = icmp sgt i64 %19, 0
+  br i1 %123, label %131, label %127
 
-132:                                              ; preds = %139
-  %133 = add nuw nsw i64 %140, 1
-  %134 = icmp eq i64 %133, %19
-  br i1 %134, label %135, label %139, !llvm.loop !6
+124:                                              ; preds = %131
+  %125 = add nuw nsw i64 %132, 1
+  %126 = icmp eq i64 %125, %19
+  br i1 %126, label %127, label %131, !llvm.loop !6
 
-135:                                              ; preds = %132, %130
-  %136 = icmp sgt i64 %16, 0
-  br i1 %136, label %137, label %160
+127:                                              ; preds = %124, %122
+  %128 = icmp sgt i64 %16, 0
+  br i1 %128, label %129, label %152
 
-137:                                              ; preds = %135
-  %138 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %145
+129:                                              ; preds = %127
+  %130 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %137
 
-139:                                              ; preds = %130, %132
-  %140 = phi i64 [ %133, %132 ], [ 0, %130 ]
-  %141 = getelementptr inbounds double, ptr %79, i64 %140
-  %142 = load double, ptr %141, align 8
-  %143 = tail call double @llvm.fabs.f64(double %142)
-  %144 = fcmp ueq double %143, 0x7FF0000000000000
-  br i1 %144, label %238, label %132
+131:                                              ; preds = %122, %124
+  %132 = phi i64 [ %125, %124 ], [ 0, %122 ]
+  %133 = getelementptr inbounds double, ptr %71, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = tail call double @llvm.fabs.f64(double %134)
+  %136 = fcmp ueq double %135, 0x7FF0000000000000
+  br i1 %136, label %257, label %124
 
-145:                                              ; preds = %137, %157
-  %146 = phi i64 [ 0, %137 ], [ %158, %157 ]
-  %147 = icmp eq i64 %146, %53
-  br i1 %147, label %157, label %148
+137:                                              ; preds = %129, %149
+  %138 = phi i64 [ 0, %129 ], [ %150, %149 ]
+  %139 = icmp eq i64 %138, %53
+  br i1 %139, label %149, label %140
 
-148:                                              ; preds = %145
-  %149 = load ptr, ptr %138, align 8
-  %150 = getelementptr inbounds i64, ptr %149, i64 %146
-  %151 = load i64, ptr %150, align 8
-  %152 = icmp eq i64 %151, 0
-  br i1 %152, label %157, label %153
+140:                                              ; preds = %137
+  %141 = load ptr, ptr %130, align 8
+  %142 = getelementptr inbounds i64, ptr %141, i64 %138
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %143, 0
+  br i1 %144, label %149, label %145
 
-153:                                              ; preds = %148
-  %154 = getelementptr inbounds double, ptr %32, i64 %146
-  %155 = load double, ptr %154, align 8
-  %156 = fcmp uno double %155, 0.000000e+00
-  br i1 %156, label %238, label %157
+145:                                              ; preds = %140
+  %146 = getelementptr inbounds double, ptr %32, i64 %138
+  %147 = load double, ptr %146, align 8
+  %148 = fcmp uno double %147, 0.000000e+00
+  br i1 %148, label %257, label %149
 
-157:                                              ; preds = %145, %148, %153
-  %158 = add nuw nsw i64 %146, 1
-  %159 = icmp eq i64 %158, %16
-  br i1 %159, label %160, label %145, !llvm.loop !7
+149:                                              ; preds = %137, %140, %145
+  %150 = add nuw nsw i64 %138, 1
+  %151 = icmp eq i64 %150, %16
+  br i1 %151, label %152, label %137, !llvm.loop !7
 
-160:                                              ; preds = %157, %135
-  %161 = getelementptr inbounds double, ptr %32, i64 %53
-  %162 = load double, ptr %161, align 8
-  %163 = getelementptr inbounds double, ptr %31, i64 %53
-  %164 = load double, ptr %163, align 8
-  %165 = fcmp une double %162, %164
-  br i1 %165, label %166, label %172
+152:                                              ; preds = %149, %127
+  %153 = getelementptr inbounds double, ptr %32, i64 %53
+  %154 = load double, ptr %153, align 8
+  %155 = getelementptr inbounds double, ptr %31, i64 %53
+  %156 = load double, ptr %155, align 8
+  %157 = fcmp une double %154, %156
+  br i1 %157, label %158, label %164
 
-166:                                              ; preds = %160
-  %167 = getelementptr inbounds double, ptr %35, i64 %53
-  %168 = load double, ptr %167, align 8
-  %169 = fmul double %168, 0x3CE0000000000000
-  %170 = tail call double @llvm.fabs.f64(double %162)
-  %171 = fcmp ule double %170, %169
-  br label %172
+158:                                              ; preds = %152
+  %159 = getelementptr inbounds double, ptr %35, i64 %53
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %160, 0x3CE0000000000000
+  %162 = tail call double @llvm.fabs.f64(double %154)
+  %163 = fcmp ule double %162, %161
+  br label %164
 
-172:                                              ; preds = %166, %160
-  %173 = phi i1 [ true, %160 ], [ %171, %166 ]
-  %174 = icmp sgt i64 %16, 0
-  br i1 %174, label %175, label %177
+164:                                              ; preds = %158, %152
+  %165 = phi i1 [ true, %152 ], [ %163, %158 ]
+  %166 = icmp sgt i64 %16, 0
+  br i1 %166, label %167, label %169
 
-175:                                              ; preds = %172
-  %176 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %190
+167:                                              ; preds = %164
+  %168 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %180
 
-177:                                              ; preds = %190, %172
-  %178 = load ptr, ptr %73, align 8
-  %179 = getelementptr inbounds double, ptr %178, i64 %23
-  store double %29, ptr %179, align 8
-  %180 = load ptr, ptr %63, align 8
-  %181 = getelementptr inbounds double, ptr %180, i64 %53
-  store double %29, ptr %181, align 8
-  %182 = getelementptr inbounds i8, ptr %0, i64 1032
-  %183 = load ptr, ptr %182, align 8
-  %184 = getelementptr inbounds i64, ptr %183, i64 %23
-  store i64 %53, ptr %184, align 8
-  %185 = icmp sgt i64 %19, 0
-  br i1 %185, label %186, label %212
+169:                                              ; preds = %180, %164
+  %170 = load ptr, ptr %65, align 8
+  %171 = getelementptr inbounds double, ptr %170, i64 %23
+  store double %29, ptr %171, align 8
+  %172 = getelementptr inbounds i8, ptr %0, i64 1032
+  %173 = load ptr, ptr %172, align 8
+  %174 = getelementptr inbounds i64, ptr %173, i64 %23
+  store i64 %53, ptr %174, align 8
+  %175 = icmp sgt i64 %19, 0
+  br i1 %175, label %176, label %202
 
-186:                                              ; preds = %177
-  %187 = getelementptr inbounds i8, ptr %0, i64 1056
-  %188 = mul nsw i64 %23, %19
-  %189 = getelementptr inbounds i8, ptr %0, i64 1080
-  br label %219
+176:                                              ; preds = %169
+  %177 = getelementptr inbounds i8, ptr %0, i64 1056
+  %178 = mul nsw i64 %23, %19
+  %179 = getelementptr inbounds i8, ptr %0, i64 1080
+  br label %209
 
-190:                                              ; preds = %175, %190
-  %191 = phi i64 [ 0, %175 ], [ %210, %190 ]
-  %192 = getelementptr inbounds double, ptr %32, i64 %191
-  %193 = load double, ptr %192, align 8
-  %194 = fcmp oeq double %193, 0.000000e+00
-  %195 = icmp eq i64 %191, %53
-  %196 = select i1 %195, i1 %173, i1 false
-  %197 = select i1 %194, i1 true, i1 %196
-  %198 = getelementptr inbounds double, ptr %34, i64 %191
-  %199 = select i1 %197, ptr %198, ptr %192
-  %200 = load double, ptr %199, align 8
-  %201 = tail call double @llvm.fabs.f64(double %200)
-  %202 = fcmp ueq double %201, 0x7FF0000000000000
-  %203 = fcmp ogt double %200, 0.000000e+00
-  %204 = fcmp olt double %200, 0.000000e+00
-  %205 = sext i1 %204 to i64
-  %206 = select i1 %203, i64 1, i64 %205
-  %207 = select i1 %202, i64 0, i64 %206
-  %208 = load ptr, ptr %176, align 8
-  %209 = getelementptr inbounds i64, ptr %208, i64 %191
-  store i64 %207, ptr %209, align 8
-  %210 = add nuw nsw i64 %191, 1
-  %211 = icmp eq i64 %210, %16
-  br i1 %211, label %177, label %190, !llvm.loop !8
+180:                                              ; preds = %167, %180
+  %181 = phi i64 [ 0, %167 ], [ %200, %180 ]
+  %182 = getelementptr inbounds double, ptr %32, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = fcmp oeq double %183, 0.000000e+00
+  %185 = icmp eq i64 %181, %53
+  %186 = select i1 %185, i1 %165, i1 false
+  %187 = select i1 %184, i1 true, i1 %186
+  %188 = getelementptr inbounds double, ptr %34, i64 %181
+  %189 = select i1 %187, ptr %188, ptr %182
+  %190 = load double, ptr %189, align 8
+  %191 = tail call double @llvm.fabs.f64(double %190)
+  %192 = fcmp ueq double %191, 0x7FF0000000000000
+  %193 = fcmp ogt double %190, 0.000000e+00
+  %194 = fcmp olt double %190, 0.000000e+00
+  %195 = sext i1 %194 to i64
+  %196 = select i1 %193, i64 1, i64 %195
+  %197 = select i1 %192, i64 0, i64 %196
+  %198 = load ptr, ptr %168, align 8
+  %199 = getelementptr inbounds i64, ptr %198, i64 %181
+  store i64 %197, ptr %199, align 8
+  %200 = add nuw nsw i64 %181, 1
+  %201 = icmp eq i64 %200, %16
+  br i1 %201, label %169, label %180, !llvm.loop !8
 
-212:                                              ; preds = %219, %177
-  %213 = load ptr, ptr %20, align 8
-  %214 = getelementptr inbounds i8, ptr %213, i64 80
-  store i64 %71, ptr %214, align 8
-  %215 = load ptr, ptr %0, align 8
-  %216 = getelementptr inbounds i8, ptr %215, i64 8
-  %217 = load i64, ptr %216, align 8
-  %218 = icmp eq i64 %217, 0
-  br i1 %218, label %232, label %238
+202:                                              ; preds = %209, %169
+  %203 = load ptr, ptr %20, align 8
+  %204 = getelementptr inbounds i8, ptr %203, i64 80
+  store i64 %63, ptr %204, align 8
+  %205 = load ptr, ptr %0, align 8
+  %206 = getelementptr inbounds i8, ptr %205, i64 8
+  %207 = load i64, ptr %206, align 8
+  %208 = icmp eq i64 %207, 0
+  br i1 %208, label %222, label %228
 
-219:                                              ; preds = %186, %219
-  %220 = phi i64 [ 0, %186 ], [ %230, %219 ]
-  %221 = getelementptr inbounds double, ptr %25, i64 %220
-  %222 = load double, ptr %221, align 8
-  %223 = load ptr, ptr %187, align 8
-  %224 = add nsw i64 %220, %188
-  %225 = getelementptr inbounds double, ptr %223, i64 %224
-  store double %222, ptr %225, align 8
-  %226 = getelementptr inbounds double, ptr %79, i64 %220
-  %227 = load double, ptr %226, align 8
-  store double %227, ptr %221, align 8
-  %228 = load ptr, ptr %189, align 8
-  %229 = getelementptr inbounds double, ptr %228, i64 %224
-  store double %227, ptr %229, align 8
-  %230 = add nuw nsw i64 %220, 1
-  %231 = icmp eq i64 %230, %19
-  br i1 %231, label %212, label %219, !llvm.loop !9
+209:                                              ; preds = %176, %209
+  %210 = phi i64 [ 0, %176 ], [ %220, %209 ]
+  %211 = getelementptr inbounds double, ptr %25, i64 %210
+  %212 = load double, ptr %211, align 8
+  %213 = load ptr, ptr %177, align 8
+  %214 = add nsw i64 %210, %178
+  %215 = getelementptr inbounds double, ptr %213, i64 %214
+  store double %212, ptr %215, align 8
+  %216 = getelementptr inbounds double, ptr %71, i64 %210
+  %217 = load double, ptr %216, align 8
+  store double %217, ptr %211, align 8
+  %218 = load ptr, ptr %179, align 8
+  %219 = getelementptr inbounds double, ptr %218, i64 %214
+  store double %217, ptr %219, align 8
+  %220 = add nuw nsw i64 %210, 1
+  %221 = icmp eq i64 %220, %19
+  br i1 %221, label %202, label %209, !llvm.loop !9
 
-232:                                              ; preds = %212
-  %233 = getelementptr inbounds i8, ptr %0, i64 1224
-  %234 = load ptr, ptr %233, align 8
-  %235 = getelementptr inbounds i8, ptr %234, i64 8
-  %236 = load double, ptr %235, align 8
-  %237 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %236, ptr %237, align 8
-  br label %238
+222:                                              ; preds = %202
+  %223 = getelementptr inbounds i8, ptr %0, i64 1224
+  %224 = load ptr, ptr %223, align 8
+  %225 = getelementptr inbounds i8, ptr %224, i64 8
+  %226 = load double, ptr %225, align 8
+  %227 = getelementptr inbounds i8, ptr %26, i64 8
+  store double %226, ptr %227, align 8
+  br label %228
 
-238:                                              ; preds = %46, %139, %153, %118, %109, %99, %86, %232, %212, %52, %55, %62, %70
-  %239 = phi i64 [ 0, %70 ], [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ 0, %118 ], [ 0, %109 ], [ 0, %99 ], [ 0, %86 ], [ 1, %232 ], [ 1, %212 ], [ 0, %153 ], [ 0, %139 ], [ 0, %46 ]
-  ret i64 %239
+228:                                              ; preds = %222, %202
+  %229 = getelementptr inbounds i8, ptr %0, i64 1200
+  %230 = load ptr, ptr %229, align 8
+  %231 = mul i64 %53, 800
+  %232 = getelementptr inbounds i8, ptr %230, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = fsub double %29, %233
+  %235 = tail call double @llvm.fabs.f64(double %29)
+  %236 = fcmp ogt double %235, %13
+  %237 = select i1 %236, double %235, double %13
+  %238 = fmul double %237, 0x3CF0000000000000
+  %239 = fcmp ugt double %234, %238
+  br i1 %239, label %240, label %247
+
+240:                                              ; preds = %228
+  %241 = getelementptr inbounds i8, ptr %232, i64 784
+  %242 = load double, ptr %241, align 8
+  %243 = fsub double %29, %242
+  %244 = fmul double %13, 1.000000e-09
+  %245 = fcmp olt double %243, %244
+  %246 = select i1 %245, i64 8, i64 1
+  br label %247
+
+247:                                              ; preds = %240, %228
+  %248 = phi i64 [ 8, %228 ], [ %246, %240 ]
+  br label %250
+
+249:                                              ; preds = %250
+  store double %29, ptr %232, align 8
+  br label %257
+
+250:                                              ; preds = %247, %250
+  %251 = phi i64 [ 99, %247 ], [ %255, %250 ]
+  %252 = getelementptr double, ptr %232, i64 %251
+  %253 = getelementptr i8, ptr %252, i64 -8
+  %254 = load double, ptr %253, align 8
+  store double %254, ptr %252, align 8
+  %255 = add nsw i64 %251, -1
+  %256 = icmp ugt i64 %251, 1
+  br i1 %256, label %250, label %249, !llvm.loop !10
+
+257:                                              ; preds = %46, %131, %145, %249, %110, %101, %91, %78, %52, %55, %62
+  %258 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %248, %249 ], [ 0, %110 ], [ 0, %101 ], [ 0, %91 ], [ 0, %78 ], [ 0, %145 ], [ 0, %131 ], [ 0, %46 ]
+  ret i64 %258
 }
 
 declare double @llvm.fabs.f64(double) #1
@@ -393,7 +421,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !10
+  br i1 %55, label %44, label %56, !llvm.loop !11
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -425,7 +453,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !11
+  br i1 %83, label %13, label %12, !llvm.loop !12
 }
 
 attributes #0 = { nounwind }
@@ -447,3 +475,4 @@ attributes #4 = { nounwind }
 !9 = distinct !{!9, !4, !5}
 !10 = distinct !{!10, !4, !5}
 !11 = distinct !{!11, !4, !5}
+!12 = distinct !{!12, !4, !5}

@@ -1,4 +1,4 @@
-; sources 02f2b9fbec9fcc16947cd20505603846f87b09930b2d8da02a1472883daf5780
+; sources beea8178ef82651d8ea62ded22f7084358ab19211078e16dd7ba9f26a140e8dc
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -187,7 +187,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %158 = getelementptr inbounds i8, ptr %0, i64 720
   br label %159
 
-159:                                              ; preds = %1638, %72
+159:                                              ; preds = %1640, %72
   %160 = load ptr, ptr %75, align 8
   %161 = load ptr, ptr %76, align 8
   %162 = load ptr, ptr %77, align 8
@@ -2120,25 +2120,28 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1627 = load ptr, ptr %158, align 8
   %1628 = getelementptr inbounds i8, ptr %1627, i64 48
   %1629 = load i64, ptr %1628, align 8
-  %1630 = icmp eq i64 %1626, -2
-  %1631 = icmp ne i64 %1629, 0
-  %1632 = select i1 %1630, i1 %1631, i1 false
-  br i1 %1632, label %1633, label %1638
+  %1630 = icmp ne i64 %1626, -2
+  %1631 = icmp eq i64 %1629, 0
+  %1632 = select i1 %1630, i1 true, i1 %1631
+  br i1 %1632, label %1640, label %1633
 
 1633:                                             ; preds = %1625
   %1634 = inttoptr i64 %1629 to ptr
   %1635 = tail call i64 %1634(ptr noundef %0) #9
-  %1636 = icmp ne i64 %1635, 0
-  %1637 = zext i1 %1636 to i32
-  br label %1638
+  %1636 = icmp eq i64 %1635, 8
+  %1637 = select i1 %1636, i64 8, i64 %1626
+  %1638 = icmp eq i64 %1635, 1
+  %1639 = zext i1 %1638 to i32
+  br label %1640
 
-1638:                                             ; preds = %1625, %1633
-  %1639 = phi i32 [ 0, %1625 ], [ %1637, %1633 ]
-  %1640 = icmp eq i32 %1639, 0
-  br i1 %1640, label %1641, label %159, !llvm.loop !31
+1640:                                             ; preds = %1625, %1633
+  %1641 = phi i64 [ %1626, %1625 ], [ %1637, %1633 ]
+  %1642 = phi i32 [ 0, %1625 ], [ %1639, %1633 ]
+  %1643 = icmp eq i32 %1642, 0
+  br i1 %1643, label %1644, label %159, !llvm.loop !31
 
-1641:                                             ; preds = %1638
-  ret i64 %1626
+1644:                                             ; preds = %1640
+  ret i64 %1641
 }
 
 

@@ -1,4 +1,4 @@
-; sources 25d7f93258a69a1b435e1d04b29fe5a1dc2c53682d10f25f76e3fc0a0d6904e2
+; sources 0f45e8418fdf4a8099c3caf70171f91929c540be4d5390e0eab3fe4c65bcc786
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -216,11 +216,11 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %182 = getelementptr inbounds i8, ptr %0, i64 720
   br label %183
 
-183:                                              ; preds = %1922, %75
-  %184 = phi double [ undef, %75 ], [ %1906, %1922 ]
-  %185 = phi i32 [ undef, %75 ], [ %1907, %1922 ]
-  %186 = phi i64 [ undef, %75 ], [ %1908, %1922 ]
-  %187 = phi i64 [ undef, %75 ], [ %1909, %1922 ]
+183:                                              ; preds = %1924, %75
+  %184 = phi double [ undef, %75 ], [ %1906, %1924 ]
+  %185 = phi i32 [ undef, %75 ], [ %1907, %1924 ]
+  %186 = phi i64 [ undef, %75 ], [ %1908, %1924 ]
+  %187 = phi i64 [ undef, %75 ], [ %1909, %1924 ]
   %188 = load ptr, ptr %79, align 8
   %189 = load ptr, ptr %80, align 8
   %190 = load ptr, ptr %81, align 8
@@ -2585,25 +2585,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1911 = load ptr, ptr %182, align 8
   %1912 = getelementptr inbounds i8, ptr %1911, i64 48
   %1913 = load i64, ptr %1912, align 8
-  %1914 = icmp eq i64 %1910, -2
-  %1915 = icmp ne i64 %1913, 0
-  %1916 = select i1 %1914, i1 %1915, i1 false
-  br i1 %1916, label %1917, label %1922
+  %1914 = icmp ne i64 %1910, -2
+  %1915 = icmp eq i64 %1913, 0
+  %1916 = select i1 %1914, i1 true, i1 %1915
+  br i1 %1916, label %1924, label %1917
 
 1917:                                             ; preds = %1905
   %1918 = inttoptr i64 %1913 to ptr
   %1919 = tail call i64 %1918(ptr noundef %0) #11
-  %1920 = icmp ne i64 %1919, 0
-  %1921 = zext i1 %1920 to i32
-  br label %1922
+  %1920 = icmp eq i64 %1919, 8
+  %1921 = select i1 %1920, i64 8, i64 %1910
+  %1922 = icmp eq i64 %1919, 1
+  %1923 = zext i1 %1922 to i32
+  br label %1924
 
-1922:                                             ; preds = %1905, %1917
-  %1923 = phi i32 [ 0, %1905 ], [ %1921, %1917 ]
-  %1924 = icmp eq i32 %1923, 0
-  br i1 %1924, label %1925, label %183, !llvm.loop !50
+1924:                                             ; preds = %1905, %1917
+  %1925 = phi i64 [ %1910, %1905 ], [ %1921, %1917 ]
+  %1926 = phi i32 [ 0, %1905 ], [ %1923, %1917 ]
+  %1927 = icmp eq i32 %1926, 0
+  br i1 %1927, label %1928, label %183, !llvm.loop !50
 
-1925:                                             ; preds = %1922
-  ret i64 %1910
+1928:                                             ; preds = %1924
+  ret i64 %1925
 }
 
 

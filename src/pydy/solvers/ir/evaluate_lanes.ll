@@ -1,4 +1,4 @@
-; sources 10bf207f2c8ea410053f40b202e09adca32839bd050ad243f3f45c7f9ebd72f6
+; sources 4f05aba301fe0da5d26b1308cc22bc39f928c164473a811cab2d15ccc518bf73
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 85c947f08586f24cb0999ea02f809d66b257a2c07291e6e50d975ce268228e51
+; sources 7e1dfe660ba2bf040e03c93e8c40cfb250622eac27cf17adcaa2fd94d282d465
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 604e217e111dee52cca5e76a61b652f4d2722bbfad2f0e53ee3c800fa3ffc96c
+; sources a8c9bddb551d3cd35f658f5489838f9c34a0af867fa06fab4a302bd9a06f3f85
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 7cd90869e56d1f80546bd13bb51b7dcd9d87d58ab39d5c92396407000ce6e15c
+; sources dd93e6c3644eaca13178a8ad8ccb5f32eace1debdc0556bc67802e47d8846884
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 28678ec494f086ebceb0e677f773d54a0c82d957c2ca0c9cd13bad4aee6db980
+; sources cccf6e110ad72b6795fee5849c85e105d47f3904835da35bb2689ee1d84bd1d2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 4c667105afc72174d777920fe7fc3b47789578fb240755065da6f0f8269822c0
+; sources 387f6d721d1685afc7f39f5e4f5aadf06c6460041a9613482b5d7f851ca85ed6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

@@ -1,1341 +1,1356 @@
-; sources fd674529b58db699e92b35817881229ac6b96b751ec7e540ed8bb95ce55081ad
+; sources 4b8fe509ba5b7700cd42eb2581f1fecebbbfa2c5f5970eb34ed02b26404dcedb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
 
+@PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
+
 define noundef i64 @step_lanes(ptr noundef %0) #0 {
-  %2 = alloca [8 x i64], align 16
-  %3 = alloca %struct.Stepper, align 8
+  %2 = alloca %struct.Stepper, align 8
+  %3 = alloca [8 x double], align 16
   %4 = alloca [8 x double], align 16
   %5 = alloca i64, align 8
-  store ptr %0, ptr %3, align 8
-  %6 = getelementptr inbounds i8, ptr %3, i64 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %7, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %3, i64 16
-  %9 = getelementptr inbounds i8, ptr %0, i64 360
+  %6 = alloca [8 x i64], align 16
+  %7 = alloca i64, align 8
+  store ptr %0, ptr %2, align 8
+  %8 = getelementptr inbounds i8, ptr %2, i64 8
+  %9 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %9, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 912
-  %11 = load ptr, ptr %7, align 8
-  %12 = getelementptr inbounds i8, ptr %11, i64 8
-  %13 = load i64, ptr %12, align 8
-  %14 = load ptr, ptr %0, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 960
-  %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 968
-  %18 = load i64, ptr %17, align 8
-  %19 = getelementptr double, ptr %16, i64 %18
-  %20 = getelementptr i8, ptr %19, i64 -16
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %0, i64 936
-  %23 = load ptr, ptr %22, align 8
-  %24 = load double, ptr %23, align 8
-  %25 = load ptr, ptr %10, align 8
-  %26 = getelementptr inbounds i8, ptr %25, i64 16
-  %27 = load i64, ptr %26, align 8
-  %28 = getelementptr inbounds i8, ptr %0, i64 120
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %14, i64 8
-  %31 = load i64, ptr %30, align 8
-  %32 = icmp sgt i64 %31, 0
-  %33 = getelementptr inbounds i8, ptr %14, i64 32
-  %34 = load i64, ptr %33, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 1136
+  %10 = getelementptr inbounds i8, ptr %2, i64 16
+  %11 = getelementptr inbounds i8, ptr %0, i64 360
+  store ptr %11, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 912
+  %13 = load ptr, ptr %9, align 8
+  %14 = getelementptr inbounds i8, ptr %13, i64 8
+  %15 = load i64, ptr %14, align 8
+  %16 = load ptr, ptr %0, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 960
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 968
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr double, ptr %18, i64 %20
+  %22 = getelementptr i8, ptr %21, i64 -16
+  %23 = load double, ptr %22, align 8
+  %24 = getelementptr inbounds i8, ptr %0, i64 936
+  %25 = load ptr, ptr %24, align 8
+  %26 = load double, ptr %25, align 8
+  %27 = load ptr, ptr %12, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 16
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %0, i64 120
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds i8, ptr %16, i64 8
+  %33 = load i64, ptr %32, align 8
+  %34 = icmp sgt i64 %33, 0
+  %35 = getelementptr inbounds i8, ptr %16, i64 32
   %36 = load i64, ptr %35, align 8
-  %37 = icmp sgt i64 %36, 0
-  %38 = getelementptr inbounds i8, ptr %0, i64 528
-  %39 = load ptr, ptr %38, align 8
-  %40 = load i64, ptr %14, align 8
-  %41 = getelementptr inbounds i8, ptr %0, i64 368
-  %42 = load i64, ptr %41, align 8
-  %43 = mul nsw i64 %42, %40
-  store i64 0, ptr %5, align 8
-  %44 = getelementptr inbounds i8, ptr %0, i64 864
+  %37 = getelementptr inbounds i8, ptr %0, i64 1216
+  %38 = load i64, ptr %37, align 8
+  %39 = icmp sgt i64 %38, 0
+  %40 = getelementptr inbounds i8, ptr %0, i64 1224
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %41, i64 8
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr inbounds i8, ptr %0, i64 528
   %45 = load ptr, ptr %44, align 8
-  br label %134
+  %46 = load i64, ptr %16, align 8
+  %47 = getelementptr inbounds i8, ptr %0, i64 368
+  %48 = load i64, ptr %47, align 8
+  %49 = mul nsw i64 %48, %46
+  store i64 0, ptr %5, align 8
+  %50 = getelementptr inbounds i8, ptr %0, i64 864
+  %51 = load ptr, ptr %50, align 8
+  br label %138
 
-46:                                               ; preds = %134
-  %47 = getelementptr inbounds i8, ptr %0, i64 624
-  %48 = sitofp i64 %27 to double
-  %49 = zext i1 %32 to i32
-  %50 = icmp ne i64 %34, 1
-  %51 = select i1 %37, i1 true, i1 %50
-  %52 = getelementptr inbounds double, ptr %39, i64 %43
-  store i64 %142, ptr %5, align 8
-  %53 = getelementptr inbounds i8, ptr %0, i64 864
-  %54 = getelementptr inbounds i8, ptr %0, i64 744
-  %55 = insertelement <8 x double> poison, double %21, i64 0
-  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
-  %57 = getelementptr inbounds i8, ptr %0, i64 648
-  %58 = insertelement <8 x double> poison, double %24, i64 0
-  %59 = shufflevector <8 x double> %58, <8 x double> poison, <8 x i32> zeroinitializer
-  %60 = getelementptr inbounds i8, ptr %0, i64 768
-  %61 = getelementptr inbounds i8, ptr %0, i64 792
-  %62 = insertelement <8 x double> poison, double %48, i64 0
-  %63 = shufflevector <8 x double> %62, <8 x double> poison, <8 x i32> zeroinitializer
-  %64 = getelementptr inbounds i8, ptr %0, i64 432
-  %65 = getelementptr inbounds i8, ptr %0, i64 408
-  %66 = getelementptr inbounds i8, ptr %0, i64 24
-  %67 = getelementptr inbounds i8, ptr %0, i64 528
-  %68 = getelementptr inbounds i8, ptr %0, i64 48
-  %69 = getelementptr inbounds i8, ptr %0, i64 72
-  %70 = getelementptr inbounds i8, ptr %0, i64 368
-  %71 = getelementptr inbounds i8, ptr %0, i64 96
-  %72 = getelementptr inbounds i8, ptr %0, i64 168
-  %73 = getelementptr inbounds i8, ptr %0, i64 272
-  %74 = getelementptr inbounds i8, ptr %0, i64 192
-  %75 = getelementptr inbounds i8, ptr %0, i64 240
-  %76 = getelementptr inbounds i8, ptr %0, i64 384
-  %77 = getelementptr inbounds i8, ptr %0, i64 24
-  %78 = getelementptr inbounds i8, ptr %0, i64 528
-  %79 = getelementptr inbounds i8, ptr %0, i64 48
-  %80 = getelementptr inbounds i8, ptr %0, i64 72
-  %81 = getelementptr inbounds i8, ptr %0, i64 384
-  %82 = getelementptr inbounds i8, ptr %0, i64 168
-  %83 = getelementptr inbounds i8, ptr %0, i64 272
-  %84 = getelementptr inbounds i8, ptr %0, i64 192
-  %85 = getelementptr inbounds i8, ptr %0, i64 240
-  %86 = icmp sgt i64 %13, 0
-  %87 = getelementptr inbounds i8, ptr %0, i64 384
-  %88 = getelementptr inbounds i8, ptr %0, i64 504
-  %89 = getelementptr inbounds i8, ptr %0, i64 368
-  %90 = getelementptr inbounds i8, ptr %0, i64 480
-  %91 = getelementptr inbounds i8, ptr %0, i64 600
-  %92 = getelementptr inbounds i8, ptr %0, i64 576
-  %93 = getelementptr inbounds i8, ptr %0, i64 384
-  %94 = getelementptr inbounds i8, ptr %0, i64 384
-  %95 = getelementptr inbounds i8, ptr %0, i64 168
-  %96 = getelementptr inbounds i8, ptr %0, i64 272
-  %97 = getelementptr inbounds i8, ptr %0, i64 192
-  %98 = getelementptr inbounds i8, ptr %0, i64 240
-  %99 = getelementptr inbounds i8, ptr %0, i64 816
-  %100 = sext i1 %50 to i64
-  %101 = uitofp i1 %51 to double
-  %102 = insertelement <8 x double> poison, double %101, i64 0
-  %103 = bitcast <8 x double> %102 to <8 x i64>
-  %104 = shufflevector <8 x i64> %103, <8 x i64> poison, <8 x i32> zeroinitializer
-  %105 = getelementptr inbounds i8, ptr %0, i64 744
-  %106 = getelementptr inbounds i8, ptr %0, i64 368
-  %107 = getelementptr inbounds i8, ptr %0, i64 552
-  %108 = getelementptr inbounds i8, ptr %0, i64 408
-  %109 = getelementptr inbounds i8, ptr %0, i64 96
-  %110 = getelementptr inbounds i8, ptr %0, i64 168
-  %111 = getelementptr inbounds i8, ptr %0, i64 272
-  %112 = getelementptr inbounds i8, ptr %0, i64 192
-  %113 = getelementptr inbounds i8, ptr %0, i64 240
-  %114 = getelementptr inbounds i8, ptr %0, i64 480
-  %115 = getelementptr inbounds i8, ptr %14, i64 16
-  %116 = getelementptr inbounds i8, ptr %0, i64 720
+52:                                               ; preds = %138
+  %53 = getelementptr inbounds i8, ptr %0, i64 624
+  %54 = sitofp i64 %29 to double
+  %55 = zext i1 %34 to i32
+  %56 = icmp ne i64 %36, 1
+  %57 = select i1 %39, i1 true, i1 %56
+  %58 = icmp sgt i64 %43, 0
+  %59 = getelementptr inbounds double, ptr %45, i64 %49
+  store i64 %146, ptr %5, align 8
+  %60 = getelementptr inbounds i8, ptr %0, i64 864
+  %61 = getelementptr inbounds i8, ptr %0, i64 1568
+  %62 = getelementptr inbounds i8, ptr %0, i64 1128
+  %63 = getelementptr inbounds i8, ptr %0, i64 744
+  %64 = insertelement <8 x double> poison, double %23, i64 0
+  %65 = shufflevector <8 x double> %64, <8 x double> poison, <8 x i32> zeroinitializer
+  %66 = getelementptr inbounds i8, ptr %0, i64 648
+  %67 = insertelement <8 x double> poison, double %26, i64 0
+  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
+  %69 = getelementptr inbounds i8, ptr %0, i64 768
+  %70 = getelementptr inbounds i8, ptr %0, i64 792
+  %71 = insertelement <8 x double> poison, double %54, i64 0
+  %72 = shufflevector <8 x double> %71, <8 x double> poison, <8 x i32> zeroinitializer
+  %73 = getelementptr inbounds i8, ptr %0, i64 432
+  %74 = getelementptr inbounds i8, ptr %0, i64 408
+  %75 = getelementptr inbounds i8, ptr %0, i64 24
+  %76 = getelementptr inbounds i8, ptr %0, i64 528
+  %77 = getelementptr inbounds i8, ptr %0, i64 48
+  %78 = getelementptr inbounds i8, ptr %0, i64 72
+  %79 = getelementptr inbounds i8, ptr %0, i64 368
+  %80 = getelementptr inbounds i8, ptr %0, i64 96
+  %81 = getelementptr inbounds i8, ptr %0, i64 168
+  %82 = getelementptr inbounds i8, ptr %0, i64 272
+  %83 = getelementptr inbounds i8, ptr %0, i64 192
+  %84 = getelementptr inbounds i8, ptr %0, i64 240
+  %85 = getelementptr inbounds i8, ptr %0, i64 384
+  %86 = getelementptr inbounds i8, ptr %0, i64 24
+  %87 = getelementptr inbounds i8, ptr %0, i64 528
+  %88 = getelementptr inbounds i8, ptr %0, i64 48
+  %89 = getelementptr inbounds i8, ptr %0, i64 72
+  %90 = getelementptr inbounds i8, ptr %0, i64 384
+  %91 = getelementptr inbounds i8, ptr %0, i64 168
+  %92 = getelementptr inbounds i8, ptr %0, i64 272
+  %93 = getelementptr inbounds i8, ptr %0, i64 192
+  %94 = getelementptr inbounds i8, ptr %0, i64 240
+  %95 = icmp sgt i64 %15, 0
+  %96 = getelementptr inbounds i8, ptr %0, i64 384
+  %97 = getelementptr inbounds i8, ptr %0, i64 504
+  %98 = getelementptr inbounds i8, ptr %0, i64 368
+  %99 = getelementptr inbounds i8, ptr %0, i64 480
+  %100 = getelementptr inbounds i8, ptr %0, i64 600
+  %101 = getelementptr inbounds i8, ptr %0, i64 576
+  %102 = getelementptr inbounds i8, ptr %0, i64 384
+  %103 = getelementptr inbounds i8, ptr %0, i64 384
+  %104 = getelementptr inbounds i8, ptr %0, i64 168
+  %105 = getelementptr inbounds i8, ptr %0, i64 272
+  %106 = getelementptr inbounds i8, ptr %0, i64 192
+  %107 = getelementptr inbounds i8, ptr %0, i64 240
+  %108 = getelementptr inbounds i8, ptr %0, i64 816
+  %109 = sext i1 %56 to i64
+  %110 = uitofp i1 %57 to double
+  %111 = insertelement <8 x double> poison, double %110, i64 0
+  %112 = bitcast <8 x double> %111 to <8 x i64>
+  %113 = shufflevector <8 x i64> %112, <8 x i64> poison, <8 x i32> zeroinitializer
+  %114 = getelementptr inbounds i8, ptr %0, i64 744
+  %115 = getelementptr inbounds i8, ptr %0, i64 368
+  %116 = getelementptr inbounds i8, ptr %0, i64 552
   %117 = getelementptr inbounds i8, ptr %0, i64 408
-  %118 = getelementptr inbounds i8, ptr %0, i64 888
-  %119 = getelementptr inbounds i8, ptr %0, i64 456
-  %120 = getelementptr inbounds i8, ptr %0, i64 888
-  %121 = getelementptr inbounds i8, ptr %0, i64 384
-  %122 = getelementptr inbounds i8, ptr %0, i64 672
-  %123 = getelementptr inbounds i8, ptr %0, i64 696
-  %124 = getelementptr inbounds i8, ptr %29, i64 24
-  %125 = getelementptr inbounds i8, ptr %29, i64 8
-  %126 = getelementptr inbounds i8, ptr %29, i64 16
-  %127 = getelementptr inbounds i8, ptr %29, i64 32
-  %128 = getelementptr inbounds i8, ptr %29, i64 40
-  %129 = getelementptr inbounds i8, ptr %29, i64 24
-  %130 = getelementptr inbounds i8, ptr %29, i64 32
-  %131 = getelementptr inbounds i8, ptr %0, i64 840
-  %132 = icmp sgt i64 %13, 0
-  %133 = getelementptr inbounds i8, ptr %0, i64 384
-  br label %145
+  %118 = getelementptr inbounds i8, ptr %0, i64 96
+  %119 = getelementptr inbounds i8, ptr %0, i64 168
+  %120 = getelementptr inbounds i8, ptr %0, i64 272
+  %121 = getelementptr inbounds i8, ptr %0, i64 192
+  %122 = getelementptr inbounds i8, ptr %0, i64 240
+  %123 = getelementptr inbounds i8, ptr %0, i64 480
+  %124 = getelementptr inbounds i8, ptr %16, i64 16
+  %125 = getelementptr inbounds i8, ptr %0, i64 384
+  %126 = getelementptr inbounds i8, ptr %0, i64 672
+  %127 = getelementptr inbounds i8, ptr %0, i64 696
+  %128 = getelementptr inbounds i8, ptr %31, i64 24
+  %129 = getelementptr inbounds i8, ptr %31, i64 8
+  %130 = getelementptr inbounds i8, ptr %31, i64 16
+  %131 = getelementptr inbounds i8, ptr %31, i64 32
+  %132 = getelementptr inbounds i8, ptr %31, i64 40
+  %133 = getelementptr inbounds i8, ptr %31, i64 24
+  %134 = getelementptr inbounds i8, ptr %31, i64 32
+  %135 = getelementptr inbounds i8, ptr %0, i64 840
+  %136 = icmp sgt i64 %15, 0
+  %137 = getelementptr inbounds i8, ptr %0, i64 384
+  br label %149
 
-134:                                              ; preds = %1, %134
-  %135 = phi i64 [ 0, %1 ], [ %143, %134 ]
-  %136 = phi i64 [ 0, %1 ], [ %142, %134 ]
-  %137 = getelementptr inbounds i64, ptr %45, i64 %135
-  %138 = load i64, ptr %137, align 8
-  %139 = icmp sgt i64 %138, -1
-  %140 = zext i1 %139 to i64
-  %141 = shl nuw nsw i64 %140, %135
-  %142 = or i64 %141, %136
-  %143 = add nuw nsw i64 %135, 1
-  %144 = icmp eq i64 %143, 8
-  br i1 %144, label %46, label %134, !llvm.loop !3
+138:                                              ; preds = %1, %138
+  %139 = phi i64 [ 0, %1 ], [ %147, %138 ]
+  %140 = phi i64 [ 0, %1 ], [ %146, %138 ]
+  %141 = getelementptr inbounds i64, ptr %51, i64 %139
+  %142 = load i64, ptr %141, align 8
+  %143 = icmp sgt i64 %142, -1
+  %144 = zext i1 %143 to i64
+  %145 = shl nuw nsw i64 %144, %139
+  %146 = or i64 %145, %140
+  %147 = add nuw nsw i64 %139, 1
+  %148 = icmp eq i64 %147, 8
+  br i1 %148, label %52, label %138, !llvm.loop !3
 
-145:                                              ; preds = %172, %46
-  %146 = phi i32 [ 1, %46 ], [ %173, %172 ]
-  %147 = icmp eq i32 %146, 0
-  br i1 %147, label %174, label %148
+149:                                              ; preds = %184, %52
+  %150 = phi i32 [ 1, %52 ], [ %185, %184 ]
+  %151 = phi i64 [ 0, %52 ], [ %186, %184 ]
+  %152 = icmp ne i32 %150, 0
+  %153 = icmp ne i64 %151, 0
+  %154 = select i1 %152, i1 true, i1 %153
+  br i1 %154, label %155, label %187
 
-148:                                              ; preds = %145
-  %149 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
-  %150 = load i64, ptr %5, align 8
-  %151 = icmp eq i64 %150, 0
-  br i1 %151, label %169, label %152
+155:                                              ; preds = %149
+  br i1 %152, label %156, label %158
 
-152:                                              ; preds = %148
-  %153 = icmp eq i64 %149, 0
-  br i1 %153, label %169, label %154
+156:                                              ; preds = %155
+  %157 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #11
+  br label %158
 
-154:                                              ; preds = %152
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %3, i64 noundef %149) #10
-  br label %155
+158:                                              ; preds = %155, %156
+  %159 = phi i64 [ %157, %156 ], [ 0, %155 ]
+  %160 = load i64, ptr %5, align 8
+  %161 = icmp eq i64 %160, 0
+  br i1 %161, label %180, label %162
 
-155:                                              ; preds = %154, %164
-  %156 = phi i32 [ 0, %154 ], [ %166, %164 ]
-  %157 = phi i64 [ 0, %154 ], [ %167, %164 ]
-  %158 = icmp eq i32 %156, 0
-  br i1 %158, label %159, label %164
+162:                                              ; preds = %158
+  %163 = or i64 %159, %151
+  %164 = icmp eq i64 %163, 0
+  br i1 %164, label %180, label %165
 
-159:                                              ; preds = %155
-  %160 = load ptr, ptr %53, align 8
-  %161 = getelementptr inbounds i64, ptr %160, i64 %157
-  %162 = load i64, ptr %161, align 8
-  %163 = icmp eq i64 %162, -1
-  br label %164
+165:                                              ; preds = %162
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %159, i64 noundef %151) #11
+  br label %166
 
-164:                                              ; preds = %159, %155
-  %165 = phi i1 [ true, %155 ], [ %163, %159 ]
-  %166 = zext i1 %165 to i32
-  %167 = add nuw nsw i64 %157, 1
-  %168 = icmp eq i64 %167, 8
-  br i1 %168, label %169, label %155, !llvm.loop !6
+166:                                              ; preds = %165, %175
+  %167 = phi i32 [ 0, %165 ], [ %177, %175 ]
+  %168 = phi i64 [ 0, %165 ], [ %178, %175 ]
+  %169 = icmp eq i32 %167, 0
+  br i1 %169, label %170, label %175
 
-169:                                              ; preds = %164, %152, %148
-  %170 = phi i32 [ 1, %148 ], [ 8, %152 ], [ 0, %164 ]
-  %171 = phi i32 [ %146, %148 ], [ %146, %152 ], [ %166, %164 ]
-  switch i32 %170, label %1098 [
-    i32 0, label %172
-    i32 8, label %174
+170:                                              ; preds = %166
+  %171 = load ptr, ptr %60, align 8
+  %172 = getelementptr inbounds i64, ptr %171, i64 %168
+  %173 = load i64, ptr %172, align 8
+  %174 = icmp eq i64 %173, -1
+  br label %175
+
+175:                                              ; preds = %170, %166
+  %176 = phi i1 [ true, %166 ], [ %174, %170 ]
+  %177 = zext i1 %176 to i32
+  %178 = add nuw nsw i64 %168, 1
+  %179 = icmp eq i64 %178, 8
+  br i1 %179, label %180, label %166, !llvm.loop !6
+
+180:                                              ; preds = %175, %162, %158
+  %181 = phi i32 [ 1, %158 ], [ 8, %162 ], [ 0, %175 ]
+  %182 = phi i32 [ %150, %158 ], [ 0, %162 ], [ %177, %175 ]
+  %183 = phi i64 [ %151, %158 ], [ %151, %162 ], [ 0, %175 ]
+  switch i32 %181, label %1103 [
+    i32 0, label %184
+    i32 8, label %187
   ]
 
-172:                                              ; preds = %169, %1070, %1096, %228
-  %173 = phi i32 [ %171, %169 ], [ %821, %1070 ], [ 1, %1096 ], [ 1, %228 ]
-  br label %145, !llvm.loop !7
+184:                                              ; preds = %180, %1101, %263
+  %185 = phi i32 [ %182, %180 ], [ %1102, %1101 ], [ 1, %263 ]
+  %186 = phi i64 [ %183, %180 ], [ %1091, %1101 ], [ %189, %263 ]
+  br label %149, !llvm.loop !7
 
-174:                                              ; preds = %169, %145
-  %175 = phi i32 [ %171, %169 ], [ 0, %145 ]
-  %176 = load ptr, ptr %10, align 8
-  %177 = getelementptr inbounds i8, ptr %176, i64 8
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp slt i64 %178, 1
-  br i1 %179, label %1098, label %180
+187:                                              ; preds = %180, %149
+  %188 = phi i32 [ %182, %180 ], [ 0, %149 ]
+  %189 = phi i64 [ %183, %180 ], [ 0, %149 ]
+  %190 = load ptr, ptr %12, align 8
+  %191 = getelementptr inbounds i8, ptr %190, i64 8
+  %192 = load i64, ptr %191, align 8
+  %193 = icmp slt i64 %192, 1
+  br i1 %193, label %1103, label %194
 
-180:                                              ; preds = %174
-  %181 = add nsw i64 %178, -1
-  store i64 %181, ptr %177, align 8
-  %182 = load i64, ptr %5, align 8
-  %183 = trunc i64 %182 to i8
-  %184 = bitcast i8 %183 to <8 x i1>
-  %185 = load ptr, ptr %47, align 8
-  %186 = load <8 x double>, ptr %185, align 8
-  br i1 %32, label %190, label %187
+194:                                              ; preds = %187
+  br i1 %58, label %195, label %215
 
-187:                                              ; preds = %180
-  %188 = load ptr, ptr %54, align 8
-  %189 = load <8 x double>, ptr %188, align 8
-  br label %190
+195:                                              ; preds = %194
+  %196 = load i64, ptr %61, align 8
+  %197 = icmp sgt i64 %196, 0
+  br i1 %197, label %198, label %212
 
-190:                                              ; preds = %180, %187
-  %191 = phi <8 x double> [ %189, %187 ], [ %56, %180 ]
-  %192 = load ptr, ptr %57, align 8
-  %193 = load <8 x double>, ptr %192, align 8
-  br i1 %32, label %194, label %197
+198:                                              ; preds = %195
+  %199 = load ptr, ptr %40, align 8
+  %200 = getelementptr inbounds i8, ptr %199, i64 72
+  %201 = load i64, ptr %200, align 8
+  %202 = load ptr, ptr %62, align 8
+  %203 = load i64, ptr %202, align 8
+  %204 = inttoptr i64 %203 to ptr
+  %205 = getelementptr inbounds i8, ptr %204, i64 1016
+  %206 = load i64, ptr %205, align 8
+  %207 = shl i64 %206, 4
+  %208 = add i64 %201, 16
+  %209 = add i64 %208, %207
+  %210 = icmp sgt i64 %209, %196
+  %211 = zext i1 %210 to i32
+  br label %212
 
-194:                                              ; preds = %190
-  %195 = fcmp olt <8 x double> %193, %59
-  %196 = select <8 x i1> %195, <8 x double> %193, <8 x double> %59
-  br label %203
+212:                                              ; preds = %195, %198
+  %213 = phi i32 [ 0, %195 ], [ %211, %198 ]
+  %214 = icmp eq i32 %213, 0
+  br i1 %214, label %215, label %1103
 
-197:                                              ; preds = %190
-  %198 = fsub <8 x double> %191, %186
-  %199 = fdiv <8 x double> %198, %193
-  %200 = fmul <8 x double> %199, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %201 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %200)
-  %202 = fdiv <8 x double> %198, %201
-  br label %203
+215:                                              ; preds = %212, %194
+  %216 = add nsw i64 %192, -1
+  store i64 %216, ptr %191, align 8
+  %217 = load i64, ptr %5, align 8
+  %218 = trunc i64 %217 to i8
+  %219 = bitcast i8 %218 to <8 x i1>
+  %220 = load ptr, ptr %53, align 8
+  %221 = load <8 x double>, ptr %220, align 8
+  br i1 %34, label %225, label %222
 
-203:                                              ; preds = %197, %194
-  %204 = phi <8 x double> [ %196, %194 ], [ %202, %197 ]
-  %205 = fadd <8 x double> %186, %204
-  %206 = fmul <8 x double> %204, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %207 = fsub <8 x double> %191, %206
-  %208 = fcmp ogt <8 x double> %205, %207
-  %209 = fsub <8 x double> %191, %186
-  %210 = select <8 x i1> %208, <8 x double> %209, <8 x double> %204
-  %211 = select <8 x i1> %208, <8 x double> %191, <8 x double> %205
-  %212 = select <8 x i1> %184, <8 x double> %210, <8 x double> zeroinitializer
-  %213 = load ptr, ptr %60, align 8
-  %214 = load <8 x double>, ptr %213, align 8
-  %215 = load ptr, ptr %61, align 8
-  %216 = load <8 x double>, ptr %215, align 8
-  %217 = fadd <8 x double> %214, %216
-  %218 = fcmp oge <8 x double> %217, %63
-  %219 = fmul <8 x double> %212, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %220 = fadd <8 x double> %186, %219
-  %221 = fcmp ule <8 x double> %220, %186
-  %222 = fcmp une <8 x double> %211, %191
-  %223 = and <8 x i1> %221, %222
-  %224 = or <8 x i1> %223, %218
-  %225 = and <8 x i1> %224, %184
-  %226 = bitcast <8 x i1> %225 to i8
-  %227 = icmp eq i8 %226, 0
-  br i1 %227, label %235, label %228
+222:                                              ; preds = %215
+  %223 = load ptr, ptr %63, align 8
+  %224 = load <8 x double>, ptr %223, align 8
+  br label %225
 
-228:                                              ; preds = %203
-  %229 = zext i8 %226 to i64
-  %230 = bitcast <8 x i1> %218 to i8
-  %231 = zext i8 %230 to i64
-  %232 = and i64 %229, %231
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %232, i64 noundef 1) #10
-  %233 = xor i64 %231, -1
-  %234 = and i64 %229, %233
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %234, i64 noundef -1) #10
-  br label %172
+225:                                              ; preds = %215, %222
+  %226 = phi <8 x double> [ %224, %222 ], [ %65, %215 ]
+  %227 = load ptr, ptr %66, align 8
+  %228 = load <8 x double>, ptr %227, align 8
+  br i1 %34, label %229, label %232
 
-235:                                              ; preds = %203
-  %236 = load ptr, ptr %0, align 8
-  %237 = load i64, ptr %236, align 8
-  %238 = load ptr, ptr %64, align 8
-  store <8 x double> %212, ptr %238, align 8
-  %239 = icmp sgt i64 %237, 1
-  br i1 %239, label %240, label %289
+229:                                              ; preds = %225
+  %230 = fcmp olt <8 x double> %228, %68
+  %231 = select <8 x i1> %230, <8 x double> %228, <8 x double> %68
+  br label %238
 
-240:                                              ; preds = %235, %277
-  %241 = phi i64 [ %286, %277 ], [ 0, %235 ]
-  %242 = phi i64 [ %287, %277 ], [ 1, %235 ]
-  %243 = load ptr, ptr %65, align 8
-  %244 = load ptr, ptr %9, align 8
-  %245 = load ptr, ptr %7, align 8
-  %246 = getelementptr inbounds i8, ptr %245, i64 16
-  %247 = load i64, ptr %246, align 8
-  %248 = load ptr, ptr %66, align 8
-  %249 = getelementptr inbounds i64, ptr %248, i64 %242
-  %250 = load i64, ptr %249, align 8
-  %251 = getelementptr i8, ptr %249, i64 8
-  %252 = load i64, ptr %251, align 8
-  %253 = xor i64 %250, -1
-  %254 = add i64 %252, %253
-  %255 = load ptr, ptr %64, align 8
-  %256 = load ptr, ptr %67, align 8
-  %257 = load ptr, ptr %68, align 8
-  %258 = getelementptr inbounds i64, ptr %257, i64 %250
-  %259 = load ptr, ptr %69, align 8
-  %260 = getelementptr inbounds double, ptr %259, i64 %250
-  tail call fastcc void @combine(ptr noundef %243, ptr noundef %244, ptr noundef %255, ptr noundef %256, ptr noundef %258, ptr noundef %260, i64 noundef %254, i64 noundef %247) #10
-  %261 = load ptr, ptr %67, align 8
-  %262 = load i64, ptr %70, align 8
-  %263 = mul nsw i64 %262, %242
-  %264 = getelementptr inbounds double, ptr %261, i64 %263
-  %265 = load ptr, ptr %71, align 8
-  %266 = getelementptr inbounds double, ptr %265, i64 %242
-  %267 = load double, ptr %266, align 8
-  %268 = insertelement <8 x double> poison, double %267, i64 0
-  %269 = shufflevector <8 x double> %268, <8 x double> poison, <8 x i32> zeroinitializer
-  %270 = fmul <8 x double> %212, %269
-  %271 = fadd <8 x double> %186, %270
-  %272 = load ptr, ptr %65, align 8
-  %273 = load ptr, ptr %72, align 8
-  store <8 x double> %271, ptr %273, align 8
-  %274 = load i64, ptr %73, align 8
-  %275 = icmp sgt i64 %274, 0
-  br i1 %275, label %276, label %277
+232:                                              ; preds = %225
+  %233 = fsub <8 x double> %226, %221
+  %234 = fdiv <8 x double> %233, %228
+  %235 = fmul <8 x double> %234, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %236 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %235)
+  %237 = fdiv <8 x double> %233, %236
+  br label %238
 
-276:                                              ; preds = %240
-  tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %277
+238:                                              ; preds = %232, %229
+  %239 = phi <8 x double> [ %231, %229 ], [ %237, %232 ]
+  %240 = fadd <8 x double> %221, %239
+  %241 = fmul <8 x double> %239, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %242 = fsub <8 x double> %226, %241
+  %243 = fcmp ogt <8 x double> %240, %242
+  %244 = fsub <8 x double> %226, %221
+  %245 = select <8 x i1> %243, <8 x double> %244, <8 x double> %239
+  %246 = select <8 x i1> %243, <8 x double> %226, <8 x double> %240
+  %247 = select <8 x i1> %219, <8 x double> %245, <8 x double> zeroinitializer
+  %248 = load ptr, ptr %69, align 8
+  %249 = load <8 x double>, ptr %248, align 8
+  %250 = load ptr, ptr %70, align 8
+  %251 = load <8 x double>, ptr %250, align 8
+  %252 = fadd <8 x double> %249, %251
+  %253 = fcmp oge <8 x double> %252, %72
+  %254 = fmul <8 x double> %247, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %255 = fadd <8 x double> %221, %254
+  %256 = fcmp ule <8 x double> %255, %221
+  %257 = fcmp une <8 x double> %246, %226
+  %258 = and <8 x i1> %256, %257
+  %259 = or <8 x i1> %258, %253
+  %260 = and <8 x i1> %259, %219
+  %261 = bitcast <8 x i1> %260 to i8
+  %262 = icmp eq i8 %261, 0
+  br i1 %262, label %270, label %263
 
-277:                                              ; preds = %240, %276
-  %278 = load ptr, ptr %7, align 8
-  %279 = load i64, ptr %278, align 8
-  %280 = load ptr, ptr %72, align 8
-  %281 = load ptr, ptr %74, align 8
-  %282 = load ptr, ptr %75, align 8
-  %283 = inttoptr i64 %279 to ptr
-  %284 = tail call i32 %283(ptr noundef %280, ptr noundef %272, ptr noundef %281, ptr noundef %282, ptr noundef %264) #11
-  %285 = zext i32 %284 to i64
-  %286 = or i64 %241, %285
-  %287 = add nuw nsw i64 %242, 1
-  %288 = icmp eq i64 %287, %237
-  br i1 %288, label %289, label %240, !llvm.loop !8
+263:                                              ; preds = %238
+  %264 = zext i8 %261 to i64
+  %265 = bitcast <8 x i1> %253 to i8
+  %266 = zext i8 %265 to i64
+  %267 = and i64 %264, %266
+  call fastcc void @retire(ptr noundef %0, i64 noundef %267, i64 noundef 1) #11
+  %268 = xor i64 %266, -1
+  %269 = and i64 %264, %268
+  call fastcc void @retire(ptr noundef %0, i64 noundef %269, i64 noundef -1) #11
+  br label %184
 
-289:                                              ; preds = %277, %235
-  %290 = phi i64 [ 0, %235 ], [ %286, %277 ]
+270:                                              ; preds = %238
+  %271 = load ptr, ptr %0, align 8
+  %272 = load i64, ptr %271, align 8
+  %273 = load ptr, ptr %73, align 8
+  store <8 x double> %247, ptr %273, align 8
+  %274 = icmp sgt i64 %272, 1
+  br i1 %274, label %275, label %324
+
+275:                                              ; preds = %270, %312
+  %276 = phi i64 [ %321, %312 ], [ 0, %270 ]
+  %277 = phi i64 [ %322, %312 ], [ 1, %270 ]
+  %278 = load ptr, ptr %74, align 8
+  %279 = load ptr, ptr %11, align 8
+  %280 = load ptr, ptr %9, align 8
+  %281 = getelementptr inbounds i8, ptr %280, i64 16
+  %282 = load i64, ptr %281, align 8
+  %283 = load ptr, ptr %75, align 8
+  %284 = getelementptr inbounds i64, ptr %283, i64 %277
+  %285 = load i64, ptr %284, align 8
+  %286 = getelementptr i8, ptr %284, i64 8
+  %287 = load i64, ptr %286, align 8
+  %288 = xor i64 %285, -1
+  %289 = add i64 %287, %288
+  %290 = load ptr, ptr %73, align 8
   %291 = load ptr, ptr %76, align 8
-  %292 = load ptr, ptr %9, align 8
-  %293 = load ptr, ptr %7, align 8
-  %294 = getelementptr inbounds i8, ptr %293, i64 16
-  %295 = load i64, ptr %294, align 8
-  %296 = load ptr, ptr %77, align 8
-  %297 = getelementptr inbounds i64, ptr %296, i64 %237
-  %298 = load i64, ptr %297, align 8
-  %299 = getelementptr i8, ptr %297, i64 8
-  %300 = load i64, ptr %299, align 8
-  %301 = xor i64 %298, -1
-  %302 = add i64 %300, %301
-  %303 = load ptr, ptr %64, align 8
-  %304 = load ptr, ptr %78, align 8
-  %305 = load ptr, ptr %79, align 8
-  %306 = getelementptr inbounds i64, ptr %305, i64 %298
-  %307 = load ptr, ptr %80, align 8
-  %308 = getelementptr inbounds double, ptr %307, i64 %298
-  tail call fastcc void @combine(ptr noundef %291, ptr noundef %292, ptr noundef %303, ptr noundef %304, ptr noundef %306, ptr noundef %308, i64 noundef %302, i64 noundef %295) #10
-  br i1 %50, label %325, label %309
+  %292 = load ptr, ptr %77, align 8
+  %293 = getelementptr inbounds i64, ptr %292, i64 %285
+  %294 = load ptr, ptr %78, align 8
+  %295 = getelementptr inbounds double, ptr %294, i64 %285
+  call fastcc void @combine(ptr noundef %278, ptr noundef %279, ptr noundef %290, ptr noundef %291, ptr noundef %293, ptr noundef %295, i64 noundef %289, i64 noundef %282) #11
+  %296 = load ptr, ptr %76, align 8
+  %297 = load i64, ptr %79, align 8
+  %298 = mul nsw i64 %297, %277
+  %299 = getelementptr inbounds double, ptr %296, i64 %298
+  %300 = load ptr, ptr %80, align 8
+  %301 = getelementptr inbounds double, ptr %300, i64 %277
+  %302 = load double, ptr %301, align 8
+  %303 = insertelement <8 x double> poison, double %302, i64 0
+  %304 = shufflevector <8 x double> %303, <8 x double> poison, <8 x i32> zeroinitializer
+  %305 = fmul <8 x double> %247, %304
+  %306 = fadd <8 x double> %221, %305
+  %307 = load ptr, ptr %74, align 8
+  %308 = load ptr, ptr %81, align 8
+  store <8 x double> %306, ptr %308, align 8
+  %309 = load i64, ptr %82, align 8
+  %310 = icmp sgt i64 %309, 0
+  br i1 %310, label %311, label %312
 
-309:                                              ; preds = %289
-  %310 = load ptr, ptr %81, align 8
-  %311 = load ptr, ptr %82, align 8
-  store <8 x double> %211, ptr %311, align 8
-  %312 = load i64, ptr %83, align 8
-  %313 = icmp sgt i64 %312, 0
-  br i1 %313, label %314, label %315
+311:                                              ; preds = %275
+  call fastcc void @sample(ptr noundef nonnull %9) #11
+  br label %312
 
-314:                                              ; preds = %309
-  tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %315
+312:                                              ; preds = %275, %311
+  %313 = load ptr, ptr %9, align 8
+  %314 = load i64, ptr %313, align 8
+  %315 = load ptr, ptr %81, align 8
+  %316 = load ptr, ptr %83, align 8
+  %317 = load ptr, ptr %84, align 8
+  %318 = inttoptr i64 %314 to ptr
+  %319 = call i32 %318(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
+  %320 = zext i32 %319 to i64
+  %321 = or i64 %276, %320
+  %322 = add nuw nsw i64 %277, 1
+  %323 = icmp eq i64 %322, %272
+  br i1 %323, label %324, label %275, !llvm.loop !8
 
-315:                                              ; preds = %309, %314
-  %316 = load ptr, ptr %7, align 8
-  %317 = load i64, ptr %316, align 8
-  %318 = load ptr, ptr %82, align 8
-  %319 = load ptr, ptr %84, align 8
-  %320 = load ptr, ptr %85, align 8
-  %321 = inttoptr i64 %317 to ptr
-  %322 = tail call i32 %321(ptr noundef %318, ptr noundef %310, ptr noundef %319, ptr noundef %320, ptr noundef %52) #11
-  %323 = zext i32 %322 to i64
-  %324 = or i64 %290, %323
-  br label %325
+324:                                              ; preds = %312, %270
+  %325 = phi i64 [ 0, %270 ], [ %321, %312 ]
+  %326 = load ptr, ptr %85, align 8
+  %327 = load ptr, ptr %11, align 8
+  %328 = load ptr, ptr %9, align 8
+  %329 = getelementptr inbounds i8, ptr %328, i64 16
+  %330 = load i64, ptr %329, align 8
+  %331 = load ptr, ptr %86, align 8
+  %332 = getelementptr inbounds i64, ptr %331, i64 %272
+  %333 = load i64, ptr %332, align 8
+  %334 = getelementptr i8, ptr %332, i64 8
+  %335 = load i64, ptr %334, align 8
+  %336 = xor i64 %333, -1
+  %337 = add i64 %335, %336
+  %338 = load ptr, ptr %73, align 8
+  %339 = load ptr, ptr %87, align 8
+  %340 = load ptr, ptr %88, align 8
+  %341 = getelementptr inbounds i64, ptr %340, i64 %333
+  %342 = load ptr, ptr %89, align 8
+  %343 = getelementptr inbounds double, ptr %342, i64 %333
+  call fastcc void @combine(ptr noundef %326, ptr noundef %327, ptr noundef %338, ptr noundef %339, ptr noundef %341, ptr noundef %343, i64 noundef %337, i64 noundef %330) #11
+  br i1 %56, label %360, label %344
 
-325:                                              ; preds = %315, %289
-  %326 = phi i64 [ %324, %315 ], [ %290, %289 ]
-  br i1 %32, label %330, label %327
+344:                                              ; preds = %324
+  %345 = load ptr, ptr %90, align 8
+  %346 = load ptr, ptr %91, align 8
+  store <8 x double> %246, ptr %346, align 8
+  %347 = load i64, ptr %92, align 8
+  %348 = icmp sgt i64 %347, 0
+  br i1 %348, label %349, label %350
 
-327:                                              ; preds = %325
-  br i1 %86, label %328, label %503
+349:                                              ; preds = %344
+  call fastcc void @sample(ptr noundef nonnull %9) #11
+  br label %350
 
-328:                                              ; preds = %327
-  %329 = load ptr, ptr %87, align 8
-  br label %493
+350:                                              ; preds = %344, %349
+  %351 = load ptr, ptr %9, align 8
+  %352 = load i64, ptr %351, align 8
+  %353 = load ptr, ptr %91, align 8
+  %354 = load ptr, ptr %93, align 8
+  %355 = load ptr, ptr %94, align 8
+  %356 = inttoptr i64 %352 to ptr
+  %357 = call i32 %356(ptr noundef %353, ptr noundef %345, ptr noundef %354, ptr noundef %355, ptr noundef %59) #12
+  %358 = zext i32 %357 to i64
+  %359 = or i64 %325, %358
+  br label %360
 
-330:                                              ; preds = %325
-  %331 = load ptr, ptr %7, align 8
-  %332 = load ptr, ptr %0, align 8
-  %333 = getelementptr inbounds i8, ptr %331, i64 24
-  %334 = load i64, ptr %333, align 8
-  %335 = getelementptr inbounds i8, ptr %332, i64 8
-  %336 = load i64, ptr %335, align 8
-  %337 = load ptr, ptr %88, align 8
-  %338 = load i64, ptr %89, align 8
-  %339 = getelementptr inbounds double, ptr %337, i64 %338
-  %340 = icmp sgt i64 %336, 0
-  br i1 %340, label %341, label %343
+360:                                              ; preds = %350, %324
+  %361 = phi i64 [ %359, %350 ], [ %325, %324 ]
+  br i1 %34, label %365, label %362
 
-341:                                              ; preds = %330
-  %342 = getelementptr inbounds i8, ptr %331, i64 32
-  br label %351
+362:                                              ; preds = %360
+  br i1 %95, label %363, label %538
 
-343:                                              ; preds = %351, %330
-  %344 = icmp sgt i64 %334, 0
-  br i1 %344, label %345, label %377
+363:                                              ; preds = %362
+  %364 = load ptr, ptr %96, align 8
+  br label %528
 
-345:                                              ; preds = %343
-  %346 = load ptr, ptr %9, align 8
-  %347 = load ptr, ptr %76, align 8
-  %348 = load ptr, ptr %91, align 8
-  %349 = load ptr, ptr %92, align 8
-  %350 = load ptr, ptr %88, align 8
-  br label %440
+365:                                              ; preds = %360
+  %366 = load ptr, ptr %9, align 8
+  %367 = load ptr, ptr %0, align 8
+  %368 = getelementptr inbounds i8, ptr %366, i64 24
+  %369 = load i64, ptr %368, align 8
+  %370 = getelementptr inbounds i8, ptr %367, i64 8
+  %371 = load i64, ptr %370, align 8
+  %372 = load ptr, ptr %97, align 8
+  %373 = load i64, ptr %98, align 8
+  %374 = getelementptr inbounds double, ptr %372, i64 %373
+  %375 = icmp sgt i64 %371, 0
+  br i1 %375, label %376, label %378
 
-351:                                              ; preds = %341, %351
-  %352 = phi i64 [ 0, %341 ], [ %375, %351 ]
-  %353 = load i64, ptr %332, align 8
-  %354 = load i64, ptr %342, align 8
-  %355 = load ptr, ptr %88, align 8
-  %356 = load i64, ptr %89, align 8
-  %357 = mul nsw i64 %356, %352
-  %358 = getelementptr inbounds double, ptr %355, i64 %357
-  %359 = load ptr, ptr %90, align 8
-  %360 = load ptr, ptr %77, align 8
-  %361 = getelementptr i64, ptr %360, i64 %353
-  %362 = getelementptr i8, ptr %361, i64 8
-  %363 = getelementptr i64, ptr %362, i64 %352
-  %364 = load i64, ptr %363, align 8
-  %365 = getelementptr i8, ptr %363, i64 8
-  %366 = load i64, ptr %365, align 8
-  %367 = xor i64 %364, -1
-  %368 = add i64 %366, %367
-  %369 = load ptr, ptr %64, align 8
-  %370 = load ptr, ptr %78, align 8
-  %371 = load ptr, ptr %79, align 8
-  %372 = getelementptr inbounds i64, ptr %371, i64 %364
-  %373 = load ptr, ptr %80, align 8
-  %374 = getelementptr inbounds double, ptr %373, i64 %364
-  tail call fastcc void @combine(ptr noundef %358, ptr noundef %359, ptr noundef %369, ptr noundef %370, ptr noundef %372, ptr noundef %374, i64 noundef %368, i64 noundef %354) #10
-  %375 = add nuw nsw i64 %352, 1
-  %376 = icmp eq i64 %375, %336
-  br i1 %376, label %343, label %351, !llvm.loop !9
+376:                                              ; preds = %365
+  %377 = getelementptr inbounds i8, ptr %366, i64 32
+  br label %386
 
-377:                                              ; preds = %440, %343
-  %378 = phi <8 x double> [ zeroinitializer, %343 ], [ %473, %440 ]
-  %379 = phi <8 x double> [ zeroinitializer, %343 ], [ %471, %440 ]
-  %380 = load ptr, ptr %76, align 8
-  %381 = getelementptr inbounds i8, ptr %331, i64 8
-  %382 = load i64, ptr %381, align 8
-  %383 = add nsw i64 %382, -3
-  %384 = getelementptr i8, ptr %380, i64 64
-  %385 = getelementptr i8, ptr %380, i64 128
-  %386 = getelementptr i8, ptr %380, i64 192
-  %387 = icmp slt i64 %334, %383
-  br i1 %387, label %395, label %388
+378:                                              ; preds = %386, %365
+  %379 = icmp sgt i64 %369, 0
+  br i1 %379, label %380, label %412
 
-388:                                              ; preds = %395, %377
-  %389 = phi <8 x double> [ zeroinitializer, %377 ], [ %405, %395 ]
-  %390 = phi <8 x double> [ zeroinitializer, %377 ], [ %410, %395 ]
-  %391 = phi <8 x double> [ zeroinitializer, %377 ], [ %415, %395 ]
-  %392 = phi <8 x double> [ zeroinitializer, %377 ], [ %420, %395 ]
-  %393 = phi i64 [ %334, %377 ], [ %421, %395 ]
-  %394 = icmp slt i64 %393, %382
-  br i1 %394, label %423, label %433
+380:                                              ; preds = %378
+  %381 = load ptr, ptr %11, align 8
+  %382 = load ptr, ptr %85, align 8
+  %383 = load ptr, ptr %100, align 8
+  %384 = load ptr, ptr %101, align 8
+  %385 = load ptr, ptr %97, align 8
+  br label %475
 
-395:                                              ; preds = %377, %395
-  %396 = phi i64 [ %421, %395 ], [ %334, %377 ]
-  %397 = phi <8 x double> [ %420, %395 ], [ zeroinitializer, %377 ]
-  %398 = phi <8 x double> [ %415, %395 ], [ zeroinitializer, %377 ]
-  %399 = phi <8 x double> [ %410, %395 ], [ zeroinitializer, %377 ]
-  %400 = phi <8 x double> [ %405, %395 ], [ zeroinitializer, %377 ]
-  %401 = shl nsw i64 %396, 6
-  %402 = getelementptr inbounds i8, ptr %380, i64 %401
-  %403 = load <8 x double>, ptr %402, align 8
-  %404 = fmul <8 x double> %403, zeroinitializer
-  %405 = fadd <8 x double> %400, %404
-  %406 = shl i64 %396, 6
-  %407 = getelementptr i8, ptr %384, i64 %406
-  %408 = load <8 x double>, ptr %407, align 8
-  %409 = fmul <8 x double> %408, zeroinitializer
-  %410 = fadd <8 x double> %399, %409
-  %411 = shl i64 %396, 6
-  %412 = getelementptr i8, ptr %385, i64 %411
-  %413 = load <8 x double>, ptr %412, align 8
-  %414 = fmul <8 x double> %413, zeroinitializer
-  %415 = fadd <8 x double> %398, %414
-  %416 = shl i64 %396, 6
-  %417 = getelementptr i8, ptr %386, i64 %416
-  %418 = load <8 x double>, ptr %417, align 8
-  %419 = fmul <8 x double> %418, zeroinitializer
-  %420 = fadd <8 x double> %397, %419
-  %421 = add nsw i64 %396, 4
-  %422 = icmp slt i64 %421, %383
-  br i1 %422, label %395, label %388, !llvm.loop !10
+386:                                              ; preds = %376, %386
+  %387 = phi i64 [ 0, %376 ], [ %410, %386 ]
+  %388 = load i64, ptr %367, align 8
+  %389 = load i64, ptr %377, align 8
+  %390 = load ptr, ptr %97, align 8
+  %391 = load i64, ptr %98, align 8
+  %392 = mul nsw i64 %391, %387
+  %393 = getelementptr inbounds double, ptr %390, i64 %392
+  %394 = load ptr, ptr %99, align 8
+  %395 = load ptr, ptr %86, align 8
+  %396 = getelementptr i64, ptr %395, i64 %388
+  %397 = getelementptr i8, ptr %396, i64 8
+  %398 = getelementptr i64, ptr %397, i64 %387
+  %399 = load i64, ptr %398, align 8
+  %400 = getelementptr i8, ptr %398, i64 8
+  %401 = load i64, ptr %400, align 8
+  %402 = xor i64 %399, -1
+  %403 = add i64 %401, %402
+  %404 = load ptr, ptr %73, align 8
+  %405 = load ptr, ptr %87, align 8
+  %406 = load ptr, ptr %88, align 8
+  %407 = getelementptr inbounds i64, ptr %406, i64 %399
+  %408 = load ptr, ptr %89, align 8
+  %409 = getelementptr inbounds double, ptr %408, i64 %399
+  call fastcc void @combine(ptr noundef %393, ptr noundef %394, ptr noundef %404, ptr noundef %405, ptr noundef %407, ptr noundef %409, i64 noundef %403, i64 noundef %389) #11
+  %410 = add nuw nsw i64 %387, 1
+  %411 = icmp eq i64 %410, %371
+  br i1 %411, label %378, label %386, !llvm.loop !9
 
-423:                                              ; preds = %388, %423
-  %424 = phi i64 [ %431, %423 ], [ %393, %388 ]
-  %425 = phi <8 x double> [ %430, %423 ], [ %389, %388 ]
-  %426 = shl nsw i64 %424, 6
-  %427 = getelementptr inbounds i8, ptr %380, i64 %426
-  %428 = load <8 x double>, ptr %427, align 8
-  %429 = fmul <8 x double> %428, zeroinitializer
-  %430 = fadd <8 x double> %425, %429
-  %431 = add nsw i64 %424, 1
-  %432 = icmp eq i64 %431, %382
-  br i1 %432, label %433, label %423, !llvm.loop !11
+412:                                              ; preds = %475, %378
+  %413 = phi <8 x double> [ zeroinitializer, %378 ], [ %508, %475 ]
+  %414 = phi <8 x double> [ zeroinitializer, %378 ], [ %506, %475 ]
+  %415 = load ptr, ptr %85, align 8
+  %416 = getelementptr inbounds i8, ptr %366, i64 8
+  %417 = load i64, ptr %416, align 8
+  %418 = add nsw i64 %417, -3
+  %419 = getelementptr i8, ptr %415, i64 64
+  %420 = getelementptr i8, ptr %415, i64 128
+  %421 = getelementptr i8, ptr %415, i64 192
+  %422 = icmp slt i64 %369, %418
+  br i1 %422, label %430, label %423
 
-433:                                              ; preds = %423, %388
-  %434 = phi <8 x double> [ %389, %388 ], [ %430, %423 ]
-  %435 = fadd <8 x double> %390, %434
-  %436 = fadd <8 x double> %391, %392
-  %437 = fadd <8 x double> %436, %435
-  %438 = fadd <8 x double> %379, %437
-  %439 = icmp eq i64 %336, 2
-  br i1 %439, label %476, label %487
+423:                                              ; preds = %430, %412
+  %424 = phi <8 x double> [ zeroinitializer, %412 ], [ %440, %430 ]
+  %425 = phi <8 x double> [ zeroinitializer, %412 ], [ %445, %430 ]
+  %426 = phi <8 x double> [ zeroinitializer, %412 ], [ %450, %430 ]
+  %427 = phi <8 x double> [ zeroinitializer, %412 ], [ %455, %430 ]
+  %428 = phi i64 [ %369, %412 ], [ %456, %430 ]
+  %429 = icmp slt i64 %428, %417
+  br i1 %429, label %458, label %468
 
-440:                                              ; preds = %345, %440
-  %441 = phi <8 x double> [ zeroinitializer, %345 ], [ %471, %440 ]
-  %442 = phi <8 x double> [ zeroinitializer, %345 ], [ %473, %440 ]
-  %443 = phi i64 [ 0, %345 ], [ %474, %440 ]
-  %444 = shl nsw i64 %443, 6
-  %445 = getelementptr inbounds i8, ptr %346, i64 %444
-  %446 = load <8 x double>, ptr %445, align 8
-  %447 = getelementptr inbounds i8, ptr %347, i64 %444
+430:                                              ; preds = %412, %430
+  %431 = phi i64 [ %456, %430 ], [ %369, %412 ]
+  %432 = phi <8 x double> [ %455, %430 ], [ zeroinitializer, %412 ]
+  %433 = phi <8 x double> [ %450, %430 ], [ zeroinitializer, %412 ]
+  %434 = phi <8 x double> [ %445, %430 ], [ zeroinitializer, %412 ]
+  %435 = phi <8 x double> [ %440, %430 ], [ zeroinitializer, %412 ]
+  %436 = shl nsw i64 %431, 6
+  %437 = getelementptr inbounds i8, ptr %415, i64 %436
+  %438 = load <8 x double>, ptr %437, align 8
+  %439 = fmul <8 x double> %438, zeroinitializer
+  %440 = fadd <8 x double> %435, %439
+  %441 = shl i64 %431, 6
+  %442 = getelementptr i8, ptr %419, i64 %441
+  %443 = load <8 x double>, ptr %442, align 8
+  %444 = fmul <8 x double> %443, zeroinitializer
+  %445 = fadd <8 x double> %434, %444
+  %446 = shl i64 %431, 6
+  %447 = getelementptr i8, ptr %420, i64 %446
   %448 = load <8 x double>, ptr %447, align 8
-  %449 = getelementptr inbounds double, ptr %348, i64 %443
-  %450 = load double, ptr %449, align 8
-  %451 = insertelement <8 x double> poison, double %450, i64 0
-  %452 = shufflevector <8 x double> %451, <8 x double> poison, <8 x i32> zeroinitializer
-  %453 = getelementptr inbounds double, ptr %349, i64 %443
-  %454 = load double, ptr %453, align 8
-  %455 = insertelement <8 x double> poison, double %454, i64 0
-  %456 = shufflevector <8 x double> %455, <8 x double> poison, <8 x i32> zeroinitializer
-  %457 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %446)
-  %458 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %448)
-  %459 = fcmp ogt <8 x double> %457, %458
-  %460 = select <8 x i1> %459, <8 x double> %457, <8 x double> %458
-  %461 = fmul <8 x double> %460, %456
-  %462 = fadd <8 x double> %452, %461
-  %463 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %462
-  %464 = getelementptr inbounds i8, ptr %350, i64 %444
-  %465 = load <8 x double>, ptr %464, align 8
-  %466 = fmul <8 x double> %465, %463
-  %467 = getelementptr inbounds i8, ptr %339, i64 %444
-  %468 = load <8 x double>, ptr %467, align 8
-  %469 = fmul <8 x double> %468, %463
-  %470 = fmul <8 x double> %466, %466
-  %471 = fadd <8 x double> %441, %470
-  %472 = fmul <8 x double> %469, %469
-  %473 = fadd <8 x double> %442, %472
-  %474 = add nuw nsw i64 %443, 1
-  %475 = icmp eq i64 %474, %334
-  br i1 %475, label %377, label %440, !llvm.loop !12
+  %449 = fmul <8 x double> %448, zeroinitializer
+  %450 = fadd <8 x double> %433, %449
+  %451 = shl i64 %431, 6
+  %452 = getelementptr i8, ptr %421, i64 %451
+  %453 = load <8 x double>, ptr %452, align 8
+  %454 = fmul <8 x double> %453, zeroinitializer
+  %455 = fadd <8 x double> %432, %454
+  %456 = add nsw i64 %431, 4
+  %457 = icmp slt i64 %456, %418
+  br i1 %457, label %430, label %423, !llvm.loop !10
 
-476:                                              ; preds = %433
-  %477 = fmul <8 x double> %378, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %478 = fadd <8 x double> %477, %438
-  %479 = sitofp i64 %334 to double
-  %480 = insertelement <8 x double> poison, double %479, i64 0
-  %481 = shufflevector <8 x double> %480, <8 x double> poison, <8 x i32> zeroinitializer
-  %482 = fmul <8 x double> %481, %478
-  %483 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %482)
-  %484 = fdiv <8 x double> %438, %483
-  %485 = fcmp oeq <8 x double> %438, zeroinitializer
-  %486 = select <8 x i1> %485, <8 x double> zeroinitializer, <8 x double> %484
-  br label %503
+458:                                              ; preds = %423, %458
+  %459 = phi i64 [ %466, %458 ], [ %428, %423 ]
+  %460 = phi <8 x double> [ %465, %458 ], [ %424, %423 ]
+  %461 = shl nsw i64 %459, 6
+  %462 = getelementptr inbounds i8, ptr %415, i64 %461
+  %463 = load <8 x double>, ptr %462, align 8
+  %464 = fmul <8 x double> %463, zeroinitializer
+  %465 = fadd <8 x double> %460, %464
+  %466 = add nsw i64 %459, 1
+  %467 = icmp eq i64 %466, %417
+  br i1 %467, label %468, label %458, !llvm.loop !11
 
-487:                                              ; preds = %433
-  %488 = sitofp i64 %334 to double
-  %489 = insertelement <8 x double> poison, double %488, i64 0
-  %490 = shufflevector <8 x double> %489, <8 x double> poison, <8 x i32> zeroinitializer
-  %491 = fdiv <8 x double> %438, %490
-  %492 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %491)
-  br label %503
+468:                                              ; preds = %458, %423
+  %469 = phi <8 x double> [ %424, %423 ], [ %465, %458 ]
+  %470 = fadd <8 x double> %425, %469
+  %471 = fadd <8 x double> %426, %427
+  %472 = fadd <8 x double> %471, %470
+  %473 = fadd <8 x double> %414, %472
+  %474 = icmp eq i64 %371, 2
+  br i1 %474, label %511, label %522
 
-493:                                              ; preds = %328, %493
-  %494 = phi <8 x double> [ zeroinitializer, %328 ], [ %500, %493 ]
-  %495 = phi i64 [ 0, %328 ], [ %501, %493 ]
-  %496 = shl nsw i64 %495, 6
-  %497 = getelementptr inbounds i8, ptr %329, i64 %496
-  %498 = load <8 x double>, ptr %497, align 8
-  %499 = fmul <8 x double> %498, zeroinitializer
-  %500 = fadd <8 x double> %494, %499
-  %501 = add nuw nsw i64 %495, 1
-  %502 = icmp eq i64 %501, %13
-  br i1 %502, label %503, label %493, !llvm.loop !13
+475:                                              ; preds = %380, %475
+  %476 = phi <8 x double> [ zeroinitializer, %380 ], [ %506, %475 ]
+  %477 = phi <8 x double> [ zeroinitializer, %380 ], [ %508, %475 ]
+  %478 = phi i64 [ 0, %380 ], [ %509, %475 ]
+  %479 = shl nsw i64 %478, 6
+  %480 = getelementptr inbounds i8, ptr %381, i64 %479
+  %481 = load <8 x double>, ptr %480, align 8
+  %482 = getelementptr inbounds i8, ptr %382, i64 %479
+  %483 = load <8 x double>, ptr %482, align 8
+  %484 = getelementptr inbounds double, ptr %383, i64 %478
+  %485 = load double, ptr %484, align 8
+  %486 = insertelement <8 x double> poison, double %485, i64 0
+  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
+  %488 = getelementptr inbounds double, ptr %384, i64 %478
+  %489 = load double, ptr %488, align 8
+  %490 = insertelement <8 x double> poison, double %489, i64 0
+  %491 = shufflevector <8 x double> %490, <8 x double> poison, <8 x i32> zeroinitializer
+  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %481)
+  %493 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %483)
+  %494 = fcmp ogt <8 x double> %492, %493
+  %495 = select <8 x i1> %494, <8 x double> %492, <8 x double> %493
+  %496 = fmul <8 x double> %495, %491
+  %497 = fadd <8 x double> %487, %496
+  %498 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %497
+  %499 = getelementptr inbounds i8, ptr %385, i64 %479
+  %500 = load <8 x double>, ptr %499, align 8
+  %501 = fmul <8 x double> %500, %498
+  %502 = getelementptr inbounds i8, ptr %374, i64 %479
+  %503 = load <8 x double>, ptr %502, align 8
+  %504 = fmul <8 x double> %503, %498
+  %505 = fmul <8 x double> %501, %501
+  %506 = fadd <8 x double> %476, %505
+  %507 = fmul <8 x double> %504, %504
+  %508 = fadd <8 x double> %477, %507
+  %509 = add nuw nsw i64 %478, 1
+  %510 = icmp eq i64 %509, %369
+  br i1 %510, label %412, label %475, !llvm.loop !12
 
-503:                                              ; preds = %493, %327, %487, %476
-  %504 = phi <8 x double> [ %486, %476 ], [ %492, %487 ], [ zeroinitializer, %327 ], [ %500, %493 ]
-  %505 = fcmp uge <8 x double> %504, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %506 = trunc i64 %326 to i8
-  %507 = bitcast i8 %506 to <8 x i1>
-  %508 = select <8 x i1> %507, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %505
-  %509 = xor <8 x i1> %508, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %510 = select <8 x i1> %509, <8 x i1> %184, <8 x i1> zeroinitializer
-  %511 = sext <8 x i1> %510 to <8 x i64>
-  br i1 %37, label %512, label %524
+511:                                              ; preds = %468
+  %512 = fmul <8 x double> %413, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %513 = fadd <8 x double> %512, %473
+  %514 = sitofp i64 %369 to double
+  %515 = insertelement <8 x double> poison, double %514, i64 0
+  %516 = shufflevector <8 x double> %515, <8 x double> poison, <8 x i32> zeroinitializer
+  %517 = fmul <8 x double> %516, %513
+  %518 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %517)
+  %519 = fdiv <8 x double> %473, %518
+  %520 = fcmp oeq <8 x double> %473, zeroinitializer
+  %521 = select <8 x i1> %520, <8 x double> zeroinitializer, <8 x double> %519
+  br label %538
 
-512:                                              ; preds = %503
-  %513 = xor <8 x i1> %508, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %514 = select <8 x i1> %513, <8 x i1> %184, <8 x i1> zeroinitializer
-  %515 = bitcast <8 x i1> %514 to i8
-  %516 = icmp eq i8 %515, 0
-  br i1 %516, label %524, label %517
+522:                                              ; preds = %468
+  %523 = sitofp i64 %369 to double
+  %524 = insertelement <8 x double> poison, double %523, i64 0
+  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
+  %526 = fdiv <8 x double> %473, %525
+  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
+  br label %538
 
-517:                                              ; preds = %512
-  %518 = zext i8 %515 to i64
-  store <8 x double> %211, ptr %4, align 16
-  %519 = load ptr, ptr %93, align 8
-  %520 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %4, ptr noundef %519, i64 noundef %518, i32 noundef %49) #10
-  %521 = trunc nuw i64 %520 to i8
-  %522 = bitcast i8 %521 to <8 x i1>
-  %523 = select <8 x i1> %522, <8 x i64> zeroinitializer, <8 x i64> %511
-  br label %524
+528:                                              ; preds = %363, %528
+  %529 = phi <8 x double> [ zeroinitializer, %363 ], [ %535, %528 ]
+  %530 = phi i64 [ 0, %363 ], [ %536, %528 ]
+  %531 = shl nsw i64 %530, 6
+  %532 = getelementptr inbounds i8, ptr %364, i64 %531
+  %533 = load <8 x double>, ptr %532, align 8
+  %534 = fmul <8 x double> %533, zeroinitializer
+  %535 = fadd <8 x double> %529, %534
+  %536 = add nuw nsw i64 %530, 1
+  %537 = icmp eq i64 %536, %15
+  br i1 %537, label %538, label %528, !llvm.loop !13
 
-524:                                              ; preds = %517, %512, %503
-  %525 = phi i64 [ %520, %517 ], [ 0, %512 ], [ 0, %503 ]
-  %526 = phi <8 x i64> [ %523, %517 ], [ %511, %512 ], [ %511, %503 ]
-  %527 = icmp ne <8 x i64> %526, zeroinitializer
-  %528 = bitcast <8 x i1> %527 to i8
-  %529 = icmp ne i8 %528, 0
-  %530 = select i1 %51, i1 %529, i1 false
-  br i1 %530, label %531, label %550
+538:                                              ; preds = %528, %362, %522, %511
+  %539 = phi <8 x double> [ %521, %511 ], [ %527, %522 ], [ zeroinitializer, %362 ], [ %535, %528 ]
+  %540 = fcmp uge <8 x double> %539, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %541 = trunc i64 %361 to i8
+  %542 = bitcast i8 %541 to <8 x i1>
+  %543 = select <8 x i1> %542, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %540
+  %544 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %545 = select <8 x i1> %544, <8 x i1> %219, <8 x i1> zeroinitializer
+  %546 = sext <8 x i1> %545 to <8 x i64>
+  br i1 %39, label %547, label %559
 
-531:                                              ; preds = %524
-  %532 = load ptr, ptr %94, align 8
-  %533 = load ptr, ptr %95, align 8
-  store <8 x double> %211, ptr %533, align 8
-  %534 = load i64, ptr %96, align 8
-  %535 = icmp sgt i64 %534, 0
-  br i1 %535, label %536, label %537
+547:                                              ; preds = %538
+  %548 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %549 = select <8 x i1> %548, <8 x i1> %219, <8 x i1> zeroinitializer
+  %550 = bitcast <8 x i1> %549 to i8
+  %551 = icmp eq i8 %550, 0
+  br i1 %551, label %559, label %552
 
-536:                                              ; preds = %531
-  tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %537
+552:                                              ; preds = %547
+  %553 = zext i8 %550 to i64
+  store <8 x double> %246, ptr %3, align 16
+  %554 = load ptr, ptr %102, align 8
+  %555 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %554, i64 noundef %553, i32 noundef %55) #11
+  %556 = trunc nuw i64 %555 to i8
+  %557 = bitcast i8 %556 to <8 x i1>
+  %558 = select <8 x i1> %557, <8 x i64> zeroinitializer, <8 x i64> %546
+  br label %559
 
-537:                                              ; preds = %531, %536
-  %538 = load ptr, ptr %7, align 8
-  %539 = load i64, ptr %538, align 8
-  %540 = load ptr, ptr %95, align 8
-  %541 = load ptr, ptr %97, align 8
-  %542 = load ptr, ptr %98, align 8
-  %543 = inttoptr i64 %539 to ptr
-  %544 = tail call i32 %543(ptr noundef %540, ptr noundef %532, ptr noundef %541, ptr noundef %542, ptr noundef %52) #11
-  %545 = zext i32 %544 to i64
-  %546 = or i64 %326, %545
-  %547 = trunc i64 %546 to i8
-  %548 = bitcast i8 %547 to <8 x i1>
-  %549 = select <8 x i1> %548, <8 x i64> zeroinitializer, <8 x i64> %526
-  br label %550
+559:                                              ; preds = %552, %547, %538
+  %560 = phi <8 x i64> [ %558, %552 ], [ %546, %547 ], [ %546, %538 ]
+  %561 = phi i64 [ %555, %552 ], [ 0, %547 ], [ 0, %538 ]
+  %562 = icmp ne <8 x i64> %560, zeroinitializer
+  %563 = bitcast <8 x i1> %562 to i8
+  %564 = icmp ne i8 %563, 0
+  %565 = select i1 %57, i1 %564, i1 false
+  br i1 %565, label %566, label %585
 
-550:                                              ; preds = %537, %524
-  %551 = phi <8 x i64> [ %549, %537 ], [ %526, %524 ]
-  %552 = phi i64 [ %546, %537 ], [ %326, %524 ]
-  %553 = load ptr, ptr %99, align 8
-  %554 = load <8 x double>, ptr %553, align 8
-  %555 = load i64, ptr %14, align 8
-  %556 = add i64 %555, %100
-  %557 = sitofp i64 %556 to double
-  %558 = insertelement <8 x double> poison, double %557, i64 0
-  %559 = shufflevector <8 x double> %558, <8 x double> poison, <8 x i32> zeroinitializer
-  %560 = icmp slt <8 x i64> %526, zeroinitializer
-  %561 = select <8 x i1> %560, <8 x i64> %104, <8 x i64> zeroinitializer
-  %562 = bitcast <8 x i64> %561 to <8 x double>
-  %563 = fadd <8 x double> %559, %562
-  %564 = fadd <8 x double> %554, %563
-  store <8 x double> %564, ptr %553, align 8
-  %565 = load ptr, ptr %105, align 8
-  %566 = load <8 x double>, ptr %565, align 8
-  %567 = fcmp olt <8 x double> %566, %211
-  %568 = select <8 x i1> %567, <8 x i64> %551, <8 x i64> zeroinitializer
-  %569 = icmp ne <8 x i64> %568, zeroinitializer
-  %570 = bitcast <8 x i1> %569 to i8
-  %571 = zext i8 %570 to i64
-  %572 = icmp eq i8 %570, 0
-  br i1 %572, label %818, label %573
+566:                                              ; preds = %559
+  %567 = load ptr, ptr %103, align 8
+  %568 = load ptr, ptr %104, align 8
+  store <8 x double> %246, ptr %568, align 8
+  %569 = load i64, ptr %105, align 8
+  %570 = icmp sgt i64 %569, 0
+  br i1 %570, label %571, label %572
 
-573:                                              ; preds = %550
-  %574 = load ptr, ptr %0, align 8
-  %575 = load ptr, ptr %7, align 8
-  %576 = getelementptr inbounds i8, ptr %575, i64 16
-  %577 = load i64, ptr %576, align 8
-  %578 = load i64, ptr %574, align 8
-  %579 = load i64, ptr %106, align 8
-  %580 = load ptr, ptr %78, align 8
-  %581 = mul nsw i64 %579, %578
-  %582 = getelementptr inbounds double, ptr %580, i64 %581
-  %583 = load ptr, ptr %107, align 8
-  %584 = add nsw i64 %578, 1
-  %585 = getelementptr inbounds i8, ptr %574, i64 16
-  %586 = load i64, ptr %585, align 8
-  %587 = icmp sgt i64 %586, 0
-  br i1 %587, label %588, label %590
+571:                                              ; preds = %566
+  call fastcc void @sample(ptr noundef nonnull %9) #11
+  br label %572
 
-588:                                              ; preds = %573
-  %589 = getelementptr inbounds i8, ptr %574, i64 8
-  br label %601
+572:                                              ; preds = %566, %571
+  %573 = load ptr, ptr %9, align 8
+  %574 = load i64, ptr %573, align 8
+  %575 = load ptr, ptr %104, align 8
+  %576 = load ptr, ptr %106, align 8
+  %577 = load ptr, ptr %107, align 8
+  %578 = inttoptr i64 %574 to ptr
+  %579 = call i32 %578(ptr noundef %575, ptr noundef %567, ptr noundef %576, ptr noundef %577, ptr noundef %59) #12
+  %580 = zext i32 %579 to i64
+  %581 = or i64 %361, %580
+  %582 = trunc i64 %581 to i8
+  %583 = bitcast i8 %582 to <8 x i1>
+  %584 = select <8 x i1> %583, <8 x i64> zeroinitializer, <8 x i64> %560
+  br label %585
 
-590:                                              ; preds = %636, %573
-  %591 = phi i64 [ 0, %573 ], [ %645, %636 ]
-  %592 = getelementptr inbounds i8, ptr %574, i64 16
-  %593 = load ptr, ptr %7, align 8
-  %594 = getelementptr inbounds i8, ptr %593, i64 8
-  %595 = load i64, ptr %594, align 8
-  %596 = icmp sgt i64 %595, 0
-  br i1 %596, label %597, label %650
+585:                                              ; preds = %572, %559
+  %586 = phi <8 x i64> [ %584, %572 ], [ %560, %559 ]
+  %587 = phi i64 [ %581, %572 ], [ %361, %559 ]
+  %588 = load ptr, ptr %108, align 8
+  %589 = load <8 x double>, ptr %588, align 8
+  %590 = load i64, ptr %16, align 8
+  %591 = add i64 %590, %109
+  %592 = sitofp i64 %591 to double
+  %593 = insertelement <8 x double> poison, double %592, i64 0
+  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
+  %595 = icmp slt <8 x i64> %560, zeroinitializer
+  %596 = select <8 x i1> %595, <8 x i64> %113, <8 x i64> zeroinitializer
+  %597 = bitcast <8 x i64> %596 to <8 x double>
+  %598 = fadd <8 x double> %594, %597
+  %599 = fadd <8 x double> %589, %598
+  store <8 x double> %599, ptr %588, align 8
+  br i1 %58, label %600, label %609
 
-597:                                              ; preds = %590
-  %598 = getelementptr inbounds double, ptr %583, i64 %579
-  %599 = shl nsw i64 %579, 4
-  %600 = getelementptr inbounds i8, ptr %583, i64 %599
-  br label %657
+600:                                              ; preds = %585
+  %601 = icmp ne <8 x i64> %586, zeroinitializer
+  %602 = bitcast <8 x i1> %601 to i8
+  %603 = icmp eq i8 %602, 0
+  br i1 %603, label %609, label %604
 
-601:                                              ; preds = %588, %636
-  %602 = phi i64 [ 0, %588 ], [ %645, %636 ]
-  %603 = phi i64 [ %584, %588 ], [ %646, %636 ]
-  %604 = load i64, ptr %589, align 8
-  %605 = load ptr, ptr %108, align 8
-  %606 = load ptr, ptr %9, align 8
-  %607 = load ptr, ptr %77, align 8
-  %608 = getelementptr i64, ptr %607, i64 %603
-  %609 = getelementptr i64, ptr %608, i64 %604
-  %610 = load i64, ptr %609, align 8
-  %611 = getelementptr i8, ptr %609, i64 8
-  %612 = load i64, ptr %611, align 8
-  %613 = xor i64 %610, -1
-  %614 = add i64 %612, %613
-  %615 = load ptr, ptr %64, align 8
-  %616 = load ptr, ptr %78, align 8
-  %617 = load ptr, ptr %79, align 8
-  %618 = getelementptr inbounds i64, ptr %617, i64 %610
-  %619 = load ptr, ptr %80, align 8
-  %620 = getelementptr inbounds double, ptr %619, i64 %610
-  tail call fastcc void @combine(ptr noundef %605, ptr noundef %606, ptr noundef %615, ptr noundef %616, ptr noundef %618, ptr noundef %620, i64 noundef %614, i64 noundef %577) #10
-  %621 = load ptr, ptr %78, align 8
-  %622 = mul nsw i64 %603, %579
-  %623 = getelementptr inbounds double, ptr %621, i64 %622
-  %624 = load ptr, ptr %109, align 8
-  %625 = getelementptr inbounds double, ptr %624, i64 %603
-  %626 = load double, ptr %625, align 8
-  %627 = insertelement <8 x double> poison, double %626, i64 0
-  %628 = shufflevector <8 x double> %627, <8 x double> poison, <8 x i32> zeroinitializer
-  %629 = fmul <8 x double> %212, %628
-  %630 = fadd <8 x double> %186, %629
-  %631 = load ptr, ptr %108, align 8
-  %632 = load ptr, ptr %110, align 8
-  store <8 x double> %630, ptr %632, align 8
-  %633 = load i64, ptr %111, align 8
+604:                                              ; preds = %600
+  %605 = zext i8 %602 to i64
+  %606 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %607 = xor i64 %606, -1
+  %608 = and i64 %607, %605
+  br label %609
+
+609:                                              ; preds = %585, %600, %604
+  %610 = phi i64 [ %608, %604 ], [ 0, %600 ], [ 0, %585 ]
+  store i64 0, ptr %7, align 8
+  %611 = load ptr, ptr %114, align 8
+  %612 = load <8 x double>, ptr %611, align 8
+  %613 = fcmp olt <8 x double> %612, %246
+  %614 = icmp ne <8 x i64> %586, zeroinitializer
+  %615 = select <8 x i1> %613, <8 x i1> %614, <8 x i1> zeroinitializer
+  %616 = bitcast <8 x i1> %615 to i8
+  %617 = zext i8 %616 to i64
+  %618 = or i64 %610, %617
+  %619 = icmp eq i64 %618, 0
+  br i1 %619, label %798, label %620
+
+620:                                              ; preds = %609
+  %621 = load ptr, ptr %0, align 8
+  %622 = load ptr, ptr %9, align 8
+  %623 = getelementptr inbounds i8, ptr %622, i64 16
+  %624 = load i64, ptr %623, align 8
+  %625 = load i64, ptr %621, align 8
+  %626 = load i64, ptr %115, align 8
+  %627 = load ptr, ptr %87, align 8
+  %628 = mul nsw i64 %626, %625
+  %629 = getelementptr inbounds double, ptr %627, i64 %628
+  %630 = load ptr, ptr %116, align 8
+  %631 = add nsw i64 %625, 1
+  %632 = getelementptr inbounds i8, ptr %621, i64 16
+  %633 = load i64, ptr %632, align 8
   %634 = icmp sgt i64 %633, 0
-  br i1 %634, label %635, label %636
+  br i1 %634, label %635, label %637
 
-635:                                              ; preds = %601
-  tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %636
+635:                                              ; preds = %620
+  %636 = getelementptr inbounds i8, ptr %621, i64 8
+  br label %648
 
-636:                                              ; preds = %601, %635
-  %637 = load ptr, ptr %7, align 8
-  %638 = load i64, ptr %637, align 8
-  %639 = load ptr, ptr %110, align 8
-  %640 = load ptr, ptr %112, align 8
-  %641 = load ptr, ptr %113, align 8
-  %642 = inttoptr i64 %638 to ptr
-  %643 = tail call i32 %642(ptr noundef %639, ptr noundef %631, ptr noundef %640, ptr noundef %641, ptr noundef %623) #11
-  %644 = zext i32 %643 to i64
-  %645 = or i64 %602, %644
-  %646 = add nsw i64 %603, 1
-  %647 = load i64, ptr %585, align 8
-  %648 = add nsw i64 %647, %584
-  %649 = icmp slt i64 %646, %648
-  br i1 %649, label %601, label %590, !llvm.loop !14
+637:                                              ; preds = %683, %620
+  %638 = phi i64 [ 0, %620 ], [ %692, %683 ]
+  %639 = getelementptr inbounds i8, ptr %621, i64 16
+  %640 = load ptr, ptr %9, align 8
+  %641 = getelementptr inbounds i8, ptr %640, i64 8
+  %642 = load i64, ptr %641, align 8
+  %643 = icmp sgt i64 %642, 0
+  br i1 %643, label %644, label %697
 
-650:                                              ; preds = %657, %590
-  %651 = getelementptr inbounds i8, ptr %574, i64 8
-  %652 = load i64, ptr %651, align 8
-  %653 = load i64, ptr %592, align 8
-  %654 = getelementptr inbounds i8, ptr %574, i64 24
-  %655 = load i64, ptr %654, align 8
-  %656 = icmp sgt i64 %655, 3
-  br i1 %656, label %685, label %710
+644:                                              ; preds = %637
+  %645 = getelementptr inbounds double, ptr %630, i64 %626
+  %646 = shl nsw i64 %626, 4
+  %647 = getelementptr inbounds i8, ptr %630, i64 %646
+  br label %704
 
-657:                                              ; preds = %597, %657
-  %658 = phi i64 [ 0, %597 ], [ %680, %657 ]
-  %659 = load ptr, ptr %76, align 8
-  %660 = shl nsw i64 %658, 6
-  %661 = getelementptr inbounds i8, ptr %659, i64 %660
-  %662 = load <8 x double>, ptr %661, align 8
-  %663 = load ptr, ptr %9, align 8
-  %664 = getelementptr inbounds i8, ptr %663, i64 %660
-  %665 = load <8 x double>, ptr %664, align 8
-  %666 = fsub <8 x double> %662, %665
-  %667 = load ptr, ptr %78, align 8
-  %668 = getelementptr inbounds i8, ptr %667, i64 %660
-  %669 = load <8 x double>, ptr %668, align 8
-  %670 = fmul <8 x double> %212, %669
-  %671 = fsub <8 x double> %670, %666
-  %672 = getelementptr inbounds i8, ptr %583, i64 %660
-  store <8 x double> %666, ptr %672, align 8
-  %673 = getelementptr inbounds i8, ptr %598, i64 %660
-  store <8 x double> %671, ptr %673, align 8
-  %674 = fsub <8 x double> %666, %671
-  %675 = getelementptr inbounds i8, ptr %582, i64 %660
-  %676 = load <8 x double>, ptr %675, align 8
-  %677 = fmul <8 x double> %212, %676
-  %678 = fsub <8 x double> %674, %677
-  %679 = getelementptr inbounds i8, ptr %600, i64 %660
-  store <8 x double> %678, ptr %679, align 8
-  %680 = add nuw nsw i64 %658, 1
-  %681 = load ptr, ptr %7, align 8
-  %682 = getelementptr inbounds i8, ptr %681, i64 8
-  %683 = load i64, ptr %682, align 8
-  %684 = icmp slt i64 %680, %683
-  br i1 %684, label %657, label %650, !llvm.loop !15
+648:                                              ; preds = %635, %683
+  %649 = phi i64 [ 0, %635 ], [ %692, %683 ]
+  %650 = phi i64 [ %631, %635 ], [ %693, %683 ]
+  %651 = load i64, ptr %636, align 8
+  %652 = load ptr, ptr %117, align 8
+  %653 = load ptr, ptr %11, align 8
+  %654 = load ptr, ptr %86, align 8
+  %655 = getelementptr i64, ptr %654, i64 %650
+  %656 = getelementptr i64, ptr %655, i64 %651
+  %657 = load i64, ptr %656, align 8
+  %658 = getelementptr i8, ptr %656, i64 8
+  %659 = load i64, ptr %658, align 8
+  %660 = xor i64 %657, -1
+  %661 = add i64 %659, %660
+  %662 = load ptr, ptr %73, align 8
+  %663 = load ptr, ptr %87, align 8
+  %664 = load ptr, ptr %88, align 8
+  %665 = getelementptr inbounds i64, ptr %664, i64 %657
+  %666 = load ptr, ptr %89, align 8
+  %667 = getelementptr inbounds double, ptr %666, i64 %657
+  call fastcc void @combine(ptr noundef %652, ptr noundef %653, ptr noundef %662, ptr noundef %663, ptr noundef %665, ptr noundef %667, i64 noundef %661, i64 noundef %624) #11
+  %668 = load ptr, ptr %87, align 8
+  %669 = mul nsw i64 %650, %626
+  %670 = getelementptr inbounds double, ptr %668, i64 %669
+  %671 = load ptr, ptr %118, align 8
+  %672 = getelementptr inbounds double, ptr %671, i64 %650
+  %673 = load double, ptr %672, align 8
+  %674 = insertelement <8 x double> poison, double %673, i64 0
+  %675 = shufflevector <8 x double> %674, <8 x double> poison, <8 x i32> zeroinitializer
+  %676 = fmul <8 x double> %247, %675
+  %677 = fadd <8 x double> %221, %676
+  %678 = load ptr, ptr %117, align 8
+  %679 = load ptr, ptr %119, align 8
+  store <8 x double> %677, ptr %679, align 8
+  %680 = load i64, ptr %120, align 8
+  %681 = icmp sgt i64 %680, 0
+  br i1 %681, label %682, label %683
 
-685:                                              ; preds = %650, %685
-  %686 = phi i64 [ %707, %685 ], [ 3, %650 ]
-  %687 = mul nsw i64 %686, %579
-  %688 = getelementptr inbounds double, ptr %583, i64 %687
-  %689 = load ptr, ptr %114, align 8
-  %690 = load ptr, ptr %77, align 8
-  %691 = getelementptr i64, ptr %690, i64 %584
-  %692 = getelementptr i64, ptr %691, i64 %652
-  %693 = getelementptr i64, ptr %692, i64 %653
-  %694 = getelementptr i64, ptr %693, i64 %686
-  %695 = getelementptr i8, ptr %694, i64 -24
-  %696 = load i64, ptr %695, align 8
-  %697 = getelementptr i8, ptr %694, i64 -16
-  %698 = load i64, ptr %697, align 8
-  %699 = xor i64 %696, -1
-  %700 = add i64 %698, %699
-  %701 = load ptr, ptr %64, align 8
-  %702 = load ptr, ptr %78, align 8
-  %703 = load ptr, ptr %79, align 8
-  %704 = getelementptr inbounds i64, ptr %703, i64 %696
-  %705 = load ptr, ptr %80, align 8
-  %706 = getelementptr inbounds double, ptr %705, i64 %696
-  tail call fastcc void @combine(ptr noundef %688, ptr noundef %689, ptr noundef %701, ptr noundef %702, ptr noundef %704, ptr noundef %706, i64 noundef %700, i64 noundef %577) #10
-  %707 = add nuw nsw i64 %686, 1
-  %708 = load i64, ptr %654, align 8
-  %709 = icmp slt i64 %707, %708
-  br i1 %709, label %685, label %710, !llvm.loop !16
+682:                                              ; preds = %648
+  call fastcc void @sample(ptr noundef nonnull %9) #11
+  br label %683
 
-710:                                              ; preds = %685, %650
-  %711 = and i64 %591, %571
-  %712 = load ptr, ptr %99, align 8
-  %713 = load <8 x double>, ptr %712, align 8
-  %714 = load i64, ptr %115, align 8
-  %715 = sitofp i64 %714 to double
-  %716 = insertelement <8 x double> poison, double %715, i64 0
-  %717 = bitcast <8 x double> %716 to <8 x i64>
-  %718 = shufflevector <8 x i64> %717, <8 x i64> poison, <8 x i32> zeroinitializer
-  %719 = icmp slt <8 x i64> %568, zeroinitializer
-  %720 = select <8 x i1> %719, <8 x i64> %718, <8 x i64> zeroinitializer
-  %721 = bitcast <8 x i64> %720 to <8 x double>
-  %722 = fadd <8 x double> %713, %721
-  store <8 x double> %722, ptr %712, align 8
-  %723 = icmp eq i64 %711, 0
-  br i1 %723, label %731, label %724
+683:                                              ; preds = %648, %682
+  %684 = load ptr, ptr %9, align 8
+  %685 = load i64, ptr %684, align 8
+  %686 = load ptr, ptr %119, align 8
+  %687 = load ptr, ptr %121, align 8
+  %688 = load ptr, ptr %122, align 8
+  %689 = inttoptr i64 %685 to ptr
+  %690 = call i32 %689(ptr noundef %686, ptr noundef %678, ptr noundef %687, ptr noundef %688, ptr noundef %670) #12
+  %691 = sext i32 %690 to i64
+  %692 = or i64 %649, %691
+  %693 = add nsw i64 %650, 1
+  %694 = load i64, ptr %632, align 8
+  %695 = add nsw i64 %694, %631
+  %696 = icmp slt i64 %693, %695
+  br i1 %696, label %648, label %637, !llvm.loop !14
 
-724:                                              ; preds = %710
-  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %711, i64 noundef 3) #10
-  %725 = xor i64 %711, -1
-  %726 = and i64 %182, %725
-  store i64 %726, ptr %5, align 8
-  %727 = trunc i64 %726 to i8
-  %728 = bitcast i8 %727 to <8 x i1>
-  %729 = select <8 x i1> %728, <8 x i64> %551, <8 x i64> zeroinitializer
-  %730 = select <8 x i1> %728, <8 x i64> %568, <8 x i64> zeroinitializer
-  br label %731
+697:                                              ; preds = %704, %637
+  %698 = getelementptr inbounds i8, ptr %621, i64 8
+  %699 = load i64, ptr %698, align 8
+  %700 = load i64, ptr %639, align 8
+  %701 = getelementptr inbounds i8, ptr %621, i64 24
+  %702 = load i64, ptr %701, align 8
+  %703 = icmp sgt i64 %702, 3
+  br i1 %703, label %732, label %757
 
-731:                                              ; preds = %724, %710
-  %732 = phi <8 x i64> [ %730, %724 ], [ %568, %710 ]
-  %733 = phi <8 x i64> [ %729, %724 ], [ %551, %710 ]
-  %734 = phi i32 [ 1, %724 ], [ %175, %710 ]
-  %735 = icmp ne <8 x i64> %732, zeroinitializer
-  %736 = bitcast <8 x i1> %735 to i8
-  %737 = load ptr, ptr %47, align 8
-  %738 = load <8 x double>, ptr %737, align 8
-  %739 = load ptr, ptr %64, align 8
-  %740 = load <8 x double>, ptr %739, align 8
-  %741 = load ptr, ptr %116, align 8
-  %742 = load <8 x double>, ptr %741, align 8
-  %743 = load ptr, ptr %105, align 8
-  %744 = load <8 x double>, ptr %743, align 8
-  %745 = load ptr, ptr %117, align 8
-  %746 = load ptr, ptr %118, align 8
-  br label %751
+704:                                              ; preds = %644, %704
+  %705 = phi i64 [ 0, %644 ], [ %727, %704 ]
+  %706 = load ptr, ptr %85, align 8
+  %707 = shl nsw i64 %705, 6
+  %708 = getelementptr inbounds i8, ptr %706, i64 %707
+  %709 = load <8 x double>, ptr %708, align 8
+  %710 = load ptr, ptr %11, align 8
+  %711 = getelementptr inbounds i8, ptr %710, i64 %707
+  %712 = load <8 x double>, ptr %711, align 8
+  %713 = fsub <8 x double> %709, %712
+  %714 = load ptr, ptr %87, align 8
+  %715 = getelementptr inbounds i8, ptr %714, i64 %707
+  %716 = load <8 x double>, ptr %715, align 8
+  %717 = fmul <8 x double> %247, %716
+  %718 = fsub <8 x double> %717, %713
+  %719 = getelementptr inbounds i8, ptr %630, i64 %707
+  store <8 x double> %713, ptr %719, align 8
+  %720 = getelementptr inbounds i8, ptr %645, i64 %707
+  store <8 x double> %718, ptr %720, align 8
+  %721 = fsub <8 x double> %713, %718
+  %722 = getelementptr inbounds i8, ptr %629, i64 %707
+  %723 = load <8 x double>, ptr %722, align 8
+  %724 = fmul <8 x double> %247, %723
+  %725 = fsub <8 x double> %721, %724
+  %726 = getelementptr inbounds i8, ptr %647, i64 %707
+  store <8 x double> %725, ptr %726, align 8
+  %727 = add nuw nsw i64 %705, 1
+  %728 = load ptr, ptr %9, align 8
+  %729 = getelementptr inbounds i8, ptr %728, i64 8
+  %730 = load i64, ptr %729, align 8
+  %731 = icmp slt i64 %727, %730
+  br i1 %731, label %704, label %697, !llvm.loop !15
 
-747:                                              ; preds = %751
-  %748 = icmp eq i8 %736, 0
-  br i1 %748, label %758, label %749
+732:                                              ; preds = %697, %732
+  %733 = phi i64 [ %754, %732 ], [ 3, %697 ]
+  %734 = mul nsw i64 %733, %626
+  %735 = getelementptr inbounds double, ptr %630, i64 %734
+  %736 = load ptr, ptr %123, align 8
+  %737 = load ptr, ptr %86, align 8
+  %738 = getelementptr i64, ptr %737, i64 %631
+  %739 = getelementptr i64, ptr %738, i64 %699
+  %740 = getelementptr i64, ptr %739, i64 %700
+  %741 = getelementptr i64, ptr %740, i64 %733
+  %742 = getelementptr i8, ptr %741, i64 -24
+  %743 = load i64, ptr %742, align 8
+  %744 = getelementptr i8, ptr %741, i64 -16
+  %745 = load i64, ptr %744, align 8
+  %746 = xor i64 %743, -1
+  %747 = add i64 %745, %746
+  %748 = load ptr, ptr %73, align 8
+  %749 = load ptr, ptr %87, align 8
+  %750 = load ptr, ptr %88, align 8
+  %751 = getelementptr inbounds i64, ptr %750, i64 %743
+  %752 = load ptr, ptr %89, align 8
+  %753 = getelementptr inbounds double, ptr %752, i64 %743
+  call fastcc void @combine(ptr noundef %735, ptr noundef %736, ptr noundef %748, ptr noundef %749, ptr noundef %751, ptr noundef %753, i64 noundef %747, i64 noundef %624) #11
+  %754 = add nuw nsw i64 %733, 1
+  %755 = load i64, ptr %701, align 8
+  %756 = icmp slt i64 %754, %755
+  br i1 %756, label %732, label %757, !llvm.loop !16
 
-749:                                              ; preds = %747
-  %750 = zext i8 %736 to i64
-  br label %761
+757:                                              ; preds = %732, %697
+  %758 = and i64 %638, %618
+  %759 = load ptr, ptr %108, align 8
+  %760 = load <8 x double>, ptr %759, align 8
+  %761 = trunc nuw i64 %618 to i8
+  %762 = bitcast i8 %761 to <8 x i1>
+  %763 = load i64, ptr %124, align 8
+  %764 = sitofp i64 %763 to double
+  %765 = insertelement <8 x double> poison, double %764, i64 0
+  %766 = shufflevector <8 x double> %765, <8 x double> poison, <8 x i32> zeroinitializer
+  %767 = select <8 x i1> %762, <8 x double> %766, <8 x double> zeroinitializer
+  %768 = fadd <8 x double> %760, %767
+  store <8 x double> %768, ptr %759, align 8
+  %769 = icmp eq i64 %758, 0
+  br i1 %769, label %774, label %770
 
-751:                                              ; preds = %731, %751
-  %752 = phi i64 [ 0, %731 ], [ %756, %751 ]
-  %753 = getelementptr inbounds i64, ptr %746, i64 %752
-  %754 = load i64, ptr %753, align 8
-  %755 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %752
-  store i64 %754, ptr %755, align 8
-  %756 = add nuw nsw i64 %752, 1
-  %757 = icmp eq i64 %756, 8
-  br i1 %757, label %747, label %751, !llvm.loop !17
+770:                                              ; preds = %757
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %758, i64 noundef 3) #11
+  %771 = xor i64 %758, -1
+  %772 = and i64 %217, %771
+  store i64 %772, ptr %5, align 8
+  %773 = and i64 %610, %771
+  br label %774
 
-758:                                              ; preds = %785, %747
-  %759 = phi i64 [ 0, %747 ], [ %786, %785 ]
-  %760 = icmp eq i64 %759, 0
-  br i1 %760, label %813, label %797
+774:                                              ; preds = %770, %757
+  %775 = phi i64 [ %773, %770 ], [ %610, %757 ]
+  %776 = phi i32 [ 1, %770 ], [ %188, %757 ]
+  store <8 x double> %246, ptr %3, align 16
+  %777 = icmp eq i64 %775, 0
+  br i1 %777, label %780, label %778
 
-761:                                              ; preds = %749, %785
-  %762 = phi i64 [ %786, %785 ], [ 0, %749 ]
-  %763 = phi i64 [ %795, %785 ], [ %750, %749 ]
-  %764 = load ptr, ptr %105, align 8
-  %765 = load <8 x double>, ptr %764, align 8
-  %766 = fsub <8 x double> %765, %738
-  %767 = fdiv <8 x double> %766, %740
-  %768 = load ptr, ptr %119, align 8
-  store <8 x double> %767, ptr %768, align 8
-  %769 = load ptr, ptr %9, align 8
-  %770 = load ptr, ptr %107, align 8
-  %771 = load i64, ptr %106, align 8
-  %772 = load ptr, ptr %0, align 8
-  %773 = getelementptr inbounds i8, ptr %772, i64 24
-  %774 = load i64, ptr %773, align 8
-  %775 = load ptr, ptr %119, align 8
-  %776 = load ptr, ptr %7, align 8
-  %777 = getelementptr inbounds i8, ptr %776, i64 16
-  %778 = load i64, ptr %777, align 8
-  tail call fastcc void @nested(ptr noundef %745, ptr noundef %769, ptr noundef %770, i64 noundef %771, i64 noundef %774, ptr noundef %775, i64 noundef %778) #10
-  %779 = load i64, ptr %35, align 8
-  %780 = icmp sgt i64 %779, 0
-  br i1 %780, label %781, label %785
+778:                                              ; preds = %774
+  %779 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %775, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
+  br label %780
 
-781:                                              ; preds = %761
-  %782 = load ptr, ptr %105, align 8
-  %783 = tail call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef %782, ptr noundef %745, i64 noundef %763, i32 noundef 0) #10
-  %784 = or i64 %783, %762
-  br label %785
+780:                                              ; preds = %778, %774
+  %781 = phi i64 [ %779, %778 ], [ 0, %774 ]
+  %782 = load i64, ptr %7, align 8
+  %783 = or i64 %782, %638
+  %784 = xor i64 %783, -1
+  %785 = and i64 %618, %784
+  %786 = icmp eq i64 %781, 0
+  %787 = select i1 %786, ptr null, ptr %4
+  %788 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %3, ptr noundef %787) #11
+  %789 = or i64 %788, %561
+  %790 = or i64 %782, %758
+  %791 = or i64 %790, %789
+  %792 = trunc i64 %791 to i8
+  %793 = xor i8 %792, -1
+  %794 = bitcast i8 %793 to <8 x i1>
+  %795 = select <8 x i1> %794, <8 x i64> %586, <8 x i64> zeroinitializer
+  %796 = load <8 x double>, ptr %3, align 16
+  br i1 %786, label %798, label %797
 
-785:                                              ; preds = %781, %761
-  %786 = phi i64 [ %784, %781 ], [ %762, %761 ]
-  %787 = xor i64 %786, -1
-  %788 = and i64 %763, %787
-  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %745, i64 noundef %788) #10
-  %789 = load ptr, ptr %105, align 8
-  %790 = load <8 x double>, ptr %789, align 8
-  %791 = fcmp olt <8 x double> %790, %211
-  %792 = bitcast <8 x i1> %791 to i8
-  %793 = zext i8 %792 to i64
-  %794 = and i64 %787, %793
-  %795 = and i64 %794, %763
-  %796 = icmp eq i64 %795, 0
-  br i1 %796, label %758, label %761, !llvm.loop !19
+797:                                              ; preds = %780
+  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %781, ptr noundef nonnull %4) #11
+  br label %798
 
-797:                                              ; preds = %758, %797
-  %798 = phi i64 [ %811, %797 ], [ %759, %758 ]
-  %799 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %798, i1 true)
-  %800 = extractelement <8 x double> %742, i64 %799
-  %801 = load ptr, ptr %116, align 8
-  %802 = getelementptr inbounds double, ptr %801, i64 %799
-  store double %800, ptr %802, align 8
-  %803 = extractelement <8 x double> %744, i64 %799
-  %804 = load ptr, ptr %105, align 8
-  %805 = getelementptr inbounds double, ptr %804, i64 %799
-  store double %803, ptr %805, align 8
-  %806 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %799
-  %807 = load i64, ptr %806, align 8
-  %808 = load ptr, ptr %120, align 8
-  %809 = getelementptr inbounds i64, ptr %808, i64 %799
-  store i64 %807, ptr %809, align 8
-  %810 = add nsw i64 %798, -1
-  %811 = and i64 %810, %798
-  %812 = icmp eq i64 %811, 0
-  br i1 %812, label %813, label %797, !llvm.loop !20
+798:                                              ; preds = %780, %797, %609
+  %799 = phi <8 x double> [ %246, %609 ], [ %796, %780 ], [ %796, %797 ]
+  %800 = phi <8 x i64> [ %586, %609 ], [ %795, %780 ], [ %795, %797 ]
+  %801 = phi i64 [ %561, %609 ], [ %789, %780 ], [ %789, %797 ]
+  %802 = phi i32 [ %188, %609 ], [ %776, %780 ], [ %776, %797 ]
+  %803 = phi i64 [ 0, %609 ], [ %781, %780 ], [ %781, %797 ]
+  %804 = load ptr, ptr %114, align 8
+  %805 = load <8 x double>, ptr %804, align 8
+  %806 = fcmp oeq <8 x double> %805, %799
+  %807 = icmp ne <8 x i64> %800, zeroinitializer
+  %808 = select <8 x i1> %806, <8 x i1> %807, <8 x i1> zeroinitializer
+  %809 = bitcast <8 x i1> %808 to i8
+  %810 = icmp eq i8 %809, 0
+  br i1 %810, label %813, label %811
 
-813:                                              ; preds = %797, %758
-  %814 = or i64 %759, %525
-  %815 = trunc nuw i64 %759 to i8
-  %816 = bitcast i8 %815 to <8 x i1>
-  %817 = select <8 x i1> %816, <8 x i64> zeroinitializer, <8 x i64> %733
-  br label %818
+811:                                              ; preds = %798
+  %812 = zext i8 %809 to i64
+  br label %822
 
-818:                                              ; preds = %813, %550
-  %819 = phi i64 [ %525, %550 ], [ %814, %813 ]
-  %820 = phi <8 x i64> [ %551, %550 ], [ %817, %813 ]
-  %821 = phi i32 [ %175, %550 ], [ %734, %813 ]
-  %822 = load ptr, ptr %105, align 8
-  %823 = load <8 x double>, ptr %822, align 8
-  %824 = fcmp oeq <8 x double> %823, %211
-  %825 = icmp ne <8 x i64> %820, zeroinitializer
-  %826 = select <8 x i1> %824, <8 x i1> %825, <8 x i1> zeroinitializer
-  %827 = bitcast <8 x i1> %826 to i8
-  %828 = icmp eq i8 %827, 0
-  br i1 %828, label %831, label %829
+813:                                              ; preds = %822, %798
+  %814 = xor <8 x i64> %800, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %815 = select <8 x i1> %219, <8 x i64> %814, <8 x i64> zeroinitializer
+  %816 = load ptr, ptr %69, align 8
+  %817 = load <8 x double>, ptr %816, align 8
+  %818 = icmp slt <8 x i64> %800, zeroinitializer
+  %819 = select <8 x i1> %818, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %820 = bitcast <8 x i64> %819 to <8 x double>
+  %821 = fadd <8 x double> %817, %820
+  store <8 x double> %821, ptr %816, align 8
+  br i1 %34, label %832, label %956
 
-829:                                              ; preds = %818
-  %830 = zext i8 %827 to i64
-  br label %840
+822:                                              ; preds = %811, %822
+  %823 = phi i64 [ %830, %822 ], [ %812, %811 ]
+  %824 = load ptr, ptr %125, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %824, i64 noundef %823) #11
+  %825 = load ptr, ptr %114, align 8
+  %826 = load <8 x double>, ptr %825, align 8
+  %827 = fcmp oeq <8 x double> %826, %799
+  %828 = bitcast <8 x i1> %827 to i8
+  %829 = zext i8 %828 to i64
+  %830 = and i64 %823, %829
+  %831 = icmp eq i64 %830, 0
+  br i1 %831, label %813, label %822, !llvm.loop !17
 
-831:                                              ; preds = %840, %818
-  %832 = xor <8 x i64> %820, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %833 = select <8 x i1> %184, <8 x i64> %832, <8 x i64> zeroinitializer
-  %834 = load ptr, ptr %60, align 8
-  %835 = load <8 x double>, ptr %834, align 8
-  %836 = icmp slt <8 x i64> %820, zeroinitializer
-  %837 = select <8 x i1> %836, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %838 = bitcast <8 x i64> %837 to <8 x double>
-  %839 = fadd <8 x double> %835, %838
-  store <8 x double> %839, ptr %834, align 8
-  br i1 %32, label %850, label %974
-
-840:                                              ; preds = %829, %840
-  %841 = phi i64 [ %848, %840 ], [ %830, %829 ]
-  %842 = load ptr, ptr %121, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %842, i64 noundef %841) #10
-  %843 = load ptr, ptr %105, align 8
-  %844 = load <8 x double>, ptr %843, align 8
-  %845 = fcmp oeq <8 x double> %844, %211
-  %846 = bitcast <8 x i1> %845 to i8
-  %847 = zext i8 %846 to i64
-  %848 = and i64 %841, %847
-  %849 = icmp eq i64 %848, 0
-  br i1 %849, label %831, label %840, !llvm.loop !21
-
-850:                                              ; preds = %831
-  %851 = load ptr, ptr %122, align 8
-  %852 = load <8 x double>, ptr %851, align 8
-  %853 = load ptr, ptr %123, align 8
-  %854 = load <8 x double>, ptr %853, align 8
-  %855 = fcmp ogt <8 x double> %504, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %856 = bitcast <8 x double> %504 to <8 x i64>
-  %857 = select <8 x i1> %855, <8 x i64> %856, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %858 = load double, ptr %124, align 8
-  %859 = insertelement <8 x double> poison, double %858, i64 0
-  %860 = shufflevector <8 x double> %859, <8 x double> poison, <8 x i32> zeroinitializer
-  %861 = load double, ptr %125, align 8
-  %862 = fneg double %861
-  %863 = add <8 x i64> %857, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %864 = ashr <8 x i64> %863, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %865 = and <8 x i64> %863, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %866 = sub <8 x i64> %857, %865
-  %867 = bitcast <8 x i64> %866 to <8 x double>
-  %868 = fadd <8 x double> %867, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %869 = fadd <8 x double> %867, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %870 = fdiv <8 x double> %868, %869
-  %871 = fmul <8 x double> %870, %870
-  %872 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %871, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %873 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> %871, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %874 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %871, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %875 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %871, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %876 = trunc nsw <8 x i64> %864 to <8 x i32>
-  %877 = sitofp <8 x i32> %876 to <8 x double>
-  %878 = fmul <8 x double> %870, %875
-  %879 = fadd <8 x double> %878, %877
-  %880 = insertelement <8 x double> poison, double %862, i64 0
-  %881 = shufflevector <8 x double> %880, <8 x double> poison, <8 x i32> zeroinitializer
-  %882 = fmul <8 x double> %879, %881
-  %883 = fcmp ogt <8 x double> %882, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %884 = bitcast <8 x double> %882 to <8 x i64>
-  %885 = select <8 x i1> %883, <8 x i64> %884, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+832:                                              ; preds = %813
+  %833 = load ptr, ptr %126, align 8
+  %834 = load <8 x double>, ptr %833, align 8
+  %835 = load ptr, ptr %127, align 8
+  %836 = load <8 x double>, ptr %835, align 8
+  %837 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %838 = bitcast <8 x double> %539 to <8 x i64>
+  %839 = select <8 x i1> %837, <8 x i64> %838, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %840 = load double, ptr %128, align 8
+  %841 = insertelement <8 x double> poison, double %840, i64 0
+  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
+  %843 = load double, ptr %129, align 8
+  %844 = fneg double %843
+  %845 = add <8 x i64> %839, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %846 = ashr <8 x i64> %845, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %847 = and <8 x i64> %845, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %848 = sub <8 x i64> %839, %847
+  %849 = bitcast <8 x i64> %848 to <8 x double>
+  %850 = fadd <8 x double> %849, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %851 = fadd <8 x double> %849, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %852 = fdiv <8 x double> %850, %851
+  %853 = fmul <8 x double> %852, %852
+  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %853, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %853, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %857 = call <8 x double> @llvm.fma.v8f64(<8 x double> %856, <8 x double> %853, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %858 = trunc nsw <8 x i64> %846 to <8 x i32>
+  %859 = sitofp <8 x i32> %858 to <8 x double>
+  %860 = fmul <8 x double> %852, %857
+  %861 = fadd <8 x double> %860, %859
+  %862 = insertelement <8 x double> poison, double %844, i64 0
+  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
+  %864 = fmul <8 x double> %861, %863
+  %865 = fcmp ogt <8 x double> %864, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %866 = bitcast <8 x double> %864 to <8 x i64>
+  %867 = select <8 x i1> %865, <8 x i64> %866, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %868 = bitcast <8 x i64> %867 to <8 x double>
+  %869 = fcmp olt <8 x double> %868, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %870 = bitcast <8 x i64> %867 to <8 x double>
+  %871 = select <8 x i1> %869, <8 x double> %870, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %872 = call <8 x double> @llvm.rint.v8f64(<8 x double> %871)
+  %873 = fsub <8 x double> %871, %872
+  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %873, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %873, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %873, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %873, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %873, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %881 = bitcast <8 x double> %880 to <8 x i64>
+  %882 = fptosi <8 x double> %872 to <8 x i32>
+  %883 = zext <8 x i32> %882 to <8 x i64>
+  %884 = shl <8 x i64> %883, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %885 = add <8 x i64> %884, %881
   %886 = bitcast <8 x i64> %885 to <8 x double>
-  %887 = fcmp olt <8 x double> %886, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %888 = bitcast <8 x i64> %885 to <8 x double>
-  %889 = select <8 x i1> %887, <8 x double> %888, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %890 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %889)
-  %891 = fsub <8 x double> %889, %890
-  %892 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %891, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %893 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %892, <8 x double> %891, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %894 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %893, <8 x double> %891, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %895 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %894, <8 x double> %891, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %896 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> %891, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %897 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %891, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %898 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> %891, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %899 = bitcast <8 x double> %898 to <8 x i64>
-  %900 = fptosi <8 x double> %890 to <8 x i32>
-  %901 = zext <8 x i32> %900 to <8 x i64>
-  %902 = shl <8 x i64> %901, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %903 = add <8 x i64> %902, %899
-  %904 = bitcast <8 x i64> %903 to <8 x double>
-  %905 = fmul <8 x double> %860, %904
-  %906 = load double, ptr %126, align 8
-  %907 = fcmp une double %906, 0.000000e+00
-  br i1 %907, label %908, label %953
+  %887 = fmul <8 x double> %842, %886
+  %888 = load double, ptr %130, align 8
+  %889 = fcmp une double %888, 0.000000e+00
+  br i1 %889, label %890, label %935
 
-908:                                              ; preds = %850
-  %909 = bitcast <8 x double> %852 to <8 x i64>
-  %910 = add <8 x i64> %909, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %911 = ashr <8 x i64> %910, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %912 = and <8 x i64> %910, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %913 = sub <8 x i64> %909, %912
-  %914 = bitcast <8 x i64> %913 to <8 x double>
-  %915 = fadd <8 x double> %914, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %916 = fadd <8 x double> %914, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %917 = fdiv <8 x double> %915, %916
-  %918 = fmul <8 x double> %917, %917
-  %919 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %918, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %920 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> %918, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %921 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %918, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %922 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %918, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %923 = trunc nsw <8 x i64> %911 to <8 x i32>
-  %924 = sitofp <8 x i32> %923 to <8 x double>
-  %925 = fmul <8 x double> %917, %922
-  %926 = fadd <8 x double> %925, %924
-  %927 = insertelement <8 x double> poison, double %906, i64 0
-  %928 = shufflevector <8 x double> %927, <8 x double> poison, <8 x i32> zeroinitializer
-  %929 = fmul <8 x double> %928, %926
-  %930 = fcmp ogt <8 x double> %929, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %931 = bitcast <8 x double> %929 to <8 x i64>
-  %932 = select <8 x i1> %930, <8 x i64> %931, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+890:                                              ; preds = %832
+  %891 = bitcast <8 x double> %834 to <8 x i64>
+  %892 = add <8 x i64> %891, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %893 = ashr <8 x i64> %892, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %894 = and <8 x i64> %892, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %895 = sub <8 x i64> %891, %894
+  %896 = bitcast <8 x i64> %895 to <8 x double>
+  %897 = fadd <8 x double> %896, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %898 = fadd <8 x double> %896, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %899 = fdiv <8 x double> %897, %898
+  %900 = fmul <8 x double> %899, %899
+  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %900, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %900, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %904 = call <8 x double> @llvm.fma.v8f64(<8 x double> %903, <8 x double> %900, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %905 = trunc nsw <8 x i64> %893 to <8 x i32>
+  %906 = sitofp <8 x i32> %905 to <8 x double>
+  %907 = fmul <8 x double> %899, %904
+  %908 = fadd <8 x double> %907, %906
+  %909 = insertelement <8 x double> poison, double %888, i64 0
+  %910 = shufflevector <8 x double> %909, <8 x double> poison, <8 x i32> zeroinitializer
+  %911 = fmul <8 x double> %910, %908
+  %912 = fcmp ogt <8 x double> %911, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %913 = bitcast <8 x double> %911 to <8 x i64>
+  %914 = select <8 x i1> %912, <8 x i64> %913, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %915 = bitcast <8 x i64> %914 to <8 x double>
+  %916 = fcmp olt <8 x double> %915, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %917 = bitcast <8 x i64> %914 to <8 x double>
+  %918 = select <8 x i1> %916, <8 x double> %917, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %919 = call <8 x double> @llvm.rint.v8f64(<8 x double> %918)
+  %920 = fsub <8 x double> %918, %919
+  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %920, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %920, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %920, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %920, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %920, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %920, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %928 = bitcast <8 x double> %927 to <8 x i64>
+  %929 = fptosi <8 x double> %919 to <8 x i32>
+  %930 = zext <8 x i32> %929 to <8 x i64>
+  %931 = shl <8 x i64> %930, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %932 = add <8 x i64> %931, %928
   %933 = bitcast <8 x i64> %932 to <8 x double>
-  %934 = fcmp olt <8 x double> %933, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %935 = bitcast <8 x i64> %932 to <8 x double>
-  %936 = select <8 x i1> %934, <8 x double> %935, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %937 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %936)
-  %938 = fsub <8 x double> %936, %937
-  %939 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %938, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %940 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %939, <8 x double> %938, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %941 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %940, <8 x double> %938, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %942 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %941, <8 x double> %938, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %943 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %942, <8 x double> %938, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %944 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> %938, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %945 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> %938, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %946 = bitcast <8 x double> %945 to <8 x i64>
-  %947 = fptosi <8 x double> %937 to <8 x i32>
-  %948 = zext <8 x i32> %947 to <8 x i64>
-  %949 = shl <8 x i64> %948, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %950 = add <8 x i64> %949, %946
-  %951 = bitcast <8 x i64> %950 to <8 x double>
-  %952 = fmul <8 x double> %905, %951
-  br label %953
+  %934 = fmul <8 x double> %887, %933
+  br label %935
 
-953:                                              ; preds = %850, %908
-  %954 = phi <8 x double> [ %952, %908 ], [ %905, %850 ]
-  %955 = load double, ptr %127, align 8
-  %956 = insertelement <8 x double> poison, double %955, i64 0
-  %957 = shufflevector <8 x double> %956, <8 x double> poison, <8 x i32> zeroinitializer
-  %958 = fcmp ogt <8 x double> %954, %957
-  %959 = select <8 x i1> %958, <8 x double> %954, <8 x double> %957
-  %960 = fcmp olt <8 x double> %854, %959
-  %961 = select <8 x i1> %960, <8 x double> %854, <8 x double> %959
-  %962 = fmul <8 x double> %212, %961
-  %963 = fcmp ogt <8 x double> %504, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %964 = select <8 x i1> %963, <8 x i64> %856, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %965 = bitcast <8 x double> %852 to <8 x i64>
-  %966 = select <8 x i1> %836, <8 x i64> %964, <8 x i64> %965
-  store <8 x i64> %966, ptr %851, align 8
-  %967 = load ptr, ptr %123, align 8
-  %968 = load double, ptr %128, align 8
-  %969 = insertelement <8 x double> poison, double %968, i64 0
-  %970 = bitcast <8 x double> %969 to <8 x i64>
-  %971 = shufflevector <8 x i64> %970, <8 x i64> poison, <8 x i32> zeroinitializer
-  %972 = icmp slt <8 x i64> %833, zeroinitializer
-  %973 = select <8 x i1> %972, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %971
-  store <8 x i64> %973, ptr %967, align 8
-  br label %974
+935:                                              ; preds = %832, %890
+  %936 = phi <8 x double> [ %934, %890 ], [ %887, %832 ]
+  %937 = load double, ptr %131, align 8
+  %938 = insertelement <8 x double> poison, double %937, i64 0
+  %939 = shufflevector <8 x double> %938, <8 x double> poison, <8 x i32> zeroinitializer
+  %940 = fcmp ogt <8 x double> %936, %939
+  %941 = select <8 x i1> %940, <8 x double> %936, <8 x double> %939
+  %942 = fcmp olt <8 x double> %836, %941
+  %943 = select <8 x i1> %942, <8 x double> %836, <8 x double> %941
+  %944 = fmul <8 x double> %247, %943
+  %945 = fcmp ogt <8 x double> %539, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %946 = select <8 x i1> %945, <8 x i64> %838, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %947 = bitcast <8 x double> %834 to <8 x i64>
+  %948 = select <8 x i1> %818, <8 x i64> %946, <8 x i64> %947
+  store <8 x i64> %948, ptr %833, align 8
+  %949 = load ptr, ptr %127, align 8
+  %950 = load double, ptr %132, align 8
+  %951 = insertelement <8 x double> poison, double %950, i64 0
+  %952 = bitcast <8 x double> %951 to <8 x i64>
+  %953 = shufflevector <8 x i64> %952, <8 x i64> poison, <8 x i32> zeroinitializer
+  %954 = icmp slt <8 x i64> %815, zeroinitializer
+  %955 = select <8 x i1> %954, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %953
+  store <8 x i64> %955, ptr %949, align 8
+  br label %956
 
-974:                                              ; preds = %953, %831
-  %975 = phi <8 x double> [ %962, %953 ], [ %193, %831 ]
-  %976 = icmp ne <8 x i64> %833, zeroinitializer
-  %977 = bitcast <8 x i1> %976 to i8
-  %978 = icmp eq i8 %977, 0
-  br i1 %978, label %1065, label %979
+956:                                              ; preds = %935, %813
+  %957 = phi <8 x double> [ %944, %935 ], [ %228, %813 ]
+  %958 = icmp ne <8 x i64> %815, zeroinitializer
+  %959 = bitcast <8 x i1> %958 to i8
+  %960 = icmp eq i8 %959, 0
+  br i1 %960, label %1054, label %961
 
-979:                                              ; preds = %974
-  %980 = trunc i64 %552 to i8
-  %981 = bitcast i8 %980 to <8 x i1>
-  %982 = trunc nuw i64 %819 to i8
-  %983 = bitcast i8 %982 to <8 x i1>
-  %984 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %504)
-  %985 = fcmp ueq <8 x double> %984, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %986 = select <8 x i1> %985, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %981
-  %987 = or <8 x i1> %986, %983
-  br i1 %32, label %988, label %1047
+961:                                              ; preds = %956
+  %962 = trunc i64 %587 to i8
+  %963 = bitcast i8 %962 to <8 x i1>
+  %964 = trunc nuw i64 %801 to i8
+  %965 = bitcast i8 %964 to <8 x i1>
+  %966 = load i64, ptr %7, align 8
+  %967 = trunc i64 %966 to i8
+  %968 = bitcast i8 %967 to <8 x i1>
+  %969 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %539)
+  %970 = fcmp one <8 x double> %969, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %971 = xor <8 x i1> %963, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %972 = select <8 x i1> %970, <8 x i1> %971, <8 x i1> zeroinitializer
+  %973 = or <8 x i1> %968, %965
+  %974 = xor <8 x i1> %973, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %975 = and <8 x i1> %972, %974
+  br i1 %34, label %976, label %1035
 
-988:                                              ; preds = %979
-  %989 = fcmp ogt <8 x double> %504, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %990 = bitcast <8 x double> %504 to <8 x i64>
-  %991 = select <8 x i1> %989, <8 x i64> %990, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %992 = load double, ptr %129, align 8
-  %993 = insertelement <8 x double> poison, double %992, i64 0
-  %994 = shufflevector <8 x double> %993, <8 x double> poison, <8 x i32> zeroinitializer
-  %995 = load double, ptr %29, align 8
-  %996 = fneg double %995
-  %997 = add <8 x i64> %991, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %998 = ashr <8 x i64> %997, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %999 = and <8 x i64> %997, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1000 = sub <8 x i64> %991, %999
-  %1001 = bitcast <8 x i64> %1000 to <8 x double>
-  %1002 = fadd <8 x double> %1001, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1003 = fadd <8 x double> %1001, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1004 = fdiv <8 x double> %1002, %1003
-  %1005 = fmul <8 x double> %1004, %1004
-  %1006 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1005, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1007 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1006, <8 x double> %1005, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1008 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1007, <8 x double> %1005, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1009 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1008, <8 x double> %1005, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1010 = trunc nsw <8 x i64> %998 to <8 x i32>
-  %1011 = sitofp <8 x i32> %1010 to <8 x double>
-  %1012 = fmul <8 x double> %1004, %1009
-  %1013 = fadd <8 x double> %1012, %1011
-  %1014 = insertelement <8 x double> poison, double %996, i64 0
-  %1015 = shufflevector <8 x double> %1014, <8 x double> poison, <8 x i32> zeroinitializer
-  %1016 = fmul <8 x double> %1013, %1015
-  %1017 = fcmp ogt <8 x double> %1016, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1018 = bitcast <8 x double> %1016 to <8 x i64>
-  %1019 = select <8 x i1> %1017, <8 x i64> %1018, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1020 = bitcast <8 x i64> %1019 to <8 x double>
-  %1021 = fcmp olt <8 x double> %1020, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1022 = bitcast <8 x i64> %1019 to <8 x double>
-  %1023 = select <8 x i1> %1021, <8 x double> %1022, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1024 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %1023)
-  %1025 = fsub <8 x double> %1023, %1024
-  %1026 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1025, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1027 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> %1025, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1028 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1027, <8 x double> %1025, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1029 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1028, <8 x double> %1025, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1030 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1029, <8 x double> %1025, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1031 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1030, <8 x double> %1025, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1032 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1031, <8 x double> %1025, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1033 = bitcast <8 x double> %1032 to <8 x i64>
-  %1034 = fptosi <8 x double> %1024 to <8 x i32>
-  %1035 = zext <8 x i32> %1034 to <8 x i64>
-  %1036 = shl <8 x i64> %1035, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1037 = add <8 x i64> %1036, %1033
-  %1038 = bitcast <8 x i64> %1037 to <8 x double>
-  %1039 = fmul <8 x double> %994, %1038
-  %1040 = load double, ptr %130, align 8
-  %1041 = insertelement <8 x double> poison, double %1040, i64 0
-  %1042 = shufflevector <8 x double> %1041, <8 x double> poison, <8 x i32> zeroinitializer
-  %1043 = fcmp ogt <8 x double> %1039, %1042
-  %1044 = select <8 x i1> %1043, <8 x double> %1039, <8 x double> %1042
-  %1045 = select <8 x i1> %987, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %1044
-  %1046 = fmul <8 x double> %212, %1045
-  br label %1047
+976:                                              ; preds = %961
+  %977 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %978 = bitcast <8 x double> %539 to <8 x i64>
+  %979 = select <8 x i1> %977, <8 x i64> %978, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %980 = load double, ptr %133, align 8
+  %981 = insertelement <8 x double> poison, double %980, i64 0
+  %982 = shufflevector <8 x double> %981, <8 x double> poison, <8 x i32> zeroinitializer
+  %983 = load double, ptr %31, align 8
+  %984 = fneg double %983
+  %985 = add <8 x i64> %979, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %986 = ashr <8 x i64> %985, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %987 = and <8 x i64> %985, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %988 = sub <8 x i64> %979, %987
+  %989 = bitcast <8 x i64> %988 to <8 x double>
+  %990 = fadd <8 x double> %989, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %991 = fadd <8 x double> %989, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %992 = fdiv <8 x double> %990, %991
+  %993 = fmul <8 x double> %992, %992
+  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %993, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %993, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %997 = call <8 x double> @llvm.fma.v8f64(<8 x double> %996, <8 x double> %993, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %998 = trunc nsw <8 x i64> %986 to <8 x i32>
+  %999 = sitofp <8 x i32> %998 to <8 x double>
+  %1000 = fmul <8 x double> %992, %997
+  %1001 = fadd <8 x double> %1000, %999
+  %1002 = insertelement <8 x double> poison, double %984, i64 0
+  %1003 = shufflevector <8 x double> %1002, <8 x double> poison, <8 x i32> zeroinitializer
+  %1004 = fmul <8 x double> %1001, %1003
+  %1005 = fcmp ogt <8 x double> %1004, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1006 = bitcast <8 x double> %1004 to <8 x i64>
+  %1007 = select <8 x i1> %1005, <8 x i64> %1006, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1008 = bitcast <8 x i64> %1007 to <8 x double>
+  %1009 = fcmp olt <8 x double> %1008, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1010 = bitcast <8 x i64> %1007 to <8 x double>
+  %1011 = select <8 x i1> %1009, <8 x double> %1010, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1012 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1011)
+  %1013 = fsub <8 x double> %1011, %1012
+  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1013, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1013, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1013, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1013, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1013, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1013, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1021 = bitcast <8 x double> %1020 to <8 x i64>
+  %1022 = fptosi <8 x double> %1012 to <8 x i32>
+  %1023 = zext <8 x i32> %1022 to <8 x i64>
+  %1024 = shl <8 x i64> %1023, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1025 = add <8 x i64> %1024, %1021
+  %1026 = bitcast <8 x i64> %1025 to <8 x double>
+  %1027 = fmul <8 x double> %982, %1026
+  %1028 = load double, ptr %134, align 8
+  %1029 = insertelement <8 x double> poison, double %1028, i64 0
+  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
+  %1031 = fcmp ogt <8 x double> %1027, %1030
+  %1032 = select <8 x i1> %1031, <8 x double> %1027, <8 x double> %1030
+  %1033 = select <8 x i1> %975, <8 x double> %1032, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1034 = fmul <8 x double> %247, %1033
+  br label %1035
 
-1047:                                             ; preds = %979, %988
-  %1048 = phi <8 x double> [ %1046, %988 ], [ zeroinitializer, %979 ]
-  %1049 = select <8 x i1> %987, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %1050 = icmp slt <8 x i64> %833, zeroinitializer
-  %1051 = select <8 x i1> %1050, <8 x double> %1048, <8 x double> %975
-  %1052 = load ptr, ptr %131, align 8
-  %1053 = select <8 x i1> %983, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1049
-  %1054 = load <8 x i64>, ptr %1052, align 8
-  %1055 = select <8 x i1> %1050, <8 x i64> %1053, <8 x i64> %1054
-  store <8 x i64> %1055, ptr %1052, align 8
-  %1056 = load ptr, ptr %131, align 8
-  %1057 = select <8 x i1> %981, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1049
-  %1058 = load <8 x i64>, ptr %1056, align 8
-  %1059 = select <8 x i1> %1050, <8 x i64> %1057, <8 x i64> %1058
-  store <8 x i64> %1059, ptr %1056, align 8
-  %1060 = load ptr, ptr %61, align 8
-  %1061 = load <8 x double>, ptr %1060, align 8
-  %1062 = select <8 x i1> %1050, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1063 = bitcast <8 x i64> %1062 to <8 x double>
-  %1064 = fadd <8 x double> %1061, %1063
-  store <8 x double> %1064, ptr %1060, align 8
-  br label %1065
+1035:                                             ; preds = %961, %976
+  %1036 = phi <8 x double> [ %1034, %976 ], [ zeroinitializer, %961 ]
+  %1037 = or <8 x i1> %975, %968
+  %1038 = select <8 x i1> %1037, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1039 = icmp slt <8 x i64> %815, zeroinitializer
+  %1040 = select <8 x i1> %1039, <8 x double> %1036, <8 x double> %957
+  %1041 = load ptr, ptr %135, align 8
+  %1042 = select <8 x i1> %965, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1038
+  %1043 = load <8 x i64>, ptr %1041, align 8
+  %1044 = select <8 x i1> %1039, <8 x i64> %1042, <8 x i64> %1043
+  store <8 x i64> %1044, ptr %1041, align 8
+  %1045 = load ptr, ptr %135, align 8
+  %1046 = select <8 x i1> %963, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1038
+  %1047 = load <8 x i64>, ptr %1045, align 8
+  %1048 = select <8 x i1> %1039, <8 x i64> %1046, <8 x i64> %1047
+  store <8 x i64> %1048, ptr %1045, align 8
+  %1049 = load ptr, ptr %70, align 8
+  %1050 = load <8 x double>, ptr %1049, align 8
+  %1051 = select <8 x i1> %1039, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1052 = bitcast <8 x i64> %1051 to <8 x double>
+  %1053 = fadd <8 x double> %1050, %1052
+  store <8 x double> %1053, ptr %1049, align 8
+  br label %1054
 
-1065:                                             ; preds = %1047, %974
-  %1066 = phi <8 x double> [ %975, %974 ], [ %1051, %1047 ]
-  %1067 = load ptr, ptr %57, align 8
-  store <8 x double> %1066, ptr %1067, align 8
-  %1068 = load ptr, ptr %47, align 8
-  %1069 = select <8 x i1> %836, <8 x double> %211, <8 x double> %186
-  store <8 x double> %1069, ptr %1068, align 8
-  br i1 %132, label %1078, label %1070
+1054:                                             ; preds = %1035, %956
+  %1055 = phi <8 x double> [ %957, %956 ], [ %1040, %1035 ]
+  %1056 = load ptr, ptr %66, align 8
+  store <8 x double> %1055, ptr %1056, align 8
+  %1057 = load ptr, ptr %53, align 8
+  %1058 = select <8 x i1> %818, <8 x double> %799, <8 x double> %221
+  store <8 x double> %1058, ptr %1057, align 8
+  br i1 %136, label %1061, label %1059
 
-1070:                                             ; preds = %1078, %1065
-  %1071 = load ptr, ptr %105, align 8
-  %1072 = load <8 x double>, ptr %1071, align 8
-  %1073 = fcmp oeq <8 x double> %1072, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1074 = icmp ne <8 x i64> %820, zeroinitializer
-  %1075 = select <8 x i1> %1073, <8 x i1> %1074, <8 x i1> zeroinitializer
-  %1076 = bitcast <8 x i1> %1075 to i8
-  %1077 = icmp eq i8 %1076, 0
-  br i1 %1077, label %172, label %1096
+1059:                                             ; preds = %1061, %1054
+  %1060 = icmp eq i64 %803, 0
+  br i1 %1060, label %1088, label %1079
 
-1078:                                             ; preds = %1065, %1078
-  %1079 = phi i64 [ %1094, %1078 ], [ 0, %1065 ]
-  %1080 = load ptr, ptr %9, align 8
-  %1081 = load ptr, ptr %133, align 8
-  %1082 = shl nsw i64 %1079, 6
-  %1083 = getelementptr inbounds i8, ptr %1081, i64 %1082
-  %1084 = load <8 x i64>, ptr %1083, align 8
-  %1085 = getelementptr inbounds i8, ptr %1080, i64 %1082
-  %1086 = load <8 x i64>, ptr %1085, align 8
-  %1087 = select <8 x i1> %836, <8 x i64> %1084, <8 x i64> %1086
-  store <8 x i64> %1087, ptr %1085, align 8
-  %1088 = load ptr, ptr %38, align 8
-  %1089 = getelementptr inbounds i8, ptr %52, i64 %1082
-  %1090 = load <8 x i64>, ptr %1089, align 8
-  %1091 = getelementptr inbounds i8, ptr %1088, i64 %1082
-  %1092 = load <8 x i64>, ptr %1091, align 8
-  %1093 = select <8 x i1> %836, <8 x i64> %1090, <8 x i64> %1092
-  store <8 x i64> %1093, ptr %1091, align 8
-  %1094 = add nuw nsw i64 %1079, 1
-  %1095 = icmp eq i64 %1094, %13
-  br i1 %1095, label %1070, label %1078, !llvm.loop !22
+1061:                                             ; preds = %1054, %1061
+  %1062 = phi i64 [ %1077, %1061 ], [ 0, %1054 ]
+  %1063 = load ptr, ptr %11, align 8
+  %1064 = load ptr, ptr %137, align 8
+  %1065 = shl nsw i64 %1062, 6
+  %1066 = getelementptr inbounds i8, ptr %1064, i64 %1065
+  %1067 = load <8 x i64>, ptr %1066, align 8
+  %1068 = getelementptr inbounds i8, ptr %1063, i64 %1065
+  %1069 = load <8 x i64>, ptr %1068, align 8
+  %1070 = select <8 x i1> %818, <8 x i64> %1067, <8 x i64> %1069
+  store <8 x i64> %1070, ptr %1068, align 8
+  %1071 = load ptr, ptr %44, align 8
+  %1072 = getelementptr inbounds i8, ptr %59, i64 %1065
+  %1073 = load <8 x i64>, ptr %1072, align 8
+  %1074 = getelementptr inbounds i8, ptr %1071, i64 %1065
+  %1075 = load <8 x i64>, ptr %1074, align 8
+  %1076 = select <8 x i1> %818, <8 x i64> %1073, <8 x i64> %1075
+  store <8 x i64> %1076, ptr %1074, align 8
+  %1077 = add nuw nsw i64 %1062, 1
+  %1078 = icmp eq i64 %1077, %15
+  br i1 %1078, label %1059, label %1061, !llvm.loop !18
 
-1096:                                             ; preds = %1070
-  %1097 = zext i8 %1076 to i64
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1097, i64 noundef 0) #10
-  br label %172
+1079:                                             ; preds = %1059
+  %1080 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %803, ptr noundef nonnull %6) #11
+  %1081 = icmp ne i32 %802, 0
+  %1082 = icmp ne i64 %1080, %803
+  %1083 = select i1 %1081, i1 true, i1 %1082
+  %1084 = zext i1 %1083 to i32
+  %1085 = trunc i64 %803 to i8
+  %1086 = bitcast i8 %1085 to <8 x i1>
+  %1087 = select <8 x i1> %1086, <8 x i64> zeroinitializer, <8 x i64> %800
+  br label %1088
 
-1098:                                             ; preds = %174, %169
-  %1099 = phi i64 [ 1, %169 ], [ 0, %174 ]
-  ret i64 %1099
+1088:                                             ; preds = %1079, %1059
+  %1089 = phi <8 x i64> [ %1087, %1079 ], [ %800, %1059 ]
+  %1090 = phi i32 [ %1084, %1079 ], [ %802, %1059 ]
+  %1091 = phi i64 [ %1080, %1079 ], [ %189, %1059 ]
+  %1092 = load ptr, ptr %114, align 8
+  %1093 = load <8 x double>, ptr %1092, align 8
+  %1094 = fcmp oeq <8 x double> %1093, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1095 = icmp ne <8 x i64> %1089, zeroinitializer
+  %1096 = select <8 x i1> %1094, <8 x i1> %1095, <8 x i1> zeroinitializer
+  %1097 = bitcast <8 x i1> %1096 to i8
+  %1098 = icmp eq i8 %1097, 0
+  br i1 %1098, label %1101, label %1099
+
+1099:                                             ; preds = %1088
+  %1100 = zext i8 %1097 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1100, i64 noundef 0) #11
+  br label %1101
+
+1101:                                             ; preds = %1099, %1088
+  %1102 = phi i32 [ 1, %1099 ], [ %1090, %1088 ]
+  br label %184
+
+1103:                                             ; preds = %187, %212, %180
+  %1104 = phi i64 [ 1, %180 ], [ 0, %212 ], [ 0, %187 ]
+  ret i64 %1104
 }
 
 
@@ -1358,779 +1373,937 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %17 = getelementptr inbounds i8, ptr %0, i64 216
   %18 = getelementptr inbounds i8, ptr %0, i64 1048
   %19 = getelementptr inbounds i8, ptr %0, i64 1136
-  %20 = getelementptr inbounds i8, ptr %0, i64 1104
+  %20 = getelementptr inbounds i8, ptr %0, i64 1224
   %21 = getelementptr inbounds i8, ptr %0, i64 1128
   %22 = getelementptr inbounds i8, ptr %0, i64 1024
-  %23 = getelementptr inbounds i8, ptr %0, i64 1048
-  %24 = getelementptr inbounds i8, ptr %0, i64 1192
-  %25 = getelementptr inbounds i8, ptr %0, i64 1176
-  %26 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %27
+  %23 = getelementptr inbounds i8, ptr %0, i64 1160
+  %24 = getelementptr inbounds i8, ptr %0, i64 1152
+  %25 = getelementptr inbounds i8, ptr %0, i64 1168
+  %26 = getelementptr inbounds i8, ptr %0, i64 1048
+  %27 = getelementptr inbounds i8, ptr %0, i64 1216
+  %28 = getelementptr inbounds i8, ptr %0, i64 1200
+  %29 = getelementptr inbounds i8, ptr %0, i64 1104
+  %30 = getelementptr inbounds i8, ptr %0, i64 1464
+  %31 = getelementptr inbounds i8, ptr %0, i64 1480
+  %32 = getelementptr inbounds i8, ptr %0, i64 1416
+  %33 = getelementptr inbounds i8, ptr %0, i64 1488
+  %34 = getelementptr inbounds i8, ptr %0, i64 1504
+  %35 = getelementptr inbounds i8, ptr %0, i64 1440
+  %36 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %37
 
-27:                                               ; preds = %2, %194
-  %28 = phi i64 [ 0, %2 ], [ %204, %194 ]
-  %29 = phi i64 [ 0, %2 ], [ %195, %194 ]
-  %30 = phi i64 [ -1, %2 ], [ %203, %194 ]
-  %31 = phi i64 [ 0, %2 ], [ %202, %194 ]
-  %32 = load i64, ptr %6, align 8
-  %33 = load i64, ptr %8, align 8
-  %34 = icmp sge i64 %32, %33
-  br i1 %34, label %66, label %35
+37:                                               ; preds = %2, %273
+  %38 = phi i64 [ 0, %2 ], [ %283, %273 ]
+  %39 = phi i64 [ 0, %2 ], [ %274, %273 ]
+  %40 = phi i64 [ -1, %2 ], [ %282, %273 ]
+  %41 = phi i64 [ 0, %2 ], [ %281, %273 ]
+  %42 = load i64, ptr %6, align 8
+  %43 = load i64, ptr %8, align 8
+  %44 = icmp sge i64 %42, %43
+  br i1 %44, label %76, label %45
 
-35:                                               ; preds = %27
-  %36 = load ptr, ptr %7, align 8
-  %37 = load i64, ptr %11, align 8
-  %38 = mul nsw i64 %37, %32
-  %39 = getelementptr i64, ptr %36, i64 %38
-  %40 = getelementptr i8, ptr %39, i64 24
-  %41 = load i64, ptr %40, align 8
-  %42 = icmp eq i64 %41, 0
-  br i1 %42, label %66, label %61
+45:                                               ; preds = %37
+  %46 = load ptr, ptr %7, align 8
+  %47 = load i64, ptr %11, align 8
+  %48 = mul nsw i64 %47, %42
+  %49 = getelementptr i64, ptr %46, i64 %48
+  %50 = getelementptr i8, ptr %49, i64 24
+  %51 = load i64, ptr %50, align 8
+  %52 = icmp eq i64 %51, 0
+  br i1 %52, label %76, label %71
 
-43:                                               ; preds = %194
-  %44 = getelementptr inbounds i8, ptr %0, i64 144
-  store i64 %202, ptr %1, align 8
-  %45 = icmp slt i64 %203, 0
-  br i1 %45, label %295, label %46
+53:                                               ; preds = %273
+  %54 = getelementptr inbounds i8, ptr %0, i64 144
+  store i64 %281, ptr %1, align 8
+  %55 = icmp slt i64 %282, 0
+  br i1 %55, label %395, label %56
 
-46:                                               ; preds = %43
-  %47 = getelementptr inbounds i8, ptr %0, i64 864
-  %48 = getelementptr inbounds i8, ptr %0, i64 528
-  %49 = getelementptr inbounds i8, ptr %0, i64 192
-  %50 = getelementptr inbounds i8, ptr %0, i64 216
-  %51 = getelementptr inbounds i8, ptr %0, i64 648
-  %52 = getelementptr inbounds i8, ptr %0, i64 744
-  br label %215
+56:                                               ; preds = %53
+  %57 = getelementptr inbounds i8, ptr %0, i64 864
+  %58 = getelementptr inbounds i8, ptr %0, i64 528
+  %59 = getelementptr inbounds i8, ptr %0, i64 192
+  %60 = getelementptr inbounds i8, ptr %0, i64 216
+  %61 = getelementptr inbounds i8, ptr %0, i64 648
+  %62 = getelementptr inbounds i8, ptr %0, i64 744
+  br label %300
 
-53:                                               ; preds = %61
-  %54 = load ptr, ptr %7, align 8
-  %55 = load i64, ptr %11, align 8
-  %56 = mul nsw i64 %55, %63
-  %57 = getelementptr i64, ptr %54, i64 %56
-  %58 = getelementptr i8, ptr %57, i64 24
-  %59 = load i64, ptr %58, align 8
-  %60 = icmp eq i64 %59, 0
-  br i1 %60, label %66, label %61, !llvm.loop !23
+63:                                               ; preds = %71
+  %64 = load ptr, ptr %7, align 8
+  %65 = load i64, ptr %11, align 8
+  %66 = mul nsw i64 %65, %73
+  %67 = getelementptr i64, ptr %64, i64 %66
+  %68 = getelementptr i8, ptr %67, i64 24
+  %69 = load i64, ptr %68, align 8
+  %70 = icmp eq i64 %69, 0
+  br i1 %70, label %76, label %71, !llvm.loop !19
 
-61:                                               ; preds = %35, %53
-  %62 = phi i64 [ %63, %53 ], [ %32, %35 ]
-  %63 = add nsw i64 %62, 1
-  store i64 %63, ptr %6, align 8
-  %64 = load i64, ptr %8, align 8
-  %65 = icmp sge i64 %63, %64
-  br i1 %65, label %66, label %53, !llvm.loop !23
+71:                                               ; preds = %45, %63
+  %72 = phi i64 [ %73, %63 ], [ %42, %45 ]
+  %73 = add nsw i64 %72, 1
+  store i64 %73, ptr %6, align 8
+  %74 = load i64, ptr %8, align 8
+  %75 = icmp sge i64 %73, %74
+  br i1 %75, label %76, label %63, !llvm.loop !19
 
-66:                                               ; preds = %61, %53, %35, %27
-  %67 = phi i64 [ %32, %27 ], [ %32, %35 ], [ %63, %53 ], [ %63, %61 ]
-  %68 = phi i1 [ %34, %27 ], [ %34, %35 ], [ %65, %53 ], [ %65, %61 ]
-  %69 = load ptr, ptr %10, align 8
-  %70 = getelementptr inbounds i64, ptr %69, i64 %28
-  %71 = load i64, ptr %70, align 8
-  %72 = icmp ne i64 %71, -1
-  %73 = or i1 %68, %72
-  br i1 %73, label %194, label %74
+76:                                               ; preds = %71, %63, %45, %37
+  %77 = phi i64 [ %42, %37 ], [ %42, %45 ], [ %73, %63 ], [ %73, %71 ]
+  %78 = phi i1 [ %44, %37 ], [ %44, %45 ], [ %75, %63 ], [ %75, %71 ]
+  %79 = load ptr, ptr %10, align 8
+  %80 = getelementptr inbounds i64, ptr %79, i64 %38
+  %81 = load i64, ptr %80, align 8
+  %82 = icmp ne i64 %81, -1
+  %83 = or i1 %78, %82
+  br i1 %83, label %273, label %84
 
-74:                                               ; preds = %66
-  %75 = add nsw i64 %67, 1
-  store i64 %75, ptr %6, align 8
-  %76 = load ptr, ptr %10, align 8
-  %77 = getelementptr inbounds i64, ptr %76, i64 %28
-  store i64 %67, ptr %77, align 8
-  %78 = load ptr, ptr %5, align 8
-  %79 = load ptr, ptr %9, align 8
-  %80 = load i64, ptr %12, align 8
-  %81 = mul nsw i64 %80, %67
-  %82 = getelementptr inbounds double, ptr %79, i64 %81
-  %83 = getelementptr double, ptr %78, i64 %28
-  %84 = icmp sgt i64 %80, 0
-  br i1 %84, label %85, label %94
+84:                                               ; preds = %76
+  %85 = add nsw i64 %77, 1
+  store i64 %85, ptr %6, align 8
+  %86 = load ptr, ptr %10, align 8
+  %87 = getelementptr inbounds i64, ptr %86, i64 %38
+  store i64 %77, ptr %87, align 8
+  %88 = load ptr, ptr %5, align 8
+  %89 = load ptr, ptr %9, align 8
+  %90 = load i64, ptr %12, align 8
+  %91 = mul nsw i64 %90, %77
+  %92 = getelementptr inbounds double, ptr %89, i64 %91
+  %93 = getelementptr double, ptr %88, i64 %38
+  %94 = icmp sgt i64 %90, 0
+  br i1 %94, label %95, label %104
 
-85:                                               ; preds = %74, %85
-  %86 = phi i64 [ %91, %85 ], [ 0, %74 ]
-  %87 = getelementptr inbounds double, ptr %82, i64 %86
-  %88 = load double, ptr %87, align 8
-  %89 = shl i64 %86, 6
-  %90 = getelementptr i8, ptr %83, i64 %89
-  store double %88, ptr %90, align 8
-  %91 = add nuw nsw i64 %86, 1
-  %92 = load i64, ptr %12, align 8
-  %93 = icmp slt i64 %91, %92
-  br i1 %93, label %85, label %94, !llvm.loop !24
+95:                                               ; preds = %84, %95
+  %96 = phi i64 [ %101, %95 ], [ 0, %84 ]
+  %97 = getelementptr inbounds double, ptr %92, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = shl i64 %96, 6
+  %100 = getelementptr i8, ptr %93, i64 %99
+  store double %98, ptr %100, align 8
+  %101 = add nuw nsw i64 %96, 1
+  %102 = load i64, ptr %12, align 8
+  %103 = icmp slt i64 %101, %102
+  br i1 %103, label %95, label %104, !llvm.loop !20
 
-94:                                               ; preds = %85, %74
-  %95 = load ptr, ptr %14, align 8
-  %96 = load ptr, ptr %13, align 8
-  %97 = load i64, ptr %15, align 8
-  %98 = mul nsw i64 %97, %67
-  %99 = getelementptr inbounds double, ptr %96, i64 %98
-  %100 = getelementptr double, ptr %95, i64 %28
-  %101 = icmp sgt i64 %97, 0
-  br i1 %101, label %102, label %111
+104:                                              ; preds = %95, %84
+  %105 = load ptr, ptr %14, align 8
+  %106 = load ptr, ptr %13, align 8
+  %107 = load i64, ptr %15, align 8
+  %108 = mul nsw i64 %107, %77
+  %109 = getelementptr inbounds double, ptr %106, i64 %108
+  %110 = getelementptr double, ptr %105, i64 %38
+  %111 = icmp sgt i64 %107, 0
+  br i1 %111, label %112, label %121
 
-102:                                              ; preds = %94, %102
-  %103 = phi i64 [ %108, %102 ], [ 0, %94 ]
-  %104 = getelementptr inbounds double, ptr %99, i64 %103
-  %105 = load double, ptr %104, align 8
-  %106 = shl i64 %103, 6
-  %107 = getelementptr i8, ptr %100, i64 %106
-  store double %105, ptr %107, align 8
-  %108 = add nuw nsw i64 %103, 1
-  %109 = load i64, ptr %15, align 8
-  %110 = icmp slt i64 %108, %109
-  br i1 %110, label %102, label %111, !llvm.loop !24
+112:                                              ; preds = %104, %112
+  %113 = phi i64 [ %118, %112 ], [ 0, %104 ]
+  %114 = getelementptr inbounds double, ptr %109, i64 %113
+  %115 = load double, ptr %114, align 8
+  %116 = shl i64 %113, 6
+  %117 = getelementptr i8, ptr %110, i64 %116
+  store double %115, ptr %117, align 8
+  %118 = add nuw nsw i64 %113, 1
+  %119 = load i64, ptr %15, align 8
+  %120 = icmp slt i64 %118, %119
+  br i1 %120, label %112, label %121, !llvm.loop !20
 
-111:                                              ; preds = %102, %94
-  %112 = load ptr, ptr %17, align 8
-  %113 = load ptr, ptr %16, align 8
-  %114 = load i64, ptr %18, align 8
-  %115 = mul nsw i64 %114, %67
-  %116 = getelementptr inbounds double, ptr %113, i64 %115
-  %117 = getelementptr double, ptr %112, i64 %28
-  %118 = icmp sgt i64 %114, 0
-  br i1 %118, label %119, label %128
+121:                                              ; preds = %112, %104
+  %122 = load ptr, ptr %17, align 8
+  %123 = load ptr, ptr %16, align 8
+  %124 = load i64, ptr %18, align 8
+  %125 = mul nsw i64 %124, %77
+  %126 = getelementptr inbounds double, ptr %123, i64 %125
+  %127 = getelementptr double, ptr %122, i64 %38
+  %128 = icmp sgt i64 %124, 0
+  br i1 %128, label %129, label %138
 
-119:                                              ; preds = %111, %119
-  %120 = phi i64 [ %125, %119 ], [ 0, %111 ]
-  %121 = getelementptr inbounds double, ptr %116, i64 %120
-  %122 = load double, ptr %121, align 8
-  %123 = shl i64 %120, 6
-  %124 = getelementptr i8, ptr %117, i64 %123
-  store double %122, ptr %124, align 8
-  %125 = add nuw nsw i64 %120, 1
-  %126 = load i64, ptr %18, align 8
-  %127 = icmp slt i64 %125, %126
-  br i1 %127, label %119, label %128, !llvm.loop !24
+129:                                              ; preds = %121, %129
+  %130 = phi i64 [ %135, %129 ], [ 0, %121 ]
+  %131 = getelementptr inbounds double, ptr %126, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = shl i64 %130, 6
+  %134 = getelementptr i8, ptr %127, i64 %133
+  store double %132, ptr %134, align 8
+  %135 = add nuw nsw i64 %130, 1
+  %136 = load i64, ptr %18, align 8
+  %137 = icmp slt i64 %135, %136
+  br i1 %137, label %129, label %138, !llvm.loop !20
 
-128:                                              ; preds = %119, %111
-  %129 = load i64, ptr %19, align 8
-  %130 = icmp sgt i64 %129, 0
-  br i1 %130, label %131, label %187
+138:                                              ; preds = %129, %121
+  %139 = load i64, ptr %19, align 8
+  %140 = icmp sgt i64 %139, 0
+  br i1 %140, label %141, label %266
 
-131:                                              ; preds = %128
-  %132 = load ptr, ptr %21, align 8
-  %133 = getelementptr inbounds i64, ptr %132, i64 %28
-  %134 = load i64, ptr %133, align 8
-  %135 = inttoptr i64 %134 to ptr
-  %136 = load i64, ptr %22, align 8
-  %137 = icmp sgt i64 %136, 0
-  br i1 %137, label %138, label %140
+141:                                              ; preds = %138
+  %142 = load ptr, ptr %21, align 8
+  %143 = getelementptr inbounds i64, ptr %142, i64 %38
+  %144 = load i64, ptr %143, align 8
+  %145 = inttoptr i64 %144 to ptr
+  %146 = load i64, ptr %22, align 8
+  %147 = icmp sgt i64 %146, 0
+  br i1 %147, label %148, label %150
 
-138:                                              ; preds = %131
-  %139 = getelementptr inbounds i8, ptr %135, i64 192
-  br label %152
+148:                                              ; preds = %141
+  %149 = getelementptr inbounds i8, ptr %145, i64 192
+  br label %153
 
-140:                                              ; preds = %152, %131
-  %141 = load ptr, ptr %20, align 8
-  %142 = load i64, ptr %141, align 8
-  %143 = inttoptr i64 %142 to ptr
-  %144 = load ptr, ptr %16, align 8
-  %145 = load i64, ptr %23, align 8
-  %146 = mul nsw i64 %145, %67
-  %147 = getelementptr inbounds double, ptr %144, i64 %146
-  %148 = getelementptr inbounds i8, ptr %135, i64 672
-  %149 = load ptr, ptr %148, align 8
-  tail call void %143(ptr noundef %147, ptr noundef %149) #11
-  %150 = load i64, ptr %24, align 8
-  %151 = icmp sgt i64 %150, 0
-  br i1 %151, label %165, label %187
+150:                                              ; preds = %153, %141
+  %151 = load i64, ptr %23, align 8
+  %152 = icmp sgt i64 %151, 0
+  br i1 %152, label %169, label %166
 
-152:                                              ; preds = %138, %152
-  %153 = phi i64 [ %136, %138 ], [ %163, %152 ]
-  %154 = phi i64 [ 0, %138 ], [ %162, %152 ]
-  %155 = load ptr, ptr %13, align 8
-  %156 = mul nsw i64 %153, %67
-  %157 = getelementptr double, ptr %155, i64 %156
-  %158 = getelementptr double, ptr %157, i64 %154
-  %159 = load double, ptr %158, align 8
-  %160 = load ptr, ptr %139, align 8
-  %161 = getelementptr inbounds double, ptr %160, i64 %154
-  store double %159, ptr %161, align 8
-  %162 = add nuw nsw i64 %154, 1
-  %163 = load i64, ptr %22, align 8
-  %164 = icmp slt i64 %162, %163
-  br i1 %164, label %152, label %140, !llvm.loop !25
+153:                                              ; preds = %148, %153
+  %154 = phi i64 [ %146, %148 ], [ %164, %153 ]
+  %155 = phi i64 [ 0, %148 ], [ %163, %153 ]
+  %156 = load ptr, ptr %13, align 8
+  %157 = mul nsw i64 %154, %77
+  %158 = getelementptr double, ptr %156, i64 %157
+  %159 = getelementptr double, ptr %158, i64 %155
+  %160 = load double, ptr %159, align 8
+  %161 = load ptr, ptr %149, align 8
+  %162 = getelementptr inbounds double, ptr %161, i64 %155
+  store double %160, ptr %162, align 8
+  %163 = add nuw nsw i64 %155, 1
+  %164 = load i64, ptr %22, align 8
+  %165 = icmp slt i64 %163, %164
+  br i1 %165, label %153, label %150, !llvm.loop !22
 
-165:                                              ; preds = %140, %165
-  %166 = phi i64 [ %185, %165 ], [ %150, %140 ]
-  %167 = phi i64 [ %184, %165 ], [ 0, %140 ]
-  %168 = load ptr, ptr %25, align 8
-  %169 = mul nsw i64 %166, %67
-  %170 = getelementptr double, ptr %168, i64 %169
-  %171 = getelementptr double, ptr %170, i64 %167
-  %172 = load double, ptr %171, align 8
-  %173 = load ptr, ptr %21, align 8
-  %174 = getelementptr inbounds i64, ptr %173, i64 %28
+166:                                              ; preds = %169, %150
+  %167 = load i64, ptr %27, align 8
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %196, label %188
+
+169:                                              ; preds = %150, %169
+  %170 = phi i64 [ %185, %169 ], [ 0, %150 ]
+  %171 = load ptr, ptr %24, align 8
+  %172 = load i64, ptr %25, align 8
+  %173 = mul nsw i64 %172, %170
+  %174 = getelementptr inbounds i64, ptr %171, i64 %173
   %175 = load i64, ptr %174, align 8
   %176 = inttoptr i64 %175 to ptr
-  %177 = getelementptr inbounds i8, ptr %176, i64 696
-  %178 = load ptr, ptr %177, align 8
-  %179 = load ptr, ptr %20, align 8
-  %180 = getelementptr inbounds i8, ptr %179, i64 8
-  %181 = load i64, ptr %180, align 8
-  %182 = getelementptr inbounds double, ptr %178, i64 %181
-  %183 = getelementptr inbounds double, ptr %182, i64 %167
-  store double %172, ptr %183, align 8
-  %184 = add nuw nsw i64 %167, 1
-  %185 = load i64, ptr %24, align 8
-  %186 = icmp slt i64 %184, %185
-  br i1 %186, label %165, label %187, !llvm.loop !26
+  %177 = load ptr, ptr %16, align 8
+  %178 = load i64, ptr %26, align 8
+  %179 = mul nsw i64 %178, %77
+  %180 = getelementptr inbounds double, ptr %177, i64 %179
+  %181 = getelementptr i64, ptr %174, i64 %38
+  %182 = getelementptr i8, ptr %181, i64 8
+  %183 = load i64, ptr %182, align 8
+  %184 = inttoptr i64 %183 to ptr
+  tail call void %176(ptr noundef %180, ptr noundef %184) #12
+  %185 = add nuw nsw i64 %170, 1
+  %186 = load i64, ptr %23, align 8
+  %187 = icmp slt i64 %185, %186
+  br i1 %187, label %169, label %166, !llvm.loop !23
 
-187:                                              ; preds = %165, %140, %128
-  %188 = load ptr, ptr %26, align 8
-  %189 = load double, ptr %188, align 8
-  %190 = load ptr, ptr %3, align 8
-  %191 = getelementptr inbounds double, ptr %190, i64 %28
-  store double %189, ptr %191, align 8
-  %192 = shl nuw nsw i64 1, %28
-  %193 = or i64 %192, %29
-  br label %194
+188:                                              ; preds = %196, %166
+  %189 = load ptr, ptr %20, align 8
+  %190 = getelementptr inbounds i8, ptr %189, i64 8
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp sgt i64 %191, 0
+  br i1 %192, label %193, label %262
 
-194:                                              ; preds = %66, %187
-  %195 = phi i64 [ %193, %187 ], [ %29, %66 ]
-  %196 = load ptr, ptr %10, align 8
-  %197 = getelementptr inbounds i64, ptr %196, i64 %28
-  %198 = load i64, ptr %197, align 8
-  %199 = icmp sgt i64 %198, -1
-  %200 = shl nuw nsw i64 1, %28
-  %201 = select i1 %199, i64 %200, i64 0
-  %202 = or i64 %201, %31
-  %203 = select i1 %199, i64 %28, i64 %30
-  %204 = add nuw nsw i64 %28, 1
-  %205 = icmp eq i64 %204, 8
-  br i1 %205, label %43, label %27, !llvm.loop !27
+193:                                              ; preds = %188
+  %194 = getelementptr inbounds i8, ptr %145, i64 1200
+  %195 = getelementptr inbounds i8, ptr %145, i64 960
+  br label %217
 
-206:                                              ; preds = %292
-  %207 = load ptr, ptr %44, align 8
-  %208 = getelementptr inbounds i8, ptr %207, i64 40
-  %209 = load i64, ptr %208, align 8
-  %210 = inttoptr i64 %209 to ptr
-  %211 = getelementptr inbounds i8, ptr %0, i64 216
-  %212 = load ptr, ptr %211, align 8
-  %213 = getelementptr inbounds i8, ptr %0, i64 240
-  %214 = load ptr, ptr %213, align 8
-  tail call void %210(ptr noundef %212, ptr noundef %214) #11
-  br label %295
+196:                                              ; preds = %166, %196
+  %197 = phi i64 [ %215, %196 ], [ %167, %166 ]
+  %198 = phi i64 [ %214, %196 ], [ 0, %166 ]
+  %199 = load ptr, ptr %28, align 8
+  %200 = mul nsw i64 %197, %77
+  %201 = getelementptr double, ptr %199, i64 %200
+  %202 = getelementptr double, ptr %201, i64 %198
+  %203 = load double, ptr %202, align 8
+  %204 = load ptr, ptr %21, align 8
+  %205 = getelementptr inbounds i64, ptr %204, i64 %38
+  %206 = load i64, ptr %205, align 8
+  %207 = inttoptr i64 %206 to ptr
+  %208 = getelementptr inbounds i8, ptr %207, i64 696
+  %209 = load ptr, ptr %208, align 8
+  %210 = load ptr, ptr %29, align 8
+  %211 = load i64, ptr %210, align 8
+  %212 = getelementptr inbounds double, ptr %209, i64 %211
+  %213 = getelementptr inbounds double, ptr %212, i64 %198
+  store double %203, ptr %213, align 8
+  %214 = add nuw nsw i64 %198, 1
+  %215 = load i64, ptr %27, align 8
+  %216 = icmp slt i64 %214, %215
+  br i1 %216, label %196, label %188, !llvm.loop !24
 
-215:                                              ; preds = %46, %292
-  %216 = phi i64 [ 0, %46 ], [ %293, %292 ]
-  %217 = load ptr, ptr %47, align 8
-  %218 = getelementptr inbounds i64, ptr %217, i64 %216
-  %219 = load i64, ptr %218, align 8
-  %220 = icmp eq i64 %219, -1
-  br i1 %220, label %221, label %292
+217:                                              ; preds = %193, %231
+  %218 = phi i64 [ 0, %193 ], [ %240, %231 ]
+  %219 = load ptr, ptr %30, align 8
+  %220 = load i64, ptr %31, align 8
+  %221 = mul nsw i64 %220, %77
+  %222 = getelementptr i64, ptr %219, i64 %221
+  %223 = getelementptr i64, ptr %222, i64 %218
+  %224 = load i64, ptr %223, align 8
+  %225 = sitofp i64 %224 to double
+  %226 = load ptr, ptr %32, align 8
+  %227 = shl i64 %218, 6
+  %228 = getelementptr i8, ptr %226, i64 %227
+  %229 = getelementptr double, ptr %228, i64 %38
+  store double %225, ptr %229, align 8
+  %230 = mul i64 %218, 800
+  br label %245
 
-221:                                              ; preds = %215
-  %222 = load ptr, ptr %5, align 8
-  %223 = load ptr, ptr %44, align 8
-  %224 = getelementptr inbounds i8, ptr %223, i64 8
-  %225 = load i64, ptr %224, align 8
-  %226 = icmp sgt i64 %225, 0
-  br i1 %226, label %227, label %236
+231:                                              ; preds = %255
+  %232 = load ptr, ptr %195, align 8
+  %233 = shl nuw nsw i64 %218, 1
+  %234 = or disjoint i64 %233, 1
+  %235 = getelementptr inbounds double, ptr %232, i64 %234
+  store double 0x7FF8000000000000, ptr %235, align 8
+  %236 = load ptr, ptr %195, align 8
+  %237 = getelementptr inbounds double, ptr %236, i64 %233
+  store double 0x7FF8000000000000, ptr %237, align 8
+  %238 = load ptr, ptr %35, align 8
+  %239 = getelementptr inbounds double, ptr %238, i64 %38
+  store double 0x7FF8000000000000, ptr %239, align 8
+  %240 = add nuw nsw i64 %218, 1
+  %241 = load ptr, ptr %20, align 8
+  %242 = getelementptr inbounds i8, ptr %241, i64 8
+  %243 = load i64, ptr %242, align 8
+  %244 = icmp slt i64 %240, %243
+  br i1 %244, label %217, label %262, !llvm.loop !25
 
-227:                                              ; preds = %221, %227
-  %228 = phi i64 [ %234, %227 ], [ 0, %221 ]
-  %229 = shl i64 %228, 6
-  %230 = getelementptr i8, ptr %222, i64 %229
-  %231 = getelementptr double, ptr %230, i64 %203
-  %232 = load double, ptr %231, align 8
-  %233 = getelementptr double, ptr %230, i64 %216
-  store double %232, ptr %233, align 8
-  %234 = add nuw nsw i64 %228, 1
-  %235 = icmp eq i64 %234, %225
-  br i1 %235, label %236, label %227, !llvm.loop !28
+245:                                              ; preds = %217, %255
+  %246 = phi i64 [ 0, %217 ], [ %260, %255 ]
+  %247 = icmp eq i64 %246, 0
+  br i1 %247, label %248, label %255
 
-236:                                              ; preds = %227, %221
-  %237 = load ptr, ptr %48, align 8
-  %238 = load ptr, ptr %44, align 8
-  %239 = getelementptr inbounds i8, ptr %238, i64 8
-  %240 = load i64, ptr %239, align 8
-  %241 = icmp sgt i64 %240, 0
-  br i1 %241, label %242, label %251
+248:                                              ; preds = %245
+  %249 = load ptr, ptr %33, align 8
+  %250 = load i64, ptr %34, align 8
+  %251 = mul nsw i64 %250, %77
+  %252 = getelementptr double, ptr %249, i64 %251
+  %253 = getelementptr double, ptr %252, i64 %218
+  %254 = load double, ptr %253, align 8
+  br label %255
 
-242:                                              ; preds = %236, %242
-  %243 = phi i64 [ %249, %242 ], [ 0, %236 ]
-  %244 = shl i64 %243, 6
-  %245 = getelementptr i8, ptr %237, i64 %244
-  %246 = getelementptr double, ptr %245, i64 %203
-  %247 = load double, ptr %246, align 8
-  %248 = getelementptr double, ptr %245, i64 %216
-  store double %247, ptr %248, align 8
-  %249 = add nuw nsw i64 %243, 1
-  %250 = icmp eq i64 %249, %240
-  br i1 %250, label %251, label %242, !llvm.loop !28
+255:                                              ; preds = %248, %245
+  %256 = phi double [ %254, %248 ], [ 0xFFF0000000000000, %245 ]
+  %257 = load ptr, ptr %194, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 %230
+  %259 = getelementptr inbounds double, ptr %258, i64 %246
+  store double %256, ptr %259, align 8
+  %260 = add nuw nsw i64 %246, 1
+  %261 = icmp eq i64 %260, 100
+  br i1 %261, label %231, label %245, !llvm.loop !26
 
-251:                                              ; preds = %242, %236
-  %252 = load ptr, ptr %49, align 8
-  %253 = load ptr, ptr %44, align 8
-  %254 = getelementptr inbounds i8, ptr %253, i64 48
-  %255 = load i64, ptr %254, align 8
-  %256 = icmp sgt i64 %255, 0
-  br i1 %256, label %257, label %266
+262:                                              ; preds = %231, %188
+  %263 = getelementptr inbounds i8, ptr %145, i64 600
+  %264 = load ptr, ptr %263, align 8
+  %265 = getelementptr inbounds i8, ptr %264, i64 80
+  store i64 0, ptr %265, align 8
+  br label %266
 
-257:                                              ; preds = %251, %257
-  %258 = phi i64 [ %264, %257 ], [ 0, %251 ]
-  %259 = shl i64 %258, 6
-  %260 = getelementptr i8, ptr %252, i64 %259
-  %261 = getelementptr double, ptr %260, i64 %203
-  %262 = load double, ptr %261, align 8
-  %263 = getelementptr double, ptr %260, i64 %216
-  store double %262, ptr %263, align 8
-  %264 = add nuw nsw i64 %258, 1
-  %265 = icmp eq i64 %264, %255
-  br i1 %265, label %266, label %257, !llvm.loop !28
+266:                                              ; preds = %262, %138
+  %267 = load ptr, ptr %36, align 8
+  %268 = load double, ptr %267, align 8
+  %269 = load ptr, ptr %3, align 8
+  %270 = getelementptr inbounds double, ptr %269, i64 %38
+  store double %268, ptr %270, align 8
+  %271 = shl nuw nsw i64 1, %38
+  %272 = or i64 %271, %39
+  br label %273
 
-266:                                              ; preds = %257, %251
-  %267 = load ptr, ptr %50, align 8
-  %268 = load ptr, ptr %44, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 56
-  %270 = load i64, ptr %269, align 8
-  %271 = icmp sgt i64 %270, 0
-  br i1 %271, label %272, label %281
+273:                                              ; preds = %76, %266
+  %274 = phi i64 [ %272, %266 ], [ %39, %76 ]
+  %275 = load ptr, ptr %10, align 8
+  %276 = getelementptr inbounds i64, ptr %275, i64 %38
+  %277 = load i64, ptr %276, align 8
+  %278 = icmp sgt i64 %277, -1
+  %279 = shl nuw nsw i64 1, %38
+  %280 = select i1 %278, i64 %279, i64 0
+  %281 = or i64 %280, %41
+  %282 = select i1 %278, i64 %38, i64 %40
+  %283 = add nuw nsw i64 %38, 1
+  %284 = icmp eq i64 %283, 8
+  br i1 %284, label %53, label %37, !llvm.loop !27
 
-272:                                              ; preds = %266, %272
-  %273 = phi i64 [ %279, %272 ], [ 0, %266 ]
-  %274 = shl i64 %273, 6
-  %275 = getelementptr i8, ptr %267, i64 %274
-  %276 = getelementptr double, ptr %275, i64 %203
-  %277 = load double, ptr %276, align 8
-  %278 = getelementptr double, ptr %275, i64 %216
-  store double %277, ptr %278, align 8
-  %279 = add nuw nsw i64 %273, 1
-  %280 = icmp eq i64 %279, %270
-  br i1 %280, label %281, label %272, !llvm.loop !28
+285:                                              ; preds = %377
+  %286 = load ptr, ptr %54, align 8
+  %287 = getelementptr inbounds i8, ptr %286, i64 40
+  %288 = load i64, ptr %287, align 8
+  %289 = inttoptr i64 %288 to ptr
+  %290 = getelementptr inbounds i8, ptr %0, i64 216
+  %291 = load ptr, ptr %290, align 8
+  %292 = getelementptr inbounds i8, ptr %0, i64 240
+  %293 = load ptr, ptr %292, align 8
+  tail call void %289(ptr noundef %291, ptr noundef %293) #12
+  %294 = getelementptr inbounds i8, ptr %0, i64 1256
+  %295 = load i64, ptr %294, align 8
+  %296 = icmp sgt i64 %295, 0
+  br i1 %296, label %297, label %395
 
-281:                                              ; preds = %272, %266
-  %282 = load ptr, ptr %3, align 8
-  %283 = getelementptr inbounds double, ptr %282, i64 %203
-  %284 = load double, ptr %283, align 8
-  %285 = getelementptr inbounds double, ptr %282, i64 %216
-  store double %284, ptr %285, align 8
-  %286 = load ptr, ptr %51, align 8
-  %287 = getelementptr inbounds double, ptr %286, i64 %216
-  store double 0.000000e+00, ptr %287, align 8
-  %288 = load ptr, ptr %52, align 8
-  %289 = getelementptr inbounds double, ptr %288, i64 %216
-  store double 0x7FF0000000000000, ptr %289, align 8
-  %290 = load ptr, ptr %47, align 8
-  %291 = getelementptr inbounds i64, ptr %290, i64 %216
-  store i64 -2, ptr %291, align 8
-  br label %292
+297:                                              ; preds = %285
+  %298 = getelementptr inbounds i8, ptr %0, i64 1248
+  %299 = getelementptr inbounds i8, ptr %0, i64 216
+  br label %380
 
-292:                                              ; preds = %215, %281
-  %293 = add nuw nsw i64 %216, 1
-  %294 = icmp eq i64 %293, 8
-  br i1 %294, label %206, label %215, !llvm.loop !29
+300:                                              ; preds = %56, %377
+  %301 = phi i64 [ 0, %56 ], [ %378, %377 ]
+  %302 = load ptr, ptr %57, align 8
+  %303 = getelementptr inbounds i64, ptr %302, i64 %301
+  %304 = load i64, ptr %303, align 8
+  %305 = icmp eq i64 %304, -1
+  br i1 %305, label %306, label %377
 
-295:                                              ; preds = %43, %206
-  ret i64 %195
+306:                                              ; preds = %300
+  %307 = load ptr, ptr %5, align 8
+  %308 = load ptr, ptr %54, align 8
+  %309 = getelementptr inbounds i8, ptr %308, i64 8
+  %310 = load i64, ptr %309, align 8
+  %311 = icmp sgt i64 %310, 0
+  br i1 %311, label %312, label %321
+
+312:                                              ; preds = %306, %312
+  %313 = phi i64 [ %319, %312 ], [ 0, %306 ]
+  %314 = shl i64 %313, 6
+  %315 = getelementptr i8, ptr %307, i64 %314
+  %316 = getelementptr double, ptr %315, i64 %282
+  %317 = load double, ptr %316, align 8
+  %318 = getelementptr double, ptr %315, i64 %301
+  store double %317, ptr %318, align 8
+  %319 = add nuw nsw i64 %313, 1
+  %320 = icmp eq i64 %319, %310
+  br i1 %320, label %321, label %312, !llvm.loop !28
+
+321:                                              ; preds = %312, %306
+  %322 = load ptr, ptr %58, align 8
+  %323 = load ptr, ptr %54, align 8
+  %324 = getelementptr inbounds i8, ptr %323, i64 8
+  %325 = load i64, ptr %324, align 8
+  %326 = icmp sgt i64 %325, 0
+  br i1 %326, label %327, label %336
+
+327:                                              ; preds = %321, %327
+  %328 = phi i64 [ %334, %327 ], [ 0, %321 ]
+  %329 = shl i64 %328, 6
+  %330 = getelementptr i8, ptr %322, i64 %329
+  %331 = getelementptr double, ptr %330, i64 %282
+  %332 = load double, ptr %331, align 8
+  %333 = getelementptr double, ptr %330, i64 %301
+  store double %332, ptr %333, align 8
+  %334 = add nuw nsw i64 %328, 1
+  %335 = icmp eq i64 %334, %325
+  br i1 %335, label %336, label %327, !llvm.loop !28
+
+336:                                              ; preds = %327, %321
+  %337 = load ptr, ptr %59, align 8
+  %338 = load ptr, ptr %54, align 8
+  %339 = getelementptr inbounds i8, ptr %338, i64 48
+  %340 = load i64, ptr %339, align 8
+  %341 = icmp sgt i64 %340, 0
+  br i1 %341, label %342, label %351
+
+342:                                              ; preds = %336, %342
+  %343 = phi i64 [ %349, %342 ], [ 0, %336 ]
+  %344 = shl i64 %343, 6
+  %345 = getelementptr i8, ptr %337, i64 %344
+  %346 = getelementptr double, ptr %345, i64 %282
+  %347 = load double, ptr %346, align 8
+  %348 = getelementptr double, ptr %345, i64 %301
+  store double %347, ptr %348, align 8
+  %349 = add nuw nsw i64 %343, 1
+  %350 = icmp eq i64 %349, %340
+  br i1 %350, label %351, label %342, !llvm.loop !28
+
+351:                                              ; preds = %342, %336
+  %352 = load ptr, ptr %60, align 8
+  %353 = load ptr, ptr %54, align 8
+  %354 = getelementptr inbounds i8, ptr %353, i64 56
+  %355 = load i64, ptr %354, align 8
+  %356 = icmp sgt i64 %355, 0
+  br i1 %356, label %357, label %366
+
+357:                                              ; preds = %351, %357
+  %358 = phi i64 [ %364, %357 ], [ 0, %351 ]
+  %359 = shl i64 %358, 6
+  %360 = getelementptr i8, ptr %352, i64 %359
+  %361 = getelementptr double, ptr %360, i64 %282
+  %362 = load double, ptr %361, align 8
+  %363 = getelementptr double, ptr %360, i64 %301
+  store double %362, ptr %363, align 8
+  %364 = add nuw nsw i64 %358, 1
+  %365 = icmp eq i64 %364, %355
+  br i1 %365, label %366, label %357, !llvm.loop !28
+
+366:                                              ; preds = %357, %351
+  %367 = load ptr, ptr %3, align 8
+  %368 = getelementptr inbounds double, ptr %367, i64 %282
+  %369 = load double, ptr %368, align 8
+  %370 = getelementptr inbounds double, ptr %367, i64 %301
+  store double %369, ptr %370, align 8
+  %371 = load ptr, ptr %61, align 8
+  %372 = getelementptr inbounds double, ptr %371, i64 %301
+  store double 0.000000e+00, ptr %372, align 8
+  %373 = load ptr, ptr %62, align 8
+  %374 = getelementptr inbounds double, ptr %373, i64 %301
+  store double 0x7FF0000000000000, ptr %374, align 8
+  %375 = load ptr, ptr %57, align 8
+  %376 = getelementptr inbounds i64, ptr %375, i64 %301
+  store i64 -2, ptr %376, align 8
+  br label %377
+
+377:                                              ; preds = %300, %366
+  %378 = add nuw nsw i64 %301, 1
+  %379 = icmp eq i64 %378, 8
+  br i1 %379, label %285, label %300, !llvm.loop !29
+
+380:                                              ; preds = %297, %380
+  %381 = phi i64 [ 0, %297 ], [ %392, %380 ]
+  %382 = load ptr, ptr %298, align 8
+  %383 = shl nuw nsw i64 %381, 1
+  %384 = getelementptr inbounds i64, ptr %382, i64 %383
+  %385 = load i64, ptr %384, align 8
+  %386 = inttoptr i64 %385 to ptr
+  %387 = load ptr, ptr %299, align 8
+  %388 = or disjoint i64 %383, 1
+  %389 = getelementptr inbounds i64, ptr %382, i64 %388
+  %390 = load i64, ptr %389, align 8
+  %391 = inttoptr i64 %390 to ptr
+  tail call void %386(ptr noundef %387, ptr noundef %391) #12
+  %392 = add nuw nsw i64 %381, 1
+  %393 = load i64, ptr %294, align 8
+  %394 = icmp slt i64 %392, %393
+  br i1 %394, label %380, label %395, !llvm.loop !30
+
+395:                                              ; preds = %380, %285, %53
+  ret i64 %274
 }
 
-define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
-  %4 = alloca [8 x double], align 16
+define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #3 {
   %5 = alloca [8 x double], align 16
   %6 = alloca [8 x double], align 16
-  %7 = getelementptr inbounds i8, ptr %0, i64 624
-  %8 = getelementptr inbounds i8, ptr %0, i64 912
-  %9 = getelementptr inbounds i8, ptr %1, i64 16
-  %10 = load ptr, ptr %9, align 8
-  %11 = trunc i64 %2 to i8
-  %12 = bitcast i8 %11 to <8 x i1>
-  %13 = load ptr, ptr %7, align 8
-  %14 = load <8 x double>, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %1, i64 8
-  %16 = load ptr, ptr %15, align 8
-  %17 = load ptr, ptr %10, align 8
-  %18 = getelementptr inbounds i8, ptr %10, i64 48
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %16, i64 24
-  %21 = load ptr, ptr %20, align 8
-  store <8 x double> %14, ptr %21, align 8
-  %22 = getelementptr inbounds i8, ptr %16, i64 128
-  %23 = load i64, ptr %22, align 8
-  %24 = icmp sgt i64 %23, 0
-  br i1 %24, label %25, label %26
+  %7 = alloca [8 x double], align 16
+  %8 = getelementptr inbounds i8, ptr %0, i64 624
+  %9 = getelementptr inbounds i8, ptr %0, i64 912
+  %10 = getelementptr inbounds i8, ptr %1, i64 16
+  %11 = load ptr, ptr %10, align 8
+  %12 = trunc i64 %2 to i8
+  %13 = bitcast i8 %12 to <8 x i1>
+  %14 = or i64 %3, %2
+  %15 = trunc i64 %14 to i8
+  %16 = bitcast i8 %15 to <8 x i1>
+  %17 = load ptr, ptr %8, align 8
+  %18 = load <8 x double>, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %1, i64 8
+  %20 = load ptr, ptr %19, align 8
+  %21 = load ptr, ptr %11, align 8
+  %22 = getelementptr inbounds i8, ptr %11, i64 48
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr inbounds i8, ptr %20, i64 24
+  %25 = load ptr, ptr %24, align 8
+  store <8 x double> %18, ptr %25, align 8
+  %26 = getelementptr inbounds i8, ptr %20, i64 128
+  %27 = load i64, ptr %26, align 8
+  %28 = icmp sgt i64 %27, 0
+  br i1 %28, label %29, label %30
 
-25:                                               ; preds = %3
-  tail call fastcc void @sample(ptr noundef %16) #10
-  br label %26
+29:                                               ; preds = %4
+  tail call fastcc void @sample(ptr noundef %20) #11
+  br label %30
 
-26:                                               ; preds = %3, %25
-  %27 = load ptr, ptr %16, align 8
-  %28 = load i64, ptr %27, align 8
-  %29 = load ptr, ptr %20, align 8
-  %30 = getelementptr inbounds i8, ptr %16, i64 48
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %16, i64 96
-  %33 = load ptr, ptr %32, align 8
-  %34 = inttoptr i64 %28 to ptr
-  %35 = tail call i32 %34(ptr noundef %29, ptr noundef %17, ptr noundef %31, ptr noundef %33, ptr noundef %19) #11
-  %36 = sext i32 %35 to i64
-  %37 = and i64 %36, %2
-  %38 = load ptr, ptr %15, align 8
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr inbounds i8, ptr %39, i64 8
-  %41 = load i64, ptr %40, align 8
-  %42 = icmp sgt i64 %41, 0
-  br i1 %42, label %43, label %45
+30:                                               ; preds = %4, %29
+  %31 = load ptr, ptr %20, align 8
+  %32 = load i64, ptr %31, align 8
+  %33 = load ptr, ptr %24, align 8
+  %34 = getelementptr inbounds i8, ptr %20, i64 48
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds i8, ptr %20, i64 96
+  %37 = load ptr, ptr %36, align 8
+  %38 = inttoptr i64 %32 to ptr
+  %39 = tail call i32 %38(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #12
+  %40 = sext i32 %39 to i64
+  %41 = load ptr, ptr %19, align 8
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = icmp sgt i64 %44, 0
+  br i1 %45, label %46, label %48
 
-43:                                               ; preds = %26
-  %44 = getelementptr inbounds i8, ptr %10, i64 168
-  br label %52
+46:                                               ; preds = %30
+  %47 = getelementptr inbounds i8, ptr %11, i64 168
+  br label %56
 
-45:                                               ; preds = %52, %26
-  %46 = phi ptr [ %39, %26 ], [ %64, %52 ]
-  %47 = getelementptr inbounds i8, ptr %0, i64 936
-  %48 = load ptr, ptr %47, align 8
-  %49 = getelementptr inbounds i8, ptr %48, i64 8
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp oeq double %50, 0.000000e+00
-  br i1 %51, label %68, label %235
+48:                                               ; preds = %56, %30
+  %49 = phi ptr [ %42, %30 ], [ %68, %56 ]
+  %50 = getelementptr inbounds i8, ptr %0, i64 936
+  %51 = load ptr, ptr %50, align 8
+  %52 = getelementptr inbounds i8, ptr %51, i64 8
+  %53 = load double, ptr %52, align 8
+  %54 = load double, ptr %51, align 8
+  %55 = fcmp oeq double %53, 0.000000e+00
+  br i1 %55, label %79, label %72
 
-52:                                               ; preds = %43, %52
-  %53 = phi i64 [ 0, %43 ], [ %62, %52 ]
-  %54 = load ptr, ptr %44, align 8
-  %55 = load ptr, ptr %18, align 8
-  %56 = shl nsw i64 %53, 6
-  %57 = getelementptr inbounds i8, ptr %55, i64 %56
-  %58 = load <8 x i64>, ptr %57, align 8
-  %59 = getelementptr inbounds i8, ptr %54, i64 %56
-  %60 = load <8 x i64>, ptr %59, align 8
-  %61 = select <8 x i1> %12, <8 x i64> %58, <8 x i64> %60
-  store <8 x i64> %61, ptr %59, align 8
-  %62 = add nuw nsw i64 %53, 1
-  %63 = load ptr, ptr %15, align 8
-  %64 = load ptr, ptr %63, align 8
-  %65 = getelementptr inbounds i8, ptr %64, i64 8
-  %66 = load i64, ptr %65, align 8
-  %67 = icmp slt i64 %62, %66
-  br i1 %67, label %52, label %45, !llvm.loop !30
+56:                                               ; preds = %46, %56
+  %57 = phi i64 [ 0, %46 ], [ %66, %56 ]
+  %58 = load ptr, ptr %47, align 8
+  %59 = load ptr, ptr %22, align 8
+  %60 = shl nsw i64 %57, 6
+  %61 = getelementptr inbounds i8, ptr %59, i64 %60
+  %62 = load <8 x i64>, ptr %61, align 8
+  %63 = getelementptr inbounds i8, ptr %58, i64 %60
+  %64 = load <8 x i64>, ptr %63, align 8
+  %65 = select <8 x i1> %16, <8 x i64> %62, <8 x i64> %64
+  store <8 x i64> %65, ptr %63, align 8
+  %66 = add nuw nsw i64 %57, 1
+  %67 = load ptr, ptr %19, align 8
+  %68 = load ptr, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 8
+  %70 = load i64, ptr %69, align 8
+  %71 = icmp slt i64 %66, %70
+  br i1 %71, label %56, label %48, !llvm.loop !31
 
-68:                                               ; preds = %45
-  %69 = load double, ptr %48, align 8
-  %70 = load ptr, ptr %9, align 8
-  %71 = getelementptr inbounds i8, ptr %46, i64 24
-  %72 = load i64, ptr %71, align 8
-  %73 = load ptr, ptr %70, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %73, ptr noundef %73, ptr noundef nonnull %70, i64 noundef %72) #10
-  %74 = load <8 x double>, ptr %4, align 16
-  %75 = getelementptr inbounds i8, ptr %70, i64 168
-  %76 = load ptr, ptr %75, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %73, ptr noundef nonnull %70, i64 noundef %72) #10
-  %77 = load <8 x double>, ptr %5, align 16
-  %78 = fcmp olt <8 x double> %74, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %79 = fcmp olt <8 x double> %77, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %80 = or <8 x i1> %79, %78
-  %81 = insertelement <8 x double> poison, double %69, i64 0
+72:                                               ; preds = %48
+  %73 = load ptr, ptr %1, align 8
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 8
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp sgt i64 %76, 0
+  %78 = select i1 %77, i64 %3, i64 0
+  br label %79
+
+79:                                               ; preds = %48, %72
+  %80 = phi i64 [ %78, %72 ], [ %14, %48 ]
+  %81 = insertelement <8 x double> poison, double %53, i64 0
   %82 = shufflevector <8 x double> %81, <8 x double> poison, <8 x i32> zeroinitializer
-  %83 = fmul <8 x double> %74, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %84 = fdiv <8 x double> %83, %77
-  %85 = bitcast <8 x double> %84 to <8 x i64>
-  %86 = select <8 x i1> %80, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %85
-  %87 = bitcast <8 x i64> %86 to <8 x double>
-  %88 = fcmp olt <8 x double> %82, %87
-  %89 = bitcast <8 x double> %82 to <8 x i64>
-  %90 = select <8 x i1> %88, <8 x i64> %89, <8 x i64> %86
-  %91 = bitcast <8 x i64> %90 to <8 x double>
-  %92 = load ptr, ptr %15, align 8
+  %83 = icmp eq i64 %80, 0
+  br i1 %83, label %253, label %84
+
+84:                                               ; preds = %79
+  %85 = trunc i64 %80 to i8
+  %86 = bitcast i8 %85 to <8 x i1>
+  %87 = load ptr, ptr %10, align 8
+  %88 = getelementptr inbounds i8, ptr %49, i64 24
+  %89 = load i64, ptr %88, align 8
+  %90 = load ptr, ptr %87, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %90, ptr noundef %90, ptr noundef nonnull %87, i64 noundef %89) #11
+  %91 = load <8 x double>, ptr %5, align 16
+  %92 = getelementptr inbounds i8, ptr %87, i64 168
   %93 = load ptr, ptr %92, align 8
-  %94 = getelementptr inbounds i8, ptr %93, i64 8
-  %95 = load i64, ptr %94, align 8
-  %96 = icmp sgt i64 %95, 0
-  br i1 %96, label %97, label %118
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %93, ptr noundef %90, ptr noundef nonnull %87, i64 noundef %89) #11
+  %94 = load <8 x double>, ptr %6, align 16
+  %95 = fcmp olt <8 x double> %91, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %96 = fcmp olt <8 x double> %94, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %97 = or <8 x i1> %96, %95
+  %98 = insertelement <8 x double> poison, double %54, i64 0
+  %99 = shufflevector <8 x double> %98, <8 x double> poison, <8 x i32> zeroinitializer
+  %100 = fmul <8 x double> %91, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %101 = fdiv <8 x double> %100, %94
+  %102 = bitcast <8 x double> %101 to <8 x i64>
+  %103 = select <8 x i1> %97, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %102
+  %104 = bitcast <8 x i64> %103 to <8 x double>
+  %105 = fcmp olt <8 x double> %99, %104
+  %106 = bitcast <8 x double> %99 to <8 x i64>
+  %107 = select <8 x i1> %105, <8 x i64> %106, <8 x i64> %103
+  %108 = bitcast <8 x i64> %107 to <8 x double>
+  %109 = load ptr, ptr %19, align 8
+  %110 = load ptr, ptr %109, align 8
+  %111 = getelementptr inbounds i8, ptr %110, i64 8
+  %112 = load i64, ptr %111, align 8
+  %113 = icmp sgt i64 %112, 0
+  br i1 %113, label %114, label %135
 
-97:                                               ; preds = %68
-  %98 = getelementptr inbounds i8, ptr %70, i64 48
-  br label %99
+114:                                              ; preds = %84
+  %115 = getelementptr inbounds i8, ptr %87, i64 48
+  br label %116
 
-99:                                               ; preds = %97, %99
-  %100 = phi i64 [ 0, %97 ], [ %112, %99 ]
-  %101 = load ptr, ptr %98, align 8
-  %102 = load ptr, ptr %70, align 8
-  %103 = shl nsw i64 %100, 6
-  %104 = getelementptr inbounds i8, ptr %102, i64 %103
-  %105 = load <8 x double>, ptr %104, align 8
-  %106 = load ptr, ptr %75, align 8
-  %107 = getelementptr inbounds i8, ptr %106, i64 %103
-  %108 = load <8 x double>, ptr %107, align 8
-  %109 = fmul <8 x double> %108, %91
-  %110 = fadd <8 x double> %105, %109
-  %111 = getelementptr inbounds i8, ptr %101, i64 %103
-  store <8 x double> %110, ptr %111, align 8
-  %112 = add nuw nsw i64 %100, 1
-  %113 = load ptr, ptr %15, align 8
-  %114 = load ptr, ptr %113, align 8
-  %115 = getelementptr inbounds i8, ptr %114, i64 8
-  %116 = load i64, ptr %115, align 8
-  %117 = icmp slt i64 %112, %116
-  br i1 %117, label %99, label %118, !llvm.loop !31
+116:                                              ; preds = %114, %116
+  %117 = phi i64 [ 0, %114 ], [ %129, %116 ]
+  %118 = load ptr, ptr %115, align 8
+  %119 = load ptr, ptr %87, align 8
+  %120 = shl nsw i64 %117, 6
+  %121 = getelementptr inbounds i8, ptr %119, i64 %120
+  %122 = load <8 x double>, ptr %121, align 8
+  %123 = load ptr, ptr %92, align 8
+  %124 = getelementptr inbounds i8, ptr %123, i64 %120
+  %125 = load <8 x double>, ptr %124, align 8
+  %126 = fmul <8 x double> %125, %108
+  %127 = fadd <8 x double> %122, %126
+  %128 = getelementptr inbounds i8, ptr %118, i64 %120
+  store <8 x double> %127, ptr %128, align 8
+  %129 = add nuw nsw i64 %117, 1
+  %130 = load ptr, ptr %19, align 8
+  %131 = load ptr, ptr %130, align 8
+  %132 = getelementptr inbounds i8, ptr %131, i64 8
+  %133 = load i64, ptr %132, align 8
+  %134 = icmp slt i64 %129, %133
+  br i1 %134, label %116, label %135, !llvm.loop !32
 
-118:                                              ; preds = %99, %68
-  %119 = phi ptr [ %92, %68 ], [ %113, %99 ]
-  %120 = fadd <8 x double> %14, %91
-  %121 = getelementptr inbounds i8, ptr %70, i64 48
-  %122 = load ptr, ptr %121, align 8
-  %123 = load ptr, ptr %75, align 8
-  %124 = getelementptr inbounds i8, ptr %70, i64 8
-  %125 = load i64, ptr %124, align 8
-  %126 = getelementptr inbounds double, ptr %123, i64 %125
-  %127 = getelementptr inbounds i8, ptr %119, i64 24
-  %128 = load ptr, ptr %127, align 8
-  store <8 x double> %120, ptr %128, align 8
-  %129 = getelementptr inbounds i8, ptr %119, i64 128
-  %130 = load i64, ptr %129, align 8
-  %131 = icmp sgt i64 %130, 0
-  br i1 %131, label %132, label %133
-
-132:                                              ; preds = %118
-  tail call fastcc void @sample(ptr noundef nonnull %119) #10
-  br label %133
-
-133:                                              ; preds = %118, %132
-  %134 = load ptr, ptr %119, align 8
-  %135 = load i64, ptr %134, align 8
-  %136 = load ptr, ptr %127, align 8
-  %137 = getelementptr inbounds i8, ptr %119, i64 48
-  %138 = load ptr, ptr %137, align 8
-  %139 = getelementptr inbounds i8, ptr %119, i64 96
-  %140 = load ptr, ptr %139, align 8
-  %141 = inttoptr i64 %135 to ptr
-  %142 = tail call i32 %141(ptr noundef %136, ptr noundef %122, ptr noundef %138, ptr noundef %140, ptr noundef %126) #11
-  %143 = load ptr, ptr %1, align 8
-  %144 = getelementptr inbounds i8, ptr %143, i64 120
+135:                                              ; preds = %116, %84
+  %136 = phi ptr [ %109, %84 ], [ %130, %116 ]
+  %137 = fadd <8 x double> %18, %108
+  %138 = getelementptr inbounds i8, ptr %87, i64 48
+  %139 = load ptr, ptr %138, align 8
+  %140 = load ptr, ptr %92, align 8
+  %141 = getelementptr inbounds i8, ptr %87, i64 8
+  %142 = load i64, ptr %141, align 8
+  %143 = getelementptr inbounds double, ptr %140, i64 %142
+  %144 = getelementptr inbounds i8, ptr %136, i64 24
   %145 = load ptr, ptr %144, align 8
-  %146 = load double, ptr %145, align 8
-  %147 = load ptr, ptr %75, align 8
-  %148 = load i64, ptr %124, align 8
-  %149 = getelementptr inbounds double, ptr %147, i64 %148
-  %150 = icmp sgt i64 %72, 0
-  br i1 %150, label %151, label %161
+  store <8 x double> %137, ptr %145, align 8
+  %146 = getelementptr inbounds i8, ptr %136, i64 128
+  %147 = load i64, ptr %146, align 8
+  %148 = icmp sgt i64 %147, 0
+  br i1 %148, label %149, label %150
 
-151:                                              ; preds = %133, %151
-  %152 = phi i64 [ %159, %151 ], [ 0, %133 ]
-  %153 = shl nsw i64 %152, 6
-  %154 = getelementptr inbounds i8, ptr %149, i64 %153
-  %155 = load <8 x double>, ptr %154, align 8
-  %156 = getelementptr inbounds i8, ptr %147, i64 %153
-  %157 = load <8 x double>, ptr %156, align 8
-  %158 = fsub <8 x double> %155, %157
-  store <8 x double> %158, ptr %154, align 8
-  %159 = add nuw nsw i64 %152, 1
-  %160 = icmp eq i64 %159, %72
-  br i1 %160, label %161, label %151, !llvm.loop !32
+149:                                              ; preds = %135
+  tail call fastcc void @sample(ptr noundef nonnull %136) #11
+  br label %150
 
-161:                                              ; preds = %151, %133
-  %162 = load ptr, ptr %70, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %149, ptr noundef %162, ptr noundef nonnull %70, i64 noundef %72) #10
-  %163 = load <8 x double>, ptr %6, align 16
-  %164 = fdiv <8 x double> %163, %91
-  %165 = fcmp ogt <8 x double> %77, %164
-  %166 = select <8 x i1> %165, <8 x double> %77, <8 x double> %164
-  %167 = fcmp ogt <8 x double> %166, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
-  %168 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %166
-  %169 = select <8 x i1> %167, <8 x double> %168, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
-  %170 = bitcast <8 x double> %169 to <8 x i64>
-  %171 = add <8 x i64> %170, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %172 = ashr <8 x i64> %171, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %173 = and <8 x i64> %171, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %174 = sub <8 x i64> %170, %173
-  %175 = bitcast <8 x i64> %174 to <8 x double>
-  %176 = fadd <8 x double> %175, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %177 = fadd <8 x double> %175, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %178 = fdiv <8 x double> %176, %177
-  %179 = fmul <8 x double> %178, %178
-  %180 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %179, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %181 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %180, <8 x double> %179, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %182 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %181, <8 x double> %179, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %183 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %182, <8 x double> %179, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %184 = trunc nsw <8 x i64> %172 to <8 x i32>
-  %185 = sitofp <8 x i32> %184 to <8 x double>
-  %186 = fmul <8 x double> %178, %183
-  %187 = fadd <8 x double> %186, %185
-  %188 = insertelement <8 x double> poison, double %146, i64 0
-  %189 = shufflevector <8 x double> %188, <8 x double> poison, <8 x i32> zeroinitializer
-  %190 = fmul <8 x double> %189, %187
-  %191 = fcmp ogt <8 x double> %190, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %192 = bitcast <8 x double> %190 to <8 x i64>
-  %193 = select <8 x i1> %191, <8 x i64> %192, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %194 = bitcast <8 x i64> %193 to <8 x double>
-  %195 = fcmp olt <8 x double> %194, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %196 = bitcast <8 x i64> %193 to <8 x double>
-  %197 = select <8 x i1> %195, <8 x double> %196, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %198 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %197)
-  %199 = fsub <8 x double> %197, %198
-  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %201 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %200, <8 x double> %199, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %202 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %201, <8 x double> %199, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %203 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %202, <8 x double> %199, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %204 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %203, <8 x double> %199, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %205 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %204, <8 x double> %199, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %206 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %205, <8 x double> %199, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %207 = bitcast <8 x double> %206 to <8 x i64>
-  %208 = fptosi <8 x double> %198 to <8 x i32>
-  %209 = zext <8 x i32> %208 to <8 x i64>
-  %210 = shl <8 x i64> %209, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %211 = add <8 x i64> %210, %207
-  %212 = fmul <8 x double> %91, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %213 = fcmp olt <8 x double> %212, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
-  %214 = bitcast <8 x double> %212 to <8 x i64>
-  %215 = select <8 x i1> %213, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %214
-  %216 = fmul <8 x double> %91, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
-  %217 = select <8 x i1> %167, <8 x i64> %211, <8 x i64> %215
-  %218 = bitcast <8 x i64> %217 to <8 x double>
-  %219 = fcmp olt <8 x double> %216, %218
-  %220 = bitcast <8 x double> %216 to <8 x i64>
-  %221 = select <8 x i1> %219, <8 x i64> %220, <8 x i64> %217
-  %222 = bitcast <8 x i64> %221 to <8 x double>
-  %223 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %14)
-  %224 = fmul <8 x double> %223, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
-  %225 = fcmp ogt <8 x double> %224, %222
-  %226 = bitcast <8 x double> %224 to <8 x i64>
-  %227 = select <8 x i1> %225, <8 x i64> %226, <8 x i64> %221
-  %228 = bitcast <8 x i64> %227 to <8 x double>
-  %229 = fcmp olt <8 x double> %82, %228
-  %230 = select <8 x i1> %229, <8 x i64> %89, <8 x i64> %227
-  %231 = trunc i32 %142 to i8
-  %232 = bitcast i8 %231 to <8 x i1>
-  %233 = select <8 x i1> %232, <8 x i64> %214, <8 x i64> %230
-  %234 = bitcast <8 x i64> %233 to <8 x double>
-  br label %238
+150:                                              ; preds = %135, %149
+  %151 = load ptr, ptr %136, align 8
+  %152 = load i64, ptr %151, align 8
+  %153 = load ptr, ptr %144, align 8
+  %154 = getelementptr inbounds i8, ptr %136, i64 48
+  %155 = load ptr, ptr %154, align 8
+  %156 = getelementptr inbounds i8, ptr %136, i64 96
+  %157 = load ptr, ptr %156, align 8
+  %158 = inttoptr i64 %152 to ptr
+  %159 = tail call i32 %158(ptr noundef %153, ptr noundef %139, ptr noundef %155, ptr noundef %157, ptr noundef %143) #12
+  %160 = load ptr, ptr %1, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 120
+  %162 = load ptr, ptr %161, align 8
+  %163 = load double, ptr %162, align 8
+  %164 = load ptr, ptr %92, align 8
+  %165 = load i64, ptr %141, align 8
+  %166 = getelementptr inbounds double, ptr %164, i64 %165
+  %167 = icmp sgt i64 %89, 0
+  br i1 %167, label %168, label %178
 
-235:                                              ; preds = %45
-  %236 = insertelement <8 x double> poison, double %50, i64 0
-  %237 = shufflevector <8 x double> %236, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %238
+168:                                              ; preds = %150, %168
+  %169 = phi i64 [ %176, %168 ], [ 0, %150 ]
+  %170 = shl nsw i64 %169, 6
+  %171 = getelementptr inbounds i8, ptr %166, i64 %170
+  %172 = load <8 x double>, ptr %171, align 8
+  %173 = getelementptr inbounds i8, ptr %164, i64 %170
+  %174 = load <8 x double>, ptr %173, align 8
+  %175 = fsub <8 x double> %172, %174
+  store <8 x double> %175, ptr %171, align 8
+  %176 = add nuw nsw i64 %169, 1
+  %177 = icmp eq i64 %176, %89
+  br i1 %177, label %178, label %168, !llvm.loop !33
 
-238:                                              ; preds = %235, %161
-  %239 = phi double [ 2.000000e+00, %161 ], [ 1.000000e+00, %235 ]
-  %240 = phi <8 x double> [ %234, %161 ], [ %237, %235 ]
-  %241 = getelementptr inbounds i8, ptr %0, i64 648
-  %242 = load ptr, ptr %241, align 8
-  %243 = load <8 x double>, ptr %242, align 8
-  %244 = select <8 x i1> %12, <8 x double> %240, <8 x double> %243
-  store <8 x double> %244, ptr %242, align 8
-  %245 = getelementptr inbounds i8, ptr %0, i64 672
-  %246 = load ptr, ptr %245, align 8
-  %247 = load <8 x double>, ptr %246, align 8
-  %248 = select <8 x i1> %12, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %247
-  store <8 x double> %248, ptr %246, align 8
-  %249 = getelementptr inbounds i8, ptr %0, i64 696
-  %250 = load ptr, ptr %249, align 8
-  %251 = load ptr, ptr %1, align 8
-  %252 = getelementptr inbounds i8, ptr %251, i64 120
-  %253 = load ptr, ptr %252, align 8
-  %254 = getelementptr inbounds i8, ptr %253, i64 40
-  %255 = load double, ptr %254, align 8
-  %256 = insertelement <8 x double> poison, double %255, i64 0
-  %257 = load <8 x i64>, ptr %250, align 8
-  %258 = bitcast <8 x double> %256 to <8 x i64>
-  %259 = shufflevector <8 x i64> %258, <8 x i64> poison, <8 x i32> zeroinitializer
-  %260 = select <8 x i1> %12, <8 x i64> %259, <8 x i64> %257
-  store <8 x i64> %260, ptr %250, align 8
-  %261 = getelementptr inbounds i8, ptr %0, i64 768
-  %262 = load ptr, ptr %261, align 8
-  %263 = load <8 x double>, ptr %262, align 8
-  %264 = select <8 x i1> %12, <8 x double> zeroinitializer, <8 x double> %263
-  store <8 x double> %264, ptr %262, align 8
-  %265 = getelementptr inbounds i8, ptr %0, i64 792
-  %266 = load ptr, ptr %265, align 8
-  %267 = load <8 x double>, ptr %266, align 8
-  %268 = select <8 x i1> %12, <8 x double> zeroinitializer, <8 x double> %267
-  store <8 x double> %268, ptr %266, align 8
-  %269 = getelementptr inbounds i8, ptr %0, i64 816
-  %270 = load ptr, ptr %269, align 8
-  %271 = insertelement <8 x double> poison, double %239, i64 0
-  %272 = load <8 x i64>, ptr %270, align 8
-  %273 = bitcast <8 x double> %271 to <8 x i64>
-  %274 = shufflevector <8 x i64> %273, <8 x i64> poison, <8 x i32> zeroinitializer
-  %275 = select <8 x i1> %12, <8 x i64> %274, <8 x i64> %272
-  store <8 x i64> %275, ptr %270, align 8
-  %276 = getelementptr inbounds i8, ptr %0, i64 840
-  %277 = load ptr, ptr %276, align 8
-  %278 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %240, i32 384)
-  %279 = select <8 x i1> %278, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %280 = load <8 x i64>, ptr %277, align 8
-  %281 = select <8 x i1> %12, <8 x i64> %279, <8 x i64> %280
-  store <8 x i64> %281, ptr %277, align 8
-  %282 = icmp eq i64 %2, 0
-  br i1 %282, label %315, label %283
+178:                                              ; preds = %168, %150
+  %179 = load ptr, ptr %87, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %166, ptr noundef %179, ptr noundef nonnull %87, i64 noundef %89) #11
+  %180 = load <8 x double>, ptr %7, align 16
+  %181 = fdiv <8 x double> %180, %108
+  %182 = fcmp ogt <8 x double> %94, %181
+  %183 = select <8 x i1> %182, <8 x double> %94, <8 x double> %181
+  %184 = fcmp ogt <8 x double> %183, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
+  %185 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %183
+  %186 = select <8 x i1> %184, <8 x double> %185, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
+  %187 = bitcast <8 x double> %186 to <8 x i64>
+  %188 = add <8 x i64> %187, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %189 = ashr <8 x i64> %188, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %190 = and <8 x i64> %188, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %191 = sub <8 x i64> %187, %190
+  %192 = bitcast <8 x i64> %191 to <8 x double>
+  %193 = fadd <8 x double> %192, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %194 = fadd <8 x double> %192, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %195 = fdiv <8 x double> %193, %194
+  %196 = fmul <8 x double> %195, %195
+  %197 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %196, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %198 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %197, <8 x double> %196, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %199 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %198, <8 x double> %196, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> %196, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %201 = trunc nsw <8 x i64> %189 to <8 x i32>
+  %202 = sitofp <8 x i32> %201 to <8 x double>
+  %203 = fmul <8 x double> %195, %200
+  %204 = fadd <8 x double> %203, %202
+  %205 = insertelement <8 x double> poison, double %163, i64 0
+  %206 = shufflevector <8 x double> %205, <8 x double> poison, <8 x i32> zeroinitializer
+  %207 = fmul <8 x double> %206, %204
+  %208 = fcmp ogt <8 x double> %207, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %209 = bitcast <8 x double> %207 to <8 x i64>
+  %210 = select <8 x i1> %208, <8 x i64> %209, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %211 = bitcast <8 x i64> %210 to <8 x double>
+  %212 = fcmp olt <8 x double> %211, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %213 = bitcast <8 x i64> %210 to <8 x double>
+  %214 = select <8 x i1> %212, <8 x double> %213, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %215 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %214)
+  %216 = fsub <8 x double> %214, %215
+  %217 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %216, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %218 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %217, <8 x double> %216, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %219 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %218, <8 x double> %216, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %220 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %219, <8 x double> %216, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %221 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %220, <8 x double> %216, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %222 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %221, <8 x double> %216, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> %216, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %224 = bitcast <8 x double> %223 to <8 x i64>
+  %225 = fptosi <8 x double> %215 to <8 x i32>
+  %226 = zext <8 x i32> %225 to <8 x i64>
+  %227 = shl <8 x i64> %226, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %228 = add <8 x i64> %227, %224
+  %229 = fmul <8 x double> %108, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %230 = fcmp olt <8 x double> %229, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
+  %231 = bitcast <8 x double> %229 to <8 x i64>
+  %232 = select <8 x i1> %230, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %231
+  %233 = fmul <8 x double> %108, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
+  %234 = select <8 x i1> %184, <8 x i64> %228, <8 x i64> %232
+  %235 = bitcast <8 x i64> %234 to <8 x double>
+  %236 = fcmp olt <8 x double> %233, %235
+  %237 = bitcast <8 x double> %233 to <8 x i64>
+  %238 = select <8 x i1> %236, <8 x i64> %237, <8 x i64> %234
+  %239 = bitcast <8 x i64> %238 to <8 x double>
+  %240 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %18)
+  %241 = fmul <8 x double> %240, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %242 = fcmp ogt <8 x double> %241, %239
+  %243 = bitcast <8 x double> %241 to <8 x i64>
+  %244 = select <8 x i1> %242, <8 x i64> %243, <8 x i64> %238
+  %245 = bitcast <8 x i64> %244 to <8 x double>
+  %246 = fcmp olt <8 x double> %99, %245
+  %247 = select <8 x i1> %246, <8 x i64> %106, <8 x i64> %244
+  %248 = trunc i32 %159 to i8
+  %249 = bitcast i8 %248 to <8 x i1>
+  %250 = select <8 x i1> %249, <8 x i64> %231, <8 x i64> %247
+  %251 = bitcast <8 x i64> %250 to <8 x double>
+  %252 = select <8 x i1> %86, <8 x double> %251, <8 x double> %82
+  br label %253
 
-283:                                              ; preds = %238
-  %284 = getelementptr inbounds i8, ptr %0, i64 864
-  %285 = getelementptr inbounds i8, ptr %0, i64 960
-  %286 = getelementptr inbounds i8, ptr %0, i64 968
-  %287 = getelementptr inbounds i8, ptr %0, i64 720
-  %288 = getelementptr inbounds i8, ptr %0, i64 744
-  %289 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %290
+253:                                              ; preds = %178, %79
+  %254 = phi <8 x double> [ %252, %178 ], [ %82, %79 ]
+  %255 = getelementptr inbounds i8, ptr %0, i64 648
+  %256 = load ptr, ptr %255, align 8
+  %257 = load <8 x double>, ptr %256, align 8
+  %258 = select <8 x i1> %16, <8 x double> %254, <8 x double> %257
+  store <8 x double> %258, ptr %256, align 8
+  %259 = getelementptr inbounds i8, ptr %0, i64 672
+  %260 = load ptr, ptr %259, align 8
+  %261 = load <8 x double>, ptr %260, align 8
+  %262 = select <8 x i1> %16, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %261
+  store <8 x double> %262, ptr %260, align 8
+  %263 = getelementptr inbounds i8, ptr %0, i64 696
+  %264 = load ptr, ptr %263, align 8
+  %265 = load ptr, ptr %1, align 8
+  %266 = getelementptr inbounds i8, ptr %265, i64 120
+  %267 = load ptr, ptr %266, align 8
+  %268 = getelementptr inbounds i8, ptr %267, i64 40
+  %269 = load double, ptr %268, align 8
+  %270 = insertelement <8 x double> poison, double %269, i64 0
+  %271 = load <8 x i64>, ptr %264, align 8
+  %272 = bitcast <8 x double> %270 to <8 x i64>
+  %273 = shufflevector <8 x i64> %272, <8 x i64> poison, <8 x i32> zeroinitializer
+  %274 = select <8 x i1> %16, <8 x i64> %273, <8 x i64> %271
+  store <8 x i64> %274, ptr %264, align 8
+  %275 = getelementptr inbounds i8, ptr %0, i64 768
+  %276 = load ptr, ptr %275, align 8
+  %277 = load <8 x double>, ptr %276, align 8
+  %278 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %277
+  store <8 x double> %278, ptr %276, align 8
+  %279 = getelementptr inbounds i8, ptr %0, i64 792
+  %280 = load ptr, ptr %279, align 8
+  %281 = load <8 x double>, ptr %280, align 8
+  %282 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %281
+  store <8 x double> %282, ptr %280, align 8
+  %283 = getelementptr inbounds i8, ptr %0, i64 816
+  %284 = load ptr, ptr %283, align 8
+  %285 = load <8 x double>, ptr %284, align 8
+  %286 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %285
+  store <8 x double> %286, ptr %284, align 8
+  %287 = getelementptr inbounds i8, ptr %0, i64 840
+  %288 = load ptr, ptr %287, align 8
+  %289 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %254, i32 384)
+  %290 = select <8 x i1> %289, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %291 = load <8 x i64>, ptr %288, align 8
+  %292 = select <8 x i1> %16, <8 x i64> %290, <8 x i64> %291
+  store <8 x i64> %292, ptr %288, align 8
+  %293 = icmp eq i64 %2, 0
+  br i1 %293, label %326, label %294
 
-290:                                              ; preds = %283, %290
-  %291 = phi i64 [ %2, %283 ], [ %313, %290 ]
-  %292 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %291, i1 true)
-  %293 = load ptr, ptr %284, align 8
-  %294 = getelementptr inbounds i64, ptr %293, i64 %292
-  %295 = load i64, ptr %294, align 8
-  %296 = load i64, ptr %286, align 8
-  %297 = add nsw i64 %296, -1
-  %298 = load ptr, ptr %287, align 8
-  %299 = getelementptr inbounds double, ptr %298, i64 %292
-  store double 0.000000e+00, ptr %299, align 8
-  %300 = load ptr, ptr %285, align 8
-  %301 = load double, ptr %300, align 8
-  %302 = load ptr, ptr %288, align 8
-  %303 = getelementptr inbounds double, ptr %302, i64 %292
-  store double %301, ptr %303, align 8
-  %304 = load ptr, ptr %8, align 8
-  %305 = getelementptr inbounds i8, ptr %304, i64 24
+294:                                              ; preds = %253
+  %295 = getelementptr inbounds i8, ptr %0, i64 864
+  %296 = getelementptr inbounds i8, ptr %0, i64 960
+  %297 = getelementptr inbounds i8, ptr %0, i64 968
+  %298 = getelementptr inbounds i8, ptr %0, i64 720
+  %299 = getelementptr inbounds i8, ptr %0, i64 744
+  %300 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %301
+
+301:                                              ; preds = %294, %301
+  %302 = phi i64 [ %2, %294 ], [ %324, %301 ]
+  %303 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %302, i1 true)
+  %304 = load ptr, ptr %295, align 8
+  %305 = getelementptr inbounds i64, ptr %304, i64 %303
   %306 = load i64, ptr %305, align 8
-  %307 = shl i64 %295, 3
-  %308 = mul i64 %307, %297
-  %309 = add nsw i64 %306, %308
-  %310 = load ptr, ptr %289, align 8
-  %311 = getelementptr inbounds i64, ptr %310, i64 %292
-  store i64 %309, ptr %311, align 8
-  %312 = add nsw i64 %291, -1
-  %313 = and i64 %312, %291
-  %314 = icmp eq i64 %313, 0
-  br i1 %314, label %315, label %290, !llvm.loop !33
+  %307 = load i64, ptr %297, align 8
+  %308 = add nsw i64 %307, -1
+  %309 = load ptr, ptr %298, align 8
+  %310 = getelementptr inbounds double, ptr %309, i64 %303
+  store double 0.000000e+00, ptr %310, align 8
+  %311 = load ptr, ptr %296, align 8
+  %312 = load double, ptr %311, align 8
+  %313 = load ptr, ptr %299, align 8
+  %314 = getelementptr inbounds double, ptr %313, i64 %303
+  store double %312, ptr %314, align 8
+  %315 = load ptr, ptr %9, align 8
+  %316 = getelementptr inbounds i8, ptr %315, i64 24
+  %317 = load i64, ptr %316, align 8
+  %318 = shl i64 %306, 3
+  %319 = mul i64 %318, %308
+  %320 = add nsw i64 %317, %319
+  %321 = load ptr, ptr %300, align 8
+  %322 = getelementptr inbounds i64, ptr %321, i64 %303
+  store i64 %320, ptr %322, align 8
+  %323 = add nsw i64 %302, -1
+  %324 = and i64 %323, %302
+  %325 = icmp eq i64 %324, 0
+  br i1 %325, label %326, label %301, !llvm.loop !34
 
-315:                                              ; preds = %290, %238
-  %316 = xor i64 %37, %2
-  %317 = icmp eq i64 %37, %2
-  br i1 %317, label %321, label %318
+326:                                              ; preds = %301, %253
+  %327 = xor i64 %40, -1
+  %328 = and i64 %327, %2
+  %329 = icmp eq i64 %328, 0
+  br i1 %329, label %333, label %330
 
-318:                                              ; preds = %315
-  %319 = getelementptr inbounds i8, ptr %0, i64 744
-  %320 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %329
+330:                                              ; preds = %326
+  %331 = getelementptr inbounds i8, ptr %0, i64 744
+  %332 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %354
 
-321:                                              ; preds = %329, %315
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %37, i64 noundef 3) #10
-  %322 = getelementptr inbounds i8, ptr %0, i64 744
-  %323 = load ptr, ptr %322, align 8
-  %324 = load <8 x double>, ptr %323, align 8
-  %325 = fcmp oeq <8 x double> %324, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %326 = bitcast <8 x i1> %325 to i8
-  %327 = zext i8 %326 to i64
-  %328 = and i64 %316, %327
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %328, i64 noundef 0) #10
+333:                                              ; preds = %354, %326
+  %334 = and i64 %14, %40
+  %335 = xor i64 %334, %14
+  %336 = getelementptr inbounds i8, ptr %0, i64 744
+  %337 = load ptr, ptr %336, align 8
+  %338 = load <8 x double>, ptr %337, align 8
+  %339 = fcmp oeq <8 x double> %338, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %340 = bitcast <8 x i1> %339 to i8
+  %341 = zext i8 %340 to i64
+  %342 = and i64 %335, %341
+  %343 = load ptr, ptr %283, align 8
+  %344 = load <8 x double>, ptr %343, align 8
+  %345 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %346 = or i64 %342, %334
+  %347 = xor i64 %346, -1
+  %348 = and i64 %80, %347
+  %349 = trunc i64 %348 to i8
+  %350 = bitcast i8 %349 to <8 x i1>
+  %351 = select <8 x i1> %350, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %352 = fadd <8 x double> %345, %351
+  %353 = fadd <8 x double> %344, %352
+  store <8 x double> %353, ptr %343, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %334, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %342, i64 noundef 0) #11
   ret void
 
-329:                                              ; preds = %318, %329
-  %330 = phi i64 [ %316, %318 ], [ %341, %329 ]
-  %331 = load ptr, ptr %10, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %331, i64 noundef %330) #10
-  %332 = load ptr, ptr %319, align 8
-  %333 = load <8 x double>, ptr %332, align 8
-  %334 = load ptr, ptr %320, align 8
-  %335 = load double, ptr %334, align 8
-  %336 = insertelement <8 x double> poison, double %335, i64 0
-  %337 = shufflevector <8 x double> %336, <8 x double> poison, <8 x i32> zeroinitializer
-  %338 = fcmp oeq <8 x double> %333, %337
-  %339 = bitcast <8 x i1> %338 to i8
-  %340 = zext i8 %339 to i64
-  %341 = and i64 %330, %340
-  %342 = icmp eq i64 %341, 0
-  br i1 %342, label %321, label %329, !llvm.loop !34
+354:                                              ; preds = %330, %354
+  %355 = phi i64 [ %328, %330 ], [ %366, %354 ]
+  %356 = load ptr, ptr %11, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %356, i64 noundef %355) #11
+  %357 = load ptr, ptr %331, align 8
+  %358 = load <8 x double>, ptr %357, align 8
+  %359 = load ptr, ptr %332, align 8
+  %360 = load double, ptr %359, align 8
+  %361 = insertelement <8 x double> poison, double %360, i64 0
+  %362 = shufflevector <8 x double> %361, <8 x double> poison, <8 x i32> zeroinitializer
+  %363 = fcmp oeq <8 x double> %358, %362
+  %364 = bitcast <8 x i1> %363 to i8
+  %365 = zext i8 %364 to i64
+  %366 = and i64 %355, %365
+  %367 = icmp eq i64 %366, 0
+  br i1 %367, label %333, label %354, !llvm.loop !35
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -2144,7 +2317,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %11 = getelementptr inbounds i8, ptr %10, i64 32
   %12 = load i64, ptr %11, align 8
   %13 = icmp eq i64 %1, 0
-  br i1 %13, label %51, label %14
+  br i1 %13, label %59, label %14
 
 14:                                               ; preds = %3
   %15 = getelementptr inbounds i8, ptr %0, i64 864
@@ -2160,140 +2333,210 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %25 = icmp slt i64 %2, 0
   %26 = getelementptr inbounds i8, ptr %0, i64 840
   %27 = getelementptr inbounds i8, ptr %0, i64 1080
-  %28 = getelementptr inbounds i8, ptr %0, i64 1192
-  %29 = getelementptr inbounds i8, ptr %0, i64 1176
-  %30 = getelementptr inbounds i8, ptr %0, i64 1128
-  %31 = getelementptr inbounds i8, ptr %0, i64 1104
-  br label %32
+  %28 = getelementptr inbounds i8, ptr %0, i64 1136
+  %29 = getelementptr inbounds i8, ptr %0, i64 1200
+  %30 = getelementptr inbounds i8, ptr %0, i64 1224
+  %31 = getelementptr inbounds i8, ptr %0, i64 1216
+  %32 = getelementptr inbounds i8, ptr %0, i64 1128
+  %33 = getelementptr inbounds i8, ptr %0, i64 1104
+  %34 = getelementptr inbounds i8, ptr %0, i64 1416
+  %35 = getelementptr inbounds i8, ptr %0, i64 1464
+  %36 = getelementptr inbounds i8, ptr %0, i64 1480
+  %37 = getelementptr inbounds i8, ptr %0, i64 1128
+  %38 = getelementptr inbounds i8, ptr %0, i64 1512
+  %39 = getelementptr inbounds i8, ptr %0, i64 1528
+  br label %40
 
-32:                                               ; preds = %14, %99
-  %33 = phi i64 [ %1, %14 ], [ %103, %99 ]
-  %34 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %33, i1 true)
-  %35 = load ptr, ptr %15, align 8
-  %36 = getelementptr inbounds i64, ptr %35, i64 %34
-  %37 = load i64, ptr %36, align 8
-  %38 = load i64, ptr %17, align 8
-  %39 = load ptr, ptr %18, align 8
-  %40 = getelementptr inbounds double, ptr %39, i64 %34
-  %41 = load double, ptr %40, align 8
-  %42 = fptosi double %41 to i64
-  %43 = xor i64 %42, -1
-  %44 = add i64 %38, %43
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %55
+40:                                               ; preds = %14, %176
+  %41 = phi i64 [ %1, %14 ], [ %180, %176 ]
+  %42 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %41, i1 true)
+  %43 = load ptr, ptr %15, align 8
+  %44 = getelementptr inbounds i64, ptr %43, i64 %42
+  %45 = load i64, ptr %44, align 8
+  %46 = load i64, ptr %17, align 8
+  %47 = load ptr, ptr %18, align 8
+  %48 = getelementptr inbounds double, ptr %47, i64 %42
+  %49 = load double, ptr %48, align 8
+  %50 = fptosi double %49 to i64
+  %51 = xor i64 %50, -1
+  %52 = add i64 %46, %51
+  %53 = icmp sgt i64 %52, 0
+  br i1 %53, label %54, label %63
 
-46:                                               ; preds = %32
-  %47 = load ptr, ptr %16, align 8
-  %48 = getelementptr inbounds i64, ptr %47, i64 %34
-  %49 = load i64, ptr %48, align 8
-  %50 = inttoptr i64 %49 to ptr
-  br label %52
+54:                                               ; preds = %40
+  %55 = load ptr, ptr %16, align 8
+  %56 = getelementptr inbounds i64, ptr %55, i64 %42
+  %57 = load i64, ptr %56, align 8
+  %58 = inttoptr i64 %57 to ptr
+  br label %60
 
-51:                                               ; preds = %99, %3
+59:                                               ; preds = %176, %3
   ret void
 
-52:                                               ; preds = %46, %74
-  %53 = phi i64 [ %75, %74 ], [ %44, %46 ]
-  %54 = phi ptr [ %76, %74 ], [ %50, %46 ]
-  br i1 %19, label %78, label %74
+60:                                               ; preds = %54, %82
+  %61 = phi i64 [ %83, %82 ], [ %52, %54 ]
+  %62 = phi ptr [ %84, %82 ], [ %58, %54 ]
+  br i1 %19, label %86, label %82
 
-55:                                               ; preds = %74, %32
-  %56 = load ptr, ptr %20, align 8
-  %57 = load i64, ptr %21, align 8
-  %58 = mul nsw i64 %57, %37
-  %59 = getelementptr inbounds i64, ptr %56, i64 %58
-  %60 = load ptr, ptr %22, align 8
-  %61 = getelementptr inbounds double, ptr %60, i64 %34
-  %62 = load double, ptr %61, align 8
-  %63 = fptosi double %62 to i64
-  store i64 %63, ptr %59, align 8
-  %64 = load ptr, ptr %23, align 8
-  %65 = getelementptr inbounds double, ptr %64, i64 %34
-  %66 = load double, ptr %65, align 8
-  %67 = fptosi double %66 to i64
-  %68 = getelementptr inbounds i8, ptr %59, i64 8
-  store i64 %67, ptr %68, align 8
-  %69 = load ptr, ptr %24, align 8
-  %70 = getelementptr inbounds double, ptr %69, i64 %34
-  %71 = load double, ptr %70, align 8
-  %72 = fptosi double %71 to i64
-  %73 = getelementptr inbounds i8, ptr %59, i64 16
-  store i64 %72, ptr %73, align 8
-  br i1 %25, label %84, label %89
+63:                                               ; preds = %82, %40
+  %64 = load ptr, ptr %20, align 8
+  %65 = load i64, ptr %21, align 8
+  %66 = mul nsw i64 %65, %45
+  %67 = getelementptr inbounds i64, ptr %64, i64 %66
+  %68 = load ptr, ptr %22, align 8
+  %69 = getelementptr inbounds double, ptr %68, i64 %42
+  %70 = load double, ptr %69, align 8
+  %71 = fptosi double %70 to i64
+  store i64 %71, ptr %67, align 8
+  %72 = load ptr, ptr %23, align 8
+  %73 = getelementptr inbounds double, ptr %72, i64 %42
+  %74 = load double, ptr %73, align 8
+  %75 = fptosi double %74 to i64
+  %76 = getelementptr inbounds i8, ptr %67, i64 8
+  store i64 %75, ptr %76, align 8
+  %77 = load ptr, ptr %24, align 8
+  %78 = getelementptr inbounds double, ptr %77, i64 %42
+  %79 = load double, ptr %78, align 8
+  %80 = fptosi double %79 to i64
+  %81 = getelementptr inbounds i8, ptr %67, i64 16
+  store i64 %80, ptr %81, align 8
+  br i1 %25, label %92, label %97
 
-74:                                               ; preds = %78, %52
-  %75 = add nsw i64 %53, -1
-  %76 = getelementptr inbounds i8, ptr %54, i64 8
-  %77 = icmp sgt i64 %53, 1
-  br i1 %77, label %52, label %55, !llvm.loop !35
+82:                                               ; preds = %86, %60
+  %83 = add nsw i64 %61, -1
+  %84 = getelementptr inbounds i8, ptr %62, i64 8
+  %85 = icmp sgt i64 %61, 1
+  br i1 %85, label %60, label %63, !llvm.loop !36
 
-78:                                               ; preds = %52, %78
-  %79 = phi i64 [ %82, %78 ], [ 0, %52 ]
-  %80 = mul nsw i64 %79, %12
-  %81 = getelementptr inbounds double, ptr %54, i64 %80
-  store double 0x7FF8000000000000, ptr %81, align 8
-  %82 = add nuw nsw i64 %79, 1
-  %83 = icmp eq i64 %82, %9
-  br i1 %83, label %74, label %78, !llvm.loop !36
+86:                                               ; preds = %60, %86
+  %87 = phi i64 [ %90, %86 ], [ 0, %60 ]
+  %88 = mul nsw i64 %87, %12
+  %89 = getelementptr inbounds double, ptr %62, i64 %88
+  store double 0x7FF8000000000000, ptr %89, align 8
+  %90 = add nuw nsw i64 %87, 1
+  %91 = icmp eq i64 %90, %9
+  br i1 %91, label %82, label %86, !llvm.loop !37
 
-84:                                               ; preds = %55
-  %85 = load ptr, ptr %26, align 8
-  %86 = getelementptr inbounds double, ptr %85, i64 %34
-  %87 = load double, ptr %86, align 8
-  %88 = fptosi double %87 to i64
-  br label %89
+92:                                               ; preds = %63
+  %93 = load ptr, ptr %26, align 8
+  %94 = getelementptr inbounds double, ptr %93, i64 %42
+  %95 = load double, ptr %94, align 8
+  %96 = fptosi double %95 to i64
+  br label %97
 
-89:                                               ; preds = %55, %84
-  %90 = phi i64 [ %88, %84 ], [ %2, %55 ]
-  %91 = getelementptr inbounds i8, ptr %59, i64 24
-  store i64 %90, ptr %91, align 8
-  %92 = load ptr, ptr %4, align 8
-  %93 = getelementptr inbounds double, ptr %92, i64 %34
-  %94 = load double, ptr %93, align 8
-  %95 = load ptr, ptr %27, align 8
-  %96 = getelementptr inbounds double, ptr %95, i64 %37
-  store double %94, ptr %96, align 8
-  %97 = load i64, ptr %28, align 8
-  %98 = icmp sgt i64 %97, 0
-  br i1 %98, label %105, label %99
+97:                                               ; preds = %63, %92
+  %98 = phi i64 [ %96, %92 ], [ %2, %63 ]
+  %99 = getelementptr inbounds i8, ptr %67, i64 24
+  store i64 %98, ptr %99, align 8
+  %100 = load ptr, ptr %4, align 8
+  %101 = getelementptr inbounds double, ptr %100, i64 %42
+  %102 = load double, ptr %101, align 8
+  %103 = load ptr, ptr %27, align 8
+  %104 = getelementptr inbounds double, ptr %103, i64 %45
+  store double %102, ptr %104, align 8
+  %105 = load i64, ptr %28, align 8
+  %106 = icmp sgt i64 %105, 0
+  br i1 %106, label %107, label %176
 
-99:                                               ; preds = %105, %89
-  %100 = load ptr, ptr %15, align 8
-  %101 = getelementptr inbounds i64, ptr %100, i64 %34
-  store i64 -1, ptr %101, align 8
-  %102 = add nsw i64 %33, -1
-  %103 = and i64 %102, %33
-  %104 = icmp eq i64 %103, 0
-  br i1 %104, label %51, label %32, !llvm.loop !37
+107:                                              ; preds = %97
+  %108 = load i64, ptr %31, align 8
+  %109 = icmp sgt i64 %108, 0
+  br i1 %109, label %115, label %110
 
-105:                                              ; preds = %89, %105
-  %106 = phi i64 [ %125, %105 ], [ %97, %89 ]
-  %107 = phi i64 [ %124, %105 ], [ 0, %89 ]
-  %108 = load ptr, ptr %30, align 8
-  %109 = getelementptr inbounds i64, ptr %108, i64 %34
-  %110 = load i64, ptr %109, align 8
-  %111 = inttoptr i64 %110 to ptr
-  %112 = getelementptr inbounds i8, ptr %111, i64 696
-  %113 = load ptr, ptr %112, align 8
-  %114 = load ptr, ptr %31, align 8
-  %115 = getelementptr inbounds i8, ptr %114, i64 8
-  %116 = load i64, ptr %115, align 8
-  %117 = getelementptr inbounds double, ptr %113, i64 %116
-  %118 = getelementptr inbounds double, ptr %117, i64 %107
-  %119 = load double, ptr %118, align 8
-  %120 = load ptr, ptr %29, align 8
-  %121 = mul nsw i64 %106, %37
-  %122 = getelementptr double, ptr %120, i64 %121
-  %123 = getelementptr double, ptr %122, i64 %107
-  store double %119, ptr %123, align 8
-  %124 = add nuw nsw i64 %107, 1
-  %125 = load i64, ptr %28, align 8
-  %126 = icmp slt i64 %124, %125
-  br i1 %126, label %105, label %99, !llvm.loop !38
+110:                                              ; preds = %115, %107
+  %111 = load ptr, ptr %30, align 8
+  %112 = getelementptr inbounds i8, ptr %111, i64 8
+  %113 = load i64, ptr %112, align 8
+  %114 = icmp sgt i64 %113, 0
+  br i1 %114, label %136, label %175
+
+115:                                              ; preds = %107, %115
+  %116 = phi i64 [ %134, %115 ], [ %108, %107 ]
+  %117 = phi i64 [ %133, %115 ], [ 0, %107 ]
+  %118 = load ptr, ptr %32, align 8
+  %119 = getelementptr inbounds i64, ptr %118, i64 %42
+  %120 = load i64, ptr %119, align 8
+  %121 = inttoptr i64 %120 to ptr
+  %122 = getelementptr inbounds i8, ptr %121, i64 696
+  %123 = load ptr, ptr %122, align 8
+  %124 = load ptr, ptr %33, align 8
+  %125 = load i64, ptr %124, align 8
+  %126 = getelementptr inbounds double, ptr %123, i64 %125
+  %127 = getelementptr inbounds double, ptr %126, i64 %117
+  %128 = load double, ptr %127, align 8
+  %129 = load ptr, ptr %29, align 8
+  %130 = mul nsw i64 %116, %45
+  %131 = getelementptr double, ptr %129, i64 %130
+  %132 = getelementptr double, ptr %131, i64 %117
+  store double %128, ptr %132, align 8
+  %133 = add nuw nsw i64 %117, 1
+  %134 = load i64, ptr %31, align 8
+  %135 = icmp slt i64 %133, %134
+  br i1 %135, label %115, label %110, !llvm.loop !38
+
+136:                                              ; preds = %110, %151
+  %137 = phi i64 [ %157, %151 ], [ 2, %110 ]
+  %138 = phi i64 [ %152, %151 ], [ 0, %110 ]
+  %139 = load ptr, ptr %34, align 8
+  %140 = shl i64 %138, 6
+  %141 = getelementptr i8, ptr %139, i64 %140
+  %142 = getelementptr double, ptr %141, i64 %42
+  %143 = load double, ptr %142, align 8
+  %144 = fptosi double %143 to i64
+  %145 = load ptr, ptr %35, align 8
+  %146 = load i64, ptr %36, align 8
+  %147 = mul nsw i64 %146, %45
+  %148 = getelementptr i64, ptr %145, i64 %147
+  %149 = getelementptr i64, ptr %148, i64 %138
+  store i64 %144, ptr %149, align 8
+  %150 = shl nuw nsw i64 %138, 1
+  br label %158
+
+151:                                              ; preds = %158
+  %152 = add nuw nsw i64 %138, 1
+  %153 = load ptr, ptr %30, align 8
+  %154 = getelementptr inbounds i8, ptr %153, i64 8
+  %155 = load i64, ptr %154, align 8
+  %156 = icmp slt i64 %152, %155
+  %157 = add nuw i64 %137, 2
+  br i1 %156, label %136, label %175, !llvm.loop !39
+
+158:                                              ; preds = %136, %158
+  %159 = phi i64 [ %150, %136 ], [ %173, %158 ]
+  %160 = load ptr, ptr %37, align 8
+  %161 = getelementptr inbounds i64, ptr %160, i64 %42
+  %162 = load i64, ptr %161, align 8
+  %163 = inttoptr i64 %162 to ptr
+  %164 = getelementptr inbounds i8, ptr %163, i64 960
+  %165 = load ptr, ptr %164, align 8
+  %166 = getelementptr inbounds double, ptr %165, i64 %159
+  %167 = load double, ptr %166, align 8
+  %168 = load ptr, ptr %38, align 8
+  %169 = load i64, ptr %39, align 8
+  %170 = mul nsw i64 %169, %45
+  %171 = getelementptr double, ptr %168, i64 %170
+  %172 = getelementptr double, ptr %171, i64 %159
+  store double %167, ptr %172, align 8
+  %173 = add nuw nsw i64 %159, 1
+  %174 = icmp eq i64 %173, %137
+  br i1 %174, label %151, label %158, !llvm.loop !40
+
+175:                                              ; preds = %151, %110
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %42) #11
+  br label %176
+
+176:                                              ; preds = %175, %97
+  %177 = load ptr, ptr %15, align 8
+  %178 = getelementptr inbounds i64, ptr %177, i64 %42
+  store i64 -1, ptr %178, align 8
+  %179 = add nsw i64 %41, -1
+  %180 = and i64 %179, %41
+  %181 = icmp eq i64 %180, 0
+  br i1 %181, label %59, label %40, !llvm.loop !41
 }
 
 define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
-  %6 = getelementptr inbounds i8, ptr %0, i64 1152
+  %6 = getelementptr inbounds i8, ptr %0, i64 1176
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 144
   %9 = load ptr, ptr %8, align 8
@@ -2335,7 +2578,7 @@ define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0
   %37 = getelementptr inbounds double, ptr %1, i64 %22
   %38 = load double, ptr %37, align 8
   %39 = select i1 %17, ptr null, ptr %28
-  %40 = tail call i64 %36(ptr noundef %26, double noundef %38, ptr noundef %7, ptr noundef %39) #11
+  %40 = tail call i64 %36(ptr noundef %26, double noundef %38, ptr noundef %7, ptr noundef %39) #12
   %41 = icmp eq i64 %40, 0
   %42 = shl nuw i64 1, %22
   %43 = select i1 %41, i64 0, i64 %42
@@ -2358,13 +2601,13 @@ define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0
   store double %55, ptr %56, align 8
   %57 = add nuw nsw i64 %47, 1
   %58 = icmp eq i64 %57, %11
-  br i1 %58, label %31, label %46, !llvm.loop !39
+  br i1 %58, label %31, label %46, !llvm.loop !42
 
 59:                                               ; preds = %63, %31
   %60 = add nsw i64 %21, -1
   %61 = and i64 %60, %21
   %62 = icmp eq i64 %61, 0
-  br i1 %62, label %29, label %19, !llvm.loop !40
+  br i1 %62, label %29, label %19, !llvm.loop !43
 
 63:                                               ; preds = %31, %63
   %64 = phi i64 [ %69, %63 ], [ 0, %31 ]
@@ -2375,7 +2618,449 @@ define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0
   store double %66, ptr %68, align 8
   %69 = add nuw nsw i64 %64, 1
   %70 = icmp eq i64 %69, %11
-  br i1 %70, label %59, label %63, !llvm.loop !41
+  br i1 %70, label %59, label %63, !llvm.loop !44
+}
+
+define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %0) unnamed_addr #3 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 360
+  %3 = getelementptr inbounds i8, ptr %0, i64 1224
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 1128
+  %6 = load ptr, ptr %5, align 8
+  %7 = load i64, ptr %6, align 8
+  %8 = inttoptr i64 %7 to ptr
+  %9 = getelementptr inbounds i8, ptr %8, i64 816
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %4, i64 8
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 432
+  %14 = load ptr, ptr %13, align 8
+  %15 = load <8 x double>, ptr %14, align 8
+  %16 = getelementptr inbounds i8, ptr %4, i64 24
+  %17 = load i64, ptr %16, align 8
+  %18 = icmp eq i64 %17, 0
+  br i1 %18, label %142, label %19
+
+19:                                               ; preds = %1
+  %20 = getelementptr inbounds i8, ptr %0, i64 1352
+  %21 = load i64, ptr %20, align 8
+  %22 = icmp sgt i64 %21, 0
+  br i1 %22, label %23, label %30
+
+23:                                               ; preds = %19
+  %24 = getelementptr inbounds i8, ptr %0, i64 1344
+  %25 = getelementptr inbounds i8, ptr %0, i64 384
+  %26 = getelementptr inbounds i8, ptr %0, i64 528
+  %27 = getelementptr inbounds i8, ptr %0, i64 368
+  %28 = getelementptr inbounds i8, ptr %0, i64 1296
+  %29 = getelementptr inbounds i8, ptr %4, i64 32
+  br label %62
+
+30:                                               ; preds = %85, %19
+  %31 = getelementptr inbounds i8, ptr %0, i64 1296
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %4, i64 32
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr inbounds i8, ptr %4, i64 40
+  %36 = load i64, ptr %35, align 8
+  %37 = add nsw i64 %36, %34
+  %38 = shl nsw i64 %37, 6
+  %39 = getelementptr inbounds i8, ptr %32, i64 %38
+  store <8 x double> %15, ptr %39, align 8
+  %40 = getelementptr inbounds i8, ptr %0, i64 168
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %0, i64 624
+  %43 = load ptr, ptr %42, align 8
+  %44 = load <8 x double>, ptr %43, align 8
+  store <8 x double> %44, ptr %41, align 8
+  %45 = load i64, ptr %16, align 8
+  %46 = load ptr, ptr %40, align 8
+  %47 = load ptr, ptr %2, align 8
+  %48 = load ptr, ptr %31, align 8
+  %49 = getelementptr inbounds i8, ptr %0, i64 1320
+  %50 = load ptr, ptr %49, align 8
+  %51 = getelementptr inbounds i8, ptr %0, i64 1392
+  %52 = load ptr, ptr %51, align 8
+  %53 = inttoptr i64 %45 to ptr
+  %54 = tail call i32 %53(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
+  %55 = trunc i32 %54 to i8
+  %56 = xor i8 %55, -1
+  %57 = icmp sgt i64 %12, 0
+  br i1 %57, label %58, label %113
+
+58:                                               ; preds = %30
+  %59 = bitcast i8 %56 to <8 x i1>
+  %60 = sext <8 x i1> %59 to <8 x i64>
+  %61 = getelementptr inbounds i8, ptr %0, i64 1416
+  br label %116
+
+62:                                               ; preds = %23, %85
+  %63 = phi i64 [ 0, %23 ], [ %93, %85 ]
+  %64 = load ptr, ptr %24, align 8
+  %65 = getelementptr inbounds i64, ptr %64, i64 %63
+  %66 = load i64, ptr %65, align 8
+  %67 = load ptr, ptr %25, align 8
+  %68 = shl nsw i64 %66, 6
+  %69 = getelementptr inbounds i8, ptr %67, i64 %68
+  %70 = load <8 x double>, ptr %69, align 8
+  %71 = load ptr, ptr %2, align 8
+  %72 = getelementptr inbounds i8, ptr %71, i64 %68
+  %73 = load <8 x double>, ptr %72, align 8
+  %74 = fsub <8 x double> %70, %73
+  %75 = fneg <8 x double> %74
+  %76 = fcmp ogt <8 x double> %74, zeroinitializer
+  %77 = select <8 x i1> %76, <8 x double> %74, <8 x double> %75
+  %78 = load ptr, ptr %0, align 8
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp slt i64 %79, 0
+  br i1 %80, label %85, label %81
+
+81:                                               ; preds = %62
+  %82 = load ptr, ptr %26, align 8
+  %83 = load i64, ptr %27, align 8
+  %84 = getelementptr i8, ptr %82, i64 %68
+  br label %96
+
+85:                                               ; preds = %96, %62
+  %86 = phi <8 x double> [ %77, %62 ], [ %107, %96 ]
+  %87 = load ptr, ptr %28, align 8
+  %88 = load i64, ptr %29, align 8
+  %89 = add nsw i64 %88, %66
+  %90 = fmul <8 x double> %86, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  %91 = shl nsw i64 %89, 6
+  %92 = getelementptr inbounds i8, ptr %87, i64 %91
+  store <8 x double> %90, ptr %92, align 8
+  %93 = add nuw nsw i64 %63, 1
+  %94 = load i64, ptr %20, align 8
+  %95 = icmp slt i64 %93, %94
+  br i1 %95, label %62, label %30, !llvm.loop !45
+
+96:                                               ; preds = %81, %96
+  %97 = phi i64 [ 0, %81 ], [ %108, %96 ]
+  %98 = phi <8 x double> [ %77, %81 ], [ %107, %96 ]
+  %99 = mul nsw i64 %83, %97
+  %100 = getelementptr double, ptr %84, i64 %99
+  %101 = load <8 x double>, ptr %100, align 8
+  %102 = fneg <8 x double> %101
+  %103 = fcmp ogt <8 x double> %101, zeroinitializer
+  %104 = select <8 x i1> %103, <8 x double> %101, <8 x double> %102
+  %105 = fmul <8 x double> %15, %104
+  %106 = fcmp ogt <8 x double> %98, %105
+  %107 = select <8 x i1> %106, <8 x double> %98, <8 x double> %105
+  %108 = add nuw i64 %97, 1
+  %109 = icmp eq i64 %97, %79
+  br i1 %109, label %85, label %96, !llvm.loop !46
+
+110:                                              ; preds = %138
+  %111 = icmp ne <8 x i64> %139, zeroinitializer
+  %112 = bitcast <8 x i1> %111 to i8
+  br label %113
+
+113:                                              ; preds = %110, %30
+  %114 = phi i8 [ %56, %30 ], [ %112, %110 ]
+  %115 = zext i8 %114 to i64
+  br label %142
+
+116:                                              ; preds = %58, %138
+  %117 = phi i64 [ 0, %58 ], [ %140, %138 ]
+  %118 = phi <8 x i64> [ %60, %58 ], [ %139, %138 ]
+  %119 = getelementptr inbounds i64, ptr %10, i64 %117
+  %120 = load i64, ptr %119, align 8
+  %121 = and i64 %120, 2
+  %122 = icmp eq i64 %121, 0
+  br i1 %122, label %123, label %138
+
+123:                                              ; preds = %116
+  %124 = load ptr, ptr %51, align 8
+  %125 = shl nsw i64 %117, 6
+  %126 = getelementptr inbounds i8, ptr %124, i64 %125
+  %127 = load <8 x double>, ptr %126, align 8
+  %128 = load ptr, ptr %61, align 8
+  %129 = getelementptr inbounds i8, ptr %128, i64 %125
+  %130 = load <8 x double>, ptr %129, align 8
+  %131 = fmul <8 x double> %127, %130
+  %132 = add nuw nsw i64 %117, %12
+  %133 = shl nsw i64 %132, 6
+  %134 = getelementptr inbounds i8, ptr %124, i64 %133
+  %135 = load <8 x double>, ptr %134, align 8
+  %136 = fcmp ogt <8 x double> %131, %135
+  %137 = select <8 x i1> %136, <8 x i64> %118, <8 x i64> zeroinitializer
+  br label %138
+
+138:                                              ; preds = %116, %123
+  %139 = phi <8 x i64> [ %118, %116 ], [ %137, %123 ]
+  %140 = add nuw nsw i64 %117, 1
+  %141 = icmp eq i64 %140, %12
+  br i1 %141, label %110, label %116, !llvm.loop !47
+
+142:                                              ; preds = %1, %113
+  %143 = phi i64 [ %115, %113 ], [ 0, %1 ]
+  ret i64 %143
+}
+
+define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3, ptr noundef %4, ptr noundef writeonly %5, ptr noundef %6) unnamed_addr #2 {
+  br label %13
+
+8:                                                ; preds = %13
+  %9 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3) #11
+  %10 = xor i64 %9, -1
+  %11 = and i64 %10, %2
+  %12 = icmp eq i64 %11, 0
+  br i1 %12, label %40, label %18
+
+13:                                               ; preds = %7, %13
+  %14 = phi i64 [ 0, %7 ], [ %16, %13 ]
+  %15 = getelementptr inbounds double, ptr %5, i64 %14
+  store double 1.000000e+00, ptr %15, align 8
+  %16 = add nuw nsw i64 %14, 1
+  %17 = icmp eq i64 %16, 8
+  br i1 %17, label %8, label %13, !llvm.loop !48
+
+18:                                               ; preds = %8, %43
+  %19 = phi i64 [ %45, %43 ], [ %11, %8 ]
+  %20 = phi i64 [ %38, %43 ], [ 0, %8 ]
+  %21 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %19, i1 true)
+  %22 = getelementptr inbounds double, ptr %3, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = getelementptr inbounds double, ptr %5, i64 %21
+  %25 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %21, double noundef %23, ptr noundef %24) #11
+  %26 = getelementptr inbounds i64, ptr %4, i64 %21
+  store i64 %25, ptr %26, align 8
+  %27 = icmp eq i64 %25, -6
+  %28 = zext i1 %27 to i64
+  %29 = shl nuw i64 %28, %21
+  %30 = load i64, ptr %6, align 8
+  %31 = or i64 %29, %30
+  store i64 %31, ptr %6, align 8
+  %32 = load i64, ptr %26, align 8
+  %33 = icmp ne i64 %32, 0
+  %34 = icmp ne i64 %32, -6
+  %35 = and i1 %33, %34
+  %36 = zext i1 %35 to i64
+  %37 = shl nuw i64 %36, %21
+  %38 = or i64 %37, %20
+  %39 = icmp eq i64 %32, -6
+  br i1 %39, label %42, label %43
+
+40:                                               ; preds = %43, %8
+  %41 = phi i64 [ 0, %8 ], [ %38, %43 ]
+  ret i64 %41
+
+42:                                               ; preds = %18
+  store double 1.000000e+00, ptr %24, align 8
+  br label %43
+
+43:                                               ; preds = %18, %42
+  %44 = add nsw i64 %19, -1
+  %45 = and i64 %44, %19
+  %46 = icmp eq i64 %45, 0
+  br i1 %46, label %40, label %18, !llvm.loop !49
+}
+
+define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
+  %6 = alloca [8 x i64], align 16
+  %7 = getelementptr inbounds i8, ptr %0, i64 624
+  %8 = load ptr, ptr %7, align 8
+  %9 = load <8 x double>, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %1, i64 16
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %11, i64 72
+  %13 = load ptr, ptr %12, align 8
+  %14 = load <8 x double>, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 720
+  %16 = load ptr, ptr %15, align 8
+  %17 = load <8 x double>, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %0, i64 744
+  %19 = load ptr, ptr %18, align 8
+  %20 = load <8 x double>, ptr %19, align 8
+  %21 = getelementptr inbounds i8, ptr %11, i64 48
+  %22 = load ptr, ptr %21, align 8
+  %23 = load <8 x double>, ptr %3, align 8
+  %24 = icmp eq ptr %4, null
+  br i1 %24, label %31, label %25
+
+25:                                               ; preds = %5
+  %26 = load <8 x double>, ptr %4, align 8
+  %27 = fcmp olt <8 x double> %26, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %28 = fmul <8 x double> %14, %26
+  %29 = fadd <8 x double> %9, %28
+  %30 = select <8 x i1> %27, <8 x double> %29, <8 x double> %23
+  store <8 x double> %30, ptr %3, align 8
+  br label %31
+
+31:                                               ; preds = %25, %5
+  %32 = phi <8 x double> [ %30, %25 ], [ %23, %5 ]
+  %33 = phi <8 x i1> [ %27, %25 ], [ zeroinitializer, %5 ]
+  %34 = getelementptr inbounds i8, ptr %0, i64 888
+  %35 = load ptr, ptr %34, align 8
+  br label %39
+
+36:                                               ; preds = %39
+  %37 = getelementptr inbounds i8, ptr %1, i64 8
+  %38 = getelementptr inbounds i8, ptr %0, i64 1216
+  br label %46
+
+39:                                               ; preds = %31, %39
+  %40 = phi i64 [ 0, %31 ], [ %44, %39 ]
+  %41 = getelementptr inbounds i64, ptr %35, i64 %40
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr inbounds [8 x i64], ptr %6, i64 0, i64 %40
+  store i64 %42, ptr %43, align 8
+  %44 = add nuw nsw i64 %40, 1
+  %45 = icmp eq i64 %44, 8
+  br i1 %45, label %36, label %39, !llvm.loop !50
+
+46:                                               ; preds = %36, %91
+  %47 = phi i64 [ %59, %91 ], [ %2, %36 ]
+  %48 = phi i64 [ %92, %91 ], [ 0, %36 ]
+  %49 = load ptr, ptr %18, align 8
+  %50 = load <8 x double>, ptr %49, align 8
+  %51 = fcmp olt <8 x double> %50, %32
+  %52 = fcmp oeq <8 x double> %50, %32
+  %53 = select <8 x i1> %52, <8 x i1> %33, <8 x i1> zeroinitializer
+  %54 = select <8 x i1> %51, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %53
+  %55 = bitcast <8 x i1> %54 to i8
+  %56 = zext i8 %55 to i64
+  %57 = xor i64 %48, -1
+  %58 = and i64 %47, %57
+  %59 = and i64 %58, %56
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %61, label %65
+
+61:                                               ; preds = %46
+  %62 = icmp eq i64 %48, 0
+  br i1 %62, label %111, label %63
+
+63:                                               ; preds = %61
+  %64 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %95
+
+65:                                               ; preds = %46
+  %66 = fsub <8 x double> %50, %9
+  %67 = fdiv <8 x double> %66, %14
+  %68 = load ptr, ptr %10, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 96
+  %70 = load ptr, ptr %69, align 8
+  store <8 x double> %67, ptr %70, align 8
+  %71 = load ptr, ptr %68, align 8
+  %72 = getelementptr inbounds i8, ptr %68, i64 192
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr inbounds i8, ptr %68, i64 8
+  %75 = load i64, ptr %74, align 8
+  %76 = load ptr, ptr %1, align 8
+  %77 = load ptr, ptr %76, align 8
+  %78 = getelementptr inbounds i8, ptr %77, i64 24
+  %79 = load i64, ptr %78, align 8
+  %80 = load ptr, ptr %69, align 8
+  %81 = load ptr, ptr %37, align 8
+  %82 = load ptr, ptr %81, align 8
+  %83 = getelementptr inbounds i8, ptr %82, i64 16
+  %84 = load i64, ptr %83, align 8
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
+  %85 = load i64, ptr %38, align 8
+  %86 = icmp sgt i64 %85, 0
+  br i1 %86, label %87, label %91
+
+87:                                               ; preds = %65
+  %88 = load ptr, ptr %18, align 8
+  %89 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %88, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
+  %90 = or i64 %89, %48
+  br label %91
+
+91:                                               ; preds = %87, %65
+  %92 = phi i64 [ %90, %87 ], [ %48, %65 ]
+  %93 = xor i64 %92, -1
+  %94 = and i64 %59, %93
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %94) #11
+  br label %46, !llvm.loop !51
+
+95:                                               ; preds = %63, %95
+  %96 = phi i64 [ %48, %63 ], [ %109, %95 ]
+  %97 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %96, i1 true)
+  %98 = extractelement <8 x double> %17, i64 %97
+  %99 = load ptr, ptr %15, align 8
+  %100 = getelementptr inbounds double, ptr %99, i64 %97
+  store double %98, ptr %100, align 8
+  %101 = extractelement <8 x double> %20, i64 %97
+  %102 = load ptr, ptr %18, align 8
+  %103 = getelementptr inbounds double, ptr %102, i64 %97
+  store double %101, ptr %103, align 8
+  %104 = getelementptr inbounds [8 x i64], ptr %6, i64 0, i64 %97
+  %105 = load i64, ptr %104, align 8
+  %106 = load ptr, ptr %64, align 8
+  %107 = getelementptr inbounds i64, ptr %106, i64 %97
+  store i64 %105, ptr %107, align 8
+  %108 = add nsw i64 %96, -1
+  %109 = and i64 %108, %96
+  %110 = icmp eq i64 %109, 0
+  br i1 %110, label %111, label %95, !llvm.loop !52
+
+111:                                              ; preds = %95, %61
+  ret i64 %48
+}
+
+define internal fastcc void @end_within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #5 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 16
+  %5 = load ptr, ptr %4, align 8
+  %6 = trunc i64 %1 to i8
+  %7 = bitcast i8 %6 to <8 x i1>
+  %8 = load <8 x double>, ptr %2, align 8
+  %9 = fcmp olt <8 x double> %8, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %10 = and <8 x i1> %9, %7
+  %11 = select <8 x i1> %10, <8 x double> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %12 = getelementptr inbounds i8, ptr %5, i64 48
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %5, i64 96
+  %15 = load ptr, ptr %14, align 8
+  store <8 x double> %11, ptr %15, align 8
+  %16 = load ptr, ptr %5, align 8
+  %17 = getelementptr inbounds i8, ptr %5, i64 192
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %5, i64 8
+  %20 = load i64, ptr %19, align 8
+  %21 = load ptr, ptr %0, align 8
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds i8, ptr %22, i64 24
+  %24 = load i64, ptr %23, align 8
+  %25 = load ptr, ptr %14, align 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 8
+  %27 = load ptr, ptr %26, align 8
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr inbounds i8, ptr %28, i64 16
+  %30 = load i64, ptr %29, align 8
+  tail call fastcc void @nested(ptr noundef %13, ptr noundef %16, ptr noundef %18, i64 noundef %20, i64 noundef %24, ptr noundef %25, i64 noundef %30) #11
+  %31 = load ptr, ptr %26, align 8
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %32, i64 8
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp sgt i64 %34, 0
+  br i1 %35, label %36, label %38
+
+36:                                               ; preds = %3
+  %37 = getelementptr inbounds i8, ptr %5, i64 24
+  br label %39
+
+38:                                               ; preds = %39, %3
+  ret void
+
+39:                                               ; preds = %36, %39
+  %40 = phi i64 [ 0, %36 ], [ %49, %39 ]
+  %41 = load ptr, ptr %37, align 8
+  %42 = load ptr, ptr %12, align 8
+  %43 = shl nsw i64 %40, 6
+  %44 = getelementptr inbounds i8, ptr %42, i64 %43
+  %45 = load <8 x i64>, ptr %44, align 8
+  %46 = getelementptr inbounds i8, ptr %41, i64 %43
+  %47 = load <8 x i64>, ptr %46, align 8
+  %48 = select <8 x i1> %10, <8 x i64> %45, <8 x i64> %47
+  store <8 x i64> %48, ptr %46, align 8
+  %49 = add nuw nsw i64 %40, 1
+  %50 = load ptr, ptr %26, align 8
+  %51 = load ptr, ptr %50, align 8
+  %52 = getelementptr inbounds i8, ptr %51, i64 8
+  %53 = load i64, ptr %52, align 8
+  %54 = icmp slt i64 %49, %53
+  br i1 %54, label %39, label %38, !llvm.loop !53
 }
 
 define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {
@@ -2432,7 +3117,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !42
+  br i1 %45, label %28, label %19, !llvm.loop !54
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -2444,14 +3129,317 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !43
+  br i1 %54, label %29, label %46, !llvm.loop !55
 }
 
-declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #6
 
-declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
+define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 144
+  %5 = load ptr, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %5, i64 8
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp eq i64 %1, 0
+  br i1 %8, label %32, label %9
 
-define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
+9:                                                ; preds = %3
+  %10 = getelementptr inbounds i8, ptr %0, i64 1128
+  %11 = icmp sgt i64 %7, 0
+  %12 = getelementptr inbounds i8, ptr %0, i64 360
+  %13 = getelementptr inbounds i8, ptr %0, i64 624
+  %14 = getelementptr inbounds i8, ptr %0, i64 1224
+  %15 = getelementptr inbounds i8, ptr %0, i64 1440
+  %16 = getelementptr inbounds i8, ptr %0, i64 1416
+  %17 = getelementptr inbounds i8, ptr %0, i64 1368
+  %18 = icmp sgt i64 %7, 0
+  %19 = getelementptr inbounds i8, ptr %0, i64 360
+  br label %20
+
+20:                                               ; preds = %9, %214
+  %21 = phi i64 [ 0, %9 ], [ %215, %214 ]
+  %22 = phi i64 [ %1, %9 ], [ %217, %214 ]
+  %23 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %22, i1 true)
+  %24 = load ptr, ptr %10, align 8
+  %25 = getelementptr inbounds i64, ptr %24, i64 %23
+  %26 = load i64, ptr %25, align 8
+  %27 = inttoptr i64 %26 to ptr
+  %28 = getelementptr inbounds i64, ptr %2, i64 %23
+  %29 = load i64, ptr %28, align 8
+  br i1 %11, label %30, label %34
+
+30:                                               ; preds = %20
+  %31 = getelementptr inbounds i8, ptr %27, i64 312
+  br label %40
+
+32:                                               ; preds = %214, %3
+  %33 = phi i64 [ 0, %3 ], [ %215, %214 ]
+  ret i64 %33
+
+34:                                               ; preds = %40, %20
+  %35 = load ptr, ptr %13, align 8
+  %36 = getelementptr inbounds double, ptr %35, i64 %23
+  %37 = load double, ptr %36, align 8
+  %38 = getelementptr inbounds i8, ptr %27, i64 576
+  %39 = load ptr, ptr %38, align 8
+  store double %37, ptr %39, align 8
+  switch i64 %29, label %156 [
+    i64 -3, label %51
+    i64 -2, label %52
+  ]
+
+40:                                               ; preds = %30, %40
+  %41 = phi i64 [ 0, %30 ], [ %49, %40 ]
+  %42 = load ptr, ptr %12, align 8
+  %43 = shl nsw i64 %41, 6
+  %44 = getelementptr inbounds i8, ptr %42, i64 %43
+  %45 = getelementptr inbounds double, ptr %44, i64 %23
+  %46 = load double, ptr %45, align 8
+  %47 = load ptr, ptr %31, align 8
+  %48 = getelementptr inbounds double, ptr %47, i64 %41
+  store double %46, ptr %48, align 8
+  %49 = add nuw nsw i64 %41, 1
+  %50 = icmp eq i64 %49, %7
+  br i1 %50, label %34, label %40, !llvm.loop !56
+
+51:                                               ; preds = %34
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  br label %156
+
+52:                                               ; preds = %34
+  %53 = load ptr, ptr %10, align 8
+  %54 = getelementptr inbounds i64, ptr %53, i64 %23
+  %55 = load i64, ptr %54, align 8
+  %56 = inttoptr i64 %55 to ptr
+  %57 = getelementptr inbounds i8, ptr %56, i64 720
+  %58 = load ptr, ptr %57, align 8
+  %59 = getelementptr inbounds i8, ptr %58, i64 8
+  %60 = load i64, ptr %59, align 8
+  %61 = getelementptr inbounds i8, ptr %56, i64 144
+  %62 = load ptr, ptr %61, align 8
+  %63 = getelementptr inbounds i8, ptr %62, i64 8
+  %64 = load i64, ptr %63, align 8
+  %65 = getelementptr inbounds i8, ptr %56, i64 576
+  %66 = getelementptr inbounds i8, ptr %56, i64 600
+  %67 = load ptr, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %67, i64 80
+  %69 = load i64, ptr %68, align 8
+  %70 = add i64 %60, 1
+  %71 = add i64 %70, %69
+  %72 = getelementptr inbounds i8, ptr %56, i64 1008
+  %73 = getelementptr inbounds i8, ptr %56, i64 1016
+  %74 = load i64, ptr %73, align 8
+  %75 = icmp sgt i64 %71, %74
+  %76 = icmp sgt i64 %60, 0
+  br i1 %76, label %77, label %80
+
+77:                                               ; preds = %52
+  %78 = getelementptr inbounds i8, ptr %56, i64 912
+  %79 = load ptr, ptr %78, align 8
+  br label %83
+
+80:                                               ; preds = %83, %52
+  %81 = phi i64 [ 0, %52 ], [ %90, %83 ]
+  %82 = phi i64 [ 0, %52 ], [ %92, %83 ]
+  br i1 %75, label %95, label %96
+
+83:                                               ; preds = %77, %83
+  %84 = phi i64 [ 0, %77 ], [ %93, %83 ]
+  %85 = phi i64 [ 0, %77 ], [ %92, %83 ]
+  %86 = phi i64 [ 0, %77 ], [ %90, %83 ]
+  %87 = getelementptr inbounds i64, ptr %79, i64 %84
+  %88 = load i64, ptr %87, align 8
+  %89 = icmp ne i64 %88, 0
+  %90 = select i1 %89, i64 %84, i64 %86
+  %91 = zext i1 %89 to i64
+  %92 = add nuw nsw i64 %85, %91
+  %93 = add nuw nsw i64 %84, 1
+  %94 = icmp eq i64 %93, %60
+  br i1 %94, label %80, label %83, !llvm.loop !57
+
+95:                                               ; preds = %80
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  br label %96
+
+96:                                               ; preds = %95, %80
+  %97 = icmp eq i64 %82, 1
+  br i1 %97, label %98, label %140
+
+98:                                               ; preds = %96
+  %99 = getelementptr inbounds i8, ptr %56, i64 816
+  %100 = load ptr, ptr %99, align 8
+  %101 = getelementptr inbounds i64, ptr %100, i64 %81
+  %102 = load i64, ptr %101, align 8
+  %103 = and i64 %102, 8
+  %104 = icmp eq i64 %103, 0
+  br i1 %104, label %140, label %105
+
+105:                                              ; preds = %98
+  %106 = load ptr, ptr %65, align 8
+  %107 = load double, ptr %106, align 8
+  %108 = load ptr, ptr %72, align 8
+  %109 = load i64, ptr %68, align 8
+  %110 = getelementptr inbounds double, ptr %108, i64 %109
+  store double %107, ptr %110, align 8
+  %111 = getelementptr inbounds i8, ptr %56, i64 1032
+  %112 = load ptr, ptr %111, align 8
+  %113 = load i64, ptr %68, align 8
+  %114 = getelementptr inbounds i64, ptr %112, i64 %113
+  store i64 %81, ptr %114, align 8
+  %115 = icmp sgt i64 %64, 0
+  br i1 %115, label %116, label %120
+
+116:                                              ; preds = %105
+  %117 = getelementptr inbounds i8, ptr %56, i64 312
+  %118 = getelementptr inbounds i8, ptr %56, i64 1080
+  %119 = getelementptr inbounds i8, ptr %56, i64 1056
+  br label %123
+
+120:                                              ; preds = %123, %105
+  %121 = load i64, ptr %68, align 8
+  %122 = add nsw i64 %121, 1
+  store i64 %122, ptr %68, align 8
+  br label %156
+
+123:                                              ; preds = %116, %123
+  %124 = phi i64 [ 0, %116 ], [ %138, %123 ]
+  %125 = load ptr, ptr %117, align 8
+  %126 = getelementptr inbounds double, ptr %125, i64 %124
+  %127 = load double, ptr %126, align 8
+  %128 = load ptr, ptr %118, align 8
+  %129 = load i64, ptr %68, align 8
+  %130 = mul nsw i64 %129, %64
+  %131 = getelementptr double, ptr %128, i64 %130
+  %132 = getelementptr double, ptr %131, i64 %124
+  store double %127, ptr %132, align 8
+  %133 = load ptr, ptr %119, align 8
+  %134 = load i64, ptr %68, align 8
+  %135 = mul nsw i64 %134, %64
+  %136 = getelementptr double, ptr %133, i64 %135
+  %137 = getelementptr double, ptr %136, i64 %124
+  store double %127, ptr %137, align 8
+  %138 = add nuw nsw i64 %124, 1
+  %139 = icmp eq i64 %138, %64
+  br i1 %139, label %120, label %123, !llvm.loop !58
+
+140:                                              ; preds = %98, %96
+  %141 = load ptr, ptr %57, align 8
+  %142 = getelementptr inbounds i8, ptr %141, i64 48
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %143, 0
+  br i1 %144, label %148, label %145
+
+145:                                              ; preds = %140
+  %146 = inttoptr i64 %143 to ptr
+  %147 = tail call i64 %146(ptr noundef %56) #12
+  br label %148
+
+148:                                              ; preds = %145, %140
+  %149 = phi i64 [ %147, %145 ], [ 0, %140 ]
+  br i1 %75, label %150, label %151
+
+150:                                              ; preds = %148
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  br label %151
+
+151:                                              ; preds = %150, %148
+  %152 = icmp eq i64 %149, 1
+  %153 = icmp eq i64 %149, 0
+  %154 = select i1 %153, i64 -1, i64 %149
+  %155 = select i1 %152, i64 -2, i64 %154
+  br label %156
+
+156:                                              ; preds = %151, %120, %51, %34
+  %157 = phi i64 [ %29, %51 ], [ %29, %34 ], [ 5, %120 ], [ %155, %151 ]
+  %158 = load ptr, ptr %10, align 8
+  %159 = getelementptr inbounds i64, ptr %158, i64 %23
+  %160 = load i64, ptr %159, align 8
+  %161 = inttoptr i64 %160 to ptr
+  %162 = load ptr, ptr %14, align 8
+  %163 = getelementptr inbounds i8, ptr %162, i64 8
+  %164 = load i64, ptr %163, align 8
+  %165 = getelementptr inbounds i8, ptr %161, i64 936
+  %166 = load ptr, ptr %165, align 8
+  %167 = shl nsw i64 %164, 4
+  %168 = getelementptr inbounds i8, ptr %166, i64 %167
+  %169 = mul i64 %164, 88
+  %170 = getelementptr inbounds i8, ptr %166, i64 %169
+  %171 = load double, ptr %170, align 8
+  %172 = load ptr, ptr %15, align 8
+  %173 = getelementptr inbounds double, ptr %172, i64 %23
+  store double %171, ptr %173, align 8
+  %174 = icmp sgt i64 %164, 0
+  br i1 %174, label %175, label %177
+
+175:                                              ; preds = %156
+  %176 = getelementptr inbounds i8, ptr %161, i64 888
+  br label %180
+
+177:                                              ; preds = %180, %156
+  br i1 %18, label %178, label %196
+
+178:                                              ; preds = %177
+  %179 = getelementptr inbounds i8, ptr %27, i64 312
+  br label %200
+
+180:                                              ; preds = %175, %180
+  %181 = phi i64 [ 0, %175 ], [ %194, %180 ]
+  %182 = load ptr, ptr %176, align 8
+  %183 = getelementptr inbounds i64, ptr %182, i64 %181
+  %184 = load i64, ptr %183, align 8
+  %185 = sitofp i64 %184 to double
+  %186 = load ptr, ptr %16, align 8
+  %187 = shl nsw i64 %181, 3
+  %188 = add nuw nsw i64 %187, %23
+  %189 = getelementptr inbounds double, ptr %186, i64 %188
+  store double %185, ptr %189, align 8
+  %190 = getelementptr inbounds double, ptr %168, i64 %181
+  %191 = load double, ptr %190, align 8
+  %192 = load ptr, ptr %17, align 8
+  %193 = getelementptr inbounds double, ptr %192, i64 %188
+  store double %191, ptr %193, align 8
+  %194 = add nuw nsw i64 %181, 1
+  %195 = icmp eq i64 %194, %164
+  br i1 %195, label %177, label %180, !llvm.loop !59
+
+196:                                              ; preds = %200, %177
+  %197 = add i64 %157, 3
+  %198 = icmp ult i64 %197, 2
+  %199 = shl nuw i64 1, %23
+  br i1 %198, label %211, label %213
+
+200:                                              ; preds = %178, %200
+  %201 = phi i64 [ 0, %178 ], [ %209, %200 ]
+  %202 = load ptr, ptr %179, align 8
+  %203 = getelementptr inbounds double, ptr %202, i64 %201
+  %204 = load double, ptr %203, align 8
+  %205 = load ptr, ptr %19, align 8
+  %206 = shl nsw i64 %201, 6
+  %207 = getelementptr inbounds i8, ptr %205, i64 %206
+  %208 = getelementptr inbounds double, ptr %207, i64 %23
+  store double %204, ptr %208, align 8
+  %209 = add nuw nsw i64 %201, 1
+  %210 = icmp eq i64 %209, %7
+  br i1 %210, label %196, label %200, !llvm.loop !60
+
+211:                                              ; preds = %196
+  %212 = or i64 %199, %21
+  br label %214
+
+213:                                              ; preds = %196
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
+  br label %214
+
+214:                                              ; preds = %213, %211
+  %215 = phi i64 [ %212, %211 ], [ %21, %213 ]
+  %216 = add nsw i64 %22, -1
+  %217 = and i64 %216, %22
+  %218 = icmp eq i64 %217, 0
+  br i1 %218, label %32, label %20, !llvm.loop !61
+}
+
+declare i64 @llvm.cttz.i64(i64, i1 immarg) #6
+
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #7 {
   %6 = icmp sgt i64 %4, 0
   br i1 %6, label %7, label %13
 
@@ -2502,18 +3490,117 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !44
+  br i1 %48, label %13, label %20, !llvm.loop !62
 }
 
-declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
+declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #6
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #6
 
-declare <8 x double> @llvm.rint.v8f64(<8 x double>) #5
+declare <8 x double> @llvm.rint.v8f64(<8 x double>) #6
 
-declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #5
+declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #6
 
-define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
+define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) unnamed_addr #4 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 1224
+  %4 = getelementptr inbounds i8, ptr %0, i64 1128
+  %5 = load ptr, ptr %4, align 8
+  %6 = getelementptr inbounds i64, ptr %5, i64 %1
+  %7 = load i64, ptr %6, align 8
+  %8 = inttoptr i64 %7 to ptr
+  %9 = getelementptr inbounds i8, ptr %8, i64 600
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %10, i64 80
+  %12 = getelementptr inbounds i8, ptr %0, i64 1608
+  %13 = getelementptr inbounds i8, ptr %0, i64 1624
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 1568
+  %16 = load i64, ptr %11, align 8
+  %17 = icmp sgt i64 %16, 0
+  br i1 %17, label %18, label %33
+
+18:                                               ; preds = %2
+  %19 = getelementptr inbounds i8, ptr %0, i64 1560
+  %20 = getelementptr inbounds i8, ptr %0, i64 864
+  %21 = getelementptr inbounds i8, ptr %0, i64 1536
+  %22 = getelementptr inbounds i8, ptr %8, i64 1008
+  %23 = getelementptr inbounds i8, ptr %8, i64 1032
+  %24 = getelementptr inbounds i8, ptr %0, i64 1584
+  %25 = icmp sgt i64 %14, 0
+  %26 = getelementptr inbounds i8, ptr %8, i64 1056
+  %27 = getelementptr inbounds i8, ptr %8, i64 1080
+  %28 = getelementptr inbounds i8, ptr %0, i64 1632
+  br label %29
+
+29:                                               ; preds = %18, %57
+  %30 = phi i64 [ 0, %18 ], [ %58, %57 ]
+  %31 = load i64, ptr %15, align 8
+  %32 = icmp sgt i64 %31, 0
+  br i1 %32, label %34, label %33
+
+33:                                               ; preds = %29, %57, %2
+  store i64 0, ptr %11, align 8
+  ret void
+
+34:                                               ; preds = %29
+  %35 = load ptr, ptr %3, align 8
+  %36 = getelementptr inbounds i8, ptr %35, i64 72
+  %37 = load i64, ptr %36, align 8
+  %38 = add nsw i64 %37, 1
+  store i64 %38, ptr %36, align 8
+  %39 = load ptr, ptr %20, align 8
+  %40 = getelementptr inbounds i64, ptr %39, i64 %1
+  %41 = load i64, ptr %40, align 8
+  %42 = load ptr, ptr %21, align 8
+  %43 = getelementptr inbounds i64, ptr %42, i64 %37
+  store i64 %41, ptr %43, align 8
+  %44 = load ptr, ptr %22, align 8
+  %45 = getelementptr inbounds double, ptr %44, i64 %30
+  %46 = load double, ptr %45, align 8
+  %47 = load ptr, ptr %19, align 8
+  %48 = getelementptr inbounds double, ptr %47, i64 %37
+  store double %46, ptr %48, align 8
+  %49 = load ptr, ptr %23, align 8
+  %50 = getelementptr inbounds i64, ptr %49, i64 %30
+  %51 = load i64, ptr %50, align 8
+  %52 = load ptr, ptr %24, align 8
+  %53 = getelementptr inbounds i64, ptr %52, i64 %37
+  store i64 %51, ptr %53, align 8
+  br i1 %25, label %54, label %57
+
+54:                                               ; preds = %34
+  %55 = mul nuw nsw i64 %30, %14
+  %56 = mul nsw i64 %37, %14
+  br label %61
+
+57:                                               ; preds = %61, %34
+  %58 = add nuw nsw i64 %30, 1
+  %59 = load i64, ptr %11, align 8
+  %60 = icmp slt i64 %58, %59
+  br i1 %60, label %29, label %33, !llvm.loop !63
+
+61:                                               ; preds = %54, %61
+  %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
+  %63 = load ptr, ptr %26, align 8
+  %64 = add nuw nsw i64 %62, %55
+  %65 = getelementptr inbounds double, ptr %63, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = load ptr, ptr %12, align 8
+  %68 = add nsw i64 %62, %56
+  %69 = getelementptr inbounds double, ptr %67, i64 %68
+  store double %66, ptr %69, align 8
+  %70 = load ptr, ptr %27, align 8
+  %71 = getelementptr inbounds double, ptr %70, i64 %64
+  %72 = load double, ptr %71, align 8
+  %73 = load ptr, ptr %28, align 8
+  %74 = getelementptr inbounds double, ptr %73, i64 %68
+  store double %72, ptr %74, align 8
+  %75 = add nuw nsw i64 %62, 1
+  %76 = icmp eq i64 %75, %14
+  br i1 %76, label %57, label %61, !llvm.loop !64
+}
+
+define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #8 {
   %9 = load <8 x double>, ptr %2, align 8
   %10 = shl nsw i64 %7, 3
   %11 = icmp slt i64 %7, 4
@@ -2566,7 +3653,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !45
+  br i1 %50, label %51, label %25, !llvm.loop !65
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -2624,7 +3711,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !46
+  br i1 %98, label %14, label %19, !llvm.loop !66
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -2655,7 +3742,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !45
+  br i1 %123, label %104, label %110, !llvm.loop !65
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -2675,7 +3762,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !47
+  br i1 %138, label %99, label %139, !llvm.loop !67
 
 139:                                              ; preds = %135, %14
   ret void
@@ -2713,7 +3800,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %22 = add nuw nsw i64 %15, 1
   %23 = load i64, ptr %2, align 8
   %24 = icmp slt i64 %22, %23
-  br i1 %24, label %14, label %13, !llvm.loop !48
+  br i1 %24, label %14, label %13, !llvm.loop !68
 
 25:                                               ; preds = %14, %71
   %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
@@ -2769,7 +3856,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %68 = select i1 %66, i64 %63, i64 %60
   %69 = sub nsw i64 %68, %67
   %70 = icmp sgt i64 %69, 1
-  br i1 %70, label %59, label %71, !llvm.loop !49
+  br i1 %70, label %59, label %71, !llvm.loop !69
 
 71:                                               ; preds = %59, %57, %50, %53
   %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
@@ -2802,10 +3889,604 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %92, ptr %97, align 8
   %98 = add nuw nsw i64 %26, 1
   %99 = icmp eq i64 %98, 8
-  br i1 %99, label %21, label %25, !llvm.loop !50
+  br i1 %99, label %21, label %25, !llvm.loop !70
 }
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
+define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
+  %5 = alloca [5 x <8 x double>], align 64
+  %6 = getelementptr inbounds i8, ptr %0, i64 1224
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %7, i64 8
+  %9 = load i64, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 1128
+  %11 = load ptr, ptr %10, align 8
+  %12 = load i64, ptr %11, align 8
+  %13 = inttoptr i64 %12 to ptr
+  %14 = getelementptr inbounds i8, ptr %13, i64 816
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %17 = load ptr, ptr %16, align 8
+  %18 = load <8 x double>, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 624
+  %20 = load ptr, ptr %19, align 8
+  %21 = load <8 x double>, ptr %20, align 8
+  %22 = fcmp une <8 x double> %18, %21
+  %23 = bitcast <8 x i1> %22 to i8
+  %24 = zext i8 %23 to i64
+  %25 = and i64 %24, %2
+  %26 = icmp eq i64 %25, 0
+  br i1 %26, label %94, label %27
+
+27:                                               ; preds = %4
+  %28 = getelementptr inbounds i8, ptr %0, i64 1392
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %1, i64 16
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds i8, ptr %31, i64 72
+  %33 = load ptr, ptr %32, align 8
+  %34 = load <8 x double>, ptr %33, align 8
+  %35 = getelementptr inbounds i8, ptr %31, i64 48
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr inbounds i8, ptr %31, i64 96
+  %38 = load ptr, ptr %37, align 8
+  store <8 x double> zeroinitializer, ptr %38, align 8
+  %39 = load ptr, ptr %31, align 8
+  %40 = getelementptr inbounds i8, ptr %31, i64 192
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %31, i64 8
+  %43 = load i64, ptr %42, align 8
+  %44 = load ptr, ptr %1, align 8
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr inbounds i8, ptr %45, i64 24
+  %47 = load i64, ptr %46, align 8
+  %48 = load ptr, ptr %37, align 8
+  %49 = getelementptr inbounds i8, ptr %1, i64 8
+  %50 = load ptr, ptr %49, align 8
+  %51 = load ptr, ptr %50, align 8
+  %52 = getelementptr inbounds i8, ptr %51, i64 16
+  %53 = load i64, ptr %52, align 8
+  tail call fastcc void @nested(ptr noundef %36, ptr noundef %39, ptr noundef %41, i64 noundef %43, i64 noundef %47, ptr noundef %48, i64 noundef %53) #11
+  %54 = fmul <8 x double> %34, zeroinitializer
+  %55 = fadd <8 x double> %21, %54
+  %56 = getelementptr inbounds i8, ptr %0, i64 168
+  %57 = load ptr, ptr %56, align 8
+  store <8 x double> %55, ptr %57, align 8
+  %58 = getelementptr inbounds i8, ptr %0, i64 272
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp sgt i64 %59, 0
+  br i1 %60, label %61, label %63
+
+61:                                               ; preds = %27
+  %62 = getelementptr inbounds i8, ptr %0, i64 144
+  tail call fastcc void @sample(ptr noundef nonnull %62) #11
+  br label %63
+
+63:                                               ; preds = %27, %61
+  %64 = load ptr, ptr %6, align 8
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr inbounds i8, ptr %0, i64 168
+  %67 = load ptr, ptr %66, align 8
+  %68 = load ptr, ptr %30, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 48
+  %70 = load ptr, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %0, i64 192
+  %72 = load ptr, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %0, i64 1272
+  %74 = load ptr, ptr %73, align 8
+  %75 = inttoptr i64 %65 to ptr
+  %76 = tail call i32 %75(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #12
+  %77 = zext i32 %76 to i64
+  %78 = and i64 %77, %24
+  %79 = icmp sgt i64 %9, 0
+  br i1 %79, label %80, label %94
+
+80:                                               ; preds = %63
+  %81 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %82
+
+82:                                               ; preds = %80, %82
+  %83 = phi i64 [ 0, %80 ], [ %92, %82 ]
+  %84 = load ptr, ptr %81, align 8
+  %85 = load ptr, ptr %28, align 8
+  %86 = shl nsw i64 %83, 6
+  %87 = getelementptr inbounds i8, ptr %85, i64 %86
+  %88 = load <8 x i64>, ptr %87, align 8
+  %89 = getelementptr inbounds i8, ptr %84, i64 %86
+  %90 = load <8 x i64>, ptr %89, align 8
+  %91 = select <8 x i1> %22, <8 x i64> %88, <8 x i64> %90
+  store <8 x i64> %91, ptr %89, align 8
+  %92 = add nuw nsw i64 %83, 1
+  %93 = icmp eq i64 %92, %9
+  br i1 %93, label %94, label %82, !llvm.loop !71
+
+94:                                               ; preds = %82, %63, %4
+  %95 = phi i64 [ 0, %4 ], [ %78, %63 ], [ %78, %82 ]
+  %96 = getelementptr inbounds i8, ptr %0, i64 1368
+  %97 = shl i64 %9, 6
+  %98 = getelementptr inbounds i8, ptr %1, i64 16
+  %99 = getelementptr inbounds i8, ptr %1, i64 8
+  %100 = getelementptr inbounds i8, ptr %0, i64 168
+  %101 = getelementptr inbounds i8, ptr %0, i64 272
+  %102 = getelementptr inbounds i8, ptr %0, i64 144
+  %103 = getelementptr inbounds i8, ptr %0, i64 168
+  %104 = getelementptr inbounds i8, ptr %0, i64 192
+  %105 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %119
+
+106:                                              ; preds = %159
+  %107 = xor i64 %171, -1
+  %108 = and i64 %107, %2
+  %109 = trunc i64 %108 to i8
+  %110 = bitcast i8 %109 to <8 x i1>
+  %111 = sext <8 x i1> %110 to <8 x i64>
+  %112 = icmp sgt i64 %9, 0
+  br i1 %112, label %113, label %174
+
+113:                                              ; preds = %106
+  %114 = getelementptr inbounds i8, ptr %0, i64 1416
+  %115 = load ptr, ptr %114, align 8
+  %116 = getelementptr inbounds i8, ptr %0, i64 1368
+  %117 = load ptr, ptr %116, align 8
+  %118 = getelementptr inbounds i8, ptr %5, i64 64
+  br label %181
+
+119:                                              ; preds = %94, %159
+  %120 = phi i64 [ 1, %94 ], [ %172, %159 ]
+  %121 = phi i64 [ %95, %94 ], [ %171, %159 ]
+  %122 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %120
+  %123 = load double, ptr %122, align 8
+  %124 = load ptr, ptr %96, align 8
+  %125 = mul i64 %97, %120
+  %126 = getelementptr inbounds i8, ptr %124, i64 %125
+  %127 = load ptr, ptr %19, align 8
+  %128 = load <8 x double>, ptr %127, align 8
+  %129 = load ptr, ptr %98, align 8
+  %130 = getelementptr inbounds i8, ptr %129, i64 72
+  %131 = load ptr, ptr %130, align 8
+  %132 = load <8 x double>, ptr %131, align 8
+  %133 = insertelement <8 x double> poison, double %123, i64 0
+  %134 = shufflevector <8 x double> %133, <8 x double> poison, <8 x i32> zeroinitializer
+  %135 = getelementptr inbounds i8, ptr %129, i64 48
+  %136 = load ptr, ptr %135, align 8
+  %137 = getelementptr inbounds i8, ptr %129, i64 96
+  %138 = load ptr, ptr %137, align 8
+  store <8 x double> %134, ptr %138, align 8
+  %139 = load ptr, ptr %129, align 8
+  %140 = getelementptr inbounds i8, ptr %129, i64 192
+  %141 = load ptr, ptr %140, align 8
+  %142 = getelementptr inbounds i8, ptr %129, i64 8
+  %143 = load i64, ptr %142, align 8
+  %144 = load ptr, ptr %1, align 8
+  %145 = load ptr, ptr %144, align 8
+  %146 = getelementptr inbounds i8, ptr %145, i64 24
+  %147 = load i64, ptr %146, align 8
+  %148 = load ptr, ptr %137, align 8
+  %149 = load ptr, ptr %99, align 8
+  %150 = load ptr, ptr %149, align 8
+  %151 = getelementptr inbounds i8, ptr %150, i64 16
+  %152 = load i64, ptr %151, align 8
+  tail call fastcc void @nested(ptr noundef %136, ptr noundef %139, ptr noundef %141, i64 noundef %143, i64 noundef %147, ptr noundef %148, i64 noundef %152) #11
+  %153 = fmul <8 x double> %134, %132
+  %154 = fadd <8 x double> %128, %153
+  %155 = load ptr, ptr %100, align 8
+  store <8 x double> %154, ptr %155, align 8
+  %156 = load i64, ptr %101, align 8
+  %157 = icmp sgt i64 %156, 0
+  br i1 %157, label %158, label %159
+
+158:                                              ; preds = %119
+  tail call fastcc void @sample(ptr noundef nonnull %102) #11
+  br label %159
+
+159:                                              ; preds = %119, %158
+  %160 = load ptr, ptr %6, align 8
+  %161 = load i64, ptr %160, align 8
+  %162 = load ptr, ptr %103, align 8
+  %163 = load ptr, ptr %98, align 8
+  %164 = getelementptr inbounds i8, ptr %163, i64 48
+  %165 = load ptr, ptr %164, align 8
+  %166 = load ptr, ptr %104, align 8
+  %167 = load ptr, ptr %105, align 8
+  %168 = inttoptr i64 %161 to ptr
+  %169 = tail call i32 %168(ptr noundef %162, ptr noundef %165, ptr noundef %166, ptr noundef %167, ptr noundef %126) #12
+  %170 = zext i32 %169 to i64
+  %171 = or i64 %121, %170
+  %172 = add nuw nsw i64 %120, 1
+  %173 = icmp eq i64 %172, 5
+  br i1 %173, label %106, label %119, !llvm.loop !72
+
+174:                                              ; preds = %302, %106
+  %175 = phi <8 x i64> [ %111, %106 ], [ %304, %302 ]
+  %176 = icmp sgt i64 %9, 0
+  br i1 %176, label %177, label %307
+
+177:                                              ; preds = %174
+  %178 = getelementptr inbounds i8, ptr %0, i64 1368
+  %179 = shl i64 %9, 8
+  %180 = icmp slt <8 x i64> %175, zeroinitializer
+  br label %316
+
+181:                                              ; preds = %113, %302
+  %182 = phi <8 x double> [ undef, %113 ], [ %216, %302 ]
+  %183 = phi <8 x double> [ undef, %113 ], [ %211, %302 ]
+  %184 = phi i64 [ 0, %113 ], [ %305, %302 ]
+  %185 = phi <8 x i64> [ %111, %113 ], [ %304, %302 ]
+  %186 = shl nsw i64 %184, 6
+  %187 = getelementptr inbounds i8, ptr %115, i64 %186
+  %188 = load <8 x double>, ptr %187, align 8
+  br label %194
+
+189:                                              ; preds = %220
+  %190 = getelementptr inbounds i64, ptr %15, i64 %184
+  %191 = load i64, ptr %190, align 8
+  %192 = and i64 %191, 1
+  %193 = icmp eq i64 %192, 0
+  br i1 %193, label %224, label %236
+
+194:                                              ; preds = %181, %220
+  %195 = phi i64 [ 0, %181 ], [ %222, %220 ]
+  %196 = phi <8 x double> [ %182, %181 ], [ %216, %220 ]
+  %197 = phi <8 x double> [ %183, %181 ], [ %211, %220 ]
+  %198 = phi <8 x i64> [ %185, %181 ], [ %221, %220 ]
+  %199 = mul nuw nsw i64 %9, %195
+  %200 = add nuw nsw i64 %199, %184
+  %201 = shl nsw i64 %200, 6
+  %202 = getelementptr inbounds i8, ptr %117, i64 %201
+  %203 = load <8 x double>, ptr %202, align 8
+  %204 = fmul <8 x double> %188, %203
+  %205 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %195
+  store <8 x double> %204, ptr %205, align 64
+  %206 = icmp eq i64 %195, 0
+  br i1 %206, label %210, label %207
+
+207:                                              ; preds = %194
+  %208 = fcmp olt <8 x double> %197, %203
+  %209 = select <8 x i1> %208, <8 x double> %197, <8 x double> %203
+  br label %210
+
+210:                                              ; preds = %194, %207
+  %211 = phi <8 x double> [ %203, %194 ], [ %209, %207 ]
+  br i1 %206, label %215, label %212
+
+212:                                              ; preds = %210
+  %213 = fcmp ogt <8 x double> %196, %203
+  %214 = select <8 x i1> %213, <8 x double> %196, <8 x double> %203
+  br label %215
+
+215:                                              ; preds = %210, %212
+  %216 = phi <8 x double> [ %203, %210 ], [ %214, %212 ]
+  br i1 %206, label %220, label %217
+
+217:                                              ; preds = %215
+  %218 = fcmp ogt <8 x double> %204, zeroinitializer
+  %219 = select <8 x i1> %218, <8 x i64> %198, <8 x i64> zeroinitializer
+  br label %220
+
+220:                                              ; preds = %215, %217
+  %221 = phi <8 x i64> [ %219, %217 ], [ %198, %215 ]
+  %222 = add nuw nsw i64 %195, 1
+  %223 = icmp eq i64 %222, 5
+  br i1 %223, label %189, label %194, !llvm.loop !73
+
+224:                                              ; preds = %189
+  %225 = fmul <8 x double> %211, %216
+  %226 = fcmp ogt <8 x double> %225, zeroinitializer
+  %227 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %211)
+  %228 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %216)
+  %229 = fcmp olt <8 x double> %227, %228
+  %230 = select <8 x i1> %229, <8 x double> %227, <8 x double> %228
+  %231 = fsub <8 x double> %216, %211
+  %232 = fmul <8 x double> %231, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %233 = fcmp ogt <8 x double> %230, %232
+  %234 = select <8 x i1> %233, <8 x i1> %226, <8 x i1> zeroinitializer
+  %235 = select <8 x i1> %234, <8 x i64> %221, <8 x i64> zeroinitializer
+  br label %236
+
+236:                                              ; preds = %224, %189
+  %237 = phi <8 x i64> [ %221, %189 ], [ %235, %224 ]
+  %238 = load <8 x double>, ptr %118, align 64
+  %239 = load <8 x double>, ptr %5, align 64
+  %240 = fsub <8 x double> %238, %239
+  %241 = fdiv <8 x double> %240, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
+  br label %242
+
+242:                                              ; preds = %236, %299
+  %243 = phi i64 [ 1, %236 ], [ %249, %299 ]
+  %244 = phi <8 x i64> [ zeroinitializer, %236 ], [ %300, %299 ]
+  %245 = phi <8 x double> [ %241, %236 ], [ %260, %299 ]
+  %246 = add nsw i64 %243, -1
+  %247 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %243
+  %248 = load double, ptr %247, align 8
+  %249 = add nuw nsw i64 %243, 1
+  %250 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %249
+  %251 = load double, ptr %250, align 8
+  %252 = getelementptr inbounds <8 x double>, ptr %5, i64 %249
+  %253 = load <8 x double>, ptr %252, align 64
+  %254 = getelementptr inbounds <8 x double>, ptr %5, i64 %243
+  %255 = load <8 x double>, ptr %254, align 64
+  %256 = fsub <8 x double> %253, %255
+  %257 = fsub double %251, %248
+  %258 = insertelement <8 x double> poison, double %257, i64 0
+  %259 = shufflevector <8 x double> %258, <8 x double> poison, <8 x i32> zeroinitializer
+  %260 = fdiv <8 x double> %256, %259
+  %261 = fcmp ogt <8 x double> %260, %245
+  %262 = getelementptr inbounds <8 x double>, ptr %5, i64 %246
+  %263 = load <8 x double>, ptr %262, align 64
+  %264 = fcmp ogt <8 x double> %263, zeroinitializer
+  %265 = and <8 x i1> %261, %264
+  %266 = bitcast <8 x i1> %265 to i8
+  %267 = icmp eq i8 %266, 0
+  br i1 %267, label %299, label %268
+
+268:                                              ; preds = %242
+  %269 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %246
+  %270 = load double, ptr %269, align 8
+  %271 = fsub <8 x double> %260, %245
+  %272 = fsub double %251, %270
+  %273 = insertelement <8 x double> poison, double %272, i64 0
+  %274 = shufflevector <8 x double> %273, <8 x double> poison, <8 x i32> zeroinitializer
+  %275 = fdiv <8 x double> %271, %274
+  %276 = fsub double %248, %270
+  %277 = insertelement <8 x double> poison, double %276, i64 0
+  %278 = shufflevector <8 x double> %277, <8 x double> poison, <8 x i32> zeroinitializer
+  %279 = fmul <8 x double> %278, %275
+  %280 = fadd <8 x double> %245, %279
+  %281 = insertelement <8 x double> poison, double %248, i64 0
+  %282 = shufflevector <8 x double> %281, <8 x double> poison, <8 x i32> zeroinitializer
+  %283 = fmul <8 x double> %280, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %284 = fdiv <8 x double> %283, %275
+  %285 = fsub <8 x double> %282, %284
+  %286 = icmp ugt i64 %243, 1
+  %287 = select i1 %286, double %270, double 0xBFCE3779B97F4A7C
+  %288 = icmp eq i64 %243, 3
+  %289 = select i1 %288, double 0x3FF4498517A7B356, double %251
+  %290 = insertelement <8 x double> poison, double %287, i64 0
+  %291 = shufflevector <8 x double> %290, <8 x double> poison, <8 x i32> zeroinitializer
+  %292 = fcmp oge <8 x double> %285, %291
+  %293 = insertelement <8 x double> poison, double %289, i64 0
+  %294 = shufflevector <8 x double> %293, <8 x double> poison, <8 x i32> zeroinitializer
+  %295 = fcmp ole <8 x double> %285, %294
+  %296 = and <8 x i1> %295, %292
+  %297 = and <8 x i1> %296, %265
+  %298 = select <8 x i1> %297, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %244
+  br label %299
+
+299:                                              ; preds = %268, %242
+  %300 = phi <8 x i64> [ %298, %268 ], [ %244, %242 ]
+  %301 = icmp eq i64 %249, 4
+  br i1 %301, label %302, label %242, !llvm.loop !74
+
+302:                                              ; preds = %299
+  %303 = xor <8 x i64> %300, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %304 = and <8 x i64> %237, %303
+  %305 = add nuw nsw i64 %184, 1
+  %306 = icmp eq i64 %305, %9
+  br i1 %306, label %174, label %181, !llvm.loop !75
+
+307:                                              ; preds = %316, %174
+  %308 = load ptr, ptr %16, align 8
+  %309 = load <8 x i64>, ptr %3, align 8
+  %310 = load <8 x i64>, ptr %308, align 8
+  %311 = icmp slt <8 x i64> %175, zeroinitializer
+  %312 = select <8 x i1> %311, <8 x i64> %309, <8 x i64> %310
+  store <8 x i64> %312, ptr %308, align 8
+  %313 = icmp ne <8 x i64> %175, zeroinitializer
+  %314 = bitcast <8 x i1> %313 to i8
+  %315 = zext i8 %314 to i64
+  ret i64 %315
+
+316:                                              ; preds = %177, %316
+  %317 = phi i64 [ 0, %177 ], [ %327, %316 ]
+  %318 = load ptr, ptr %178, align 8
+  %319 = shl i64 %317, 6
+  %320 = getelementptr i8, ptr %318, i64 %179
+  %321 = getelementptr i8, ptr %320, i64 %319
+  %322 = load <8 x i64>, ptr %321, align 8
+  %323 = shl nsw i64 %317, 6
+  %324 = getelementptr inbounds i8, ptr %318, i64 %323
+  %325 = load <8 x i64>, ptr %324, align 8
+  %326 = select <8 x i1> %180, <8 x i64> %322, <8 x i64> %325
+  store <8 x i64> %326, ptr %324, align 8
+  %327 = add nuw nsw i64 %317, 1
+  %328 = icmp eq i64 %327, %9
+  br i1 %328, label %307, label %316, !llvm.loop !76
+}
+
+define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 1128
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr inbounds i64, ptr %6, i64 %1
+  %8 = load i64, ptr %7, align 8
+  %9 = inttoptr i64 %8 to ptr
+  %10 = getelementptr inbounds i8, ptr %0, i64 360
+  %11 = getelementptr inbounds i8, ptr %9, i64 312
+  %12 = getelementptr inbounds i8, ptr %0, i64 144
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %13, i64 8
+  %15 = load i64, ptr %14, align 8
+  %16 = icmp sgt i64 %15, 0
+  br i1 %16, label %17, label %24
+
+17:                                               ; preds = %4
+  %18 = getelementptr inbounds i8, ptr %0, i64 384
+  %19 = getelementptr inbounds i8, ptr %9, i64 336
+  %20 = getelementptr inbounds i8, ptr %0, i64 552
+  %21 = getelementptr inbounds i8, ptr %0, i64 368
+  %22 = getelementptr inbounds i8, ptr %9, i64 504
+  %23 = getelementptr inbounds i8, ptr %9, i64 320
+  br label %122
+
+24:                                               ; preds = %140, %4
+  %25 = getelementptr inbounds i8, ptr %0, i64 1224
+  %26 = load ptr, ptr %5, align 8
+  %27 = getelementptr inbounds i64, ptr %26, i64 %1
+  %28 = load i64, ptr %27, align 8
+  %29 = inttoptr i64 %28 to ptr
+  %30 = load ptr, ptr %25, align 8
+  %31 = getelementptr inbounds i8, ptr %30, i64 8
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %29, i64 936
+  %34 = load ptr, ptr %33, align 8
+  %35 = shl nsw i64 %32, 4
+  %36 = getelementptr inbounds i8, ptr %34, i64 %35
+  %37 = mul i64 %32, 88
+  %38 = getelementptr inbounds i8, ptr %34, i64 %37
+  %39 = getelementptr inbounds i8, ptr %0, i64 1440
+  %40 = load ptr, ptr %39, align 8
+  %41 = getelementptr inbounds double, ptr %40, i64 %1
+  %42 = load double, ptr %41, align 8
+  store double %42, ptr %38, align 8
+  %43 = icmp sgt i64 %32, 0
+  br i1 %43, label %44, label %64
+
+44:                                               ; preds = %24
+  %45 = getelementptr inbounds i8, ptr %0, i64 1416
+  %46 = getelementptr inbounds i8, ptr %29, i64 888
+  %47 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %48
+
+48:                                               ; preds = %44, %48
+  %49 = phi i64 [ 0, %44 ], [ %62, %48 ]
+  %50 = load ptr, ptr %45, align 8
+  %51 = shl nsw i64 %49, 3
+  %52 = add nsw i64 %51, %1
+  %53 = getelementptr inbounds double, ptr %50, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = fptosi double %54 to i64
+  %56 = load ptr, ptr %46, align 8
+  %57 = getelementptr inbounds i64, ptr %56, i64 %49
+  store i64 %55, ptr %57, align 8
+  %58 = load ptr, ptr %47, align 8
+  %59 = getelementptr inbounds double, ptr %58, i64 %52
+  %60 = load double, ptr %59, align 8
+  %61 = getelementptr inbounds double, ptr %36, i64 %49
+  store double %60, ptr %61, align 8
+  %62 = add nuw nsw i64 %49, 1
+  %63 = icmp eq i64 %62, %32
+  br i1 %63, label %64, label %48, !llvm.loop !59
+
+64:                                               ; preds = %48, %24
+  %65 = getelementptr inbounds i8, ptr %9, i64 576
+  %66 = load ptr, ptr %65, align 8
+  store double %2, ptr %66, align 8
+  %67 = getelementptr inbounds i8, ptr %9, i64 720
+  %68 = load ptr, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 16
+  %70 = load i64, ptr %69, align 8
+  %71 = inttoptr i64 %70 to ptr
+  %72 = getelementptr inbounds i8, ptr %0, i64 624
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr inbounds double, ptr %73, i64 %1
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr inbounds i8, ptr %0, i64 432
+  %77 = load ptr, ptr %76, align 8
+  %78 = getelementptr inbounds double, ptr %77, i64 %1
+  %79 = load double, ptr %78, align 8
+  %80 = tail call i64 %71(ptr noundef %9, double noundef %75, double noundef %79) #12
+  %81 = load ptr, ptr %65, align 8
+  %82 = getelementptr inbounds i8, ptr %81, i64 48
+  %83 = load double, ptr %82, align 8
+  store double %83, ptr %3, align 8
+  %84 = load ptr, ptr %5, align 8
+  %85 = getelementptr inbounds i64, ptr %84, i64 %1
+  %86 = load i64, ptr %85, align 8
+  %87 = inttoptr i64 %86 to ptr
+  %88 = load ptr, ptr %25, align 8
+  %89 = getelementptr inbounds i8, ptr %88, i64 8
+  %90 = load i64, ptr %89, align 8
+  %91 = getelementptr inbounds i8, ptr %87, i64 936
+  %92 = load ptr, ptr %91, align 8
+  %93 = shl nsw i64 %90, 4
+  %94 = getelementptr inbounds i8, ptr %92, i64 %93
+  %95 = mul i64 %90, 88
+  %96 = getelementptr inbounds i8, ptr %92, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = load ptr, ptr %39, align 8
+  %99 = getelementptr inbounds double, ptr %98, i64 %1
+  store double %97, ptr %99, align 8
+  %100 = icmp sgt i64 %90, 0
+  br i1 %100, label %101, label %121
+
+101:                                              ; preds = %64
+  %102 = getelementptr inbounds i8, ptr %87, i64 888
+  %103 = getelementptr inbounds i8, ptr %0, i64 1416
+  %104 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %105
+
+105:                                              ; preds = %101, %105
+  %106 = phi i64 [ 0, %101 ], [ %119, %105 ]
+  %107 = load ptr, ptr %102, align 8
+  %108 = getelementptr inbounds i64, ptr %107, i64 %106
+  %109 = load i64, ptr %108, align 8
+  %110 = sitofp i64 %109 to double
+  %111 = load ptr, ptr %103, align 8
+  %112 = shl nsw i64 %106, 3
+  %113 = add nsw i64 %112, %1
+  %114 = getelementptr inbounds double, ptr %111, i64 %113
+  store double %110, ptr %114, align 8
+  %115 = getelementptr inbounds double, ptr %94, i64 %106
+  %116 = load double, ptr %115, align 8
+  %117 = load ptr, ptr %104, align 8
+  %118 = getelementptr inbounds double, ptr %117, i64 %113
+  store double %116, ptr %118, align 8
+  %119 = add nuw nsw i64 %106, 1
+  %120 = icmp eq i64 %119, %90
+  br i1 %120, label %121, label %105, !llvm.loop !59
+
+121:                                              ; preds = %105, %64
+  ret i64 %80
+
+122:                                              ; preds = %17, %140
+  %123 = phi i64 [ 0, %17 ], [ %141, %140 ]
+  %124 = load ptr, ptr %10, align 8
+  %125 = shl nsw i64 %123, 3
+  %126 = add nsw i64 %125, %1
+  %127 = getelementptr inbounds double, ptr %124, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = load ptr, ptr %11, align 8
+  %130 = getelementptr inbounds double, ptr %129, i64 %123
+  store double %128, ptr %130, align 8
+  %131 = load ptr, ptr %18, align 8
+  %132 = getelementptr inbounds double, ptr %131, i64 %126
+  %133 = load double, ptr %132, align 8
+  %134 = load ptr, ptr %19, align 8
+  %135 = getelementptr inbounds double, ptr %134, i64 %123
+  store double %133, ptr %135, align 8
+  %136 = load ptr, ptr %0, align 8
+  %137 = getelementptr inbounds i8, ptr %136, i64 24
+  %138 = load i64, ptr %137, align 8
+  %139 = icmp sgt i64 %138, 0
+  br i1 %139, label %143, label %140
+
+140:                                              ; preds = %143, %122
+  %141 = add nuw nsw i64 %123, 1
+  %142 = icmp eq i64 %141, %15
+  br i1 %142, label %24, label %122, !llvm.loop !77
+
+143:                                              ; preds = %122, %143
+  %144 = phi i64 [ %157, %143 ], [ 0, %122 ]
+  %145 = load ptr, ptr %20, align 8
+  %146 = load i64, ptr %21, align 8
+  %147 = mul nsw i64 %146, %144
+  %148 = getelementptr double, ptr %145, i64 %147
+  %149 = getelementptr double, ptr %148, i64 %125
+  %150 = getelementptr double, ptr %149, i64 %1
+  %151 = load double, ptr %150, align 8
+  %152 = load ptr, ptr %22, align 8
+  %153 = load i64, ptr %23, align 8
+  %154 = mul nsw i64 %153, %144
+  %155 = getelementptr double, ptr %152, i64 %154
+  %156 = getelementptr double, ptr %155, i64 %123
+  store double %151, ptr %156, align 8
+  %157 = add nuw nsw i64 %144, 1
+  %158 = load ptr, ptr %0, align 8
+  %159 = getelementptr inbounds i8, ptr %158, i64 24
+  %160 = load i64, ptr %159, align 8
+  %161 = icmp slt i64 %157, %160
+  br i1 %161, label %143, label %140, !llvm.loop !78
+}
+
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -2839,7 +4520,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !51
+  br i1 %31, label %20, label %19, !llvm.loop !79
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2853,23 +4534,24 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !52
+  br i1 %43, label %32, label %24, !llvm.loop !80
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
 attributes #2 = { noinline nounwind }
 attributes #3 = { noinline nounwind }
 attributes #4 = { noinline nounwind }
-attributes #5 = { nounwind willreturn memory(none) }
-attributes #6 = { noinline nounwind }
+attributes #5 = { noinline nounwind }
+attributes #6 = { nounwind willreturn memory(none) }
 attributes #7 = { noinline nounwind }
-attributes #8 = { nounwind willreturn memory(none) }
-attributes #9 = { nounwind }
+attributes #8 = { noinline nounwind }
+attributes #9 = { nounwind willreturn memory(none) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
+attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -2889,18 +4571,18 @@ attributes #11 = { nounwind }
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !4, !5, !18}
-!18 = !{!"llvm.loop.vectorize.width", i32 1}
+!17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
-!20 = distinct !{!20, !4, !5}
-!21 = distinct !{!21, !4, !5}
-!22 = distinct !{!22, !4, !5}
+!20 = distinct !{!20, !4, !5, !21}
+!21 = !{!"llvm.loop.vectorize.width", i32 1}
+!22 = distinct !{!22, !4, !5, !21}
 !23 = distinct !{!23, !4, !5}
-!24 = distinct !{!24, !4, !5, !18}
-!25 = distinct !{!25, !4, !5, !18}
-!26 = distinct !{!26, !4, !5, !18}
+!24 = distinct !{!24, !4, !5, !21}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5, !18}
+!28 = distinct !{!28, !4, !5, !21}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
@@ -2908,20 +4590,48 @@ attributes #11 = { nounwind }
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
-!36 = distinct !{!36, !4, !5, !18}
-!37 = distinct !{!37, !4, !5}
-!38 = distinct !{!38, !4, !5, !18}
-!39 = distinct !{!39, !4, !5, !18}
+!36 = distinct !{!36, !4, !5}
+!37 = distinct !{!37, !4, !5, !21}
+!38 = distinct !{!38, !4, !5, !21}
+!39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
-!41 = distinct !{!41, !4, !5, !18}
-!42 = distinct !{!42, !4, !5}
-!43 = distinct !{!43, !4, !5, !18}
-!44 = distinct !{!44, !4, !5}
+!41 = distinct !{!41, !4, !5}
+!42 = distinct !{!42, !4, !5, !21}
+!43 = distinct !{!43, !4, !5}
+!44 = distinct !{!44, !4, !5, !21}
 !45 = distinct !{!45, !4, !5}
 !46 = distinct !{!46, !4, !5}
 !47 = distinct !{!47, !4, !5}
 !48 = distinct !{!48, !4, !5}
 !49 = distinct !{!49, !4, !5}
-!50 = distinct !{!50, !4, !5}
-!51 = distinct !{!51, !4, !5}
+!50 = distinct !{!50, !4, !5, !21}
+!51 = distinct !{!51, !5}
 !52 = distinct !{!52, !4, !5}
+!53 = distinct !{!53, !4, !5}
+!54 = distinct !{!54, !4, !5}
+!55 = distinct !{!55, !4, !5, !21}
+!56 = distinct !{!56, !4, !5}
+!57 = distinct !{!57, !4, !5}
+!58 = distinct !{!58, !4, !5}
+!59 = distinct !{!59, !4, !5, !21}
+!60 = distinct !{!60, !4, !5}
+!61 = distinct !{!61, !4, !5}
+!62 = distinct !{!62, !4, !5}
+!63 = distinct !{!63, !4, !5}
+!64 = distinct !{!64, !4, !5, !21}
+!65 = distinct !{!65, !4, !5}
+!66 = distinct !{!66, !4, !5}
+!67 = distinct !{!67, !4, !5}
+!68 = distinct !{!68, !4, !5}
+!69 = distinct !{!69, !4, !5}
+!70 = distinct !{!70, !4, !5}
+!71 = distinct !{!71, !4, !5}
+!72 = distinct !{!72, !4, !5}
+!73 = distinct !{!73, !4, !5}
+!74 = distinct !{!74, !4, !5}
+!75 = distinct !{!75, !4, !5}
+!76 = distinct !{!76, !4, !5}
+!77 = distinct !{!77, !4, !5, !21}
+!78 = distinct !{!78, !4, !5}
+!79 = distinct !{!79, !4, !5}
+!80 = distinct !{!80, !4, !5}

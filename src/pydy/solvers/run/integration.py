@@ -29,7 +29,7 @@ from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
-from pydy.solvers.events import CompiledEvents, crowd, forcing_time, jumped_to
+from pydy.solvers.events import CompiledEvents, forcing_time, jumped_to, stretches
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -59,7 +59,7 @@ from pydy.solvers.run.workspace import Twin, Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
-    CLOSE,
+    CROWDED,
     HALF,
     LEAST_TOLERANCE,
     NEARLY_SINGULAR,
@@ -198,7 +198,7 @@ class Integration(Workspace):
         if self.keeps:
             self.forget_steps()
         if self.options.events is not None:
-            self.watch.rests[:], self.watch.latest[:] = np.nan, self.progress.times[0]
+            self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
             if not self._attended:
                 self.memory.x[: self.n] = x0
                 self.progress.state[at.TIME] = self.progress.times[0]
@@ -254,6 +254,8 @@ class Integration(Workspace):
                     if self._act():
                         return
                     state[at.SIZE] = self.options.step or 0.0
+                elif code == EVENTS_ACCUMULATE and (wanted := self.options.events) is not None:
+                    return self._end(code, event=wanted.names[self.watch.fired.argmax()])
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
@@ -392,7 +394,14 @@ class Integration(Workspace):
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         for k in np.flatnonzero(values == 0.0):
             if wanted.directions[k] in (0, self.watch.sides[k]):
+                self._happened((int(k),), t)
                 self.records.append(self._record(t, int(k), x, x))
+
+    def _happened(self, events: tuple[int, ...], t: float) -> None:
+        """Note when some events have happened."""
+        for k in events:
+            row = self.watch.latest[k]
+            row[1:], row[0] = row[:-1].copy(), t
 
     def _look_at_end(self) -> None:
         """Record events that are zero at the last time, or would be a rounding error later."""
@@ -424,7 +433,7 @@ class Integration(Workspace):
         self._empty_log()
         t = float(self.progress.state[at.TIME])
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
-        self.watch.latest[list(fired)] = t
+        self._happened(fired, t)
         before = self.memory.x[: self.n].copy()
         moments = {k: forcing_time(call, wanted, k, before, t) for k in fired}
         zero = set(fired)
@@ -453,12 +462,12 @@ class Integration(Workspace):
         values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
-        about = len(wanted.names), t, self.span
-        crowded = next((wanted.names[k] for k in fired if crowd(self.records, k, *about)), None)
-        if crowded is None:
-            return False
-        self._end(EVENTS_ACCUMULATE, event=crowded)
-        return True
+        latest, least = self.watch.latest, 16.0 * ROUNDING * max(abs(t), self.span)
+        for k in fired:
+            if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
+                self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
+                return True
+        return False
 
     def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
         """Return the events whose expressions a reset moves away from zero.
@@ -483,23 +492,8 @@ class Integration(Workspace):
 
     def stretches(self) -> list[str]:
         """Return the events whose expressions stayed at zero, without a change of sign."""
-        told, wanted = [], self.options.events
-        if wanted is not None:
-            for k in np.flatnonzero(wanted.may_rest):
-                first, last = self.watch.rests[2 * k : 2 * k + 2].tolist()
-                # What is shorter may be rounding.
-                if first < last and last - first <= CLOSE**2 * max(abs(last), self.span):
-                    continue
-                if first <= last:  # neither is NaN
-                    when = f"from t = {first:.6g} to {last:.6g}, at least"
-                    when = f"at and beside t = {first:.6g}" if first == last else when
-                    told.append(
-                        f"The expression of the event `{wanted.names[k]}` is exactly zero {when}: "
-                        "there no sign tells when the event happens, and its times are arbitrary. "
-                        "Pass an expression that passes through zero, such as `x` in place of "
-                        "`Max(0, x)`."
-                    )
-        return told
+        wanted = self.options.events
+        return [] if wanted is None else stretches(wanted, self.watch.rests, self.span)
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts

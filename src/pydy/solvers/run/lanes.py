@@ -10,15 +10,17 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._kernel import Kernel
+from pydy.solvers.events import stretches
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import NOT_COMPUTED
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.layout import (
+    Alone,
     Evaluation,
-    Holding,
     LaneProblem,
     Lanes,
+    LaneWatch,
     Queue,
     rows_of,
     table_of,
@@ -27,47 +29,178 @@ from pydy.solvers.run.problem import lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import Workspace, memory_for
 from pydy.solvers.tableaus import method_arrays
-from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
+from pydy.solvers.tuning import LANES, LEAST_TOLERANCE, ROUNDING
+from pydy.trajectory import EventRecord
 
-_NOT_HELD = Holding(
-    np.zeros(2, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0), np.zeros((0, 0))
+_NO_ONE = Alone(
+    np.zeros(1, dtype=np.int64),
+    np.zeros(0, dtype=np.int64),
+    np.zeros((0, 1), dtype=np.int64),
+    np.zeros(0),
+    np.zeros((0, 0)),
+)
+_NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
+    words=np.zeros(10, dtype=np.int64)
 )
 
 
-class HeldLanes:
-    """Lanes that are held on their constraints, one after another.
+class LanesAlone:
+    """Lanes that do some of their work one after another, as single trajectories do.
 
     Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
-    the constraints, which are its own. The rows of `seen` are what was noted of each sample at its
-    beginning, and then at its end.
+    constraints and events, which are its own. The rows of `seen` are what was noted of the
+    constraints of each sample at its beginning, and then at its end.
     """
 
+    watch = _NO_EVENTS
+
     def __init__(self, workspace: Workspace, seen: np.ndarray) -> None:
-        problem, constraints = workspace.problem, workspace.constraints
-        wanted = workspace.options.constraints
-        assert wanted is not None
-        assert wanted.kernel.addresses is not None
-        self._arrays = [
-            (
-                problem._replace(r=problem.r.copy()),
-                constraints._replace(c=constraints.c.copy(), values=constraints.values.copy()),
-            )
-            for _ in range(LANES)
-        ]
-        self._tables = [workspace.table_with(*pair) for pair in self._arrays]
-        place = len(constraints.values) - len(workspace.seen)
-        self.holding = Holding(
-            words=np.array([wanted.kernel.addresses[1], place]),
-            runs=np.array([address(table) for table in self._tables]),
-            state=np.zeros(workspace.memory.x.shape),
-            seen=seen,
-        )
+        self._own, runs, prepared = workspace.alone(LANES)
+        place = len(workspace.constraints.values) - len(workspace.seen)
+        state = np.zeros(workspace.memory.x.shape)
+        self.alone = Alone(np.array([place]), runs, prepared, state, seen)
         self._workspace = workspace  # which compiled code goes on using
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
-        seen = self.holding.seen
+        seen = self.alone.seen
+        if not seen.shape[1]:
+            return np.ones(len(seen))
         return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
+
+    def look(self) -> None:
+        """Do what compiled code leaves to Python now and then."""
+
+    def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return which samples have ended well, with states (n, m, 1) at the last time."""
+        return np.asarray(status == FINISHED)
+
+    def stretches(self, samples: np.ndarray) -> list[str]:
+        """Return what to say of expressions that stayed at zero in some samples."""
+        return []
+
+    def records(self) -> dict[int, list[EventRecord]]:
+        """Return the events of each sample."""
+        return {}
+
+
+class LanesWatched(LanesAlone):
+    """Lanes that look for events; `logs` tells whether these are noted.
+
+    The `samples` are the inputs x, r and p, with a row for each, and data in time with their places
+    in r. `kernel` compiles Programs for lanes.
+    """
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        samples: tuple[np.ndarray, np.ndarray, np.ndarray, Sequence[tuple[np.ndarray, Any]]],
+        times: np.ndarray,
+        kernel: Callable[[Any], Kernel],
+        logs: bool,
+    ) -> None:
+        events = workspace.options.events
+        assert events is not None
+        super().__init__(workspace, np.zeros((len(samples[0]), 0)))
+        self._events, self._times, self._samples, self._logs = events, times, samples, logs
+        self._kernels = kernel(events.values.program), kernel(events.rates.program)
+        values, rates = self._at(samples[0].T[:, :, None], float(times[0]))
+        told = np.where(values == 0.0, rates, values)
+        sides = np.sign(np.where(np.isfinite(told), told, 0.0)).astype(np.int64, order="C")
+        wanted = np.array(events.directions)
+        self._zero = (values == 0.0) & ((wanted == 0) | (wanted == sides))
+        self._taken: list[tuple[np.ndarray, ...]] = []
+        self._far = None
+        if workspace.watch.words[at.REACHER] != 0 and events.reach is not None:
+            self._far = kernel(events.reach.program)
+        self.watch = self._watch(workspace, sides)
+
+    def _watch(self, workspace: Workspace, sides: np.ndarray) -> LaneWatch:
+        own, (m, number), n = workspace.watch, sides.shape, workspace.n
+        words, prepared, constants = np.append(own.words, 0), [], []
+        for kernel, place in ((self._kernels[0], at.WATCHER), (self._far, at.REACHER)):
+            constants.append(lined_up(LANES * max(1, len(kernel.program.carried) if kernel else 0)))
+            if kernel is not None and kernel.addresses is not None:
+                words[place] = kernel.addresses[0]
+                prepared.append((kernel.addresses[1], address(constants[-1])))
+        program = self._kernels[0].program if self._far is None else self._far.program
+        nodes = zip(program.ops, program.args, strict=True)
+        inputs = {
+            args[1] - own.words[at.MOVES] for op, args in nodes if (op, *args[:1]) == ("input", "r")
+        }
+        moving = sorted(inputs & {*range(own.words[at.MOVING])})
+        rows = 4 * LANES * (1 + len(own.log_times)) if self._logs else 0
+        return LaneWatch(
+            words=words,
+            prepared=np.array(prepared),
+            c=constants[0],
+            reach=lined_up(LANES * len(own.reach)),
+            reach_c=constants[1],
+            moving=np.array(moving, dtype=np.int64),
+            ends=lined_up(LANES * (at.PARTS + 1) * number),
+            further=lined_up(LANES * 2 * number),
+            sides=lined_up(LANES * number),
+            known=lined_up(LANES),
+            began=sides,
+            first=np.where(self._zero, self._times[0], -np.inf),
+            rests=np.full((m, 2 * number), np.nan),
+            log_samples=np.zeros(rows, dtype=np.int64),
+            log_times=np.zeros(rows),
+            log_events=np.zeros(rows, dtype=np.int64),
+            log_states=np.zeros((rows, n)),
+            log_after=np.zeros((rows, n)),
+        )
+
+    def _at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return the events' expressions and rates in states (n, m, 1) at a time, each (m, ·)."""
+        _, r, p, sampled = self._samples
+        r = r.copy()
+        for columns, data in sampled:
+            r[:, columns] = data.at(t)
+        states, times = np.ascontiguousarray(states), np.array([t])
+        found = [evaluate_samples(k, r, p, (), times, states)[..., 0].T for k in self._kernels]
+        return found[0], found[1][:, : found[0].shape[1]]
+
+    def look(self) -> None:
+        """Empty the log."""
+        watch = self.watch
+        if number := int(watch.words[at.LANES_LOGGED]):
+            log = watch[LaneWatch._fields.index("log_samples") :]
+            self._taken.append(tuple(part[:number].copy() for part in log))
+            watch.words[at.LANES_LOGGED] = 0
+
+    def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the same, but for samples with an event at the last time, which needs Python."""
+        values, rates = self._at(states, t := float(self._times[-1]))
+        sides = self.watch.began
+        with np.errstate(invalid="ignore"):  # infinite values without a side
+            ahead, away = values * sides, rates * sides
+        near = 2.0 * ROUNDING * abs(t) * np.abs(rates)
+        reaches = (values == 0.0) | ((away < 0.0) & (ahead >= 0.0) & (ahead <= near))
+        fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
+        done = super().ended(status, states) & ~fired.any(axis=1)
+        return np.asarray(done | (status == TERMINATED) | (status == EVENTS_ACCUMULATE))
+
+    def stretches(self, samples: np.ndarray) -> list[str]:
+        """Return what to say of expressions that stayed at zero in some samples."""
+        span, rests = float(self._times[-1] - self._times[0]), self.watch.rests[samples]
+        rows = rests[~np.isnan(rests).all(axis=1)]
+        return [told for row in rows for told in stretches(self._events, row, span)]
+
+    def records(self) -> dict[int, list[EventRecord]]:
+        """Return the events of each sample, if they were noted."""
+        found: dict[int, list[EventRecord]] = {k: [] for k in range(len(self._zero))}
+        t, names = float(self._times[0]), self._events.names
+        if not self._logs:
+            return {}
+        for k, event in np.argwhere(self._zero).tolist():
+            x = self._samples[0][k]
+            found[k].append(EventRecord(t, names[event], event, x.copy(), x.copy()))
+        for part in self._taken:
+            samples, times, events = (column.tolist() for column in part[:3])
+            for k, t, event, x, after in zip(samples, times, events, *part[3:], strict=True):
+                found[k].append(EventRecord(t, names[event], event, x, after))
+        return found
 
 
 def integrate_samples(
@@ -82,16 +215,17 @@ def integrate_samples(
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
-    held: HeldLanes | None = None,
+    alone: LanesAlone | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Integrate m samples, `LANES` at a time, by an explicit method.
 
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
     sample lie side by side, and the next sample's follow. The error is controlled of all
-    components, or of so many that come first. Motions may be `held` on constraints, which their
-    beginnings satisfy; those that begin with NaN are left out, as not computed. Asked now and then
-    whether the work is `stopped`, True ends it with KeyboardInterrupt.
+    components, or of so many that come first. Motions may be held on constraints, which their
+    beginnings satisfy, or watched for events, by lanes `alone`; those that begin with NaN are left
+    out then, as not computed. Asked now and then whether the work is `stopped`, True ends it with
+    KeyboardInterrupt.
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
@@ -116,24 +250,27 @@ def integrate_samples(
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
     )
-    if held is not None:
+    if alone is not None:
         out = np.isnan(x).any(axis=1)
         queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
     problem = _problem(kernel, sampled, controlled)
-    holding = _NOT_HELD if held is None else held.holding
+    own, watch = (_NO_ONE, _NO_EVENTS) if alone is None else (alone.alone, alone.watch)
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    table = table_of(*parts, rows_of(holding))
+    table = table_of(*parts, rows_of(own), rows_of(watch))
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget
         start = perf_counter()
         code = step_lanes(address(table))
+        if alone is not None:
+            alone.look()
         if code == at.LANES_EMPTY:
             return queue.counts, queue.reached
         if stopped():
             raise KeyboardInterrupt
         elapsed = max(perf_counter() - start, np.finfo(float).tiny)
-        budget = int(min(max(1.0, budget * SLICE / elapsed), 4.0 * budget))
+        taken = budget - queue.state[at.LANES_BUDGET]
+        budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
 
 
 def evaluate_samples(

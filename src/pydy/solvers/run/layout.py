@@ -52,7 +52,8 @@ OF_STATE, DIRECTIONS, COUNT = range(3)
 # acts on events, or 0, with those of the kernels of their rates and resets.
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
-LINEAR, TURNS, RESETS = 1, 2, 4  # added up
+# added up: the last two where nothing else is to be done
+LINEAR, TURNS, RESETS, STOPS = 1, 2, 4, 8
 # The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
 # and two more
 PARTS = 4
@@ -68,6 +69,8 @@ FACTORED, PREDICTING = range(2)
 
 # What `advance` returns while it has not ended; a code of `outcome` when it has.
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
+# What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing is done, or all.
+LEFT, ACTED = range(2)
 # Progress.counts[FAILURE] is the code of what the last rejected step met.
 
 
@@ -182,12 +185,12 @@ class Watch(NamedTuple):
     log_states: NumberRows  # (·, states)
     log_after: NumberRows
     # Of events that act without Python: constants of the kernels, what they give, and when each
-    # happened last, or the first time.
+    # has happened.
     rates_c: Numbers
     resets_c: Numbers
     told: Numbers
     after: NumberRows  # (events, states)
-    latest: Numbers
+    latest: NumberRows  # (events, CROWD): the latest first, those that never were -infinity
 
 
 class Beginning(NamedTuple):
@@ -259,9 +262,10 @@ LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 LANES_LARGEST, LANES_FIRST = range(2)
 # Queue.counts, for each sample; the last is a code of `outcome`
 LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
-# Holding.words: the address of what prepares the constants of the constraints' kernel, and where
-# `Holding.seen` stands in `Constraints.values`
-HOLDING_PREPARE, HOLDING_SEEN = range(2)
+# Alone.words: where `Alone.seen` stands in `Constraints.values`
+ALONE_SEEN = 0
+# LaneWatch.words begins with those of `Watch`; then how many lines the log has
+LANES_LOGGED = 9
 # Evaluation.places: the address of the first state, and the distances from state to state, from
 # sample to sample and from time to time
 LANES_ORIGIN, LANES_PER_STATE, LANES_PER_SAMPLE, LANES_PER_TIME = range(4)
@@ -321,13 +325,38 @@ class Queue(NamedTuple):
     reached: Numbers  # (m,): the time up to which the sample was integrated
 
 
-class Holding(NamedTuple):
-    """How each lane is held on its constraints, one after another; nothing without `runs`."""
+class Alone(NamedTuple):
+    """What lanes do one after another; nothing without `runs`."""
 
     words: Words
     runs: Words  # (lanes,): addresses of tables of one trajectory, with inputs of their own
+    # (kernels, 1 + lanes): addresses of what prepares constants, and of those of each lane
+    prepared: WordRows
     state: Numbers
     seen: NumberRows  # (m, ·): of each sample, what ends `Constraints.values`
+
+
+class LaneWatch(NamedTuple):
+    """The events of all lanes; in vectors each has a block of its own."""
+
+    words: Words
+    prepared: WordRows  # (kernels, 2): as those of `Alone`, for all lanes together
+    c: Numbers
+    reach: Numbers
+    reach_c: Numbers
+    moving: Words  # the states that the kernel reads of `reach`
+    ends: Numbers  # (PARTS + 1, events)
+    further: Numbers  # (2, events)
+    sides: Numbers
+    known: Numbers  # one block: when the first row of `ends` was evaluated
+    began: WordRows  # (m, events): of each sample the sides at the beginning, and then at the end
+    first: NumberRows  # (m, events): what `Watch.latest` begins with
+    rests: NumberRows  # (m, 2 events), at the end
+    log_samples: Words
+    log_times: Numbers
+    log_events: Words
+    log_states: NumberRows
+    log_after: NumberRows
 
 
 class Evaluation(NamedTuple):
@@ -343,7 +372,7 @@ class Evaluation(NamedTuple):
 
 
 # The parts of the tables of `step_lanes` and `evaluate_lanes`.
-STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Holding)
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch)
 EVALUATION = (LaneProblem, Evaluation)
 
 

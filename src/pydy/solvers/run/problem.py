@@ -35,7 +35,8 @@ class Bound:
         addresses = kernel.addresses
         assert addresses is not None
         self._kernel = kernel  # the code lives as long as it does
-        self.address, self._prepare = addresses[0], _prepare(addresses[1])
+        self.address, self.preparing = addresses
+        self._prepare = _prepare(self.preparing)
         self.c = np.zeros(max(1, len(kernel.program.carried)))
         self._p = np.empty(np.shape(p))
         self._places = address(self._p), address(self.c)

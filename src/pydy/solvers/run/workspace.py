@@ -42,7 +42,7 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
-from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, STEPS_MEMORY
+from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
 
 _LOG = 256  # events between two visits in Python
 _STEPS = 2**13  # numbers of kept steps, likewise
@@ -132,23 +132,38 @@ class Workspace:
         self._aside: list[np.ndarray] = []
         self.twins: list[Workspace] = []  # what `Twin` has reserved, while no other has it
         self._further = self._reserve_newton() if method == IMPLICIT else []
-        self._table = self.table_with(self.problem, self.constraints)
-        self.place = address(self._table)
-
-    def table_with(self, problem: Problem, constraints: Constraints) -> np.ndarray:
-        """Return a table of these arrays, with a problem and constraints."""
-        options = self.options
-        return table_of(
+        self._table = table_of(
             self._method_rows,
-            rows_of(problem),
+            rows_of(self.problem),
             self._memory_rows,
             rows_of(self.progress),
-            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(constraints),
+            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
             rows_of(self.steps) if self.keeps else _NO_STEPS_ROWS,
             self._further,
         )
+        self.place = address(self._table)
+
+    def alone(self, lanes: int) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+        """Return what `layout.Alone` needs of so many trajectories that share all but some arrays.
+
+        Before that come the arrays that each has by itself, which the caller keeps.
+        """
+        tables, lane = np.tile(self._table, (lanes, 1)), np.arange(lanes)
+        columns = {place: 3 * k for k, place in enumerate(self._table[::3].tolist())}
+        own, places = [tables], {}
+        watch, held = self.watch, self.constraints
+        noted = (watch.sides, watch.fired, watch.values, watch.rests, watch.latest)
+        log = (watch.log_times, watch.log_events, watch.log_states, watch.log_after)
+        constants = (held.c, watch.c, watch.rates_c, watch.resets_c)
+        for array in (self.problem.r, self.progress.counts, held.values, *noted, *log, *constants):
+            if (place := columns.get(address(array))) is not None:
+                own.append(array[None].repeat(lanes, axis=0))
+                places[id(array)] = tables[:, place] = address(own[-1]) + array.nbytes * lane
+        prepared = [[b.preparing, *places[id(b.c)]] for b in self._bound if id(b.c) in places]
+        runs = address(tables) + tables.strides[0] * lane
+        return own, runs, np.array(prepared, dtype=np.int64).reshape(-1, 1 + lanes)
 
     def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
         """Take other times and another call of the same Kernel, or return False.
@@ -323,7 +338,10 @@ class Workspace:
         # Steps of fixed size are as the user set them.
         fixed = self.options.step is not None
         kinds = [
-            at.LINEAR * (linear or fixed) + at.TURNS * turns + at.RESETS * (resets and not ends)
+            at.LINEAR * (linear or fixed)
+            + at.TURNS * turns
+            + at.RESETS * (resets and not ends)
+            + at.STOPS * (ends and not resets)
             for linear, turns, resets, ends in zip(
                 wanted.linear, wanted.turns, wanted.resetting, wanted.terminal, strict=True
             )
@@ -357,7 +375,7 @@ class Workspace:
             resets_c=resets_c,
             told=np.zeros(2 * number),
             after=np.zeros((number, self.n)),
-            latest=np.zeros(number),
+            latest=np.full((number, CROWD), -np.inf),
         )
 
     def _acting(self, wanted: CompiledEvents) -> tuple[list[int], np.ndarray, np.ndarray]:
