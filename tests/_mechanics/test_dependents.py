@@ -176,7 +176,7 @@ def matrices():
 def test_no_unit_decides_which_states_are_singular(row, column):
     rows, columns = np.array([1.0, row, 1 / row])[:, None], np.array([1.0, 1, column, 1, 1])
     scaled = np.array([rows * m * columns for m in matrices()])
-    assert _of_full_rank(scaled, np.zeros_like(scaled)) == [0]
+    assert _of_full_rank(scaled, np.zeros_like(scaled)) == ([0], 3)
     assert len(Chosen(scaled[:1]).rows) == 3
     assert len(Chosen(scaled).rows) == 2
 
@@ -357,3 +357,33 @@ def test_a_constraint_that_holds_for_positive_values_only_is_not_lost():
     with pytest.raises(ValueError, match="1 independent velocity constraints, but only 0"):
         fallen(-1.0)
     assert fallen(-1.0, configuration={x: -1.0}) == 0.0
+
+
+@pytest.mark.parametrize("near", [True, False])
+@pytest.mark.parametrize("turned", [True, False])
+def test_ways_of_assembly_without_a_pivot_in_common_lose_no_constraint(turned, near):
+    # Axes that are normal to each other in pairs are those of a body at rest, or each another one.
+    e, w = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4")
+    frame, body, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    origin.set_vel(frame, 0)
+    body.orient_quaternion(frame, e)
+    body.set_ang_vel(frame, sum(u * axis for u, axis in zip(w, body, strict=True)))
+    centre = origin.locatenew("C", body.x)
+    one, other = (body, frame) if turned else (frame, body)
+    normal = [one.x.dot(other.y), one.y.dot(other.z), one.z.dot(other.x)]
+    e0, vector, omega = e[0], sm.Matrix(e[1:]), sm.Matrix(w)
+    rates = [-vector.dot(omega), *(e0 * omega + vector.cross(omega))]
+    system = System(
+        Definition(
+            frame,
+            e,
+            w,
+            bodies=[me.RigidBody("b", centre, body, 1, (me.inertia(body, 1, 2, 3), centre))],
+            loads=[(centre, -frame.z)],
+            kinematic_equations=[q.diff() - rate / 2 for q, rate in zip(e, rates, strict=True)],
+            holonomic_constraints=[*normal, sum(q**2 for q in e) - 1],
+            configuration={e0: 1} if near else None,
+        )
+    )
+    assert len(system.evaluate_holonomic_constraints({e0: 1.0})) == 4
+    np.testing.assert_allclose(system.evaluate_ode({e0: 1.0}), 0.0, atol=1e-14)

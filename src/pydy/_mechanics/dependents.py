@@ -201,11 +201,15 @@ def _choose(
     ):
         name, shape, cells = block
         matrices, bounds = _known(states, samples, block)
-        full = _of_full_rank(matrices, bounds)[:_STATES]
-        matrices, bounds = matrices[full], bounds[full]
+        full, rank = _of_full_rank(matrices, bounds)
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
         first = [k for k, s in enumerate(symbols) if s in equations.dependent_coordinates]
-        choice = Chosen(matrices, varying=varying, bounds=bounds, first=first)
+        for some in range(_STATES, 0, -1):  # other ways of assembly may have no pivot in common
+            own = matrices[full[:some]], bounds[full[:some]]
+            choice = Chosen(own[0], varying=varying, bounds=own[1], first=first)
+            if len(choice.rows) == rank:
+                break
+        matrices, bounds = own
         if chosen is not None:
             choice = _checked(name, symbols, chosen, matrices, bounds, len(choice.columns))
         found.append((choice, tuple(symbols[k] for k in choice.columns)))
@@ -367,12 +371,11 @@ def _check_linear(equations: Equations, states: GenericStates) -> None:
 
 
 def _seem_redundant(matrices: np.ndarray, bounds: np.ndarray) -> bool:
-    first = _of_full_rank(matrices, bounds)[:1]
-    return bool(len(Chosen(matrices[first], bounds=bounds[first]).rows) < matrices.shape[1])
+    return bool(_of_full_rank(matrices, bounds)[1] < matrices.shape[1])
 
 
-def _of_full_rank(matrices: np.ndarray, bounds: np.ndarray) -> list[int]:
-    """Return which are of highest rank, away from singular positions as far as there are such.
+def _of_full_rank(matrices: np.ndarray, bounds: np.ndarray) -> tuple[list[int], int]:
+    """Return which are of highest rank, and the rank, away from singular positions where possible.
 
     A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
     """
@@ -380,7 +383,7 @@ def _of_full_rank(matrices: np.ndarray, bounds: np.ndarray) -> list[int]:
     clear = [k for k, own in enumerate(clean) if not _nearly_singular(own)]
     clear = clear or list(range(len(matrices)))
     ranks = [len(Chosen(matrices[k : k + 1], bounds=bounds[k : k + 1]).rows) for k in clear]
-    return [k for k, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
+    return [k for k, rank in zip(clear, ranks, strict=True) if rank == max(ranks)], max(ranks)
 
 
 def _nearly_singular(matrix: np.ndarray) -> bool:
