@@ -199,6 +199,15 @@ def test_ties_are_constraints(tmp_path, kind):
     assert [found[s] for s in speeds] == pytest.approx(expected, abs=1e-4 * abs(expected).max())
 
 
+@pytest.mark.parametrize(("scale", "held"), [(0, 3), (0.5, 6)])
+def test_a_weld_without_a_scale_of_torques_lets_bodies_turn(tmp_path, scale, held):
+    weld = f'<equality><weld body1="b" torquescale="{scale}"/></equality>'
+    body = '<body name="b"><freejoint/><geom size="0.1"/></body>'
+    path = written(tmp_path, f"<mujoco><worldbody>{body}</worldbody>{weld}</mujoco>")
+    rows = read(path).system().evaluate_holonomic_constraints()
+    assert len(rows) == held + 1  # the length of the quaternion
+
+
 def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):
     robot = read(written(tmp_path, LOOPS.format(TIES["connect"])))
     system = robot.system(ode_solver="dop853", times=np.linspace(0.0, 2.0, 21))

@@ -332,7 +332,8 @@ class _Model:
             places = (data[0:3], data[3:6]) if kind == "connect" else (data[3:6], data[0:3])
             ends = [(one - 1, places[0]), (other - 1, places[1])]
             turn = of_quaternion(data[6:10]) if kind == "weld" else np.eye(3)
-        return Tie(kind, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), turn)
+        held = kind if data[10] else "connect"  # a weld without a scale of torques lets bodies turn
+        return Tie(held, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), turn)
 
     def looks(self, body: int) -> Iterator[Look]:
         model, mujoco = self.model, self.mujoco
