@@ -282,12 +282,13 @@ X, Y = me.dynamicsymbols("x y")
 M, G, K, RHO, L, M0, M1 = sm.symbols("m g k rho L m0 m1")
 
 
-def falling(mass, forces, beside=False):
+def falling(mass, forces, beside="itself"):
     """A particle with forces, each a pair of components, at its place or at one that coincides."""
     frame, origin = me.ReferenceFrame("N"), me.Point("O")
     origin.set_vel(frame, 0)
     point = origin.locatenew("P", X * frame.x + Y * frame.y)
-    where = point.locatenew("Q", 0) if beside else point
+    again = origin.locatenew("Q", X * frame.x + Y * frame.y)
+    where = {"itself": point, "joined": point.locatenew("Q", 0), "again": again}[beside]
     loads = [(where, a * frame.x + b * frame.y) for a, b in forces]
     system = System(Definition(frame, [X, Y], bodies=[me.Particle("b", point, mass)], loads=loads))
     values = {M: 2.0, G: 10.0, K: 3.0, RHO: 4.0, L: 0.5, M0: 0.5, M1: 1.5}
@@ -310,7 +311,7 @@ def falling(mass, forces, beside=False):
         (M, [(-M * G * sm.cos(K), 0), (0, -M * G * sm.sin(K))]),
     ],
 )
-@pytest.mark.parametrize("beside", [False, True])
+@pytest.mark.parametrize("beside", ["itself", "joined", "again"])
 def test_what_is_a_weight_for_certain_is_gravity(mass, forces, beside):
     system = falling(mass, forces, beside)
     rest = {X: 0, Y: 0, X.diff(T): 0, **system.constants}
@@ -339,6 +340,22 @@ def test_what_may_be_a_weight_or_another_load_is_asked_for(mass, forces):
     for ask in (system.gravity, system.regressor, lambda: system.base_parameters(*state)):
         with pytest.raises(ValueError, match="which way gravity pulls"):
             ask()
+
+
+def test_a_weight_that_is_at_no_mass_centre_is_asked_for():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    points = [origin.locatenew(n, s * frame.y) for n, s in (("A", X), ("B", Y))]
+    bodies = [me.Particle(p.name, p, m) for p, m in zip(points, (M0, M1), strict=True)]
+    together = origin.locatenew("C", (M0 * X + M1 * Y) / (M0 + M1) * frame.y)
+    system = System(
+        Definition(frame, [X, Y], bodies=bodies, loads=[(together, -(M0 + M1) * G * frame.y)])
+    )
+    system.constants = {M0: 2.0, M1: 3.0, G: 10.0}
+    for ask in (system.gravity, system.regressor):
+        with pytest.raises(ValueError, match="which way gravity pulls"):
+            ask()
+    close(system.gravity(acceleration=-G * frame.y), [20.0, 30.0])
 
 
 def test_a_lagrangian_has_inverse_dynamics_too():

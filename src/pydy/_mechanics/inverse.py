@@ -17,6 +17,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from sympy.physics.mechanics import Point
+
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
@@ -248,24 +250,32 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     Loads proportional to a mass of symbols are its weight together. Of those at masses that are
     numbers each may be a weight, which is what all bodies have in common.
     """
-    g = kinematics.graph
+    g, loads = kinematics.graph, dict(enumerate(kinematics.body.loads))
     nothing = [g.zero] * 3
     found: list[list[Vec]] = []
+    masses: list[tuple[int, list[int]]] = []
+    elsewhere = {k for k, (where, _) in loads.items() if isinstance(where, Point)}
     for body in kinematics.body.bodies:
         mass = kinematics.read(body.mass)
         if mass == g.zero:
             continue
         inputs = g.inputs([mass])
         by = [n for n in inputs if g.constant[n]] or inputs
-        own = _pulls(kinematics, body.masscenter, mass, by)
+        masses.append((mass, by))
+        way = distances(body.masscenter, places)
+        here = [k for k, (where, _) in loads.items() if _is_at(kinematics, where, body, way)]
+        elsewhere.difference_update(here)
+        own = _pulls(kinematics, [loads[k][1] for k in here], mass, by)
         if own is None:
             return None
         if by:
             total = [g.sum([(n, 1.0) for n in parts]) for parts in zip(*own, strict=True)]
             own = [total] if own and total != nothing else []
         found.append(own)
-    if not any(found):
-        return nothing
+    if not any(found):  # a weight may be at another point, such as the centre of all masses
+        rest = [loads[k][1] for k in sorted(elsewhere)]
+        heavy = any(_pulls(kinematics, rest, *mass) for mass in masses if mass[1])
+        return None if heavy else nothing
     if len(found) == 1 and len(found[0]) > 1:
         return None
     common = nothing
@@ -278,19 +288,34 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     return None if common == nothing else common
 
 
-def _pulls(kinematics: Kinematics, centre: Any, mass: int, by: Sequence[int]) -> list[Vec] | None:
-    """Return constant accelerations that loads at a mass centre are proportional to the mass with.
+def _is_at(kinematics: Kinematics, where: Any, body: Any, way: dict[Any, int]) -> bool:
+    """Return whether a load is at a mass centre, from which points are so many steps away."""
+    if where is body.masscenter:
+        return True
+    nothing = [kinematics.graph.zero] * 3
+    return where in way and kinematics.equal(_apart(kinematics, where, way), nothing)
+
+
+def _apart(kinematics: Kinematics, point: Any, way: dict[Any, int]) -> Vec:
+    """Return the vector to a point from the one that is zero steps away, in the inertial frame."""
+    total = [kinematics.graph.zero] * 3
+    while way[point]:
+        before = next(p for p in places(point) if way[p] < way[point])
+        step = places(point)[before]
+        total = kinematics.plus(total, kinematics.vector(step, kinematics.inertial))
+        point = before
+    return total
+
+
+def _pulls(
+    kinematics: Kinematics, loads: Iterable[Any], mass: int, by: Sequence[int]
+) -> list[Vec] | None:
+    """Return constant accelerations that loads are proportional to a mass with.
 
     `by` are the symbols in the mass. None where a load may hold a weight beside others.
     """
     g, zero = kinematics.graph, kinematics.graph.zero
-    here = distances(centre, lambda point: [p for p, way in places(point).items() if not way.args])
-    forces = [
-        kinematics.vector(v, kinematics.inertial)
-        for where, v in kinematics.body.loads
-        if where in here
-    ]
-    forces = [_steady(kinematics, force) for force in forces]
+    forces = [_steady(kinematics, kinematics.vector(v, kinematics.inertial)) for v in loads]
     slopes = [row.get(k, zero) for row in jacobian(g, [mass], by) for k in range(len(by))]
     own: list[Vec] = []
     left: list[Vec] = []
@@ -358,12 +383,7 @@ def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
 def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
     """Return the way from a point to another, in the axes of the inertial frame."""
     kinematics = moving(body, in_bodies=True)
-    away, total = distances(origin, places), [kinematics.graph.zero] * 3
-    while point is not origin:
-        before = next(p for p in places(point) if away[p] < away[point])
-        total = kinematics.plus(total, kinematics.vector(places(point)[before], body.frame))
-        point = before
-    return known.found(kinematics, total)
+    return known.found(kinematics, _apart(kinematics, point, distances(origin, places)))
 
 
 @collector_paused()
