@@ -110,6 +110,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/robots.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/closed_loops.py
+	$(PY) benchmarks/contacts.py
 	$(PY) benchmarks/multibody.py --peer-python $(PEERS_PY)
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)
