@@ -460,7 +460,7 @@ def test_the_way_back_tells_of_jumps_that_derivatives_miss():
     loads = [(point, -force * sm.sign(x) * frame.x)]
     definition = Definition(frame, [x], bodies=[me.Particle("b", point, 1)], loads=loads)
     system = System(definition, {force: 1.0}, initial_conditions={x: 1.0}, times=[0.0, 2.0])
-    function = _Frozen(system, {}).function("final", (Part("p", (0,), (1,), False),))
+    function = _Frozen(system, None, {}).function("final", (Part("p", (0,), (1,), False),))
     with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
         function.backward((0,), (np.ones(1),), np.ones(2))
 
