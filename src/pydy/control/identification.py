@@ -201,11 +201,6 @@ class Identification:
         estimates stay where they are beside their standard errors.
         """
         meshes = self.meshes(mesh)
-        for k, (e, nodes) in enumerate(zip(self.experiments, meshes, strict=True)):
-            made = Transcription(replace(self.problems[k], metric=None), self.scheme, nodes)
-            begin = _start(e, made, None)
-            open_ = np.full(len(begin), np.inf)
-            self.problems[k] = made.in_sizes(begin, -open_, open_).problem
         motions: list[Any] = [None] * len(self.experiments)
         slope, earlier = np.zeros(len(z)), np.full(len(z), np.inf)
         for _ in range(MOST_REFINEMENTS):

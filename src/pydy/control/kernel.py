@@ -6,11 +6,9 @@ too.
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
 ``J u + b = 0`` with multipliers in ``M u' − F − Jᵀ λ = 0``, which hold in every configuration; of
-positions, ``φ(q) = 0`` with slack velocities in ``q' − G − D φ_qᵀ γ = 0``, which vanish with the
+positions, ``φ(q) = 0`` with slack velocities in ``q' − G − φ_qᵀ γ = 0``, which vanish with the
 errors of the discretisation (C. W. Gear, B. Leimkuhler and G. K. Gupta, Automatic integration of
-Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90). D are the
-squares of the coordinates' sizes: angles and lengths of any unit make up for these errors in the
-same shares.
+Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90).
 
 A *point* is what the functions are evaluated at, a collocation
 point or the ends of the motion: its variables X, its data R and the constants P. Many points are
@@ -56,7 +54,7 @@ _SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
 class Equations:
     """``f(x', x, r, p, t) = 0`` as nodes of a graph.
 
-    The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't', 's' (γ, then λ) and 'w' (D).
+    The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't' and 's' (γ, then λ).
     """
 
     graph: Graph
@@ -69,7 +67,6 @@ class Equations:
     given: Mapping[int, int]  # takes the place of specifieds that are expressions
     # The latest Functions of the model, by what decides them.
     made: dict[bytes, Functions] = field(default_factory=dict, repr=False)
-    weighted: int = 0  # number of D: of all coordinates, if there are slack velocities
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "made": {}}
@@ -113,8 +110,7 @@ class Equations:
         by_places, by_speeds = jacobian(graph, places, x[:nq]), jacobian(graph, motion, x[nq:])
         for j, row in enumerate(by_places):
             for k, node in row.items():
-                slack = graph.mul(node, graph.input("s", j), graph.input("w", k))
-                terms[k].append((slack, -1.0))
+                terms[k].append((graph.mul(node, graph.input("s", j)), -1.0))
         for j, row in enumerate(by_speeds, start=len(places)):
             for k, node in row.items():
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
@@ -125,10 +121,7 @@ class Equations:
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
             held.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
-        weighted = nq if places else 0
-        return replace(
-            own, residuals=residuals, constraints=constraints, rates=held, weighted=weighted
-        )
+        return replace(own, residuals=residuals, constraints=constraints, rates=held)
 
     def rows(self, kind: str) -> list[int]:
         """Return the equations of points; see `Points.rows`."""

@@ -241,8 +241,6 @@ class Search(Generic[Found]):
             one = problem._on(mesh)
             lower, upper = problem._bounds_of(one)
             z = problem._guess(one, guess, lower, upper)
-            last = guess._transcription.problem if isinstance(guess, OptimalTrajectory) else None
-            one = one.in_sizes(z, lower, upper, last)
             sizes, states = sizes_of(one, z, lower, upper)
             made.append(one)
             starts.append(z)

@@ -7,7 +7,7 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal, TypeVar
 
 import numpy as np
@@ -79,8 +79,6 @@ class Problem:
     noise: tuple[float, ...] = ()
     # States and outputs that `Transcription.samples` compares with samples.
     measured: tuple[Any, ...] = ()
-    # Squares of the sizes of coordinates that have slack velocities; see `Transcription.in_sizes`.
-    metric: np.ndarray | None = None
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @property
@@ -90,10 +88,9 @@ class Problem:
 
     @property
     def numbers(self) -> np.ndarray:
-        """The constants P of all points: p, r, the duration, the start's time, and the metric."""
+        """The constants P of all points: p, r, the duration and the time of the start."""
         duration = np.nan if self.duration is None else self.duration
-        metric = np.zeros(self.equations.weighted) if self.metric is None else self.metric
-        return np.concatenate([self.constants, self.specifieds, [duration, self.begin], metric])
+        return np.concatenate([self.constants, self.specifieds, [duration, self.begin]])
 
     # -- machine code, for any mesh ----------------------------------------------------------------
 
@@ -179,8 +176,6 @@ class Problem:
         at |= {("x", k): node for k, node in enumerate(x)}
         at |= {("p", k): node for k, node in enumerate(numbers[:known])}
         at |= {("r", k): node for k, node in enumerate(numbers[known:])}
-        first = len(numbers) + 2
-        at |= {("w", k): point.constant(first + k) for k in range(self.equations.weighted)}
         for columns, _ in self.signals:
             at |= {("r", k): self._signal(point, time) for k in columns.tolist()}
         for k, node in zip(self.controls, controls, strict=False):
@@ -363,22 +358,6 @@ class Transcription:
         return np.repeat(np.arange(first, total)[:, None], count, axis=1)
 
     # -- the program ------------------------------------------------------------------------------
-
-    def in_sizes(
-        self, z: np.ndarray, lower: np.ndarray, upper: np.ndarray, like: Problem | None = None
-    ) -> Transcription:
-        """Return the same with slack velocities by the sizes of coordinates, or by those of `like`.
-
-        They are chosen once for a search: on all its meshes, the equations stay the same.
-        """
-        count = self.problem.equations.weighted
-        if not count:
-            return self
-        metric = None if like is None else like.metric
-        if metric is None or len(metric) != count:
-            sizes = sizes_of(self, z, lower, upper)[1][:count]  # by the guess, without the slack
-            metric = (sizes / sizes.max()) ** 2
-        return replace(self, problem=replace(self.problem, metric=metric))
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the nonlinear program, given bounds and sizes of the unknowns."""
