@@ -13,6 +13,7 @@ import zoo
 from by_hand import MECHANISMS
 from cases import close, system_of
 from pydy import System
+from pydy._mechanics import inverse
 from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -356,6 +357,16 @@ def test_a_weight_that_is_at_no_mass_centre_is_asked_for():
         with pytest.raises(ValueError, match="which way gravity pulls"):
             ask()
     close(system.gravity(acceleration=-G * frame.y), [20.0, 30.0])
+
+
+def test_places_of_weights_are_compared_in_one_go(monkeypatch):
+    """Bodies by loads, each pair by itself, took 4 s for a pendulum of 60 links."""
+    counted, whole = [], inverse.signatures
+    monkeypatch.setattr(inverse, "signatures", lambda *a: counted.append(1) or whole(*a))
+    system = n_link_pendulum_on_cart(8)
+    system.constants = dict.fromkeys(system.constants_symbols, 1.5)
+    system.gravity(np.zeros(9))
+    assert len(counted) == 1
 
 
 def test_a_lagrangian_has_inverse_dynamics_too():

@@ -22,6 +22,7 @@ from sympy.physics.mechanics import Point
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
+from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute, transplanted
 from pydy._graph.simplify import operations
@@ -35,7 +36,13 @@ from pydy._mechanics.form import (
 )
 from pydy._mechanics.inertia import Load, lumped, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import Multibody, distances, is_rigid, places
+from pydy._mechanics.reader import (
+    Multibody,
+    breadth_first_from,
+    distances,
+    is_rigid,
+    places,
+)
 
 
 class Found(NamedTuple):
@@ -255,6 +262,8 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     found: list[list[Vec]] = []
     masses: list[tuple[int, list[int]]] = []
     elsewhere = {k for k, (where, _) in loads.items() if isinstance(where, Point)}
+    centres = [body.masscenter for body in kinematics.body.bodies]
+    at = _places_of(kinematics, [*centres, *(loads[k][0] for k in sorted(elsewhere))])
     for body in kinematics.body.bodies:
         mass = kinematics.read(body.mass)
         if mass == g.zero:
@@ -262,8 +271,7 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
         inputs = g.inputs([mass])
         by = [n for n in inputs if g.constant[n]] or inputs
         masses.append((mass, by))
-        way = distances(body.masscenter, places)
-        here = [k for k, (where, _) in loads.items() if _is_at(kinematics, where, body, way)]
+        here = [k for k, (where, _) in loads.items() if at.get(where) == at[body.masscenter]]
         elsewhere.difference_update(here)
         own = _pulls(kinematics, [loads[k][1] for k in here], mass, by)
         if own is None:
@@ -288,23 +296,24 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     return None if common == nothing else common
 
 
-def _is_at(kinematics: Kinematics, where: Any, body: Any, way: dict[Any, int]) -> bool:
-    """Return whether a load is at a mass centre, from which points are so many steps away."""
-    if where is body.masscenter:
-        return True
-    nothing = [kinematics.graph.zero] * 3
-    return where in way and kinematics.equal(_apart(kinematics, where, way), nothing)
+def _places_of(kinematics: Kinematics, points: Sequence[Any]) -> dict[Any, Any]:
+    """Return what is the same for points in the same place: numbers that stand for where they are.
 
-
-def _apart(kinematics: Kinematics, point: Any, way: dict[Any, int]) -> Vec:
-    """Return the vector to a point from the one that is zero steps away, in the inertial frame."""
-    total = [kinematics.graph.zero] * 3
-    while way[point]:
-        before = next(p for p in places(point) if way[p] < way[point])
-        step = places(point)[before]
-        total = kinematics.plus(total, kinematics.vector(step, kinematics.inertial))
-        point = before
-    return total
+    Each place is reached once, from the first point that is connected with it.
+    """
+    found: dict[Any, Any] = {}
+    for first in points:
+        if first in found:
+            continue
+        way = {first: [kinematics.graph.zero] * 3}
+        for point, before in breadth_first_from([first]).items():
+            if before is not None:
+                step = kinematics.vector(places(point)[before], kinematics.inertial)
+                way[point] = kinematics.plus(way[before], step)
+        here = [point for point in dict.fromkeys(points) if point in way]
+        numbers = iter(signatures(kinematics.graph, [n for point in here for n in way[point]]))
+        found |= {point: (first, *(next(numbers) for _ in range(3))) for point in here}
+    return found
 
 
 def _pulls(
@@ -383,7 +392,12 @@ def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
 def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
     """Return the way from a point to another, in the axes of the inertial frame."""
     kinematics = moving(body, in_bodies=True)
-    return known.found(kinematics, _apart(kinematics, point, distances(origin, places)))
+    away, total = distances(origin, places), [kinematics.graph.zero] * 3
+    while point is not origin:
+        before = next(p for p in places(point) if away[p] < away[point])
+        total = kinematics.plus(total, kinematics.vector(places(point)[before], body.frame))
+        point = before
+    return known.found(kinematics, total)
 
 
 @collector_paused()

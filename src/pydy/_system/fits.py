@@ -755,7 +755,7 @@ class Fitting(Setup):
             return _collocated(work, z, (mesh, disturbed, searching, progress))
         count = 0
         # A search may try a gap that is negative at first, or a restitution above one.
-        refused = () if contacts is None else (ValueError,)
+        refused = () if contacts is None else (contacts.infeasible,)
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             nonlocal count

@@ -220,21 +220,27 @@ def paired(contacts: Any) -> tuple[Contact, ...]:
     return tuple(found)
 
 
+class InfeasibleError(ValueError):
+    """No motion begins with these numbers: a coefficient or a gap is out of its range."""
+
+
 def check_values(contacts: Sequence[Contact], numbers: Any) -> None:
     """Check gaps and coefficients when their numbers are known."""
     columns = (numbers.gap, numbers.restitution, numbers.mu, numbers.mu_static)
     for contact, gap, e, mu, static in zip(contacts, *columns, strict=True):
         if contact.unilateral is not None and not np.isfinite(gap):
-            raise ValueError(
+            raise InfeasibleError(
                 f"The gap of {contact.name!r} must be a number at the first time, got "
                 f"{gap}. Change the initial conditions, or what leaves its domain."
             )
         if not 0.0 <= e <= 1.0:
-            raise ValueError(f"`restitution` of {contact.name!r} must be from 0 to 1, got {e}.")
+            raise InfeasibleError(
+                f"`restitution` of {contact.name!r} must be from 0 to 1, got {e}."
+            )
         if not mu >= 0.0:
-            raise ValueError(f"`mu` of {contact.name!r} must not be negative, got {mu}.")
+            raise InfeasibleError(f"`mu` of {contact.name!r} must not be negative, got {mu}.")
         if not static >= mu:
-            raise ValueError(
+            raise InfeasibleError(
                 f"`mu_static` of {contact.name!r} must not be below `mu`, got {static} and {mu}."
             )
 

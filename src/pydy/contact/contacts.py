@@ -19,7 +19,7 @@ from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events, native_solver
 from pydy.analysis.adjoint import AdjointGradient
-from pydy.contact.conditions import paired
+from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import Compiled, modes_of
 from pydy.contact.rows import StartError
@@ -101,6 +101,7 @@ class Contacts:
 
     # A misspelt attribute, or one of the System, would be set and never read.
     __slots__ = ("_kept", "contacts", "hypothesis", "names", "symbols", "system")
+    infeasible = InfeasibleError  # numbers that a search may try
 
     def __init__(
         self,

@@ -188,7 +188,7 @@ def strike(run: Any, state: Any, closing: set[int]) -> None:
     run.struck |= hit
     problem = run.problem(p, state)
     rates = solved(problem, run.modes).rates
-    blow, rests = _blow(run, state, (p, problem, rates), (hit, closing))
+    blow, rests = _blow(run, state, p, problem, rates, hit, closing)
     work, rises = blow.work(p.speed)
     if rises:
         raise run.fail(state.t, state.x, RISES[run.kept.hypothesis])
@@ -198,7 +198,7 @@ def strike(run: Any, state: Any, closing: set[int]) -> None:
         e[back] = p.restitution[back]
     slopes: Any = None
     if run.carried is not None:
-        slopes = _carried(run, state, p, (blow, e), (hit, closing))
+        slopes = _carried(run, state, p, blow, e, hit & closing)
     state.x = before.copy()
     state.x[run.first : run.first + len(p.moves)] += p.moves @ blow.forces
     q = p.after(blow.forces)
@@ -207,7 +207,7 @@ def strike(run: Any, state: Any, closing: set[int]) -> None:
         normal, name = rows.normal[i], run.contacts[i].name
         if blow.modes[i] != OPEN:
             impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows.tangent[i]))
-        _parted(run, state, i, (p, q, blow, e[i]))
+        _parted(run, state, i, p, q, blow, e[i])
         if i in closing:
             run.note(state, i, "closes", before)
         if i in rests and i in closing:
@@ -227,14 +227,18 @@ def strike(run: Any, state: Any, closing: set[int]) -> None:
 
 
 def _blow(
-    run: Any, state: Any, numbers: tuple[Any, Problem, np.ndarray], which: tuple[set[int], set[int]]
+    run: Any,
+    state: Any,
+    p: Any,
+    problem: Problem,
+    rates: np.ndarray,
+    hit: set[int],
+    closing: set[int],
 ) -> tuple[Blow, dict[int, float]]:
     """Return an impact, and the speeds of rebounds that are left out of it, as they are low."""
-    (p, problem, rates), (hit, closing) = numbers, which
     hypothesis, e, speed = run.kept.hypothesis, p.restitution, p.moving()
-    free = np.zeros(len(e))
-    own, every = {"hold": p.mu, "pressed": free}, frozenset(hit)
-    problem = replace(problem, **own, resting=every, touching=every)
+    every, free = frozenset(hit), np.zeros(len(e))
+    problem = replace(problem, hold=p.mu, pressed=free, resting=every, touching=every)
     by_phases = hypothesis == "poisson"
     blow = poisson(problem, speed, e) if by_phases else None
     rests: dict[int, float] = {}
@@ -258,12 +262,12 @@ def _blow(
 
 
 def _carried(
-    run: Any, state: Any, p: Any, what: tuple[Blow, np.ndarray], which: tuple[set[int], set[int]]
+    run: Any, state: Any, p: Any, blow: Blow, e: np.ndarray, closing: set[int]
 ) -> dict[str, np.ndarray]:
     """Apply the derivatives of an impact; return those of the rows before it."""
-    (blow, e), (hit, closing), normals = what, which, run.rows.normal
+    normals = run.rows.normal
     newtons = run.kept.hypothesis == "newton"
-    kept = {i: float(e[i]) for i in hit & closing if newtons and p.speed[normals[i]] < 0.0}
+    kept = {i: float(e[i]) for i in closing if newtons and p.speed[normals[i]] < 0.0}
     still = frozenset(state.touching if newtons else ())
     values = run.values(state.t, state.x)
     slopes: dict[str, np.ndarray] = run.carried.impact(values, p, blow, kept, still)
@@ -272,12 +276,12 @@ def _carried(
     return slopes
 
 
-def _parted(run: Any, state: Any, i: int, what: tuple[Any, Any, Blow, float]) -> None:
-    """Note whether a contact that was hit leaves, stays closed or rests, by rows before and after.
+def _parted(run: Any, state: Any, i: int, p: Any, q: Any, blow: Blow, kept: float) -> None:
+    """Note whether a contact that was hit leaves, stays closed or rests, by its rows.
 
-    By Newton's hypothesis it gives back a part of its speed, the last of `what`.
+    The numbers are `p` before and `q` after; by Newton's hypothesis it gives back the part `kept`
+    of its speed.
     """
-    p, q, blow, kept = what
     normal, rows, mode = run.rows.normal[i], run.rows.tangent[i], blow.modes[i]
     by_phases = run.kept.hypothesis == "poisson"
     leaves = blow.rates[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]

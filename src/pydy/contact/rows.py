@@ -31,12 +31,12 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
-from pydy.contact.conditions import Contact
+from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched
 from pydy.contact.tuning import WITHIN
 
 
-class StartError(ValueError):
+class StartError(InfeasibleError):
     """A gap is negative at the first time."""
 
 

@@ -39,6 +39,9 @@ largest of its kind, at most one: further, a value is more likely mistaken than 
 CROWD, CROWDED = 100, 1e-9
 """So many events within so much of the time span are Zeno behaviour."""
 
+NO_LATER = 16.0
+"""An event that happens again within so many roundings of the time has followed itself at once."""
+
 NEARLY_SINGULAR = 1e-5
 """How near to losing rank the rows of velocity constraints no longer tell the way on.
 

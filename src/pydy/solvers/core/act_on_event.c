@@ -60,7 +60,7 @@ int64_t act_on_event(const Run *run)
     if (run->method.shape.at[ESTIMATES] == 0)
         state[SIZE] = run->beginning.state.at[SIZE]; /* that of all steps, or the solver's own */
     double *latest = w->latest.at + event * CROWD;
-    const int crowded = t - latest[0] <= 16.0 * ROUNDING * maximum(absolute(t), span)
+    const int crowded = t - latest[0] <= NO_LATER * ROUNDING * maximum(absolute(t), span)
         || t - latest[CROWD - 2] < CROWDED * span;
     for (int64_t k = CROWD - 1; k > 0; k--)
         latest[k] = latest[k - 1];

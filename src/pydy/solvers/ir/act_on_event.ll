@@ -1,4 +1,4 @@
-; sources a71e99baac7840192407c59c13c86f9a96e8bfe5f482eecc02252e937fdca60f
+; sources 80ce1c70831665b720218092d972ff76a7a56b782b59cce7ee28ef3688376f07
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

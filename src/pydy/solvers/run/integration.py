@@ -63,6 +63,7 @@ from pydy.solvers.tuning import (
     HALF,
     LEAST_TOLERANCE,
     NEARLY_SINGULAR,
+    NO_LATER,
     ROUNDING,
     STARTING_MOVE,
 )
@@ -462,7 +463,7 @@ class Integration(Workspace):
         values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
-        latest, least = self.watch.latest, 16.0 * ROUNDING * max(abs(t), self.span)
+        latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
                 self._end(EVENTS_ACCUMULATE, event=wanted.names[k])

@@ -40,7 +40,7 @@ _NO_ONE = Alone(
     np.zeros((0, 0)),
 )
 _NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
-    words=np.zeros(10, dtype=np.int64)
+    words=np.zeros(at.LANES_LOGGED + 1, dtype=np.int64)
 )
 
 

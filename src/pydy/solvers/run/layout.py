@@ -265,7 +265,7 @@ LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
 # Alone.words: where `Alone.seen` stands in `Constraints.values`
 ALONE_SEEN = 0
 # LaneWatch.words begins with those of `Watch`; then how many lines the log has
-LANES_LOGGED = 9
+LANES_LOGGED = RESETTER + 1
 # Evaluation.places: the address of the first state, and the distances from state to state, from
 # sample to sample and from time to time
 LANES_ORIGIN, LANES_PER_STATE, LANES_PER_SAMPLE, LANES_PER_TIME = range(4)
