@@ -4,7 +4,7 @@ import re
 
 from exported_models import ball, hostile, pendulum
 from pydy._graph.operations import OPERATIONS
-from pydy.export.javascript import LONGEST, PRELUDE, javascript_of, literal
+from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
 
 
 def test_every_function_of_an_operation_is_defined():
@@ -12,6 +12,14 @@ def test_every_function_of_an_operation_is_defined():
     assert called
     for name in called:
         assert re.search(rf"\b{name}\b", PRELUDE), name
+
+
+def test_nothing_of_c_is_left_in_the_linear_algebra_that_is_made_of_it():
+    words = "double|int|int32_t|int64_t|static|inline|INLINE|APART|SERIAL|LESS|AT|sizeof"
+    for text, name in ((PRELUDE, "lu_factor"), (_projection(), "set_identity")):
+        code = re.sub(r"//.*|/\*[\s\S]*?\*/", "", text)
+        assert f"function {name}(" in code
+        assert not re.search(rf"\b(?:{words})\b|->|\(\*|&\w|\{{\{{", code)
 
 
 def test_no_name_of_a_user_stands_in_the_code_as_it_is(tmp_path):
