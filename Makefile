@@ -14,6 +14,9 @@ REFERENCE_PY := $(REFERENCE)/bin/python
 # heyoka, CasADi, JAX, Pinocchio, MuJoCo and diffsol, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
+# adam-robotics, which needs an older JAX than the others.
+ADAM := .venv-adam
+ADAM_PY := $(ADAM)/bin/python
 
 # Processes that tests start read what is compiled already, as users' do, whatever the surroundings
 # say: compiling is a third of what it takes to import the package.
@@ -103,12 +106,13 @@ bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
 	$(PY) benchmarks/imports.py
 
-bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
+bench-peers: $(VENV)/.installed-test $(PEERS)/.installed $(ADAM)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/build.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/robots.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/floating_robots.py --peer-python $(PEERS_PY) --adam-python $(ADAM_PY)
 	$(PY) benchmarks/closed_loops.py
 	$(PY) benchmarks/contacts.py
 	$(PY) benchmarks/multibody.py --peer-python $(PEERS_PY)
@@ -143,7 +147,7 @@ three:
 	cp build/three/node_modules/three/LICENSE src/pydy/viz/assets/three.LICENSE
 
 clean:
-	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial docs/static/animations docs/static/pages docs/static/landing.html docs/static/operations.* docs/static/speeds.svg .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) $(ADAM) build docs/gallery docs/static/tutorial docs/static/animations docs/static/pages docs/static/landing.html docs/static/operations.* docs/static/speeds.svg .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)
@@ -158,6 +162,10 @@ $(PEERS)/.installed: benchmarks/requirements.txt | $(PEERS_PY)
 	$(PEERS_PY) $(PIP_INSTALL) --requirement benchmarks/requirements.txt
 	@touch $@
 
+$(ADAM)/.installed: | $(ADAM_PY)
+	$(ADAM_PY) $(PIP_INSTALL) 'adam-robotics[casadi,jax]==0.5.0'
+	@touch $@
+
 # opty needs cyipopt, which is built for the IPOPT of CasADi's wheel: all have the same solver.
 $(PEERS)/.installed-opty: $(PEERS)/.installed
 	$(PEERS_PY) $(PIP_INSTALL) cython numpy setuptools wheel
@@ -169,6 +177,6 @@ $(PEERS)/.installed-opty: $(PEERS)/.installed
 		$(PEERS_PY) $(PIP_INSTALL) --no-build-isolation cyipopt==1.7.0 opty==1.5.0
 	@touch $@
 
-$(PY) $(REFERENCE_PY) $(PEERS_PY): %/bin/python:
+$(PY) $(REFERENCE_PY) $(PEERS_PY) $(ADAM_PY): %/bin/python:
 	@$(PYTHON) -c 'import sys; v = sys.version.split()[0]; sys.version_info >= (3, 11) or sys.exit("pydy needs Python 3.11 or newer, $(PYTHON) is " + v + "; try make PYTHON=python3.12")'
 	$(PYTHON) -m venv $*
