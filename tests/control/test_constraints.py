@@ -387,3 +387,38 @@ def test_what_the_motion_keeps_by_itself_holds_at_the_start():
         rod_of_cosines(start={"c": 0.8, "s": 0.5, "w": 0}).check()
     with pytest.raises(ValueError, match=r"`start` leaves out s\(t\), but what would give them"):
         rod_of_cosines(start={"c": 0.8, "w": 0}).check()
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
+def test_units_of_lengths_beside_angles_do_not_change_the_search(method):
+    """A slider-crank: what slack velocities move is shared by angles and the slider's place."""
+    found = []
+    for unit, mass, second in ((1, 1, 1), (1e-9, 1e9, 1), (1e9, 1e-9, 1), (1e9, 1, 1e6)):
+        a, b, c, u, w, z, torque = me.dynamicsymbols("a b c u w z torque")
+        frame, origin = ground()
+        crank, rod = me.ReferenceFrame("A"), me.ReferenceFrame("B")
+        for body, angle, speed in ((crank, a, u), (rod, b, w)):
+            body.orient_axis(frame, angle, frame.z)
+            body.set_ang_vel(frame, speed * frame.z)
+        pin = origin.locatenew("P", unit * crank.x)
+        pin.set_vel(frame, u * unit * crank.y)
+        slider = origin.locatenew("S", c * frame.x)
+        slider.set_vel(frame, z * frame.x)
+        bodies = [me.Particle("p", pin, mass), me.Particle("s", slider, 2 * mass)]
+        loop = pin.pos_from(origin) + 3 * unit * rod.x - c * frame.x
+        definition = Definition(
+            frame, [a, b, c], [u, w, z], bodies=bodies, loads=[(crank, torque * frame.z)],
+            holonomic_constraints=[loop.dot(frame.x), loop.dot(frame.y)],
+        )  # fmt: skip
+        system = System(definition, initial_conditions={a: 0.0, b: 0.0, c: 4 * unit})
+        ends = {"end": {a: np.pi, u: 0.0}, "method": method}
+        found.append(system.optimize_trajectory(effort(system), 2.0 * second, **ends))
+        again = system.optimize_trajectory(
+            effort(system), 2.0 * second, guess=found[-1], mesh=found[-1].mesh, **ends
+        )
+        assert len(again.history) <= 3  # the guess's equations are taken over
+        assert again.objective == pytest.approx(found[-1].objective, rel=1e-8)
+        size = mass**2 * unit**4 / second**3
+        assert found[-1].objective / size == pytest.approx(found[0].objective, rel=1e-8)
+        assert found[-1].error == pytest.approx(found[0].error, rel=1e-3)
+    assert len({len(one.history) for one in found}) == 1

@@ -57,7 +57,7 @@ from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import labels_of
 from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
 from pydy.control.schemes import Scheme, scheme_of
-from pydy.control.transcription import Problem, Transcription, sizes_of
+from pydy.control.transcription import Problem, Transcription, metric_of, sizes_of
 from pydy.control.tuning import (
     FEWEST_INTERVALS,
     FIT_ORDER,
@@ -147,6 +147,7 @@ class Identification:
             "signals": plan.sampled,
             "duration": float(e.times[-1]) - e.begin,
             "begin": e.begin,
+            "metric": metric_of(np.abs(e.states).max(axis=0)),
         }
         labels, held = labels_of(definition)
         start = (*e.unknown, *e.tied, *(k for kind, k in self.shared if kind == "states"))

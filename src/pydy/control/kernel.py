@@ -6,9 +6,12 @@ too.
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
 ``J u + b = 0`` with multipliers in ``M u' − F − Jᵀ λ = 0``, which hold in every configuration; of
-positions, ``φ(q) = 0`` with slack velocities in ``q' − G − φ_qᵀ γ = 0``, which vanish with the
-errors of the discretisation (C. W. Gear, B. Leimkuhler and G. K. Gupta, Automatic integration of
-Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90).
+positions, ``φ(q, z) = 0`` with slack velocities in ``q' − G − D (φ_qᵀ γ + g_qᵀ η) = 0``, which
+vanish with the errors of the discretisation (C. W. Gear, B. Leimkuhler and G. K. Gupta, Automatic
+integration of Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90).
+D are the squares of the coordinates' sizes: angles and lengths of any unit make up for these errors
+in the same shares. Residuals ``g(q, z) = 0`` give their unknowns z in place of z', and move nothing
+else: η = −g_z⁻ᵀ φ_zᵀ γ, the rows ``φ_zᵀ γ + g_zᵀ η = 0`` of z, is what φ moves q by through z.
 
 A *point* is what the functions are evaluated at, a collocation
 point or the ends of the motion: its variables X, its data R and the constants P. Many points are
@@ -54,14 +57,14 @@ _SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
 class Equations:
     """``f(x', x, r, p, t) = 0`` as nodes of a graph.
 
-    The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't' and 's' (γ, then λ).
+    The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't', 's' (γ, η, λ) and 'w' (D).
     """
 
     graph: Graph
     # Nodes of coordinates, of speeds and of auxiliary states, then the constraints.
     residuals: list[int]
     constraints: list[int]  # nodes of the constraints of positions, then of velocities
-    # Nodes of their rates where they hold: γ, then those of the constraints of velocities.
+    # Nodes of their rates where they hold: γ, z' − G, then those of the constraints of velocities.
     rates: list[int]
     atoms: Mapping[Any, int]  # symbols to nodes: what further expressions may hold
     given: Mapping[int, int]  # takes the place of specifieds that are expressions
@@ -107,16 +110,23 @@ class Equations:
         terms = [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq)]
         terms += [[(node, -1.0)] for node in unbalanced]
         terms += [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq + nu, len(rates))]
+        enforced, solved = len(equations.enforced), equations.following[1]
+        held = [graph.input("s", k) for k in range(enforced)]
+        held += [graph.sum(terms[k]) for k in solved]
+        terms = [[] if k in solved else parts for k, parts in enumerate(terms)]
         by_places, by_speeds = jacobian(graph, places, x[:nq]), jacobian(graph, motion, x[nq:])
         for j, row in enumerate(by_places):
             for k, node in row.items():
-                terms[k].append((graph.mul(node, graph.input("s", j)), -1.0))
+                slack = graph.mul(node, graph.input("s", j))
+                if k in solved:
+                    terms[k].append((slack, 1.0))
+                elif enforced:  # otherwise these slack velocities are zero
+                    terms[k].append((graph.mul(slack, graph.input("w", k)), -1.0))
         for j, row in enumerate(by_speeds, start=len(places)):
             for k, node in row.items():
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
         constraints = [*places, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraints]
-        held = [graph.input("s", k) for k in range(len(places))]
         for i in range(nu - len(motion), nu):  # the last rows of M u' = F
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]

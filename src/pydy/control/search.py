@@ -25,7 +25,7 @@ from pydy.control.refine import (
 )
 from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
 from pydy.control.solvers import solver_of
-from pydy.control.transcription import Transcription, sizes_of
+from pydy.control.transcription import Transcription, metric_of, sizes_of
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS, TOLERANCE
 
 Found = TypeVar("Found")
@@ -242,6 +242,9 @@ class Search(Generic[Found]):
             lower, upper = problem._bounds_of(one)
             z = problem._guess(one, guess, lower, upper)
             sizes, states = sizes_of(one, z, lower, upper)
+            if one.problem.equations.constraints:
+                one = one.with_metric(_metric(guess, states))
+                sizes = sizes_of(one, z, lower, upper)[0]
             made.append(one)
             starts.append(z)
             programs.append(one.nlp(lower, upper, sizes))
@@ -349,6 +352,12 @@ class Search(Generic[Found]):
                 found,
             )
         return found, phases
+
+
+def _metric(guess: Any, sizes: np.ndarray) -> Any:
+    """Return how slack velocities move states: on all meshes of a search in the same way."""
+    last = guess._transcription.problem.metric if isinstance(guess, OptimalTrajectory) else 1.0
+    return last if np.shape(last) == sizes.shape else metric_of(sizes)
 
 
 def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray:

@@ -7,7 +7,7 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeVar
 
 import numpy as np
@@ -79,6 +79,8 @@ class Problem:
     noise: tuple[float, ...] = ()
     # States and outputs that `Transcription.samples` compares with samples.
     measured: tuple[Any, ...] = ()
+    # (states,), in which shares slack velocities move coordinates; see `metric_of`.
+    metric: Any = 1.0
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @property
@@ -88,9 +90,10 @@ class Problem:
 
     @property
     def numbers(self) -> np.ndarray:
-        """The constants P of all points: p, r, the duration and the time of the start."""
+        """The constants P of all points: p, r, the metric, the duration and the start's time."""
         duration = np.nan if self.duration is None else self.duration
-        return np.concatenate([self.constants, self.specifieds, [duration, self.begin]])
+        metric = np.broadcast_to(self.metric, self.states)
+        return np.concatenate([self.constants, self.specifieds, metric, [duration, self.begin]])
 
     # -- machine code, for any mesh ----------------------------------------------------------------
 
@@ -163,7 +166,7 @@ class Problem:
 
     def _time(self, point: Point, T: int, fraction: int) -> int:
         """Return the node of the time."""
-        begin = point.constant(len(self.constants) + len(self.specifieds) + 1)
+        begin = point.constant(point.constants - 1)
         return point.graph.add(begin, point.graph.mul(T, fraction))
 
     def _inputs(
@@ -176,6 +179,7 @@ class Problem:
         at |= {("x", k): node for k, node in enumerate(x)}
         at |= {("p", k): node for k, node in enumerate(numbers[:known])}
         at |= {("r", k): node for k, node in enumerate(numbers[known:])}
+        at |= {("w", k): point.constant(len(numbers) + k) for k in range(self.states)}
         for columns, _ in self.signals:
             at |= {("r", k): self._signal(point, time) for k in columns.tolist()}
         for k, node in zip(self.controls, controls, strict=False):
@@ -222,7 +226,7 @@ class Problem:
             nodes[k] = node
         if self.duration is None:
             return nodes, point.variables(1)[0]
-        return nodes, point.constant(count)
+        return nodes, point.constant(point.constants - 2)
 
     def of_parameters(self) -> Functions:
         """Return ½ (factor · (parameter − mean))² + slope · parameter, of these three data."""
@@ -358,6 +362,10 @@ class Transcription:
         return np.repeat(np.arange(first, total)[:, None], count, axis=1)
 
     # -- the program ------------------------------------------------------------------------------
+
+    def with_metric(self, metric: np.ndarray) -> Transcription:
+        """Return the same with another metric of the problem."""
+        return replace(self, problem=replace(self.problem, metric=metric))
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the nonlinear program, given bounds and sizes of the unknowns."""
@@ -594,6 +602,13 @@ def sizes_of(
         duration,
     )  # fmt: skip
     return units, or_one(told[:n])
+
+
+def metric_of(sizes: np.ndarray) -> np.ndarray:
+    """Return in which shares slack velocities move states of some sizes."""
+    known = or_one(sizes)
+    found: np.ndarray = (known / known.max(initial=0.0)) ** 2
+    return found
 
 
 def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
