@@ -77,10 +77,13 @@ def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> in
     """Return a number of steps that takes a few milliseconds at most; later slices are measured."""
     if calls_python or call is None:
         return 1
+    # Of a nanosecond for each operation, and 100 besides.
+    evaluation = 100 + len(call.kernel.program.ops)
     if method == IMPLICIT:
-        return 4
-    # Twenty evaluations, of a nanosecond for each operation and 100 besides.
-    return max(4, 100_000 // (100 + len(call.kernel.program.ops)))
+        # Ten iterations, derivatives, a real and a complex matrix to factorise.
+        n = call.kernel.program.num_states
+        return max(1, 2_000_000 // ((30 + n) * evaluation + 4 * n**3))
+    return max(4, 100_000 // evaluation)  # twenty evaluations
 
 
 def progress_bar(name: str, span: float, start: float) -> Any:
