@@ -637,6 +637,14 @@ def test_bad_arguments_are_told(mass):
     refused(r"`boundary` has `Subs\(Derivative\(x", system, J, 1.0, boundary=[jerk])
 
 
+def test_numbers_of_options_may_be_integers_and_the_reverse(mass, capfd):
+    """IPOPT would describe an option of another type on the terminal."""
+    system, (x, v, F) = mass
+    options = {"tol": 1, "max_cpu_time": np.int64(60), "max_iter": 50.0, "mumps_pivot_order": 6.0}
+    system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=3, options=options)
+    assert capfd.readouterr() == ("", "")
+
+
 @pytest.mark.parametrize(
     ("options", "error", "said"),
     [

@@ -64,6 +64,16 @@ _WARM = {
        ("bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac", "mult_bound_push")},
 }  # fmt: skip
 
+# Options of IPOPT 3.14 that are integers, beside most of those of linear solvers.
+_WHOLE = """
+    max_iter acceptable_iter print_level file_print_level print_frequency_iter num_linear_variables
+    adaptive_mu_kkterror_red_iters quality_function_max_section_steps accept_after_max_steps
+    watchdog_shortened_iter_trigger watchdog_trial_iter_max max_soc max_filter_resets
+    filter_reset_trigger soc_method min_refinement_steps max_refinement_steps max_soft_resto_iters
+    max_resto_iter limited_memory_max_history limited_memory_max_skipping
+"""
+_LINEAR = ("ma27_", "ma57_", "ma77_", "ma86_", "ma97_", "mumps_", "pardiso_", "spral_", "wsmp_")
+
 _EACH = ctypes.CFUNCTYPE(c_bool, c_int, c_int, *[c_double] * 8, c_int, c_void_p)
 
 
@@ -339,7 +349,11 @@ def solve(
     )  # fmt: skip
 
 
-def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
+def option_values(name: Any, value: Any) -> list[Any]:
+    """Return a user's option of IPOPT as what it may be, the likely one first.
+
+    IPOPT tells whoever sets an integer for a number, or the reverse, on the terminal.
+    """
     known = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
     known = known and not isinstance(value, np.timedelta64)  # for NumPy an integer
     if not isinstance(name, str) or not known or value != value:
@@ -347,19 +361,26 @@ def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
             "`options` must hold numbers, strings, True or False by names of options of IPOPT, got "
             f"{shown(name)}: {shown(value)}."
         )
-    key = name.encode(errors="replace")
     if isinstance(value, str):
-        done = lib.AddIpoptStrOption(problem, key, value.encode(errors="replace"))
-    elif isinstance(value, (bool, np.bool_)):
-        done = lib.AddIpoptStrOption(problem, key, b"yes" if value else b"no")
-    else:
-        # An option that is a number may be given as an integer; C's has 32 bits.
-        whole = isinstance(value, (int, np.integer)) and -(2**31) <= value < 2**31
-        done = whole and lib.AddIpoptIntOption(problem, key, int(value))
-        with suppress(OverflowError):  # no float is as large, and no option
-            done = done or lib.AddIpoptNumOption(problem, key, float(value))
-    if not done:
-        raise ValueError(
-            f"`options` has {name!r}: {value!r}, which IPOPT does not know as an option, or not as "
-            "a value of it. See its list of options, https://coin-or.github.io/Ipopt/OPTIONS.html."
-        )
+        return [value]
+    if isinstance(value, (bool, np.bool_)):
+        return ["yes" if value else "no"]
+    forms: list[Any] = []
+    with suppress(OverflowError):  # no float is as large, and no option
+        forms.append(float(value))
+    if -(2**31) <= value < 2**31 and value == int(value):  # C's has 32 bits
+        whole = name in _WHOLE.split() or name.startswith(_LINEAR)
+        forms.insert(0 if whole else 1, int(value))
+    return forms
+
+
+def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
+    add = {str: lib.AddIpoptStrOption, int: lib.AddIpoptIntOption, float: lib.AddIpoptNumOption}
+    for form in option_values(name, value):
+        given = form.encode(errors="replace") if isinstance(form, str) else form
+        if add[type(form)](problem, name.encode(errors="replace"), given):
+            return
+    raise ValueError(
+        f"`options` has {name!r}: {value!r}, which IPOPT does not know as an option, or not as "
+        "a value of it. See its list of options, https://coin-or.github.io/Ipopt/OPTIONS.html."
+    )

@@ -12,6 +12,7 @@ The last two have the same Python interface, options and codes of how they ended
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from functools import partial
 from typing import Any
 
@@ -22,7 +23,14 @@ from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy._optional import require
 from pydy.control import ipopt
-from pydy.control.ipopt import Iteration, Solution, Watched, program_bounds, solver_options
+from pydy.control.ipopt import (
+    Iteration,
+    Solution,
+    Watched,
+    option_values,
+    program_bounds,
+    solver_options,
+)
 from pydy.control.nlp import Nlp
 
 
@@ -133,15 +141,14 @@ def _by_package(
 
 
 def _add_option(problem: Any, module: str, name: Any, value: Any) -> None:
-    if isinstance(value, (bool, np.bool_)):
-        value = "yes" if value else "no"
-    try:
-        problem.add_option(name, value)
-    except TypeError as error:
-        raise ValueError(
-            f"`options` has {name!r}: {value!r}, which {module} does not know as an option, or not "
-            "as a value of it. See https://coin-or.github.io/Ipopt/OPTIONS.html."
-        ) from error
+    for form in option_values(name, value):
+        with suppress(TypeError):
+            problem.add_option(name, form)
+            return
+    raise ValueError(
+        f"`options` has {name!r}: {value!r}, which {module} does not know as an option, or not "
+        "as a value of it. See https://coin-or.github.io/Ipopt/OPTIONS.html."
+    )
 
 
 SOLVERS: dict[str, Callable[..., Solution]] = {
