@@ -417,41 +417,39 @@ class OptimalControl(Search[OptimalTrajectory]):
     def _bounds_of(self, made: Transcription) -> tuple[np.ndarray, np.ndarray]:
         """Return the bounds of the unknowns."""
         states, controls = self._now.definition.states, self._controls
-        slots, own = len(made.places[0]), len(made.control_places)
-        M, slopes = made.intervals, made.places[1]
+        (places, slopes), M = made.places, made.intervals
+        x = np.empty((2, len(states), len(places)))
+        u = np.empty((2, self._problem.algebraic, len(made.control_places)))
+        u[0], u[1] = _OPEN
+        for s, at, pair in (
+            *((s, places, x[:, k]) for k, s in enumerate(states)),
+            *((s, made.control_places, u[:, k]) for k, s in enumerate(controls)),
+        ):
+            pair[:] = low, high = self._pair_at(s, at)
+            if (low > high).any():
+                k = int(np.flatnonzero(low > high)[0])
+                raise ValueError(
+                    f"`bounds[{s}]` must have low <= high everywhere, got {float(low[k])!r} and "
+                    f"{float(high[k])!r} after {float(at[k]):.6g} of the motion."
+                )
         sides = []
         for side, pick in ((0, max), (1, min)):
-            x, u = (
-                np.empty((len(states), slots)),
-                np.full((self._problem.algebraic, own), _OPEN[side]),
-            )
+            x[side][:, slopes] = _OPEN[side]
             for k, s in enumerate(states):
-                own_side = self._pair_at(s, made.places[0])[side]
-                x[k] = np.where(slopes, _OPEN[side], own_side)
-                x[k, 0] = pick(own_side[0], self._start[s][side])
-                x[k, M] = pick(own_side[M], self._end.get(s, _OPEN)[side])
-            for k, s in enumerate(controls):
-                u[k] = self._pair_at(s, made.control_places)[side]
+                x[side, k, 0] = pick(x[side, k, 0], self._start[s][side])
+                x[side, k, M] = pick(x[side, k, M], self._end.get(s, _OPEN)[side])
             constants = [self._bounds_at(s)[side] for s in self._free]
             least = self._bounds_at(self._symbol)[side]
-            sides.append(made.joined(x, u, constants, least if side else max(least, 0.0)))
+            last = least if side else max(least, 0.0)
+            sides.append(made.joined(x[side], u[side], constants, last))
         lower, upper = sides
-        for s in (*states, *controls):
-            places = made.places[0] if s in states else made.control_places
-            low, high = self._pair_at(s, places)
-            if (low > high).any():
-                at = int(np.flatnonzero(low > high)[0])
-                raise ValueError(
-                    f"`bounds[{s}]` must have low <= high everywhere, got {float(low[at])!r} and "
-                    f"{float(high[at])!r} after {float(places[at]):.6g} of the motion."
-                )
         for k, s in enumerate(states):
             for place, end in ((0, "start"), (M, "end")):
-                if lower[k * slots + place] > upper[k * slots + place]:
+                if x[0, k, place] > x[1, k, place]:
                     given = (self._start if end == "start" else self._end)[s]
                     raise ValueError(
                         f"`{end}[{s}]` is {shown_pair(given)}, which the `bounds` "
-                        f"{shown_pair(self._bounds_at(s, made.places[0][place]))} exclude."
+                        f"{shown_pair(self._bounds_at(s, places[place]))} exclude."
                     )
         return lower, upper
 

@@ -327,7 +327,7 @@ class Transcription:
         """Number of intervals."""
         return len(self.mesh) - 1
 
-    @property
+    @cached_property
     def sizes(self) -> tuple[int, int, int, int]:
         """Numbers of unknowns: of states, controls, constants and the duration."""
         p = self.problem
@@ -339,13 +339,12 @@ class Transcription:
 
         Slack velocities and multipliers of constraints follow the controls.
         """
-        p = self.problem
-        states, controls, constants, duration = np.split(z, np.cumsum(self.sizes)[:3])
+        p, (states, controls, constants, _) = self.problem, self.sizes
         return (
-            states.reshape(p.states, len(self.places[0])),
-            controls.reshape(p.algebraic, len(self.control_places)),
-            constants,
-            float(duration[0]) if p.duration is None else p.duration,
+            z[:states].reshape(p.states, len(self.places[0])),
+            z[states : states + controls].reshape(p.algebraic, len(self.control_places)),
+            z[states + controls : states + controls + constants],
+            float(z[-1]) if p.duration is None else p.duration,
         )
 
     def joined(
