@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from pydy._checks import shown
+from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy._graph.interpret import run
 from pydy._graph.program import Program
@@ -45,10 +47,24 @@ def resolve(generator: Any) -> type:
         raise refusal(generator)
     if isinstance(entry, str):
         module, _, attribute = entry.partition(":")
-        with whole:
-            entry = getattr(import_module(module), attribute)
+        try:
+            with whole:
+                entry = getattr(import_module(module), attribute)
+        except ModuleNotFoundError as error:
+            if generator != "llvm" or error.name != "llvmlite":
+                raise
+            _say_that_numpy_stands_in()
+            return resolve("lambdify")
     backend: type = entry
     return backend
+
+
+@cache
+def _say_that_numpy_stands_in() -> None:
+    warn_user(
+        "llvmlite is not installed: NumPy evaluates the equations, with the same results but much "
+        "slower than compiled code. Native solvers and ensembles need it."
+    )
 
 
 def refusal(generator: Any) -> NotImplementedError:

@@ -1,0 +1,49 @@
+"""What stands in where LLVM is missing, as in a browser."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+
+from pydy.models import multi_mass_spring_damper
+
+# `None` makes every import of the module fail, as if it were not installed.
+WITHOUT = """
+import json, sys, warnings
+sys.modules["llvmlite"] = None
+from pydy.models import multi_mass_spring_damper
+system = multi_mass_spring_damper()
+system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 0.5, 1.0]
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    system.ode_solver = "DOP853"
+    states = system.integrate(rtol=1e-10, atol=1e-10)
+    energy = system.simulate(rtol=1e-10, atol=1e-10).energy
+    system.linearize()
+system.ode_solver = "dop853"
+errors = []
+for attempt in (system.integrate, lambda: system.integrate_ensemble(constants={"k0": [1.0, 2.0]})):
+    try:
+        attempt()
+    except ModuleNotFoundError as error:
+        errors.append(str(error))
+print(json.dumps([states.tolist(), energy.tolist(), [str(w.message) for w in caught], errors]))
+"""
+
+
+def test_numpy_and_scipy_stand_in_for_llvm_and_say_so_once():
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT], stdout=subprocess.PIPE, check=True, timeout=120
+    )
+    states, energy, warned, errors = json.loads(done.stdout)
+    system = multi_mass_spring_damper()
+    system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 0.5, 1.0]
+    system.ode_solver = "DOP853"
+    known = system.simulate(rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(states, known.states, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(energy, known.energy, rtol=0, atol=1e-12)
+    assert len(warned) == 1
+    assert warned[0].startswith("llvmlite is not installed: NumPy evaluates the equations")
+    assert len(errors) == 2  # a native solver, and an ensemble
+    assert all("ode_solver = 'DOP853'" in error for error in errors)
