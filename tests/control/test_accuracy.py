@@ -1,5 +1,7 @@
 """How far an objective is from the least one, against known optima."""
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -10,6 +12,8 @@ import optima
 from optima import TF, T
 from pydy.control import OptimalControl
 from pydy.errors import PyDyUserWarning
+
+NEEDLE = r"too coarse: the objective of \d\.\d\d may be wrong by .* from t = .* or pass `mesh_tol`"
 
 
 def energy(**options):
@@ -119,10 +123,40 @@ def test_the_estimate_is_never_far_too_small(make, options, least):
     # In an interval with a jump, what is too good and what could be better may cancel exactly; the
     # chain has a needle between the points, which is longer for the points than it is.
     made = make(**options)
-    found = made[0].solve(made[1]) if isinstance(made, tuple) else made.solve()
+    needle = make is hanging_chain and "method" not in options
+    with pytest.warns(PyDyUserWarning, match=NEEDLE) if needle else nullcontext():
+        found = made[0].solve(made[1]) if isinstance(made, tuple) else made.solve()
     gain = abs(least - found.objective)
     assert gain > 1e-5 * least  # the mesh is too coarse
     assert 0.5 * gain < np.abs(found.objective_error).sum() < 12.0 * gain
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"mesh": 40, "order": 2},  # 4.77 for 5.07
+        {"mesh": 10, "order": 4},
+        {"mesh": 5, "method": "hermite-simpson"},  # 7.02
+    ],
+)
+def test_an_objective_without_a_certain_digit_is_warned_of(options):
+    problem, guess = hanging_chain(**options)
+    with pytest.warns(PyDyUserWarning, match=NEEDLE) as told:
+        found = problem.solve(guess)
+    assert len(told) == 1
+    assert abs(found.objective / catenary() - 1.0) > 0.03
+
+
+def test_a_finer_mesh_is_the_remedy_for_a_needle():
+    problem, guess = hanging_chain(mesh=40, order=2)
+    assert problem.solve(guess, mesh_tol=1e-6).objective == pytest.approx(catenary(), rel=1e-6)
+
+
+def test_a_step_that_is_too_long_for_the_quadrature_is_warned_of():
+    # The motion satisfies the equations exactly, with an objective of 16 for 12.
+    with pytest.warns(PyDyUserWarning, match=r"the objective of 16 may be wrong by 5, "):
+        found = energy(mesh=2, method="midpoint").solve()
+    assert found.error.max() < 1e-12
 
 
 @pytest.mark.parametrize(

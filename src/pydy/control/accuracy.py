@@ -24,6 +24,7 @@ element methods, Acta Numerica 10 (2001) 1–102, §2 (residuals weighted by the
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -34,7 +35,7 @@ from pydy.control.ipopt import Solution
 from pydy.control.nlp import Nlp
 from pydy.control.schemes import derivatives, lagrange, radau_points
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import JUMPS, SECANTS, STEP, TOLERANCE
+from pydy.control.tuning import JUMPS, SECANTS, STEP, TOLERANCE, UNCERTAIN
 
 
 def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
@@ -71,20 +72,62 @@ def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.
     The objective's are shares of its size, times the number of intervals; they do not count where
     their sum is within the tolerance, and that of the search. `objective` is that of all phases.
     """
-    made, nlp, solution = found._transcription, found._nlp, found.solution
     error: np.ndarray = found.error
-    parts: np.ndarray = np.abs(found.objective_error)
-    if made.scheme.convergence == 1 or not np.isfinite(parts).all():
+    parts, size, known = _objective(found, tolerance, objective)
+    if known:
         return error
+    worst: np.ndarray = np.maximum(error, parts * len(parts) / size if size else np.inf)
+    return worst
+
+
+def _objective(
+    found: Any, tolerance: float, objective: float = 0.0
+) -> tuple[np.ndarray, float, bool]:
+    """Return the objective's errors by intervals, its size, and whether no error counts."""
+    made, nlp, solution = found._transcription, found._nlp, found.solution
+    if made.scheme.convergence == 1:
+        return found.error, 0.0, True
+    parts: np.ndarray = np.abs(found.objective_error)
+    if not np.isfinite(parts).all():
+        return parts, 0.0, True
     z = solution.z
     # What the barrier leaves: each unknown times the distance from its bound.
     sides = ((solution.below, z - nlp.lower), (solution.above, nlp.upper - z))
     left = sum(float(a[np.isfinite(d)] @ np.abs(d[np.isfinite(d)])) for a, d in sides)
     size = max(abs(found.objective), abs(objective), float(_quadrature(made, nlp, z, True).sum()))
-    if parts.sum() <= tolerance * size + left + TOLERANCE * nlp.cost_size:
-        return error
-    worst: np.ndarray = np.maximum(error, parts * made.intervals / size if size else np.inf)
-    return worst
+    return parts, size, parts.sum() <= tolerance * size + left + TOLERANCE * nlp.cost_size
+
+
+def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
+    """Say that a solution is none, or that not one digit of its objective is certain.
+
+    A simulation adds up the errors of intervals, along a motion that is neither stable nor
+    unstable.
+    """
+    worst = max(float(phase.error.max()) for phase in phases)
+    total = float(sum(phase.error.sum() for phase in phases))
+    uncertain = [phase for phase in phases if not _objective(phase, UNCERTAIN, objective)[2]]
+    if not worst < 1.0:
+        what = (
+            f"a motion that begins at a node with these controls misses the next one by {worst:.2g}"
+            " times the size of a state. The solution is none of the equations' motions"
+        )
+    elif not total < 1.0:
+        what = (
+            f"the errors of its intervals add up to {total:.2g} times the size of a state, which "
+            "is how far a simulation with these controls may end from the solution"
+        )
+    elif uncertain:
+        off, ends = np.abs(uncertain[0].objective_error), uncertain[0].mesh
+        k = int(off.argmax())
+        what = (
+            f"the objective of {objective:.3g} may be wrong by {off.sum():.1g}, {off[k]:.1g} of it "
+            "by what happens between the collocation points "
+            f"from t = {ends[k]:.4g} to {ends[k + 1]:.4g}"
+        )
+    else:
+        return
+    warn_user(f"The mesh is too coarse: {what}. Use more intervals, or pass `mesh_tol`.")
 
 
 def _quadrature(made: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = False) -> np.ndarray:
@@ -236,19 +279,14 @@ def _passed_bounds(
         around = np.append(h, 0.0) + np.append(0.0, h)
         weights = np.array([around[:-1], around[1:]]) / 2
     basis = lagrange(nodes, s)
-    found = np.zeros(len(k))
-    for sign, values, side in (
-        (1.0, solution.above, nlp.upper),
-        (-1.0, solution.below, nlp.lower),
-    ):
-        values, bounds = (made.split(v)[0].copy() for v in (values, side))
+    fractions, found = made.mesh[k] + s * h[k], np.zeros(len(k))
+    for side, (sign, values) in enumerate(((-1.0, solution.below), (1.0, solution.above))):
+        values = made.split(values)[0].copy()
         values[:, [0, M]] = 0.0  # `start` and `end` are no bounds of the motion
-        bounds[:, 0], bounds[:, M] = bounds[:, min(1, M - 1)], bounds[:, max(M - 1, 0)]
-        for row, own, bound in zip(x, values, bounds, strict=True):
-            if np.isfinite(bound[slots]).all():
+        for row, own, bounds in zip(x, values, made.problem.state_bounds, strict=True):
+            if np.isfinite(bound := bounds[side](fractions)).all():
                 nu = ((own[slots] / weights)[:, k] * basis).sum(axis=0)
-                passed = sign * (row - (bound[slots][:, k] * basis).sum(axis=0))
-                found += np.maximum(nu, 0.0) * np.maximum(passed, 0.0)
+                found += np.maximum(nu, 0.0) * np.maximum(sign * (row - bound), 0.0)
     return found
 
 

@@ -217,6 +217,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             constraints=() if self._fixed else self._held,
             controls=tuple(map(places, self._controls)),
             control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
+            state_bounds=tuple(self._bounds.get(s, _FREE) for s in definition.states),
             signals=plan.sampled,
             free=tuple(map(definition.constants.index, self._free)),
             constants=now.p,

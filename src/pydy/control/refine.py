@@ -219,27 +219,6 @@ def checked_mesh(mesh: Any) -> np.ndarray:
     return fractions
 
 
-def warn_where_coarse(errors: Sequence[np.ndarray]) -> None:
-    """Say that a solution is none, by the errors of the intervals of each phase.
-
-    A simulation adds them up, along a motion that is neither stable nor unstable.
-    """
-    worst = max(float(error.max()) for error in errors)
-    total = float(sum(error.sum() for error in errors))
-    if not worst < 1.0:
-        warn_user(
-            f"The mesh is too coarse: a motion that begins at a node with these controls misses "
-            f"the next one by {worst:.2g} times the size of a state. The solution is none of the "
-            "equations' motions. Use more intervals, or pass `mesh_tol`."
-        )
-    elif not total < 1.0:
-        warn_user(
-            f"The mesh is too coarse: the errors of its intervals add up to {total:.2g} times the "
-            "size of a state, which is how far a simulation with these controls may end from the "
-            "solution. Use more intervals, or pass `mesh_tol`."
-        )
-
-
 def warn_of_refinements(count: int, phases: Sequence[Any], tolerance: float) -> None:
     """Say that meshes have been refined in vain."""
     errors = np.concatenate([phase.error for phase in phases])

@@ -13,7 +13,7 @@ import numpy as np
 from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
-from pydy.control.accuracy import relative_errors, warn_of_chatter
+from pydy.control.accuracy import relative_errors, warn_of_chatter, warn_where_coarse
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import (
@@ -21,7 +21,6 @@ from pydy.control.refine import (
     most_intervals,
     refined,
     warn_of_refinements,
-    warn_where_coarse,
 )
 from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
 from pydy.control.solvers import solver_of
@@ -123,7 +122,7 @@ class Search(Generic[Found]):
             for count in range(1, MOST_REFINEMENTS + 1):
                 found, phases = self._solved(meshes, guesses, search, watch)
                 if tolerance is None:
-                    warn_where_coarse([phase.error for phase in phases])
+                    warn_where_coarse(phases, found.objective)
                     break
                 errors = [relative_errors(phase, tolerance, found.objective) for phase in phases]
                 if max(float(error.max()) for error in errors) <= tolerance:

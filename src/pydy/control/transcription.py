@@ -53,7 +53,8 @@ class Problem:
     # Labels of those of the constraints, the last ones, that the start has to satisfy.
     constraints: tuple[str, ...]
     controls: tuple[int, ...]  # places in r
-    control_bounds: tuple[tuple[Any, Any], ...]  # low and high, at fractions of the duration
+    # Low and high of each control, and of each state if known, at fractions of the duration.
+    control_bounds: tuple[tuple[Any, Any], ...]
     signals: tuple[tuple[np.ndarray, Any], ...]  # places in r, and SampledInputs
     free: tuple[int, ...]  # places in (p, r) of constants that are unknown
     # P and r; those that are unknown or signals do not count.
@@ -79,6 +80,7 @@ class Problem:
     noise: tuple[float, ...] = ()
     # States and outputs that `Transcription.samples` compares with samples.
     measured: tuple[Any, ...] = ()
+    state_bounds: tuple[tuple[Any, Any], ...] = ()
     # (states,), in which shares slack velocities move coordinates; see `metric_of`.
     metric: Any = 1.0
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)

@@ -30,6 +30,10 @@ JUMPS = 4
 """Intervals in which a control may go back and forth for another reason than a singular arc: it
 jumps at both ends of an arc, where its polynomials overshoot in an interval and the next one."""
 
+UNCERTAIN = 0.1
+"""The share of an objective that its error may be without a warning: not one digit is certain
+then."""
+
 MOST_STEPS = 64
 """Steps of order 8 in an interval, at most: where these are not enough, as with a jump of a signal
 inside, the error of the interval is large itself."""
