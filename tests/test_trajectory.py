@@ -16,6 +16,7 @@ from cases import system_of
 from pydy._dataset import write_netcdf
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_energy, plot_phase, plot_sensitivities
+from pydy.solvers import Event
 from pydy.system import System
 from pydy.trajectory import EventRecord, Trajectory
 
@@ -289,6 +290,39 @@ def test_a_file_keeps_events_and_odd_names(tmp_path):
     np.testing.assert_array_equal(event.after, [-1.5, 0.0])
     with pytest.raises(ValueError, match="contains no derivatives"):
         loaded.at([0.5])
+
+
+def test_a_file_keeps_what_jumps_at_events(tmp_path):
+    """Between the times beside a bounce: as the same pickled, outputs and columns on each side."""
+    pytest.importorskip("xarray")
+    system = multi_mass_spring_damper()
+    (x,), (v,) = system.coordinates, system.speeds
+    system.initial_conditions, system.outputs = {x: 1.0}, {"momentum": 2 * v}
+    system.times, system.ode_solver = np.linspace(0.0, 3.0, 31), "dop853"
+    bounce = Event(x, direction=-1, reset={v: -0.5 * v}, name="bounce")
+    motion = system.simulate(events=[bounce], rtol=1e-9, atol=1e-9, sensitivities=["k0"])
+    motion.save(tmp_path / "run.nc")
+    Trajectory.load(tmp_path / "run.nc").save(tmp_path / "again.nc")
+    when = motion.events[0].time
+    times = when + np.array([-0.02, -1e-9, 0.0, 1e-9, 0.02])
+    ours, pickled = motion.at(times), pickle.loads(pickle.dumps(motion)).at(times)
+    for name in ("run.nc", "again.nc"):
+        found = Trajectory.load(tmp_path / name).at(times)
+        np.testing.assert_array_equal(found.states, pickled.states)
+        # Straight lines, from one side of the jump or to the other.
+        np.testing.assert_allclose(found["momentum"], ours["momentum"], atol=0.01)
+        for state in (x, v):
+            columns = ours.sensitivity[state, "k0"]
+            np.testing.assert_allclose(found.sensitivity[state, "k0"], columns, atol=0.01)
+    assert abs(np.diff(ours["momentum"][1:3])) > 0.8
+
+
+def test_a_file_that_does_not_know_the_sides_of_a_jump_is_not_interpolated():
+    event = EventRecord(0.5, "hit", 0, np.array([1.0]), np.array([-1.0]))
+    motion = Trajectory([0.0, 1.0], [[1.0], [-1.0]], {"speed": ["v"]}, events=[event])
+    motion._derivatives = np.zeros((2, 1))  # as an older file has them
+    with pytest.raises(ValueError, match="how these go on from there"):
+        motion.at([0.4])
 
 
 OURS = ["time", "quantity", "parameter", "sensitivity", "total_energy", "kinetic_energy", "q'"]

@@ -154,6 +154,13 @@ def _plain(value: Any) -> Any:
     return str(value)
 
 
+def _arrays(value: Any) -> Any:
+    """Return a list as an array, also those of a dictionary."""
+    if isinstance(value, dict):
+        return {name: _arrays(own) for name, own in value.items()}
+    return np.array(value) if isinstance(value, list) else value
+
+
 def _checked(path: Any) -> str:
     """Return a path as a string; xarray takes None for "return the bytes"."""
     try:
@@ -183,8 +190,8 @@ def read_netcdf(
             dataset = dataset.rename({n: name for n, name in names.items() if n != name})
             statistics = json.loads(dataset.attrs["pydy_statistics"])
             events = [
-                record(**{k: np.array(v) if isinstance(v, list) else v for k, v in e.items()})
-                for e in json.loads(dataset.attrs["pydy_events"])
+                record(**{k: _arrays(v) for k, v in event.items()})
+                for event in json.loads(dataset.attrs["pydy_events"])
             ]
             parts = from_dataset(dataset)
             if not sound:

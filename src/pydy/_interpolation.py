@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Protocol
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -71,6 +71,26 @@ def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     return trajectory.at(np.append(own[k] + gaps[k] * (part / parts[k]), own[-1]))
 
 
+class Sides(NamedTuple):
+    """What events have on both sides, beside the states: rows before and after each of them."""
+
+    derivatives: np.ndarray
+    outputs: np.ndarray
+    specifieds: np.ndarray
+
+    @classmethod
+    def of(cls, known: Any) -> Any:
+        """Return those of a Trajectory from a file, or evaluate its model there."""
+        if known._sides is not None:
+            return known._sides
+        moments, states = _at_events(known)
+        # Just before, in the modes and with the inputs that end there.
+        moments[::2] = np.fmax(np.nextafter(moments[::2], -np.inf), known.times[0])
+        model, rows = known._model, len(moments)
+        tables = (f(moments, states) for f in (model.derivatives, model.outputs, model.specifieds))
+        return cls(*(np.reshape(table, (rows, -1)) for table in tables))
+
+
 def between(
     known: Any, times: np.ndarray, values: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray | None]:
@@ -80,8 +100,9 @@ def between(
     if values is None:
         return whole, None
     if whole.shape[1] == n:  # no derivatives by time: straight lines
-        columns = [np.interp(times, known.times, v) for v in values.reshape(m, -1).T]
-        whole = np.column_stack([whole, *columns])
+        sides = _sensitivities_at(known)
+        sides = None if sides is None else sides.reshape(len(sides), -1)
+        whole = np.hstack([whole, straight(known, times, values.reshape(m, -1), sides)])
     return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, values.shape[2])
 
 
@@ -89,17 +110,44 @@ def _hermite(known: Any, times: np.ndarray, values: np.ndarray | None) -> np.nda
     """Interpolate states, followed by sensitivities if their derivatives are known."""
     nodes = known.times
     x, rates = _beside(known, nodes, known.states, known.derivatives, values)
-    if known.events and known._model is not None:
-        nodes, x, rates = _with_events(known, x, rates, values is not None)
+    if known._sides is not None or (known.events and known._model is not None):
+        moments, sides = _at_events(known)
+        columns = None if values is None else _sensitivities_at(known)
+        own = _beside(known, moments, sides, Sides.of(known).derivatives, columns)
+        nodes, (x, rates) = _with_events(known, moments, zip((x, rates), own, strict=True))
+    elif any((e.before != e.after).any() for e in known.events):
+        raise ValueError(
+            "The trajectory has events that change states, and does not know how these go on from "
+            "there: it was created or saved without. Use the Trajectory that `System.simulate` "
+            "returned, or save that again."
+        )
+    k, after, h, s = _places(nodes, times)
+    value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
+    slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
+    result: np.ndarray = value + slope
+    return result
+
+
+def straight(
+    known: Any, times: np.ndarray, table: np.ndarray, sides: np.ndarray | None
+) -> np.ndarray:
+    """Interpolate a table of a Trajectory by lines, which end at `sides` of events, if known."""
+    nodes = known.times
+    if sides is not None:
+        nodes, (table,) = _with_events(known, _at_events(known)[0], [(table, sides)])
+    k, after, _, s = _places(nodes, times)
+    result: np.ndarray = table[k] + s * (table[after] - table[k])
+    return result
+
+
+def _places(nodes: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return the nodes before and after some times, their distance, and the part that is over."""
     # The last of equal times, so that an interval has a length wherever there is one.
     k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
     after = np.minimum(k + 1, len(nodes) - 1)
     h = (nodes[after] - nodes[k])[:, None]
     s = np.divide((times - nodes[k])[:, None], h, out=np.zeros_like(h), where=h > 0.0)
-    value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
-    slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
-    result: np.ndarray = value + slope
-    return result
+    return k, after, h, s
 
 
 def _beside(
@@ -116,22 +164,25 @@ def _beside(
     )
 
 
-def _with_events(
-    known: Any, x: np.ndarray, rates: np.ndarray, sensitive: bool
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Insert both sides of each event into the nodes, values and derivatives."""
+def _at_events(known: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the times of both sides of each event, and the states there."""
     moments = np.repeat([e.time for e in known.events], 2)
-    sides = np.array([side for e in known.events for side in (e.before, e.after)])
-    values = None
-    if sensitive:
-        pairs = ((e.sensitivity_before, e.sensitivity_after) for e in known.events)
-        values = np.array([value for pair in pairs for value in pair])
-    slopes = known._model.derivatives(moments, sides)
-    own = _beside(known, moments, sides, slopes, values)
+    return moments, np.array([side for e in known.events for side in (e.before, e.after)])
+
+
+def _sensitivities_at(known: Any) -> np.ndarray | None:
+    """Return the sensitivities of the states on both sides of each event, if all have them."""
+    pairs = [(e.sensitivity_before, e.sensitivity_after) for e in known.events]
+    values = [value for pair in pairs for value in pair]
+    return None if not values or any(v is None for v in values) else np.array(values)
+
+
+def _with_events(
+    known: Any, moments: np.ndarray, tables: Iterable[tuple[np.ndarray, np.ndarray]]
+) -> tuple[np.ndarray, list[np.ndarray]]:
+    """Insert both sides of each event into the times, and into tables with rows for these."""
     # A node at the time of an event may be of either side: the event's own replace it.
     other = ~np.isin(known.times, moments)
     nodes = np.concatenate([moments, known.times[other]])
     order = np.argsort(nodes, kind="stable")
-    tables = zip(own, (x, rates), strict=True)
-    x, rates = (np.concatenate([mine, table[other]])[order] for mine, table in tables)
-    return nodes[order], x, rates
+    return nodes[order], [np.concatenate([own, t[other]])[order] for t, own in tables]

@@ -12,7 +12,7 @@ import numpy as np
 from pydy._checks import ascending, check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
-from pydy._interpolation import Model, SensitivityModel, between, checked_times
+from pydy._interpolation import Model, SensitivityModel, Sides, between, checked_times, straight
 from pydy._names import (
     column_names,
     latex_of,
@@ -360,6 +360,7 @@ class Trajectory:
         self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
+        self._sides: Sides | None = None  # of a file; a model evaluates them
 
     # -- names ------------------------------------------------------------------------------------
 
@@ -539,7 +540,8 @@ class Trajectory:
         with a native solver. Otherwise, also after pickling and `load`, they are cubic Hermite
         interpolants of the states and their exact derivatives: twice as many times make their error
         16 times smaller. At the time of an event it is the state after it. Outputs and specifieds
-        are evaluated again; without a model, as after `load`, they are interpolated linearly.
+        are evaluated again; without a model, as after `load`, they are interpolated linearly, from
+        one event to the next.
 
         Parameters
         ----------
@@ -571,10 +573,9 @@ class Trajectory:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
         else:
-            outputs, specifieds = (
-                np.array([np.interp(times, self.times, column) for column in table.T]).T
-                for table in (self.outputs, self.specifieds)
-            )
+            own = (None, None) if self._sides is None else self._sides[1:]
+            tables = zip((self.outputs, self.specifieds), own, strict=True)
+            outputs, specifieds = (straight(self, times, *pair) for pair in tables)
         return Trajectory(
             times,
             states,
@@ -703,9 +704,9 @@ class Trajectory:
         """Write the trajectory to a NetCDF file.
 
         The format is NetCDF 3, which every NetCDF library reads, with a checksum that `load`
-        compares. Derivatives are also written, and energies if they are known, so that a loaded
-        trajectory can be interpolated and plotted; the solver's dense output is not, nor is it
-        pickled.
+        compares. Derivatives are also written, those on both sides of events too, and energies if
+        they are known, so that a loaded trajectory can be interpolated and plotted; the solver's
+        dense output is not, nor is it pickled.
 
         Parameters
         ----------
@@ -722,7 +723,12 @@ class Trajectory:
             derivatives=self._model is not None or self._derivatives is not None,
             energy=self._energy is not None,
         )
-        write_netcdf(dataset, path, self.statistics, [vars(event) for event in self.events])
+        events = [dict(vars(event)) for event in self.events]
+        if events and (self._model is not None or self._sides is not None):
+            sides = Sides.of(self)._asdict()
+            for k, event in enumerate(events):
+                event["beside"] = {name: t[2 * k : 2 * k + 2] for name, t in sides.items()}
+        write_netcdf(dataset, path, self.statistics, events)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Trajectory:
@@ -744,7 +750,13 @@ class Trajectory:
             The file is damaged, or contains no trajectory.
         """
         xarray = require("xarray", "labels", "Trajectory.load")
-        parts, statistics, events = read_netcdf(xarray, path, EventRecord)
+        sides: list[Any] = []
+
+        def record(beside: Any = None, **attributes: Any) -> EventRecord:
+            sides.append(beside)
+            return EventRecord(**attributes)
+
+        parts, statistics, events = read_netcdf(xarray, path, record)
         loaded = Trajectory(  # modes, costates and the like are not in the file
             parts.times,
             parts.table(*STATES),
@@ -762,4 +774,7 @@ class Trajectory:
             loaded._derivatives = parts.table("derivative")
         if "energy" in parts.columns:
             loaded._energy = parts.table("energy")
+        if sides and None not in sides:  # as in older files
+            tables = (np.concatenate([own[name] for own in sides]) for name in Sides._fields)
+            loaded._sides = Sides(*tables)
         return loaded

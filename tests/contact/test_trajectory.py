@@ -58,6 +58,8 @@ def test_a_file_is_loaded_as_a_trajectory(tmp_path):
     loaded = type(motion).load(tmp_path / "motion.nc")
     assert type(loaded) is Trajectory
     np.testing.assert_array_equal(loaded["floor_gap"], motion["floor_gap"])
+    # Parabolas, and rest: cubic pieces from one side of each transition to the other.
+    np.testing.assert_allclose(loaded.at(TIMES).states, motion.at(TIMES).states, atol=1e-9)
 
 
 @pytest.mark.parametrize("name", ["floor_gap", "floor_normal", "floor_margin"])
