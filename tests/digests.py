@@ -84,7 +84,7 @@ def said_of(name, system):
 def main(tier, order, steps):
     choose(tier, int(steps))
     warnings.simplefilter("ignore")
-    models = [pair for place, pair in enumerate(systems()) if drawn(place, 3)]
+    models = [pair for place, pair in enumerate(systems()) if drawn(place, 6)]
     lines = []
     for name, system in models if order == "forward" else models[::-1]:
         lines += [f"{name}: {' '.join(map(str, line))}" for line in said_of(name, system)]

@@ -126,6 +126,7 @@ def test_points_of_hinges_at_angles_may_have_velocities():
     assert not check(chain(joints, set_velocities=True)).honoured
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("floating", [False, True])
 def test_branches_about_any_axes_give_the_accelerations_of_the_inertial_frame(floating):
     rng = np.random.default_rng(5)

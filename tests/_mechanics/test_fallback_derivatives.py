@@ -67,6 +67,7 @@ def test_a_jacobian_is_exact_however_nearly_the_arm_is_stretched(bend, generator
         np.testing.assert_allclose(product, whole, rtol=0, atol=1e-12 * size)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("size", [1e-4, 1e-6, 1e-8])
 def test_a_jacobian_is_exact_where_dependent_speeds_hardly_follow(size):
     kane, e, rows = nearly_dependent(2, 2)

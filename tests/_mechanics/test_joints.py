@@ -36,6 +36,7 @@ def compared(own, other, tolerance=1e-12):
     close(found, [expected[s] for s in own.states], tolerance)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_equations_are_those_of_form_eoms(name):
     own = System(SYSTEMS[name]())

@@ -178,6 +178,7 @@ def numbered(system, numbers):
     return system
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MODELS)
 def test_both_give_the_same_accelerations(name):
     lagrange, kane = map(System, MODELS[name]())

@@ -68,6 +68,7 @@ def test_a_truss_holds_at_any_sag_in_any_units(front, metre, kilogram):
         np.testing.assert_allclose(-system.evaluate_outputs()[:2], tension, rtol=1e-15 / sag)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("front", ["definition", "lagrange"])
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 def test_a_flat_truss_has_the_least_multipliers(front, metre):
@@ -79,6 +80,7 @@ def test_a_flat_truss_has_the_least_multipliers(front, metre):
     np.testing.assert_allclose(system.evaluate_outputs()[:2], 0.0, atol=1e-15 * force)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify", "cython"])
 def test_all_back_ends_hold_the_truss(generator):
     system, _ = truss(1e-3, "definition")

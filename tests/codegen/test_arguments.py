@@ -14,6 +14,7 @@ X, V = me.dynamicsymbols("x v")
 M, K = sm.symbols("m k")
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("time_first", [False, True])
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("p", ["array", "list", "dictionary"])

@@ -243,6 +243,7 @@ def test_a_dense_singular_system_of_any_size_is_an_error(n, generator):
         rhs([0.3, *u], 0.0, [4.0])
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 def test_a_long_pendulum_agrees_with_sympy(generator):
     model = zoo.long_pendulum()

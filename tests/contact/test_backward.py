@@ -180,6 +180,7 @@ CASES = {
 }  # fmt: skip
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("case", CASES)
 def test_backward_is_forward(case):
     make, wrt, names = CASES[case]
@@ -205,6 +206,7 @@ def moved(contacts, symbol, change, **terms):
     return found
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "wrt", "term"),
     [

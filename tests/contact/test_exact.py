@@ -117,6 +117,7 @@ def test_impacts_that_accumulate_end_in_contact():
     assert balance(trajectory) < 1e-9
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("inertia", [0.3, 1e-6])
 def test_a_rimless_wheel_keeps_its_gait(inertia):
     half, tilt = math.pi / 8, 0.08
@@ -516,6 +517,7 @@ def test_a_block_that_a_load_holds_until_it_exceeds_friction(solver, rate, exces
     assert abs(motion.events[0].time - first) < 1e-9
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("rate", [5.0, 14.93, 36.5, 59.0])
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
 def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
@@ -537,6 +539,7 @@ def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
     assert motion.statistics["steps"] < 300
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize("rate", [7.0, 23.0, 57.0])
 def test_a_floor_with_bumps_is_hit_where_a_flight_first_meets_it(solver, rate):

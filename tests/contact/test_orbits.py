@@ -17,6 +17,7 @@ from touching import J, N, O, a, ball, e, falling_body, k, m, mu, slope, vx, vy,
 a0 = sm.Symbol("a0")
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("inertia", [0.3, 1e-4])
 def test_the_gait_of_a_rimless_wheel(inertia):
     half, tilt = math.pi / 8, 0.08

@@ -214,6 +214,7 @@ def test_a_block_that_is_pulled_from_rest_goes_along_the_pull(tolerance, solver)
     assert motion.states[-1, :2] == pytest.approx(wanted, abs=1e-9)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("turns", "most"), [(30.0, 1.3), (40.0, 1.5)])
 def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most):
     # A pull that turns and dies out. Over 20 s, its speeds are those of a body that only begins.

@@ -112,6 +112,7 @@ def compared(contacts, parameters, names, steps=1e-5, **options):
     return exact
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("hypothesis", ["newton", "poisson"])
 @pytest.mark.parametrize(("friction", "end"), [(0.3, 0.8), (2.0, 0.6)])
 def test_a_body_that_tumbles_on_two_feet(friction, end, hypothesis):

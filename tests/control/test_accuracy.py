@@ -109,6 +109,7 @@ def catenary():
     return float(w / 2 @ ((c * np.cosh(a) + e) * np.cosh(a)))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "options", "least"),
     [

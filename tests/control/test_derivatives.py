@@ -290,6 +290,7 @@ def test_known_signals_at_times_that_move_with_the_duration(method, order):
     )
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(2))
 def test_random_equations(seed):
     rng = np.random.default_rng(seed)

@@ -267,6 +267,7 @@ def test_a_fit_costs_few_integrations_and_no_factorisation_but_the_equations(mon
     np.testing.assert_allclose(general.covariance, found.covariance, rtol=1e-6)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["ipopt", *SOLVERS])
 def test_fits_by_each_solver(solver):
     system, trial, gains, torques = standing(0, 2.0)

@@ -138,6 +138,7 @@ def test_known_signals_as_expressions_and_samples():
     assert objectives[1] == pytest.approx(objectives[0], rel=1e-5)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
 def test_known_samples_under_a_free_duration(method):
     x, v, F, wind = me.dynamicsymbols("x v F wind")

@@ -334,6 +334,7 @@ METHODS = [
 ]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "options"), METHODS)
 @pytest.mark.parametrize("seed", range(2))
 def test_events_in_lanes_have_the_bits_of_the_solver_for_one(method, options, seed):

@@ -17,7 +17,7 @@ import pytest
 from fuzz.table import FAMILIES
 from parts import PART, WHOLE
 
-PARTS = 1 if WHOLE else 8  # of 28,000 inputs
+PARTS = 1 if WHOLE else 16  # of 28,000 inputs
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="inputs are tried in forks")
 

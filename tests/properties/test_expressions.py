@@ -20,7 +20,7 @@ from pydy.system import System
 from rounding import SAFETY, OutsideError, UnclearError, bounded
 
 NAMES = [*X, *P]
-PARTS = 4
+PARTS = 8
 
 
 def quiet(max_examples):
@@ -205,7 +205,7 @@ def test_the_bound_sees_a_switch_within_rounding():
 BACKENDS = {"lambdify": NumPyBackend(), "llvm": LLVMBackend()}
 
 
-@quiet(20)
+@quiet(10)
 @given(recipe=recipes, numbers=st.integers(0, 2**32 - 1))
 def test_a_random_expression_and_its_rewriting_stay_within_eight_times_its_rounding_bound(
     recipe, numbers
@@ -226,7 +226,7 @@ def test_a_random_expression_and_its_rewriting_stay_within_eight_times_its_round
             )
 
 
-@quiet(8)
+@quiet(4)
 @given(recipe=recipes)
 def test_building_a_random_expression_twice_gives_the_same_digest(recipe):
     digests = []
@@ -236,7 +236,7 @@ def test_building_a_random_expression_twice_gives_the_same_digest(recipe):
     assert digests[0] == digests[1]
 
 
-@quiet(8)
+@quiet(4)
 @given(recipe=recipes, data=st.data())
 def test_the_order_in_which_expressions_are_read_moves_them_by_rounding_only(recipe, data):
     expressions, points = expressions_of(recipe), points_of(0)
@@ -256,7 +256,7 @@ def shuffled(mapping):
     return st.permutations(list(mapping.items())).map(dict)
 
 
-@quiet(4)
+@quiet(2)
 @given(data=st.data())
 def test_the_order_of_dict_entries_changes_no_bit_of_a_system(data):
     model = zoo.pendulum()

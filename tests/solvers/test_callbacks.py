@@ -79,6 +79,7 @@ def test_an_alarm_always_arrives_from_a_python_right_hand_side(solver):
     storm(lambda: solver(lambda x, t: [x[1], -x[0]], [1.0, 0.0], times, **options), 40)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", [rk4, dop853, radau], ids=repr)
 def test_an_alarm_always_arrives_from_a_python_specified_with_events(solver):
     q, v = me.dynamicsymbols("q v")

@@ -118,6 +118,7 @@ def test_an_explicit_method_compiles_its_own_loop_alone(tmp_path):
     assert len(list(tmp_path.rglob("*.code"))) == 1
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("share", [0.0, 0.5])
 def test_a_damaged_entry_is_compiled_again(tmp_path, share):
     run(ASK, PYDY_CACHE_DIR=str(tmp_path))

@@ -327,6 +327,7 @@ def test_an_event_that_is_only_grazed_is_refused():
 # -- constraints ----------------------------------------------------------------------------------
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "holding", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
 )

@@ -35,6 +35,7 @@ def test_an_unconstrained_system_has_an_empty_matrix():
     assert len(constraints) == 0
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_the_constraints_are_a_column_of_holonomic_then_nonholonomic(name):
     model = zoo.MODELS[name]()

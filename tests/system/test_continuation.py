@@ -190,6 +190,7 @@ def test_a_bar_counts_points(capsys):
     assert "c0=" in shown
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e-6), (1e-9, 1e-12)])
 def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second):
     """Two springs from (±1, 0) to a particle, which is loaded along y: the truss of von Mises.

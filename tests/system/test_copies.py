@@ -22,6 +22,7 @@ WAYS = {
 }
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_system_survives(name, way):
@@ -93,6 +94,7 @@ print("as expected")
 """
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", ["system", "function"])
 def test_a_pickle_lands_in_another_process(kind, tmp_path):
     model = zoo.timed()

@@ -276,6 +276,7 @@ def test_a_speed_that_the_user_gave_is_kept(unit):
     system.set_dependent_initial_conditions(dep_vars=dependent)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "how",
     [{}, {"use_jac": True}, {"jac": lambda z: [[2.0 * z[0], 2.0 * z[1]], [0.0, 1.0]]}],
@@ -306,6 +307,7 @@ def test_an_area_and_a_length_are_solved_in_any_unit(metre, how):
     np.testing.assert_allclose(found, [root, 0.6, -0.9 / root, 1.0], rtol=1e-14)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-18, 1.0, 1e9, 1e13])
 def test_searches_begin_at_zero_in_any_unit(metre):
     """SciPy steps by 1e-8 from zero: beside 1e9 metres this was rounding."""

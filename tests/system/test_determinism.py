@@ -35,7 +35,7 @@ def test_every_process_gives_the_same_programs_and_bits(tmp_path):
         )  # fmt: skip
         assert run.returncode == 0, run.stderr
         said.append(run.stdout.splitlines())
-    assert len(said[0]) > 50
+    assert len(said[0]) > 20
     assert said[0] == said[1]
 
 

@@ -383,6 +383,7 @@ def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
     assert np.diff(np.tan(angles), n=2) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("start", "upright"),
     [
@@ -426,6 +427,7 @@ def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
         system.find_equilibrium()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("lagrangian", [False, True])
 def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
@@ -452,6 +454,7 @@ def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
     assert found.free == ()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-18, 1e-13, 1.0, 1e13, 1e18])
 def test_an_angle_without_inertia_is_judged_in_no_unit(metre):
     """Below 1e-10 any height was an equilibrium; beyond 1e13 the deflection x seemed to be free."""

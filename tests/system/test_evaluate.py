@@ -30,6 +30,7 @@ def test_evaluate_ode_agrees_with_sympy(name, generator):
         close(got[:n], oracle(model).xdot(x, t))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_a_sweep_equals_its_rows(name, generator):
@@ -42,6 +43,7 @@ def test_a_sweep_equals_its_rows(name, generator):
     close(system.evaluate_ode(xs, ts), rows, 1e-12)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("m", [1, 2, 7, 8, 9, 100])
 def test_a_sweep_of_any_length_equals_its_rows(m, generator):

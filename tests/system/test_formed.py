@@ -51,6 +51,7 @@ def test_a_method_without_equations_is_formed_from_its_bodies(name):
     close(found, Oracle(derived(model)).xdot(x, t), 1e-12)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["pendulum", "disc_contact", "skate", "shaken", "added_mass"])
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
@@ -64,6 +65,7 @@ def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
         close(found[len(x) :], oracle(model).forces(x, t), 1e-12)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_the_symbols_are_those_of_sympys_equations(name):
     model = zoo.MODELS[name]()
@@ -72,6 +74,7 @@ def test_the_symbols_are_those_of_sympys_equations(name):
     assert formed.specifieds_symbols == method.specifieds_symbols
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["free_pendulum", "disc", "shaken", "added_mass"])
 @pytest.mark.parametrize("wrt", ["states", "constants"])
 def test_jacobians_are_those_of_sympys_equations(name, wrt):

@@ -596,6 +596,7 @@ def test_derivatives_go_through_resets_as_those_of_the_formula(held, reset):
 EFFORT = sm.Integral(me.dynamicsymbols("F") ** 2, T)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("held", [X, V])
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
 def test_optimal_motions_keep_residuals_from_any_start(held, method):

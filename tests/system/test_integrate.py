@@ -205,6 +205,7 @@ def rk4(copy):
     return solver
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("outputs", [None, {A: zoo.pendulum().states[0] ** 2}], ids=["", "outputs"])
 def test_a_runge_kutta_that_keeps_its_stages_is_right(generator, outputs):
@@ -222,6 +223,7 @@ def ivp(f, x0, ts, args=(), **options):
     ).y.T
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"])
 def test_every_method_of_solve_ivp_gives_the_trajectory(method):
     system = pendulum(ode_solver=ivp)

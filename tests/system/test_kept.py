@@ -123,6 +123,7 @@ def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("full_output", [False, True])
 @pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
 def test_scipys_solvers_are_looked_at(solver, full_output):
@@ -202,6 +203,7 @@ def test_what_projection_takes_away_is_refused():
 # -- sound motions --------------------------------------------------------------------------------
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-11])
 def test_a_crank_that_turns_is_sound_without_projection(solver, tolerance):
@@ -229,6 +231,7 @@ def test_a_slow_drift_is_sound(solver, tolerance, length):
     system.integrate(rtol=tolerance, atol=tolerance * length)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-10])
 def test_passing_singular_positions_by_projection_is_sound(solver, tolerance):

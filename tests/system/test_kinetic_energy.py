@@ -54,6 +54,7 @@ def test_the_hessian_of_an_unconstrained_system_is_its_mass_matrix(name):
     close(hessian(system_of(model), x, t), expected.tolist(), 1e-13)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["disc", "disc_contact", "sleigh", "fourbar", "track", "lifted"])
 def test_the_hessian_of_a_constrained_system_is_that_of_sympys_energy(name):
     model = zoo.MODELS[name]()

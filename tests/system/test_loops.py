@@ -27,6 +27,7 @@ def loop(name, **shape):
     return loops.system_of(name, np.linspace(0.0, 10.0, 101), "tsit5", **shape)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", RANKS)
 def test_rows_of_full_rank_are_found(name):
     system = loop(name)

@@ -114,6 +114,7 @@ def heavy_top():
     return found.y[:9, -1].reshape(3, 3) @ arm, found.y[9:, -1]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_the_heavy_top_of_bruls_and_cardona_moves_as_its_own_equations_say(solver):
     # O. Brüls and A. Cardona, "On the use of Lie group time integrators in multibody dynamics",

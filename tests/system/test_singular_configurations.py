@@ -75,6 +75,7 @@ def test_short_steps_do_not_make_a_bead_fall_off(form):
         passes_or_says_why(bead(form, radius), "dop853", 1e-9, 1e-4, end=0.5)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "rk4"])
 @pytest.mark.parametrize("windows", [1, 2, 3])
 def test_the_n_four_bar_passes_its_singular_positions_with_its_rods_parallel(windows, solver):
@@ -104,12 +105,14 @@ def test_the_n_four_bar_passes_its_singular_positions_implicitly(windows):
         assert np.abs(total / total[0] - 1.0).max() < 10 * tolerance
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("windows", [1, 2, 3])
 def test_at_the_least_tolerance_it_does_so_or_says_why_not(windows):
     for max_step in (None, 1e-2):
         passes_or_says_why(n_four_bar(windows), "radau", 1e-12, max_step)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 def test_a_slider_crank_with_equal_lengths_passes_its_dead_centres_or_says_why_not(solver):
     tolerances = [1e-6] if solver == "rk4" else [1e-6, 1e-8, 1e-10, 1e-12]
@@ -164,6 +167,7 @@ def test_a_run_that_stops_elsewhere_does_not_speak_of_singular_configurations():
         system.integrate(max_steps=3, **options)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10])
 def test_bricards_mechanism_keeps_its_energy_or_is_refused(tolerance):
     system = bricard((0, 1, 3, 4)).system

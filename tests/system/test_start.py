@@ -132,6 +132,7 @@ def test_a_sample_of_an_ensemble_that_is_off_is_named():
         system.integrate_ensemble(initial_conditions={q2: many})
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("length", [1.0, 1e-3, 1e-6, 7e6])
 @pytest.mark.parametrize("constraints", [None, "project"])
 def test_a_start_far_off_is_told_in_any_units(length, constraints):
@@ -180,6 +181,7 @@ def sledge(metre, second):
     return system, (a, v, s)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("second", UNITS)
 @pytest.mark.parametrize("speed", [0.0, 1.0])
@@ -207,6 +209,7 @@ def test_speeds_that_are_off_are_told_in_any_units(metre, second):
         system.integrate(atol=1e-9 * rate, constraints="project")
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("unit", [1.0, 1e9, 1e-9])
 def test_a_bicycle_that_stands_upright_to_rounding_is_not_told_of(unit):
     model = whipple_bicycle.derive()

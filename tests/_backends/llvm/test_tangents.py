@@ -139,6 +139,7 @@ def test_states_that_cannot_go_the_quick_way_are_solved_by_pivoting(n, kind):
         assert np.allclose(row.reshape(n, 2 * n), expected, rtol=1e-8, atol=1e-8)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("n", [3, 9])
 def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     graph, nodes, sizes = by_hand(n)
