@@ -125,7 +125,7 @@ def test_the_start_is_the_pose_of_the_file(tmp_path):
     model = mujoco.MjModel.from_xml_path(str(path))
     robot = read(path)
     coordinates, _ = order_of(robot, model)
-    assert [robot.start.get(q, 0.0) for q in coordinates] == pytest.approx(model.qpos0)
+    assert [robot.start[q] for q in coordinates] == pytest.approx(model.qpos0)
 
 
 LOOPS = """<mujoco>
@@ -163,6 +163,8 @@ def test_ties_are_constraints(tmp_path, kind):
     robot = read(path)
     system = robot.system()
     coordinates, speeds = order_of(robot, model)
+    assembled = robot.definition.configuration.keys() & {*coordinates}
+    assert len(assembled) == {"connect": 3, "to the world": 1, "weld": 2, "joint": 2}[kind]  # zeros
     rows = system.evaluate_holonomic_constraints()
     assert rows == pytest.approx(0.0, abs=1e-12)
     rng = np.random.default_rng(1)

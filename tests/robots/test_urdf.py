@@ -136,7 +136,7 @@ def test_a_floating_base_falls_from_where_the_file_has_it(tmp_path):
     (tmp_path / "robot.urdf").write_text(text)
     robot = read(tmp_path / "robot.urdf")
     system = robot.system()
-    start = [robot.start.get(q, 0.0) for q in robot.joints["j0"].coordinates]
+    start = [robot.start[q] for q in robot.joints["j0"].coordinates]
     assert np.linalg.norm(start[3:]) == pytest.approx(1.0, rel=1e-15)
     with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
         robot.system(initial_conditions={"q_j0_e1": 2.0}, times=[0.0, 1e-3]).integrate()
@@ -169,7 +169,7 @@ def test_the_root_floats_as_by_a_joint_of_the_file(tmp_path):
     rates = []
     for name, floating in (("free", True), ("joint", False)):
         robot = read(tmp_path / f"{name}.urdf", floating=floating)
-        where = [robot.start.get(q, 0.0) for q in robot.joints["root"].coordinates]
+        where = [robot.start[q] for q in robot.joints["root"].coordinates]
         assert where == [0, 0, 0, 1, 0, 0, 0]
         system = robot.system()
         rng = np.random.default_rng(0)

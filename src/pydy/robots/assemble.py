@@ -147,7 +147,7 @@ class Assembly:
             )
 
     def _start(self) -> dict[Any, float]:
-        """Return the coordinates that are not zero in the pose that the file shows."""
+        """Return the coordinates in the pose that the file shows."""
         found: dict[Any, float] = {}
         for link in self.tree.links:
             for joint in link.joints:
@@ -159,7 +159,7 @@ class Assembly:
                     given = np.zeros(len(symbols))
                     if joint.kind in ("ball", "free"):
                         given[-4] = 1.0
-                found.update((q, float(v)) for q, v in zip(symbols, given, strict=True) if v)
+                found.update((q, float(v)) for q, v in zip(symbols, given, strict=True))
         return found
 
     # -- links -------------------------------------------------------------------------------------

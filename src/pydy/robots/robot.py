@@ -32,7 +32,7 @@ class Robot:
     values : dict
         The constants' values as the file has them.
     start : dict
-        The coordinates that are not zero in the pose that the file shows.
+        The coordinates in the pose that the file shows.
     frames : dict
         By the name of a link, and ``'world'``: its `frame` and its `point`, SymPy's.
     joints : dict
