@@ -12,6 +12,7 @@ import zoo
 from cases import system_of
 from exported_models import TIMES, ball, hostile, pendulum
 from pydy.inputs import SampledInput
+from pydy.system import System
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
 from pydy.viz.arguments import unknowns_beside
 
@@ -193,3 +194,22 @@ def test_a_page_solves_for_what_the_system_solved_for_last():
     scene.animate(system.simulate())
     with pytest.raises(ValueError, match=r"sets the speeds `u1.*`, `u2.*`.*leave sliders out"):
         scene.html(live={"u1": (-20.0, 20.0), "u2": (-20.0, 20.0)})
+
+
+@pytest.mark.parametrize("length", [1e-9, 1.0, 1e9])
+def test_what_a_slider_moves_is_no_part_of_a_rigid_body_at_any_size(length):
+    q, u, l = *me.dynamicsymbols("q u"), sm.Symbol("l")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    A = N.orientnew("A", "Axis", (q, N.z))
+    A.set_ang_vel(N, u * N.z)
+    P, R = O.locatenew("P", l * A.x), O.locatenew("R", length * A.x)
+    for point in (O, P):
+        point.set_vel(N, 0 if point is O else l * u * A.y)
+    kane = me.KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
+    kane.kanes_equations([me.Particle("bob", P, 1)], [(P, -l * N.y)])
+    system = System(kane, constants={l: length}, initial_conditions={q: 0.3, u: 0.0})
+    system.times = np.linspace(0.0, 1.0, 11)
+    visuals = [Visual(Sphere(length / 10), A, point) for point in (O, P, R)]
+    scene = system.scene(*visuals, reference_frame=N, origin=O).animate(system.simulate())
+    tracks = [v["track"] for v in data_of(scene.html(live={l: (length / 2, length)}))["visuals"]]
+    assert tracks == [0, 1, 0]

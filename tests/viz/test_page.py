@@ -34,7 +34,7 @@ def scene(*visuals, states=None, **options):
 
 
 def data_of(scene):
-    return page_data(scene._animation, scene._look, scene._speed)
+    return page_data(scene._animation, scene._look)
 
 
 def floats(text, dtype="<f4"):

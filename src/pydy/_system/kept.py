@@ -19,10 +19,10 @@ from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._interpolation import evenly
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
-from pydy._mechanics.tuning import ROUNDED
-from pydy._rank import DIGITS, or_one, rank
+from pydy._rank import DIGITS, ROUNDED, or_one, rank
 from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, constraint_names
@@ -42,7 +42,6 @@ from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
 
-_TOGETHER = 4096  # samples that are looked at together
 NO_INPUTS: Mapping[int, int | None] = {}
 
 # -- where a motion begins, and after resets -------------------------------------------------------
@@ -119,8 +118,7 @@ def surely_held(at: At) -> np.ndarray:
 
 def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
     """Return the first tried state that has `violations`, and these."""
-    m = len(at.x)
-    tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
+    tried = evenly(len(at.x), TRIED)
     for k in tried[~surely_held(at.some(tried))]:
         if told := violations(at.some([k]), blocks=blocks):
             return int(k), told
@@ -197,16 +195,15 @@ def check_samples(
         return replace(common, r=np.where(varied, r, common.r), p=p)
 
     def told(numbers: np.ndarray) -> bool:
-        m = len(numbers)
-        for number in numbers[np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))]:
+        for number in numbers[evenly(len(numbers), TRIED)]:
             places = np.unravel_index(number, shape)
             whose = f" of sample {', '.join(map(str, places))}" if shape else ""
             if check_start(some(np.array([number])), whose, mended):
                 return True
         return False
 
-    for start in range(0, total, _TOGETHER):
-        numbers = np.arange(start, min(start + _TOGETHER, total))
+    for start in range(0, total, 4096):
+        numbers = np.arange(start, min(start + 4096, total))
         looked_at = some(numbers)
         residuals, sizes = evaluated_rows(looked_at, "sizes")
         shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)

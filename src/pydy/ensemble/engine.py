@@ -29,8 +29,7 @@ from pydy.ensemble.samples import (
     check_forms,
     to_dataset,
 )
-from pydy.ensemble.tuning import BLOCK_BYTES, LARGEST_BLOCK, ONE_BY_ONE, SMALLEST_BLOCK
-from pydy.ensemble.work import Work
+from pydy.ensemble.work import SMALLEST_BLOCK, Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
 _ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
@@ -55,8 +54,10 @@ class Ensemble:
         row = 8.0 * len(self.work.names) * (8 if self.work.reductions else len(model.times))
         row *= 1 + len(model.columns)
         # One by one takes long: an interrupt should find blocks that are finished.
-        most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
-        default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))
+        # With more samples an interrupt waits, and threads end at different times.
+        most = 8192 if model.in_lanes else SMALLEST_BLOCK
+        # About 8 MB of results fit the cache that processors share.
+        default = int(min(max(8e6 / row, SMALLEST_BLOCK), most))
         return block_sizes(self.samples.dims, self.chunks, default)
 
     # -- in memory ----------------------------------------------------------------------------
@@ -71,7 +72,8 @@ class Ensemble:
             _check(done, every, self.samples)
             return self._dataset(done.result())
         share = -(-self.samples.size // (4 * self._threads()))
-        number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else ONE_BY_ONE
+        # An interrupt keeps the finished blocks of what takes long.
+        number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else 8
         sizes = block_sizes(self.samples.dims, number, number)
         left = [block for _, block in self.samples.blocks(sizes)]
         whole: dict[str, Variable] = {}

@@ -248,7 +248,6 @@ class Results:
 
 COUNTED = ("steps", "rejected", "evaluations", "status")
 _KERNELS: dict[tuple[str, int], Kernel] = {}
-_KEPT = 64  # of several models with all that events need, for blocks that come one by one
 _LOCK = _forks.Lock()
 
 
@@ -260,7 +259,8 @@ def _kernel(program: Program | Tangent, lanes: int) -> Kernel:
         return known
     with _LOCK:
         if key not in _KERNELS:
-            while len(_KERNELS) >= _KEPT:
+            # Those of several models with all their events, for blocks that come one by one.
+            while len(_KERNELS) >= 64:
                 del _KERNELS[next(iter(_KERNELS))]
             _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
         return _KERNELS[key]

@@ -57,6 +57,15 @@ def file_names(names: Iterable[str]) -> dict[str, str]:
             number += 1
         taken.add(chosen.casefold())
         found[name] = chosen
+    for file in found.values():
+        try:
+            os.fsencode(file)
+        except UnicodeEncodeError:
+            raise ValueError(
+                f"`store` needs a file of the name {file!a}, which the encoding "
+                f"{sys.getfilesystemencoding()!r} of this locale has no letters for. Start Python "
+                "with the environment variable PYTHONUTF8=1, or give the output another name."
+            ) from None
     return {name: found[name] for name in given}
 
 
@@ -178,15 +187,6 @@ def create(
     """
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
-    for file in files.values():
-        try:
-            os.fsencode(file)
-        except UnicodeEncodeError:
-            raise ValueError(
-                f"`store` needs a file of the name {file!a}, which the encoding "
-                f"{sys.getfilesystemencoding()!r} of this locale has no letters for. Start Python "
-                "with the environment variable PYTHONUTF8=1, or give the output another name."
-            ) from None
     about = {
         _TOKEN: token,
         _VARIABLES: list(map(str, example.data_vars)),
@@ -202,21 +202,20 @@ def create(
         group = zarr.open_group(str(aside), mode="w", attributes=about)
         for name, variable in example.variables.items():
             file, along = files[str(name)], [files[str(d)] for d in variable.dims]
-            attrs = {**variable.attrs}
             if name in example.coords:
                 shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
-                _array(group, file, shape, shape, variable.dtype, along, attrs)
+                _array(group, file, shape, shape, along, variable)
                 continue
             rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
             shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
-            fill = NOT_COMPUTED if name == "status" else None
-            _array(group, file, shape, chunks, variable.dtype, along, attrs, fill)
+            _array(group, file, shape, chunks, along, variable)
         blocks = [
             -(-whole // max(1, size)) for whole, size in zip(samples.shape, sizes, strict=True)
         ]
         row, inner = len(about[_VARIABLES]), group.create_group(_CHUNKS[0])
         shape, chunks = (*blocks, row), (*(1 for _ in blocks), row)
-        _array(inner, _CHUNKS[1], shape, chunks, np.uint32, [*map(files.get, dims), "variable"], {})
+        checksums = Variable(dims, np.zeros(0, np.uint32), {})
+        _array(inner, _CHUNKS[1], shape, chunks, [*map(files.get, dims), "variable"], checksums)
         coordinates = " ".join(files[name] for name in samples.coordinates)
         group.attrs.update({**example.attrs, "coordinates": coordinates})
         write_coordinates(str(aside), samples, example.coords.get("time"))
@@ -262,13 +261,12 @@ def _array(
     name: str,
     shape: tuple[int, ...],
     chunks: tuple[int, ...],
-    dtype: Any,
     dims: Any,
-    attrs: Mapping[str, Any],
-    fill: Any = None,
+    variable: Any,
 ) -> Any:
-    if fill is None:
-        fill = np.nan if np.dtype(dtype).kind == "f" else 0
+    """Make an array for the values of a variable, or for others of the same type."""
+    dtype = np.dtype(variable.values.dtype)
+    fill = NOT_COMPUTED if name == "status" else np.nan if dtype.kind == "f" else 0
     # Whatever is damaged in a chunk, its checksum tells: a flipped bit may decompress to numbers.
     codecs = require("zarr.codecs", "ensemble", "`store`")
     return group.create_array(
@@ -277,7 +275,7 @@ def _array(
         chunks=tuple(max(1, c) for c in chunks) if shape else "auto",
         dtype=dtype,
         dimension_names=tuple(dims),
-        attributes=dict(attrs),
+        attributes=dict(variable.attrs),
         compressors=(codecs.ZstdCodec(), codecs.Crc32cCodec()),
         fill_value=fill,
     )

@@ -13,13 +13,13 @@ from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
 from pydy._graph.interpret import run as interpret
+from pydy._interpolation import evenly
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
 from pydy.analysis.jumps import Watched, told_of_jump
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
-from pydy.ensemble.tuning import SMALLEST_BLOCK
 from pydy.solvers.kept import (
     Ran,
     allowed_after,
@@ -34,9 +34,11 @@ from pydy.solvers.kept import (
 from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 
+SMALLEST_BLOCK = 64
+"""Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""
+
 COUNTS = (*COUNTED, "end_time")
 """What the result tells of each sample beside its states and outputs."""
-_OCCURRENCES = 8
 
 
 @dataclass(frozen=True)
@@ -94,7 +96,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
                 )
             result.append(Extreme(kind, name(rest[0])))
         elif kind == "events" and len(rest) < 2:
-            number = rest[0] if rest else _OCCURRENCES
+            number = rest[0] if rest else 8
             if not model.event_names:
                 raise ValueError("`reduce='events'` needs `events`, a list of pydy.solvers.Event.")
             if isinstance(number, bool) or not isinstance(number, int) or number < 1:
@@ -231,8 +233,7 @@ class Work:
 
     def _tell_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
         """Warn of the first of some samples that pass a jump, of which derivatives know nothing."""
-        m = len(batch.x)
-        for k in np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int)).tolist():
+        for k in evenly(len(batch.x), TRIED).tolist():
             if "jumps" in self.told or batch.stopped():
                 return
             motion = batch.passed(k, times)
@@ -425,8 +426,6 @@ _STATISTICS: dict[str, dict[str, Any]] = {
 
 # -- Samples that left their constraints, or changed their energy, are lost alone ------------------
 
-_NUMBERS = 1_000_000  # of residuals and derivatives at a time
-
 
 def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     """Set samples to NaN after the last time at which they were sound; leave the others alone.
@@ -526,7 +525,8 @@ def _suspects(
     program = programs["screen"]
     assert program is not None
     few = looked_at(states[:, whole[0]].T, projected=False)
-    number = max(1, _NUMBERS // (len(few) * max(1, len(program.outputs))))
+    # A million residuals and derivatives at a time.
+    number = max(1, 1_000_000 // (len(few) * max(1, len(program.outputs))))
     suspects = [np.setdiff1d(ended, whole)]
     for start in range(0, len(whole), number):
         places = whole[start : start + number]

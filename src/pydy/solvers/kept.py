@@ -26,10 +26,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pydy._errors import warn_user
+from pydy._interpolation import evenly
 from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
-from pydy.solvers.tuning import EXCESS, FEW_STEPS, INHERITED, LEFT, LOST, NEAR_SINGULAR, TRIED
+from pydy.solvers.tuning import EXCESS, LOST, NEAR_SINGULAR, TRIED
 
 Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 """Gives values at times (m,) and states (m, n), by name, each of the shape (m, values):
@@ -85,7 +86,7 @@ class Ran:
         """Return the sum of the errors of so many steps if each has the allowed size."""
         sizes: np.ndarray = np.abs(self.states)
         if self.steps is None:
-            return LEFT * sizes
+            return 1e-2 * sizes  # a method without error control
         return np.asarray((self.atol + self.rtol * sizes) * steps)
 
     def summed(self, values: np.ndarray) -> np.ndarray:
@@ -103,9 +104,8 @@ def looked_at(states: np.ndarray, projected: bool) -> np.ndarray:
     """
     found = np.flatnonzero(np.isfinite(states).all(axis=1))
     found = found[int(projected and len(found) > 1) :]
-    if len(found) > TRIED:
-        found = found[np.unique(np.linspace(0, len(found) - 1, TRIED).astype(int))]
-    return found
+    some: np.ndarray = found[evenly(len(found), TRIED)]
+    return some
 
 
 def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
@@ -117,7 +117,8 @@ def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 def allowed_after(allowed: np.ndarray, before: np.ndarray | None) -> np.ndarray:
     """Return the allowed residuals after a reset: existing drift is not the reset's fault."""
-    return allowed if before is None else np.maximum(allowed, INHERITED * np.abs(before))
+    # It has passed on what the motion has drifted by, as it does with speeds.
+    return allowed if before is None else np.maximum(allowed, 16.0 * np.abs(before))
 
 
 def described(t: float, rows: np.ndarray, allowed: np.ndarray, names: Sequence[str]) -> str:
@@ -235,7 +236,8 @@ def _energy(ran: Ran, part: Part) -> Verdict | None:
         return None
     kinetic = found["kinetic"].max()
     changes = np.abs(found["total"] - found["total"][0])[:, 0]
-    errors = ran.errors(ran.steps + FEW_STEPS)
+    # Ten more steps: long ones, and states between them, are in error by more than is allowed.
+    errors = ran.errors(ran.steps + 10.0)
     allowed = _moved(found["slopes"], errors).max() + LOST * kinetic
     allowed = np.broadcast_to(allowed, changes.shape)
     if ran.nearness is None:  # beside the constraints

@@ -7,8 +7,6 @@ Import what you need from here::
 A `Scene` takes trajectories and expressions; ``system.scene(...)`` is the short way from a System.
 """
 
-from __future__ import annotations
-
 from pydy.viz.live import Live, Slider
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import (

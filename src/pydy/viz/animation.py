@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 import scipy
 
+from pydy._interpolation import evenly
 from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
 from pydy.viz.defaults import default_shape
 from pydy.viz.motion import Geometry, Motion, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
 from pydy.viz.surfaces import arrow, rods, surface
-from pydy.viz.tuning import USUAL
 from pydy.viz.visuals import Visual
 
 # -- From where a scene is seen: the camera, the ground, and what they follow ----------------------
@@ -128,9 +128,6 @@ def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
 # -- The animation ---------------------------------------------------------------------------------
 
 
-_SEEN = 150  # instants at which the extent of the scene is measured
-
-
 @dataclass(frozen=True, eq=False)
 class Item:
     """A visual with its numbers at m instants."""
@@ -188,6 +185,7 @@ class Animation:
     items: tuple[Item, ...]
     series: dict[str, np.ndarray]  # (m,)
     bounds: np.ndarray  # (m', 2, 3): the box around everything but planes at some of the instants
+    speed: float = 1.0  # seconds of it for each second shown
     events: tuple[tuple[float, str], ...] = ()  # (time, name)
     # Of each contact: (from, to, mode)
     modes: Mapping[str, Sequence[tuple[float, float, str]]] = field(default_factory=dict)
@@ -309,7 +307,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
             line = np.stack([placed.positions[p] for p in shape.points], 1)
         rotations = identity if visual.frame is None else placed.rotations[visual.frame]
         items.append(Item(visual, shape, rotations, placed.positions[visual.point], vector, line))
-    rows = np.unique(np.linspace(0, m - 1, min(m, _SEEN)).astype(int))
+    rows = evenly(m, 150)
     shown = [i for i in items if not isinstance(i.shape, Plane)] or items
     reach = np.stack([item.reach(rows) for item in shown])
     bounds = np.stack([reach[:, :, 0].min(0), reach[:, :, 1].max(0)], 1)
@@ -342,7 +340,7 @@ def _shown(longest: np.ndarray) -> float:
     to see of the rest, the peak may be as long as the scene.
     """
     peak = float(longest.max())
-    usual = float(np.quantile(longest, USUAL))
+    usual = float(np.quantile(longest, 0.9))
     return 1.0 / max(3.0 * usual, peak) if peak else 1.0
 
 

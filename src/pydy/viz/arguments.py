@@ -16,7 +16,6 @@ from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of, some
 from pydy._rank import DIGITS, HALF
 from pydy.viz.shapes import Arrow, Line
-from pydy.viz.tuning import FILLED, PIXELS
 from pydy.viz.visuals import Visual
 
 
@@ -224,7 +223,7 @@ def modes_of(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, 
             continue
         for name, mode in modes.items():
             spans = found.setdefault(name, [])
-            if spans and (spans[-1][2] == mode or (last - first) * PIXELS < end - begin):
+            if spans and (spans[-1][2] == mode or (last - first) * 2000 < end - begin):
                 spans[-1] = spans[-1][0], last, spans[-1][2]
             else:
                 spans.append((first, last, mode))
@@ -250,7 +249,8 @@ def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
 
     def step_of(duration: float) -> float:
         step = playback(fps, speed, duration)[1]
-        return np.inf if step is None else max(step * (1.0 - DIGITS), duration / FILLED)
+        # No finer than two minutes of 60 pictures a second.
+        return np.inf if step is None else max(step * (1.0 - DIGITS), duration / 7200)
 
     return filled(trajectory, step_of)
 

@@ -97,9 +97,6 @@ def _joined(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray, np.ndarray, 
 # -- Films of a scene: frames that go to a GIF or to ffmpeg as they are drawn ----------------------
 
 
-_SHADES = 24  # of each colour of the scene that the palette can tell
-
-
 def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
     """Save a GIF whose frames share a palette.
 
@@ -125,7 +122,8 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
 
 def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
     """Return a palette of 256 colours: those of a picture, and shades of the scene's."""
-    shades = np.linspace(0.4, 1.0, _SHADES)[:, None, None] * np.array(colours or [np.ones(3)])
+    # of each colour of the scene that the palette can tell
+    shades = np.linspace(0.4, 1.0, 24)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
     sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
     chosen = image.fromarray(sample)
@@ -243,7 +241,6 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
 def save(
     animation: Animation,
     look: Look,
-    speed: float,
     path: Path,
     fps: float,
     dpi: float,
@@ -269,7 +266,7 @@ def save(
             figure.savefig(place, dpi=dpi)
         return
 
-    count = max(1, round((end - start) / speed * fps)) + 1
+    count = max(1, round((end - start) / animation.speed * fps)) + 1
     shown = animation.at(np.linspace(start, end, count))
     drawing = _Drawing(animation, shown, seen, axes, look.title, make_triangles(axes))
     rows: Iterable[int] = range(count)

@@ -19,7 +19,7 @@ from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._names import name_of, some
-from pydy._rank import HALF
+from pydy._rank import ROUNDED, or_one
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
 from pydy.viz.animation import Animation, Item, followed
@@ -141,8 +141,6 @@ class LiveSystem:
 
 # -- which points are rigidly connected ------------------------------------------------------------
 
-_SAMPLES = 6
-
 
 class Witness:
     """Frames and points in generic states, for various values of the constants with sliders.
@@ -155,27 +153,29 @@ class Witness:
     ) -> None:
         generator = np.random.default_rng(20)
         rotations, positions = [], []
-        for _ in range(_SAMPLES):
-            x = motion.states[0] + generator.uniform(-1, 1, motion.states.shape[1])
+        sizes = or_one(np.abs(motion.states).max(axis=0))
+        for _ in range(6):
+            x = motion.states[0] + sizes * generator.uniform(-1, 1, len(sizes))
             r = generator.uniform(-1, 1, (1, program.num_specifieds))
             p = motion.constants.copy()
-            p[varied] = p[varied] * generator.uniform(0.7, 1.3, len(varied)) + 0.1
+            p[varied] = np.where(p[varied], p[varied], 1.0) * generator.uniform(
+                0.7, 1.3, len(varied)
+            )
             out, _ = run(program, generator.uniform(0, 1, 1), x[None], r, p)
             blocks = program.by_block(out[0])
             rotations.append(blocks["rotations"])
             positions.append(blocks["positions"])
         self._rotations = {f: np.stack([a[k] for a in rotations])
                            for k, f in enumerate(geometry.frames)}  # fmt: skip
-        self._rotations[None] = np.broadcast_to(np.eye(3), (_SAMPLES, 3, 3))
+        self._rotations[None] = np.broadcast_to(np.eye(3), (6, 3, 3))
         self._positions = {p: np.stack([a[k] for a in positions])
                            for k, p in enumerate(geometry.points)}  # fmt: skip
-        self._size = float(max(np.abs(a).max(initial=1.0) for a in self._positions.values()))
 
     def rigid(self, frame: Any, base: Any, point: Any) -> bool:
         """Tell whether a point rests in a frame as seen from another point."""
-        away = self._positions[point] - self._positions[base]
-        offset = np.einsum("mji,mj->mi", self._rotations[frame], away)
-        return bool(np.ptp(offset, axis=0).max() <= HALF * self._size)
+        places = self._positions[point], self._positions[base]
+        offset = np.einsum("mji,mj->mi", self._rotations[frame], places[0] - places[1])
+        return bool(np.ptp(offset, axis=0).max() <= ROUNDED * np.abs(places).max())
 
 
 # -- the page -------------------------------------------------------------------------------------

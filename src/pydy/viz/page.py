@@ -89,12 +89,10 @@ _TRIANGLES = (
 )
 
 
-def page(
-    animation: Animation, look: Look, speed: float, theme: str, live: LivePage | None = None
-) -> str:
+def page(animation: Animation, look: Look, theme: str, live: LivePage | None = None) -> str:
     """Return the HTML of an animation."""
     title = look.title or "Animation"
-    content = page_data(animation, look, speed, live)
+    content = page_data(animation, look, live)
     scripts = [_resource(name) for name in SCRIPTS]
     style = _resource("style.css")
     if live is not None:
@@ -141,9 +139,6 @@ def _resource(name: str) -> str:
     return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
 
 
-_READ_SECONDS = 3600.0  # when every browser has long read a page
-
-
 def opened(html: str) -> Path:
     """Show a page in the browser from a temporary file; delete earlier files."""
     for old in Path(tempfile.gettempdir()).glob("pydy-scene-????????/scene.html"):
@@ -151,7 +146,7 @@ def opened(html: str) -> Path:
             folder = os.lstat(old.parent)  # neither a link nor somebody else's
             ours = getattr(os, "geteuid", int)() == folder.st_uid  # 0 on Windows
             age = time.time() - os.lstat(old).st_mtime
-            if ours and stat.S_ISDIR(folder.st_mode) and age > _READ_SECONDS:
+            if ours and stat.S_ISDIR(folder.st_mode) and age > 3600.0:  # long read by browsers
                 old.unlink()
                 old.parent.rmdir()
     path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
@@ -169,9 +164,7 @@ def embedded(html: str) -> str:
     )
 
 
-def page_data(
-    animation: Animation, look: Look, speed: float, live: LivePage | None = None
-) -> dict[str, Any]:
+def page_data(animation: Animation, look: Look, live: LivePage | None = None) -> dict[str, Any]:
     """Return the data for the page's scripts, as JSON types.
 
     Lengths are in units of about half the scene's diagonal, a power of two: browsers draw with
@@ -190,7 +183,7 @@ def page_data(
         "version": __version__,
         "title": look.title,
         "times": _packed(animation.times, np.float64),
-        "speed": speed,
+        "speed": animation.speed,
         "tracks": tracks.entries,
         "visuals": visuals,
         "series": [

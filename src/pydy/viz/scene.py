@@ -14,6 +14,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, text, vector
 from pydy._files import write_files
+from pydy._interpolation import evenly
 from pydy._names import nearest
 from pydy._rank import ROUNDED
 from pydy.trajectory import Trajectory
@@ -60,10 +61,6 @@ from pydy.viz.visuals import Visual, no_attribute
 # -- Other runs beside the one that is shown: fainter copies of what moves -------------------------
 
 
-_FAINT = 0.3
-_MEMBERS = 12  # of an ensemble
-
-
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
     """Return labels and trajectories of `compare`; of an ensemble's members some, evenly."""
     if compare is None:
@@ -98,9 +95,8 @@ def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
         )
     samples = [d for d in run[states[0]].dims if d != "time"]
     flat = run.stack(member=samples) if samples else run.expand_dims("member")
-    count = flat.sizes["member"]
-    for k in np.unique(np.linspace(0, count - 1, min(count, _MEMBERS)).round().astype(int)):
-        one = flat.isel(member=int(k))
+    for k in evenly(flat.sizes["member"], 12).tolist():
+        one = flat.isel(member=k)
         table = np.stack([np.asarray(one[name], dtype=float) for name in states], 1)
         if np.isfinite(table).all():  # a sample that failed has nothing to show
             roles = one.coords.items()
@@ -146,7 +142,7 @@ def _ghost(item: Item, own: Item, label: str, frames: dict[Any, Any]) -> Item:
     frame = frames.setdefault(visual.frame, object())
     for attribute, value in (("frame", frame), ("name", label), ("trail", False)):
         object.__setattr__(visual, attribute, value)  # a copy of our own
-    shape = replace(item.shape, colour=own.shape.colour, opacity=_FAINT * item.shape.opacity)
+    shape = replace(item.shape, colour=own.shape.colour, opacity=0.3 * item.shape.opacity)
     if item.vectors is not None and isinstance(shape, Arrow) and isinstance(own.shape, Arrow):
         # One scale for all runs: lengths are there to be compared.
         scale, other = own.shape.scale, shape.scale
@@ -355,7 +351,7 @@ class Scene:
         if states is None:
             trajectory = filmed(trajectory, fps, speed)
         motion = self._motion_of(trajectory, states, symbols, (constants, specifieds), wanted)
-        self._speed, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
+        rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         rows = sampled(motion.times, step)
         columns = recorded(self.series, trajectory if states is None else None)
         given = columns_of(series, own, motion.times)
@@ -376,6 +372,7 @@ class Scene:
         order = dict.fromkeys((*self.series, *columns))
         self._animation = replace(
             animation,
+            speed=rate,
             series={label: values[label] for label in order},
             events=events_of(trajectory if states is None else None, motion.times),
             modes=modes_of(trajectory if states is None else None, motion.times),
@@ -489,7 +486,7 @@ class Scene:
         moving = self._moving()
         scene = (self.reference_frame, self.origin, self.visuals, self.series)
         made = live_page(live, self._model, self._look.title, scene, moving, self._motion)
-        return page(moving, self._look, self._speed, chosen, made)
+        return page(moving, self._look, chosen, made)
 
     def to_html(
         self, path: Any, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None
@@ -623,7 +620,6 @@ class Scene:
         save(
             self._moving(),
             self._look,
-            self._speed,
             target,
             within(fps, "`fps`", 1e-3, 1e3),
             within(dpi, "`dpi`", 10.0, 1e4),

@@ -177,10 +177,6 @@ def _length(value: Any, what: str) -> Any:
 # -- Polyhedra, discs, knots and tubes -------------------------------------------------------------
 
 
-_AROUND = 12  # corners of a tube's section
-_GOLDEN = (1 + 5**0.5) / 2
-
-
 @dataclass(unsafe_hash=True)
 class _Round(Shape):
     """A shape that its radius describes."""
@@ -267,7 +263,8 @@ def polyhedron(shape: Shape) -> np.ndarray:
     elif isinstance(shape, Octahedron):
         corners = [(s * (k == 0), s * (k == 1), s * (k == 2)) for k in range(3) for s in (1, -1)]
     else:
-        pairs = [(a, b * _GOLDEN) for a in (1, -1) for b in (1, -1)]
+        golden = (1 + 5**0.5) / 2
+        pairs = [(a, b * golden) for a in (1, -1) for b in (1, -1)]
         corners = [c for a, b in pairs for c in ((0, a, b), (a, b, 0), (b, 0, a))]
     table = np.array(corners, dtype=float)
     unit: np.ndarray = table / np.linalg.norm(table[0])
@@ -311,7 +308,8 @@ def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, 
         ahead = np.gradient(points, axis=0)
     ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
     side = np.cross(ahead[0], np.eye(3)[int(np.abs(ahead[0]).argmin())])
-    turn = np.arange(_AROUND) * (2 * np.pi / _AROUND)
+    around = 12  # corners of its section
+    turn = np.arange(around) * (2 * np.pi / around)
     rings = []
     for point, direction in zip(points, ahead, strict=True):
         side = side - (side @ direction) * direction  # carried along without a twist
@@ -320,14 +318,14 @@ def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, 
         section = np.outer(np.cos(turn), side) + np.outer(np.sin(turn), other)
         rings.append(point + radius * section)
     rows = len(points) if closed else len(points) - 1
-    i, j = np.divmod(np.arange(rows * _AROUND), _AROUND)
-    a, b = i * _AROUND + j, i * _AROUND + (j + 1) % _AROUND
-    n = len(points) * _AROUND
-    c, d = (a + _AROUND) % n, (b + _AROUND) % n
+    i, j = np.divmod(np.arange(rows * around), around)
+    a, b = i * around + j, i * around + (j + 1) % around
+    n = len(points) * around
+    c, d = (a + around) % n, (b + around) % n
     faces = [np.stack([a, b, c], 1), np.stack([b, d, c], 1)]
     if not closed:  # caps
-        k = np.arange(1, _AROUND - 1)
-        faces += [np.stack([0 * k, k + 1, k], 1), n - _AROUND + np.stack([0 * k, k, k + 1], 1)]
+        k = np.arange(1, around - 1)
+        faces += [np.stack([0 * k, k + 1, k], 1), n - around + np.stack([0 * k, k, k + 1], 1)]
     return np.concatenate(rings), np.concatenate(faces)
 
 
@@ -336,7 +334,6 @@ def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, 
 
 # Binary STL: 80 bytes of anything, a count, then for each triangle a normal, three corners and two
 # spare bytes, all little-endian.
-_STL_HEADER = 84
 _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
 
 
@@ -365,9 +362,9 @@ def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 def _read_stl(data: bytes) -> tuple[np.ndarray, np.ndarray]:
     # Binary files may begin with "solid" too, so it is the length that tells.
-    count = int.from_bytes(data[80:84], "little") if len(data) >= _STL_HEADER else -1
-    if len(data) == _STL_HEADER + count * _STL_TRIANGLE.itemsize:
-        corners = np.frombuffer(data, _STL_TRIANGLE, count, _STL_HEADER)["corners"]
+    count = int.from_bytes(data[80:84], "little") if len(data) >= 84 else -1
+    if len(data) == 84 + count * _STL_TRIANGLE.itemsize:
+        corners = np.frombuffer(data, _STL_TRIANGLE, count, 84)["corners"]
     elif data.lstrip()[:5].lower() == b"solid":
         lines = (line.split() for line in data.decode("ascii", "replace").splitlines())
         rows = [line[1:] for line in lines if line and line[0].lower() == "vertex"]
