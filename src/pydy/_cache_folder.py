@@ -33,10 +33,8 @@ from pydy._errors import PyDyUserWarning
 
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
-_STALE_SECONDS = 3600.0
 # Entries, and what is to become one: nothing else in the folder is ours.
 _OURS = re.compile(r"[0-9a-f]{64}\.(code|[a-z0-9_]{8}\.tmp)")
-_OTHERS = stat.S_IWGRP | stat.S_IWOTH
 _warned: set[str] = set()
 _stored: dict[Path, int] = {}  # bytes by this process since it looked for what to remove
 
@@ -53,7 +51,7 @@ def _reason(status: os.stat_result, parent: bool = False) -> str | None:
         return f"belongs to another user (uid {status.st_uid})"
     # In a sticky folder, such as /tmp, only its owner renames what lies there. Many systems give
     # every user a group of his own, which then may write to all that he makes (umask 002).
-    others = _OTHERS
+    others = stat.S_IWGRP | stat.S_IWOTH
     if parent and _is_private(status.st_gid, os.geteuid()):
         others = stat.S_IWOTH
     if status.st_mode & others and not (parent and status.st_mode & stat.S_ISVTX):
@@ -237,7 +235,7 @@ def _evict(place: Path) -> None:
                     status = item.stat()
                     if item.name.endswith(".code"):
                         entries.append((status.st_mtime, status.st_size, item.path))
-                    elif now - status.st_mtime > _STALE_SECONDS:
+                    elif now - status.st_mtime > 3600.0:
                         os.unlink(item.path)
     except OSError:
         return

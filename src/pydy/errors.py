@@ -3,8 +3,6 @@
 Each one subclasses the built-in that a caller would catch.
 """
 
-from __future__ import annotations
-
 from pydy._errors import (
     AnalysisInterrupted,
     ContactError,

@@ -14,12 +14,11 @@ from pydy.system import System
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
 
 
-_MOST = 10**6  # far beyond what can be derived; more would fill the memory before that is seen
-
-
 def _check_size(n: Any) -> None:
-    if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= _MOST:
-        raise ValueError(f"`n` must be a positive integer up to {_MOST}, got {shown(n)}.")
+    if (
+        isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= 10**6
+    ):  # more would fill the memory
+        raise ValueError(f"`n` must be a positive integer up to 1000000, got {shown(n)}.")
 
 
 def multi_mass_spring_damper(

@@ -205,7 +205,6 @@ def nothing_to_plot(what: str, result: Any) -> ValueError:
 
 
 BAND = (0.05, 0.5, 0.95)
-MOST_ORBITS = 100
 LINES = ("solid", "dashed", "dotted", "dashdot")
 
 
@@ -501,7 +500,7 @@ def plot_phase(
     ax = axes_of(ax)
     for (label, _), (across, up) in zip(runs, orbits, strict=True):
         a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
-        step = -(-len(a) // MOST_ORBITS)
+        step = -(-len(a) // 100)
         a, b = a[::step], b[::step]
         faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
         first, *_ = ax.plot(a.T, b.T, color=ax._get_lines.get_next_color(), **faint)

@@ -119,9 +119,7 @@ def test_other_runs_are_ghosts_under_their_labels(system):
     for ghost, item in zip(ghosts, alone, strict=True):
         np.testing.assert_allclose(ghost.positions, item.positions, atol=1e-12)
     # Turning frames of both runs are told apart on the page.
-    tracks = {
-        entry.get("track") for entry in page_data(scene._animation, scene._look)["visuals"]
-    }
+    tracks = {entry.get("track") for entry in page_data(scene._animation, scene._look)["visuals"]}
     assert len(tracks) > 3
 
 

@@ -4,35 +4,13 @@ Times are of eight lanes on a processor with AVX-512 (docs/decisions/02-register
 unless it says otherwise. What depends on the processor is in `pydy._backends.llvm.targets`.
 """
 
-from __future__ import annotations
-
-# Operations in one basic block: LLVM's time grows faster than a block's length. 30 and 120: no
-# gain.
-BASIC_BLOCK = 60
-
-# Instructions after which a block ends that mostly reads and writes, such as a matrix for a
-# fallback. 60 operations with what they read and write take fewer.
-LINES = 240
-
-# Bytes that LLVM may take, and more for each letter of IR. Its passes took 10 MB, and 27 bytes for
-# each letter of 100 links.
-ROOM = 2**24
-ROOM_PER_LETTER = 32
-
 # Registers left to intermediate results. Fewer: LLVM moves values to memory a second time; more:
 # no gain.
 TEMPORARY = 5
 
-# Registers that sine and cosine work in.
-FOR_SINCOS = 12
-
 # Angles whose sines and cosines are taken with one look at their sizes: 84 stores instead of 140
 # for five links.
 TOGETHER = 8
-
-# Operations up to which a kernel of several lanes is a loop over blocks of states: what leads in
-# and out of a function takes as long as the equations of one link.
-LOOP = 100
 
 # Operations from which code does not fit the processor's cache for it, and those for one result of
 # models that do little but the same for each: 300 masses in half the time where LLVM looks for
@@ -40,9 +18,6 @@ LOOP = 100
 # lanes go at once instead of four and four (EPYC, Zen 3).
 LARGE = 1500
 SHORT = 6
-# Results beyond which LLVM is not asked to look for them, which takes it the square of their
-# number: 40 s in place of 4 for the Jacobian of 50 masses, 100 by 100.
-MOST_RESULTS = 2000
 
 # The share of operations that are needed without fallbacks up to which those are compiled only when
 # they are needed: compiled later they take longer.
@@ -51,9 +26,6 @@ MOST_WITHOUT_FALLBACKS = 0.75
 # Entries of a matrix for each one that is computed at every call, from which only those are kept
 # for a fallback: 100 springs have 10,000 entries and compute none.
 SPARSE = 4
-
-# Bytes of a fallback's matrices on the stack; threads have small ones.
-FALLBACK_STACK = 2**16
 
 # Without a compilation for so long, code is compiled anew at LLVM's best on the side: a short
 # script starts no process for it. The process ends after so long without work.

@@ -32,7 +32,6 @@ from typing import TYPE_CHECKING, Any
 from pydy._forks import cached_property
 from pydy._graph.node import Nodes
 from pydy._graph.operations import ANGLES, OPERATIONS, SOLVES, operands, with_operands
-from pydy._graph.tuning import DEEPER
 
 if TYPE_CHECKING:
     import numpy as np
@@ -352,7 +351,7 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
             needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
             needs = operands(op, args)
-            if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + DEEPER:
+            if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + 2:
                 needs = needs[::-1]
         stack.extend(n for n in reversed(needs) if n not in done)
     return order
@@ -397,14 +396,13 @@ def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
 
 # -- As text that a person can read ----------------------------------------------------------------
 
-_MOST_LINES = 200
 _ARGUMENTS = {"x": "states", "r": "specifieds", "p": "constants"}
 
 
 def listing(
     program: Program,
     names: Mapping[str, Sequence[str]] | None = None,
-    most_lines: int | None = _MOST_LINES,
+    most_lines: int | None = 200,
 ) -> str:
     """Return the operations of a Program, line by line.
 

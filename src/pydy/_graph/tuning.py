@@ -18,26 +18,11 @@ INDEPENDENT, REDUNDANT = -(2.0**120), -(2.0**121)
 
 # -- rewriting ------------------------------------------------------------------------------------
 
-# Share of the operations that merging equal nodes saves in the first round of passes, from which a
-# second round follows: only new equal nodes give factors that the first did not see. Where merging
-# saves 0.8 % or more, the second round saves 1.6 % (rider-bicycle) to 4.6 % (relative pendulum);
-# where it saves less, 0.6 % at most, for a fifth of the whole build.
-ANOTHER_ROUND = 0.0075
 # Terms of a sum that is multiplied out, by how often it is used. Sums that are used twice: 893 and
 # 2,528 operations without for 10 and 20 links (670 and 1,390 with).
 LONGEST_MULTIPLIED_OUT = {1: 4, 2: 2}
-# Terms that must have a factor in common before a sum that is used twice is multiplied out.
-POPULAR = 3
-# Operands of a row of which all pairs are tried; of longer ones neighbours. All pairs cost the
-# square of the length, and what long sums share is mostly a run of terms.
-LONGEST_PAIRED = 20
-# Rows of linear systems that are solved modulo a prime: that takes n³ times 0.2 µs in Python.
-SOLVED_MODULO_A_PRIME = 32
 
 # -- order of operations --------------------------------------------------------------------------
-
-# Levels by which one operand of a sum must be above the other to be computed first.
-DEEPER = 2
 
 # -- linear solves --------------------------------------------------------------------------------
 
@@ -47,11 +32,6 @@ DEEPER = 2
 UNROLL_LIMIT = 3500
 # A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
 SMALL_PIVOT = 1e-9
-# Backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a
-# bicycle are beyond 4, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
-BACKWARD_ERROR = 32
-# Share of its column that a pivot chosen beforehand has at every sampled state.
-PIVOT_SHARE = 0.01
 
 # -- Jacobians in parts ---------------------------------------------------------------------------
 

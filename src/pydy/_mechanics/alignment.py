@@ -26,7 +26,8 @@ from pydy._graph.node import Graph
 from pydy._mechanics.components import about, flat, identity, in_rows, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
-from pydy._mechanics.tuning import ROUNDED, SAME_DIRECTION, STEEP
+from pydy._mechanics.tuning import SAME_DIRECTION
+from pydy._rank import ROUNDED
 
 Matrix = list[Vec]
 
@@ -189,7 +190,7 @@ def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | Non
     along = hinge_axis(kinematics, before, kinematics.frames.parent(before))
     if along is not None:
         others = [0.0 if i == along else size for i, size in enumerate(sizes)]
-        if max(others) >= STEEP:
+        if max(others) >= 1 / 16:  # a cosine to divide by: four bits are lost at most
             sizes = others
     return sizes.index(max(sizes))
 

@@ -9,10 +9,7 @@ import numpy as np
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._mechanics.tuning import ROUNDED
-
-_STATES = 3
-_STEPS = 12  # of Newton's method, which doubles the digits with each
+from pydy._rank import ROUNDED
 
 
 def dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
@@ -79,21 +76,21 @@ def numbers_of(
     one, and two random lengths need not close. Inputs among `zeros` that they do not hold are zero.
     """
     inputs = graph.inputs([*flat, *held])
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (3, len(inputs)))
     kept = {*graph.reachable(held)}
     x[:, [n in zeros and n not in kept for n in inputs]] = 0.0
 
     def values(nodes: Sequence[int]) -> np.ndarray:
-        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
+        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), 3)
 
     if held:
         slopes = dense_jacobian(graph, held, inputs)
-        for _ in range(_STEPS):
+        for _ in range(12):  # Newton's method doubles the digits with each
             found = values([*held, *slopes])
             if not np.isfinite(found).all():
                 break
             left, slope = found[:, : len(held)], found[:, len(held) :]
-            for k in range(_STATES):
+            for k in range(3):
                 matrix = slope[k].reshape(len(held), -1)
                 x[k] -= np.linalg.lstsq(matrix, left[k], rcond=None)[0]
     return values(flat)

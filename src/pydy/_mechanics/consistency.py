@@ -40,8 +40,6 @@ from pydy._rank import DIGITS, ROUNDED, or_one
 # What moves; its place, by components in axes; the derivatives of these, as velocities say; and
 # points by which it belongs with others.
 Moved = tuple[str, Vec, Vec, tuple[Any, ...]]
-# A quaternion's matrix has three orthogonal columns, whose lengths are one: rows more are cosines'.
-_LENGTHS = 3
 
 
 def check_velocities(equations: Equations) -> None:
@@ -125,7 +123,8 @@ def warn_of_kinematics(equations: Equations) -> None:
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orientation_rows([matrix], k.read) for matrix in rotations(body.frame)]
-        every = [] if any(len(rows) > _LENGTHS for rows in turns) else [*_frames(k), *_points(k)]
+        # A quaternion's matrix has three rows: its columns' lengths are one. More are of cosines.
+        every = [] if any(len(rows) > 3 for rows in turns) else [*_frames(k), *_points(k)]
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise

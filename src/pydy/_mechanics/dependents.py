@@ -23,14 +23,9 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openness, units_of
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, ROUNDED
+from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
 from pydy._names import few
-from pydy._rank import HALF, equilibrated, is_zero, or_one
-
-_TRIALS = 12
-_STATES = 3  # of those at which the constraints hold
-_SHARE = 0.1  # of the largest residual: what is named with it
-_STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
+from pydy._rank import HALF, ROUNDED, ROUNDING, equilibrated, is_zero, or_one
 
 
 class Chosen:
@@ -67,7 +62,7 @@ class Chosen:
             least = np.minimum(HALF, np.maximum(HALF / units, errors))
             sound = free & (np.abs(work) >= least).all(axis=0)
             worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
-            weighed = np.where(varies, worst, _STEADY * worst)
+            weighed = np.where(varies, worst, 10.0 * worst)  # the same in all configurations
             if weighed[:, first].any():
                 weighed[:, ~np.isin(np.arange(weighed.shape[1]), first)] = 0.0
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
@@ -186,7 +181,7 @@ def _choose(
         sizes = np.abs(best) / units_of(every)
         names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
         names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
-        worst = [k for k in np.argsort(-sizes) if sizes[k] > _SHARE * sizes.max()]
+        worst = [k for k in np.argsort(-sizes) if sizes[k] > 0.1 * sizes.max()]
         open_ones = few([f"the {names[k]}, is left at {best[k]:.3g}" for k in worst])
         raise ValueError(
             "The constraints contradict each other: no state was found that satisfies all of them; "
@@ -204,7 +199,7 @@ def _choose(
         full, rank = _of_full_rank(matrices, bounds)
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
         first = [k for k, s in enumerate(symbols) if s in equations.dependent_coordinates]
-        for some in range(_STATES, 0, -1):  # other ways of assembly may have no pivot in common
+        for some in range(3, 0, -1):  # other ways of assembly may have no pivot in common
             own = matrices[full[:some]], bounds[full[:some]]
             choice = Chosen(own[0], varying=varying, bounds=own[1], first=first)
             if len(choice.rows) == rank:
@@ -221,7 +216,7 @@ def _searched(
 ) -> tuple[list[Block], list[dict[str, np.ndarray]]]:
     """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
     blocks = states.closing()
-    every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
+    every = list(states.samples(blocks, 12, near=near, left_open=True))
     samples = closed(every)
     if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
         every += states.samples(blocks, AROUND, around=True, left_open=True)
@@ -274,7 +269,7 @@ def _of_rounding(states: GenericStates) -> list[int]:
             k
             for k in part
             if sizes[k] > 0.0
-            and sizes[k] <= ROUNDED * largest
+            and sizes[k] <= 100.0 * ROUNDING * largest  # what a few numbers add up to
             and not _as_large_as(sizes[k], lengths)
             and k not in found
         ]

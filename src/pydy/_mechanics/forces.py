@@ -36,8 +36,7 @@ from pydy._mechanics.inertia import euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
-from pydy._mechanics.tuning import ROUNDED
-from pydy._rank import is_zero
+from pydy._rank import ROUNDED, is_zero
 
 
 class ConstraintForces:

@@ -20,7 +20,6 @@ from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures, vanish
-from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
@@ -36,7 +35,6 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
 
-_STATES = 2
 # Functions that are the same everywhere if they are so at random states; min, max and roots are
 # not, and stand for themselves.
 _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
@@ -527,9 +525,7 @@ def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     leaves = _leaves(graph, nodes)
     inputs = [graph.input("x", k) for k in range(len(leaves))]
     rest = substitute(graph, nodes, dict(zip(leaves, inputs, strict=True)))
-    values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
-    found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
+    found = numbers_of(graph, [*rest, *rounding_bounds(graph, rest)])
     left, bounds = np.hsplit(np.abs(found), 2)
     return bool(((left <= ROUNDED * bounds) & (bounds > 0.0)).all())
 

@@ -41,14 +41,10 @@ from pydy._mechanics.generic import (
 )
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import rate_of
-from pydy._mechanics.tuning import CANCELLED, FORMS_COUNTED_UP_TO, NEARLY_DEPENDENT
+from pydy._mechanics.tuning import CANCELLED, NEARLY_DEPENDENT
 from pydy._rank import HALF, is_zero
 
 _LOG = logging.getLogger("pydy")
-_STATES = 2
-
-
-_TRIALS = 3
 
 
 def kinematics_of(body: Multibody) -> Equations:
@@ -102,7 +98,9 @@ def chosen(body: Multibody) -> Formed:
     dozen speeds one set of axes is tried, and estimates decide both. Specifieds that cancel are
     left out where rates of some occur, which the kinematics brings in unasked.
     """
-    many = len(body.speeds) > FORMS_COUNTED_UP_TO
+    # Forms are estimated then, and one set of axes is tried: to count them takes as long as all the
+    # rest (twice the time for a tree of 29 joints, four times for 20 links).
+    many = len(body.speeds) > 12
     first, *others = useful_axes(body)[-1:] if many else useful_axes(body)
     found = [forms(body, in_bodies=first)]
     for other in others if not found[0][0].in_one_frame else ():
@@ -226,14 +224,14 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     written = [*equations.mass_matrix, *equations.forcing]
     symbols = [*formed.constants, *formed.specifieds]
     states = GenericStates(equations, [*written, *symbols], "the equations of motion")
-    inputs = states.consistent(_STATES)
+    inputs = states.consistent(2)
     block = "equations", (n * (n + 1),), states.read.all(written)
     theirs = evaluator_of(states.graph, [block])(*inputs)["equations"]
     numbers = states.by_symbol(inputs)
     own = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
     values_at = evaluator(formed.graph, nodes)
-    ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, _STATES)
+    ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, 2)
     finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
     fit = states.closed(inputs, finite)
     pairs = zip(theirs[fit], ours[fit], strict=True)
@@ -321,7 +319,7 @@ def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarra
     A search may end in one: if it always did, begin all around the circle.
     """
     every: list[dict[str, np.ndarray]] = []
-    for trials, around in ((_TRIALS, False), (AROUND, True)):
+    for trials, around in ((3, False), (AROUND, True)):
         every += states.samples(blocks, trials, around=around)
         if not every:
             continue

@@ -15,7 +15,7 @@ from pydy._graph.node import Graph
 from pydy._mechanics.components import identity, numbers_of, turned, unrounded
 from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree, distances, oriented
-from pydy._mechanics.tuning import ROUNDED
+from pydy._rank import ROUNDED
 
 Vec = list[int]
 

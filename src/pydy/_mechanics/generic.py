@@ -24,14 +24,11 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.reader import numbers_in_places
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
-from pydy._mechanics.tuning import DOUBLED, FULL_STEPS, OPEN
+from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
-_STEPS = 50
-_ANYWHERE = 3  # states
 AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
-_NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
 _STATE = ("time of the state", "state", "specifieds at the state")
 
@@ -179,7 +176,9 @@ class GenericStates:
         ]
         at = evaluator_of(self.graph, blocks)(t, x, r, np.zeros((len(t), 0)))
         scaled, rows, columns = equilibrated(np.nan_to_num(at["gradient"]))
-        left = (DOUBLED * np.abs(at["held"]) / ROUNDED + at["bounds"])[..., None] / rows
+        # A step of Newton's method bounds the way to where the constraints hold, four times over:
+        # at a double root it goes half the way, and twice for the curvature on it.
+        left = (4.0 * np.abs(at["held"]) / ROUNDED + at["bounds"])[..., None] / rows
         steps = np.abs(np.linalg.pinv(scaled, rcond=HALF)) @ left
         errors = {node: self.graph.input("p", k) for k, node in enumerate(free)}
         bounds = rounding_bounds(self.graph, cells, errors=errors)
@@ -215,7 +214,7 @@ class GenericStates:
 
         All numbers but time have the same `sign`.
         """
-        t, x, r, p = generic_inputs(self._sizes, _ANYWHERE)
+        t, x, r, p = generic_inputs(self._sizes, 3)
         return evaluator_of(self.graph, blocks)(t, sign * x, sign * r, sign * p)
 
     def _held(self) -> list[int]:
@@ -238,7 +237,7 @@ class GenericStates:
         sizes = dict(zip(moved, self._beside(moved, near), strict=True)) if near else {}
         for symbol, column in self.by_symbol(inputs).items():
             if symbol in near:
-                size = _NEAR * sizes.get(symbol, 0.0)
+                size = 0.03 * sizes.get(symbol, 0.0)
                 column[:] = near[symbol] + size * (column - 1.0)
         return inputs
 
@@ -331,7 +330,7 @@ class GenericStates:
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
         speeds = column_units(first["slope"])
         for share in FULL_STEPS:
-            for _ in range(_STEPS):
+            for _ in range(50):
                 if not searching:
                     break
                 now, still = residuals(searching), []

@@ -27,7 +27,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 from pydy._mechanics.components import dot, identity, transposed
-from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
+from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -136,7 +136,9 @@ def accelerations(
     sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
     place = largest([node for node, _ in held.places], sizes, rounded=True)
     uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
-    loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, UNCERTAIN)]))
+    # Twice what residuals make of accelerations, four times over, since they are bounds: what is no
+    # larger may as well be left out.
+    loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, 8.0)]))
     chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
     return g.guard([[g.one]], chosen, sound, list(fast))
 

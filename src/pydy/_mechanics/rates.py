@@ -20,8 +20,6 @@ from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 
-_BY_MINORS = 3  # unknowns; more than that are solved where numbers are known
-
 
 def solve_rates(
     equations: Sequence[Any], coordinate_rates: Sequence[Any], argument: str
@@ -88,7 +86,7 @@ def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
             f"`{argument}` cannot be solved for {describe(own)}: their equations depend on each "
             "other. Give as many independent equations as coordinates."
         )
-    if n <= _BY_MINORS:
+    if n <= 3:  # more unknowns are solved where numbers are known
         cofactors = _cofactors(matrix)
         size = sm.Add(*(e * c for e, c in zip(matrix[0], cofactors[0], strict=True)))
         sign = {1: 1, PRIME - 1: -1}.get(signatures(graph, [read(size)])[0], size)

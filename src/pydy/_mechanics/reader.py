@@ -33,7 +33,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.symbols import rate_of
-from pydy._mechanics.tuning import ROUNDED
+from pydy._rank import ROUNDED
 
 # The point from which a point is reached, None for a root, and the vectors on the way.
 Way = tuple[Any, tuple[Any, ...]]

@@ -42,12 +42,8 @@ from pydy._mechanics.tuning import (
     SOUND_SHARE,
 )
 
-_STATES = 512
 # Of states, time, specifieds and constants: those differ from state to state too.
 _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
-
-
-_LARGEST = 3
 
 
 def reduced(
@@ -263,7 +259,7 @@ def _groups(
         group = next(
             (
                 (rows, own)
-                for size in range(1, _LARGEST + 1)
+                for size in range(1, 4)
                 for rows in combinations(used, size)
                 if len(own := set().union(*(used[i] for i in rows))) == size
             ),
@@ -382,7 +378,7 @@ def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
     if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
         return None
     rng = np.random.default_rng(0)
-    at = {n: rng.uniform(*_RANGES[graph.args[n][0]], _STATES) for n in inputs}
-    values = evaluator(graph, nodes)(at, _STATES)
+    at = {n: rng.uniform(*_RANGES[graph.args[n][0]], 512) for n in inputs}
+    values = evaluator(graph, nodes)(at, 512)
     finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
     return finite

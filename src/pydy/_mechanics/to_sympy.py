@@ -13,12 +13,11 @@ from pydy._errors import UnsupportedFunctionError
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-_DENOMINATORS = 12  # of numbers that are written as fractions: those of moments of inertia
-
 
 def exact(value: float) -> Any:
     """Return a number as a whole number or a common fraction where it is one, else as a float."""
-    fraction = Fraction(value).limit_denominator(_DENOMINATORS) if abs(value) < 2**53 else None
+    # The fractions of moments of inertia.
+    fraction = Fraction(value).limit_denominator(12) if abs(value) < 2**53 else None
     if fraction is not None and float(fraction) == value:
         return sm.Rational(fraction.numerator, fraction.denominator)
     return sm.Float(f"{value:.15g}")

@@ -4,8 +4,6 @@ Numbers at generic states are of order one, so that rounding leaves 1e-16 times 
 those that differ differ by 1e-3 or more.
 """
 
-from __future__ import annotations
-
 import sys
 
 from pydy._rank import DEPENDENT, SOUND
@@ -14,10 +12,6 @@ CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
 terms that cancel: where half the digits agree, differences of 1e-12 of them are rounding."""
 
-FORMS_COUNTED_UP_TO = 12
-"""Speeds beyond which forms are estimated, and one set of axes is tried: to count them takes as
-long as all the rest (twice the time for a tree of 29 joints, four times for 20 links)."""
-
 OPEN = 1e-7
 """Residuals of constraints, in their units, above which they certainly do not hold."""
 
@@ -25,21 +19,9 @@ FULL_STEPS = (0.05, 1e-14)
 """Shares below which singular values are left out of Newton's steps: first with few directions,
 since redundant constraints draw full steps to singular positions; then with all."""
 
-ROUNDED = 100 * 2.0**-52
-"""What rounding leaves of a sum of vectors that cancel, in units of their lengths, and of 0 and 1
-in products of rotations by numbers: a few units in the last place for each on the way to them."""
-
 SAME_DIRECTION = 1e-12
 """The difference of two unit vectors, and of two rotations, that are the same: users' axes are
 normalised to rounding, or to all digits that they wrote."""
-
-STEEP = 1 / 16
-"""The cosine that a place on a hinge's axis is divided by, to get to another one: four bits are
-lost at most."""
-
-DOUBLED = 4.0
-"""What a step of Newton's method is multiplied with to bound the way to where the constraints hold:
-twice, since at a double root it goes half the way, and twice for the curvature on it."""
 
 NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
@@ -47,10 +29,6 @@ NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 SOUND_PIVOT = SOUND
 """A pivot below this share of its row's size has all rows take part: two digits are lost. A row of
 J with such a pivot is nearly singular: left out where the state does not tell its multiplier."""
-
-UNCERTAIN = 8.0
-"""Twice what residuals make of accelerations, four times over, since they are not known but
-bounded: what is no larger may as well be left out."""
 
 SOUND_SHARE = 0.1
 """What a size is multiplied with beside `SOUND_PIVOT` where independent speeds are solved for:

@@ -24,7 +24,6 @@ from pydy._names import some, unique_names
 from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.tuning import BESIDE
 from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, left_ahead, solve_equilibrium
 from pydy.analysis.linear import independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -33,7 +32,6 @@ GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 # Decades of steps of differences that are tried, and the rounding errors of a function.
 _DECADES, _ROUNDED = 10, 100.0
-_TIMES = 64  # at which an equilibrium is tried again; powers of two where none are given
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
 
 
@@ -226,7 +224,8 @@ class Point(At):
         share = shares.max(axis=1, keepdims=True, initial=0.0)
         usual = or_one(share) * columns
         large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
-        offset = BESIDE * large * np.cos(np.arange(n))
+        # In a singular configuration itself the gradient is rounding errors, far below 1e-3.
+        offset = 1e-3 * large * np.cos(np.arange(n))
         beside = replace(self, x=self.x + offset)
         moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
         both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
@@ -466,13 +465,13 @@ class Balance:
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
         if plan.constant and "t" not in graph.inputs_of(nodes):
             return
-        times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
+        times = self.t + 2.0 ** np.array(sorted(range(-32, 32), key=abs))
         if self.within > 0.0:
-            times = self.t + self.within * np.arange(1, _TIMES + 1) / _TIMES
+            times = self.t + self.within * np.arange(1, 65) / 64
         elif not plan.constant:
             return
         own = self.residuals(z[None])[0]
-        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(_TIMES)]]:
+        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(64)]]:
             ahead = self._ahead(rates * (t - self.t), float(t))
             values = ahead.residuals(z[None])[0]
             if (values == own).all() or not np.isfinite(values).all():

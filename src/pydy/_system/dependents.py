@@ -28,8 +28,6 @@ from pydy._system.balance import point_at
 from pydy._system.snapshot import Snapshot
 from pydy.solvers.run.constraints import satisfied
 
-_REFINED = 20  # steps of Newton's method from where a root finder ended
-
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
     """Return the states that were `solved` for last, by default the dependent ones."""
@@ -146,7 +144,7 @@ def _refined(
 ) -> np.ndarray:
     """Go on by Newton's method as long as residuals fall, in units of their rounding bounds."""
     left, rounding = np.split(bounded(z), 2)
-    for _ in range(_REFINED):
+    for _ in range(20):
         gradient = slopes(z)
         if satisfied(left, rounding) or not np.isfinite(gradient).all():
             break

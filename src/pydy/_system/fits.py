@@ -39,18 +39,13 @@ from pydy._system.scipy_solvers import SolveIvp, call_odeint, is_odeint
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial
-from pydy._system.tuning import FIT, LEAST_SPREAD
+from pydy._system.tuning import FIT
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.analysis.tuning import LEAST_SIZE
 from pydy.solvers.solver import SOLVERS
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
-_IMPLICIT = 2  # what odeint calls its method for stiff equations
-# Iterations that solvers can count to.
-_MOST = 2**31 - 1
-# The size of a state from which the first simulations are done again with its tolerance.
-_TIGHTER = 0.1
 
 
 @dataclass(frozen=True)
@@ -109,24 +104,8 @@ class _Fit:
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []
         self.initial = [self._initial(d) for d in self.data]
-        parameters = {symbol for _, symbol in self.shared}
-
-        def others(argument: str, d: Data) -> dict[Any, Any]:
-            places, label = definition.places[argument], f"{argument} of {d.label}"
-            merged: dict[Any, Any] = {}
-            for what, owner in ((argument, system), (label, d.trial)):
-                given = check_mapping(what, getattr(owner, argument))
-                own = places.by_symbol(given, what, others=True)
-                if len(self.data) > 1 and owner is d.trial and (both := parameters & own.keys()):
-                    raise ValueError(
-                        f"`{what}` gives {describe([*both])} a value of its own, but `parameters` "
-                        "names it, for all trials. Leave one of them out."
-                    )
-                merged |= own
-            return {key: value for key, value in merged.items() if key not in parameters}
-
-        self.constants = [others("constants", d) for d in self.data]
-        self.specifieds = [others("specifieds", d) for d in self.data]
+        self.constants = [self._others("constants", d) for d in self.data]
+        self.specifieds = [self._others("specifieds", d) for d in self.data]
         for k, d in enumerate(self.data):
             self.columns.append(len(self.names))
             for symbol in d.unknown:
@@ -147,6 +126,22 @@ class _Fit:
         self.priors: list[tuple[int, float, float]] = []
         self.gaps = 0.0
         self.is_gap = np.empty(0, dtype=bool)
+
+    def _others(self, argument: str, d: Data) -> dict[Any, Any]:
+        """Return the values of a trial that are no parameters, by their symbols."""
+        places, label = self.now.definition.places[argument], f"{argument} of {d.label}"
+        parameters = {symbol for _, symbol in self.shared}
+        merged: dict[Any, Any] = {}
+        for what, owner in ((argument, self.system), (label, d.trial)):
+            given = check_mapping(what, getattr(owner, argument))
+            own = places.by_symbol(given, what, others=True)
+            if len(self.data) > 1 and owner is d.trial and (both := parameters & own.keys()):
+                raise ValueError(
+                    f"`{what}` gives {describe([*both])} a value of its own, but `parameters` "
+                    "names it, for all trials. Leave one of them out."
+                )
+            merged |= own
+        return {key: value for key, value in merged.items() if key not in parameters}
 
     def _initial(self, d: Data) -> dict[Any, float]:
         now, argument = self.now, f"initial_conditions of {d.label}"
@@ -174,7 +169,7 @@ class _Fit:
 
             with suppress(RuntimeError, SingularMatrixError):  # which the fit itself tells
                 _, info = call_odeint(rates, now.x, times, (), self.order, {})
-                stiff = bool(np.mean(info["mused"] == _IMPLICIT) > 0.5)
+                stiff = bool(np.mean(info["mused"] == 2) > 0.5)  # odeint's method for stiff ones
         if stiff:
             self.runner.ode_solver = SOLVERS["radau"]
 
@@ -341,7 +336,7 @@ class _Fit:
             self.sizes[part] = np.maximum(largest, least) if size > 0.0 else 1.0
         if not self.exact:
             self.options["atol"] = FIT * np.minimum(self.sizes, 1.0)
-        return not self.exact and bool(self.sizes.min() < _TIGHTER)
+        return not self.exact and bool(self.sizes.min() < 0.1)  # those of the first runs are 1
 
     def scales(self) -> np.ndarray:
         """Return sizes of parameters: first values; the largest states for initial conditions."""
@@ -374,7 +369,7 @@ class _Fit:
         if found:
             self.measure()
             places = [self.order.index(s) for s in self.free]
-            least = LEAST_SPREAD * self.sizes[places]
+            least = 1e-2 * self.sizes[places]
             self.spread = np.maximum(np.std(found, axis=0), least)
         return z
 
@@ -750,7 +745,7 @@ class Fitting(Setup):
             disturbed = _disturbances(work, process_noise)
             searching = (
                 "ipopt" if solver is None else solver,
-                {"max_iter": min(most, _MOST), **solver_kwargs},
+                {"max_iter": min(most, 2**31 - 1), **solver_kwargs},
             )
             return _collocated(work, z, (mesh, disturbed, searching, progress))
         count = 0

@@ -20,8 +20,6 @@ from pydy._rank import HALF, ROUNDING
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
 
-_IN_TIME = 4096  # times that functions of time alone are looked at
-
 
 def _switched(
     assembly: Assembly,
@@ -226,7 +224,8 @@ def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
     def evaluate(times: np.ndarray) -> Values:
         return now.at(times, np.tile(now.x, (len(times), 1))).values(parts)
 
-    every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=_IN_TIME)))
+    # Functions of time alone are looked at so often.
+    every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=4096)))
     for k, beside, found, sizes in passages(evaluate, every):
         step = found["steps"][:, k].min(axis=0)
         for what, one, size in zip(names, step, sizes, strict=True):

@@ -26,7 +26,6 @@ from pydy._mechanics.trigonometric import Textbook, TooLongError
 from pydy._names import name_of
 from pydy._system.dynamics import without_bodies
 from pydy._system.setup import Setup
-from pydy._system.tuning import TEXTBOOK_UP_TO
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +167,9 @@ def _short(
     """Write nodes as a textbook would, or with named intermediate quantities."""
     taken = {name_of(s) for s in symbols.values()}
     name = _namer(coordinates, taken)
-    if len(coordinates) <= TEXTBOOK_UP_TO:
+    # Multiplied out as in textbooks. The terms of an arm in space grow tenfold with each joint:
+    # beyond three nobody prints them.
+    if len(coordinates) <= 3:
         textbook = Textbook(graph, symbols, name)
         try:
             found = textbook(nodes)

@@ -143,8 +143,6 @@ class _Definitions(dict[Any, Any]):
 
 # -- Which way gravity pulls where no load tells it: only a Lagrangian does ------------------------
 
-_STATES = 8  # more than a straight line through them has freedoms
-
 
 def up_in_lagrangian(
     mechanism: Mechanism, origin: Any, names: Names, values: Mapping[Any, float]
@@ -166,13 +164,13 @@ def up_in_lagrangian(
     symbols = {s for s in found if isinstance(s, sm.Symbol) and s != names.time}
     constants = tuple(dict.fromkeys((*values, *symbols)))
     geometry = Geometry(mechanism.frame, origin, (), tuple(masses), (), series)
-    rng = np.random.default_rng(0)
+    rng, m = np.random.default_rng(0), 8  # states: more than a straight line has freedoms
     try:
         drawn = Motion(
             Names(names.states, names.specifieds, constants),
-            np.zeros(_STATES),
-            rng.uniform(0.1, 1.0, (_STATES, len(names.states))),
-            rng.uniform(0.1, 1.0, (_STATES, len(names.specifieds))),
+            np.zeros(m),
+            rng.uniform(0.1, 1.0, (m, len(names.states))),
+            rng.uniform(0.1, 1.0, (m, len(names.specifieds))),
             np.array([values.get(s, 1.0) for s in constants]),
         )
         placed = place(geometry, drawn)

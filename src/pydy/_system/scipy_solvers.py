@@ -210,11 +210,25 @@ class SolveIvp:
     def __repr__(self) -> str:
         return f"scipy.integrate.solve_ivp with method={self.method.__name__!r}"
 
+    def _chosen(self, options: dict[str, Any]) -> Any:
+        method = options.get("method", self.method)
+        return getattr(scipy.integrate, method) if method in METHODS else method
+
+    def _read(self, options: dict[str, Any]) -> Any:
+        """Check the names of options, and take the method out of them."""
+        method = self._chosen(options)
+        options.pop("method", None)
+        if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
+            refuse_nested("LSODA")
+        own = {*signature(scipy.integrate.solve_ivp).parameters, *signature(method).parameters}
+        taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
+        extra = {"support_complex", "extraneous", "options"}
+        check_option_names("solve_ivp", {*(own - taken - extra), "full_output"}, options)
+        return method
+
     def tolerances(self, options: dict[str, Any]) -> dict[str, float]:
         """Return the method's default tolerances; none where its errors are not known."""
-        method = options.get("method", self.method)
-        method = getattr(scipy.integrate, method) if method in METHODS else method
-        own = signature(method).parameters
+        own = signature(self._chosen(options)).parameters
         return {name: own[name].default for name in ("rtol", "atol") if name in own}
 
     def __call__(
@@ -228,16 +242,7 @@ class SolveIvp:
         **options: Any,
     ) -> Any:
         """Return the states at the times, shape (m, n); with `full_output`, also a dictionary."""
-        method = options.pop("method", self.method)
-        if isinstance(method, str) and method in METHODS:
-            method = getattr(scipy.integrate, method)
-        if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
-            refuse_nested("LSODA")
-        solve_ivp = scipy.integrate.solve_ivp
-        own = {*signature(solve_ivp).parameters, *signature(method).parameters}
-        taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
-        extra = {"support_complex", "extraneous", "options"}
-        check_option_names("solve_ivp", {*(own - taken - extra), "full_output"}, options)
+        method = self._read(options)
         info: dict[str, Any] = {}
         times, rows = np.unique(t, return_inverse=True)  # neighbours may be equal
         if len(times) == 1:
@@ -248,7 +253,7 @@ class SolveIvp:
         span = (times[0], times[-1])
         rates = _Rates(lambda t, x: f(x, t, *args))
         try:
-            found = solve_ivp(
+            found = scipy.integrate.solve_ivp(
                 rates, span, x0, method=method, t_eval=times, **check_scipy_options(options)
             )
         except (FloatingPointError, ValueError, IndexError) as error:

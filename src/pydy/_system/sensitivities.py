@@ -17,7 +17,10 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
 from pydy._checks import describe
-from pydy._graph.columns import Columns, event_program
+from pydy._graph.columns import Columns
+from pydy._graph.derivative import Rows, dense_jacobian
+from pydy._graph.lower import lower
+from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
@@ -35,10 +38,6 @@ from pydy.solvers.options import Options, read_options
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
-
-# The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
-# where these are what is allowed.
-_SEEN = 1e3
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,8 +126,9 @@ class Sensitive:
         first = len(equations.coordinates)
         speeds = slice(first, first + len(equations.speeds))
         changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
-        seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
-        if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
+        # The step control sees motions of a thousand tolerances: these are a thousandth of them.
+        seen = (1e3 * (read.atol + read.rtol * np.abs(x0)))[speeds]
+        if not (changes * (times[-1] - times[0]) <= 1e3 * seen).all():
             return float(np.inf)  # the derivatives are not needed
         slopes = model.compiled_jacobian("rates", "x").evaluate(*args)[0].reshape(n, n)
         if not np.isfinite(slopes).all():
@@ -350,14 +350,47 @@ def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
 def program_of_event(
     model: CompiledModel, event: Event, wanted: Sequence[tuple[str, int]]
 ) -> Program:
-    """Return the Program of an event's effect on derivatives; see `event_program`."""
-    own, states = model.assembly.fork(), model.layout.states
-    after = [event.reset.get(state, state) for state in states]
-    crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
-    changed = changed_by(event, states)
-    return event_program(
-        own.graph, crossing, moved, own.rates, changed, wanted, own.sizes, own.passes
-    )
+    """Return the Program of an event with g = 0 and the state R after it.
+
+    The inputs r are followed by their derivatives by time; w inputs (group, index) are wanted, and
+    c states changed. The blocks are
+
+    ===========  ============  ==================================================================
+    rate         (1,)          ġ, along the motion
+    curvature    (1,)          g̈
+    crossing     (n + w,)      the derivatives of g by the states, then by what is wanted
+    after_rates  (n,)          Ṙ, along the motion before the event
+    after        (c, n + w)    the derivatives of those states in R that are changed
+    ===========  ============  ==================================================================
+    """
+    own, symbols = model.assembly.fork(), model.layout.states
+    graph, (n, s, c) = own.graph, own.sizes
+    after = [event.reset.get(state, state) for state in symbols]
+    read = own.read([event.expression, *after], f"the event `{event.name}`")
+    crossing, *rest = simplify(graph, [*read, *own.rates], own.passes)
+    after, rates = rest[:n], rest[n:]
+    states = [graph.input("x", i) for i in range(n)]
+    along = {graph.input("t", 0): {0: graph.one}}
+    along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
+    along.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
+    motion = Rows(graph, along)
+    by = [*states, *(graph.input(*place) for place in wanted)]
+    first = motion(crossing).get(0, graph.zero)
+    changed = [after[k] for k in changed_by(event, symbols)]
+    parts = {
+        "rate": [first],
+        "curvature": [motion(first).get(0, graph.zero)],
+        "crossing": dense_jacobian(graph, [crossing], by),
+        "after_rates": [motion(node).get(0, graph.zero) for node in after],
+        "after": dense_jacobian(graph, changed, by),
+    }
+    shapes = {"after": (len(changed), len(by))}
+    cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
+    blocks = [
+        (name, shapes.get(name, (len(part),)), [next(cells) for _ in part])
+        for name, part in parts.items()
+    ]
+    return lower(graph, (n, 2 * s, c), blocks, passes=own.passes, own=own.sizes)
 
 
 def compiled_event(

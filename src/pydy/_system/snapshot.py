@@ -26,7 +26,6 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.run.constraints import satisfied
 from pydy.trajectory import Columns, Trajectory
 
-_POLISHED = 5  # steps of Newton's method, of which two do
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
 
 
@@ -134,7 +133,7 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
     left, slopes, bounds = values(z)
     if not satisfied(left, bounds):
         z = scipy.optimize.root(lambda z: values(z)[0], z, jac=lambda z: values(z)[1]).x
-        for _ in range(_POLISHED):
+        for _ in range(5):  # two do
             left, slopes, bounds = values(z)
             if satisfied(left, bounds) or not np.isfinite(slopes).all():
                 break

@@ -24,7 +24,6 @@ from pydy._checks import (
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import some, unique_names
 from pydy._system.definition import sort_out
-from pydy._system.tuning import LARGEST_SAMPLE
 from pydy.analysis.fit import Trial
 
 
@@ -109,9 +108,10 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
         given = dict(zip(meant, given.values(), strict=True))
     noise = _noise(given, keys, names, values.shape, label)
     sizes = np.fmax.reduce(np.abs(values) / noise)
-    if (far := np.flatnonzero(sizes > LARGEST_SAMPLE)).size:
+    largest = 2.0**255  # SciPy's search forms the third power of residuals, and sums
+    if (far := np.flatnonzero(sizes > largest)).size:
         raise ValueError(
-            f"`measured[{names[far[0]]}]` of {label} must be at most {LARGEST_SAMPLE:.1e} in units "
+            f"`measured[{names[far[0]]}]` of {label} must be at most {largest:.1e} in units "
             f"of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are out of the range "
             "of floats. Choose units in which they are smaller."
         )

@@ -32,8 +32,6 @@ from pydy._system.snapshot import At, Snapshot, samples
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
 
-_TOGETHER = 1024  # states: their inputs fit in a cache
-
 
 @dataclass(frozen=True)
 class Target:
@@ -180,8 +178,8 @@ def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
-    for first in range(0, m, _TOGETHER):
-        rows = slice(first, first + _TOGETHER)
+    for first in range(0, m, 1024):  # their inputs fit in a cache
+        rows = slice(first, first + 1024)
         some = at.some(rows)
         r = np.empty((len(some.x), width))
         r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors

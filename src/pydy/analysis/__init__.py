@@ -3,8 +3,6 @@
 `System.find_equilibrium`, `System.linearize`, `System.eigenvalues` and related methods return them.
 """
 
-from __future__ import annotations
-
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium

@@ -33,7 +33,6 @@ Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 Measured = Callable[[np.ndarray, np.ndarray], Sizes]
 Functions = tuple[Function, Function, Spectrum, Measured]  # F, its derivatives, and more
 
-_ITERATIONS = 8
 # Points, and how far they are changed, that tell of the rounding of residuals.
 _ROUNDINGS, _LAST_DIGITS = 4, 4.0
 
@@ -229,7 +228,7 @@ class _Curve:
     def corrected(self, z: np.ndarray, tangent: np.ndarray) -> tuple[np.ndarray, int] | None:
         """Return the point of the curve in the plane through `z` normal to the tangent."""
         anchor = z
-        for count in range(_ITERATIONS):
+        for count in range(8):
             slopes = np.vstack([self._whole(z), tangent])
             values = np.append(self.residual(z), tangent @ ((z - anchor) / self.scale))
             if not (np.isfinite(slopes).all() and np.isfinite(values).all()):

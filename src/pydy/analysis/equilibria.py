@@ -21,17 +21,14 @@ from pydy._errors import EquilibriumError
 from pydy._names import few, numbers_of, place_of, some, unique_names
 from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, rank_of, unrounded
 from pydy.analysis.directions import direction_text
-from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
+from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT
 
 Bounds = tuple[np.ndarray, np.ndarray]  # the lowest and the highest values of unknowns
 Found = tuple[np.ndarray, float, tuple[str, ...]]  # what `solve_equilibrium` returns
 Function = Callable[[np.ndarray], np.ndarray]
 
-_POLISH = 20
 # Nothing moves so slowly: its powers would leave the range of floats.
 _SMALLEST = float(np.finfo(float).tiny ** 0.25)
-# Evaluations after which least squares hardly converge any more.
-_TRIED = 200
 
 
 @dataclass(frozen=True, eq=False)
@@ -250,7 +247,7 @@ def _search(
         found = scipy.optimize.least_squares(
             lambda w: share(w * units), z / units, lambda w: slopes(w * units) * units,
             (low / units, high / units), x_scale="jac",
-            xtol=ROUNDED, ftol=ROUNDED, gtol=ROUNDED, max_nfev=_TRIED,
+            xtol=ROUNDED, ftol=ROUNDED, gtol=ROUNDED, max_nfev=200,
         )  # fmt: skip
     except ValueError as error:  # residuals that are not finite at the start
         return z, str(error)
@@ -323,7 +320,7 @@ def solve_many(
     rows, units = np.array([s.rows for s in begin]), np.array([s.units for s in begin])
     sizes = np.abs(best / rows).max(axis=1)
     left = np.arange(len(z))
-    for _ in range(_POLISH):
+    for _ in range(20):
         ready = np.isfinite(J[left]).all(axis=(1, 2)) & np.isfinite(sizes[left])
         left = left[ready & (sizes[left] > 0.0)]
         if not left.size:
@@ -353,7 +350,7 @@ def _polished(
 ) -> np.ndarray:
     """Go on by Newton's method as long as the residual falls."""
     best = residual(z)
-    for _ in range(_POLISH):
+    for _ in range(20):
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
@@ -414,9 +411,6 @@ def scaled_step(slopes: np.ndarray, values: np.ndarray, units: np.ndarray) -> np
 # long as the equations are nearly linear along it. All sizes are ratios of entries of the Jacobian,
 # so that the way does not depend on units.
 
-_TRIALS = 400
-_LONGER = 3.0
-
 
 def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
     """Return where the unknowns settle, or have come to when this was given up."""
@@ -427,7 +421,7 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
     moves = np.zeros_like(slopes)
     moves[own, columns] = 1.0
     fastest, length, share = 0.0, 0.0, 1.0
-    for _ in range(_TRIALS):
+    for _ in range(400):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
         units, speed = _balanced(slopes, own, columns)
@@ -446,13 +440,14 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
         bent = np.abs((found - values - slopes @ (after - z)) / sizes).max(initial=0.0)
         moved = np.abs(step).max(initial=0.0)
         if not bent <= BENT * moved:
-            length, share = length / _LONGER, share / _LONGER
+            length, share = length / 3.0, share / 3.0
             continue
         z, values, slopes = after, found, problem.jacobian(after)
-        share = min(1.0, _LONGER * share)
+        share = min(1.0, 3.0 * share)
         if bent <= NEARLY_STRAIGHT * moved:
-            length *= _LONGER
-        if not moved or length * fastest > SETTLED:
+            length *= 3.0
+        # Such a step of implicit Euler is one of Newton's method.
+        if not moved or length * fastest > 1e4:
             break
     return z
 

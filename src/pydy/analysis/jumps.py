@@ -12,8 +12,6 @@ from pydy._rank import HALF, or_one
 
 # Times between two that a jump is between, and how often they are taken: to 2⁻⁴⁸ of the way.
 _FINER, _REFINED = 65, 8
-_IN_STEP = 4  # places in a solver's step that are looked at, beside outputs
-_PASSAGES = 16  # of a switch that are looked at closer, those with the largest steps
 
 _BY_SWITCH = {"steps", "slopes"}  # blocks that have a row for each switch
 Values = dict[str, np.ndarray]
@@ -58,7 +56,7 @@ class Passed:
     def looked_at(self) -> np.ndarray:
         """Its times, and places in the solver's steps."""
         times, ends = self.times, np.append(self.starts, self.times[-1])
-        within = ends[:-1] + np.arange(_IN_STEP)[:, None] / _IN_STEP * np.diff(ends)
+        within = ends[:-1] + np.arange(4)[:, None] / 4 * np.diff(ends)
         every = np.unique(np.concatenate([times, within.ravel()]))
         found: np.ndarray = every[(every >= times[0]) & (every <= times[-1])]
         return found
@@ -78,7 +76,8 @@ def passages(
         pairs = np.stack([places[turns], places[turns + 1]], axis=1)
         pairs = pairs[before[pairs[:, 0]] == before[pairs[:, 1]]]
         largest = along["steps"][:, k][pairs].min(axis=1).max(axis=1, initial=0.0)
-        for beside in times[pairs[np.argsort(-largest, kind="stable")[:_PASSAGES]]]:
+        # Those with the largest steps are looked at closer.
+        for beside in times[pairs[np.argsort(-largest, kind="stable")[:16]]]:
             for _ in range(_REFINED):
                 finer = np.linspace(beside[0], beside[1], num=_FINER)
                 if not (np.diff(finer) > 0.0).all():

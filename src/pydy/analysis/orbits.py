@@ -19,13 +19,6 @@ from pydy._names import numbers_of
 from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
-_ITERATIONS = 40
-_STUCK = 1e8
-# Steps from where rounding is all that is left of the gap.
-_LAST = 3
-# The least period, and the least rates of the states at its end, as shares of those at first.
-_SHORTEST = 0.1
-
 
 @dataclass(frozen=True, eq=False)
 class PeriodicOrbit:
@@ -162,94 +155,120 @@ class Measure:
         return found
 
 
-def shoot(
-    fly: Callable[[np.ndarray, float], Flight],
-    first: Flight,
-    sizes: np.ndarray,
-    start: np.ndarray,
-    period: float,
-    slope: np.ndarray | None,
-    names: Sequence[str],
-    tolerance: float,
-) -> tuple[np.ndarray, Flight, float]:
-    """Solve for k states that come back, in units of their sizes.
+@dataclass
+class Shooting:
+    """A search for k states that come back, in units of their sizes.
 
-    ``fly(states, period)`` gives a Flight, of which the `first` leaves from the `start`. The
-    `slope` has the states' rates there: the search keeps to the plane normal to them, and the
-    period is an unknown unless it is None. The `tolerance` is that of the integration.
+    The search keeps to the plane normal to the `slope`, and the period is an unknown unless that is
+    None.
     """
-    guess, k = period, len(start)
-    flight = first.scaled(sizes, guess)
-    begun = z = flight.begun(start / sizes)
-    if slope is not None:
-        slope = slope / sizes / np.linalg.norm(slope / sizes)
-    gap, speed, period = flight.end - z, float(np.linalg.norm(flight.rates)), 1.0
-    found, weight = first, 1.0
-    for _ in range(_ITERATIONS):
-        size = float(np.abs(gap).max(initial=0.0))
-        whole, right = _equations(flight, gap, slope, z - begun)
-        new = None
-        while weight < _STUCK:
-            # After Levenberg and Marquardt, with a weight that vanishes with the gap: orbits of
-            # conservative systems come in families, of which the nearest is wanted.
-            held = np.sqrt(weight * min(size, 1.0)) * np.eye(whole.shape[1])
-            both = np.append(right, np.zeros(whole.shape[1]))
-            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=ROUNDED)[0]
-            after = z + step[:k]
-            new_period = period + float(step[k]) if slope is not None else period
-            try:
-                # Every motion comes back after no time at all, and an equilibrium after any.
-                if new_period > _SHORTEST:
-                    real = fly(after * sizes, new_period * guess)
-                    new = real.scaled(sizes, guess)
-                    if slope is not None and np.linalg.norm(new.rates) < _SHORTEST * speed:
-                        new = None
-            except RuntimeError:  # no event, or a failure of the integration
-                new = None
-            if new is not None:
-                after = new.begun(after)
-                if float(np.abs(new.end - after).max()) < size:
+
+    fly: Callable[[np.ndarray, float], Flight]  # from states, for a period
+    first: Flight
+    sizes: np.ndarray
+    slope: np.ndarray | None  # the states' rates where the first flight begins
+    names: Sequence[str]
+    tolerance: float  # of the integration
+
+    def found(self, start: np.ndarray) -> tuple[np.ndarray, Flight, float]:
+        """Return the states, the flight from there, and the largest gap."""
+        self.flown, self.period = self.first, self.first.period
+        if self.slope is not None:
+            slope = self.slope / self.sizes
+            self.normal = slope / np.linalg.norm(slope)
+        self.flight = self._scaled(self.first)
+        self.z = self.begun = self.flight.begun(start / self.sizes)
+        self._approach()
+        self._settle()
+        z, gap = self.z * self.sizes, self._gap() * self.sizes
+        return z, self.flown, float(np.abs(gap).max(initial=0.0))
+
+    def _scaled(self, flight: Flight) -> Flight:
+        return flight.scaled(self.sizes, self.first.period)
+
+    def _gap(self) -> np.ndarray:
+        gap: np.ndarray = self.flight.end - self.z
+        return gap
+
+    def _moved(self, step: np.ndarray) -> tuple[np.ndarray, float]:
+        """Return the states and the period after a step."""
+        late = 0.0 if self.slope is None else float(step[-1]) * self.first.period
+        return self.z + step[: len(self.z)], self.period + late
+
+    def _approach(self) -> None:
+        """Take steps after Levenberg and Marquardt, as long as the gap becomes smaller.
+
+        Their weight vanishes with the gap: orbits of conservative systems come in families, of
+        which the nearest is wanted.
+        """
+        weight = 1.0
+        for _ in range(40):
+            size = float(np.abs(self._gap()).max(initial=0.0))
+            whole, right = self._equations()
+            n = whole.shape[1]
+            while weight < 1e8:
+                held = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
+                both = np.append(right, np.zeros(n))
+                step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=ROUNDED)[0]
+                if self._nearer(*self._moved(step), size):
+                    weight *= 0.1
                     break
-            new = None
-            if size <= ORBIT_CLOSED * _scale(z):
-                break
-            weight = max(10.0 * weight, DAMPED)
-        if new is None:
-            break
-        z, period, flight, found, gap = after, new_period, new, real, new.end - after
-        weight *= 0.1
-    size = float(np.abs(gap).max(initial=0.0))
-    for left in range(_LAST, -1, -1):
-        size = float(np.abs(gap).max(initial=0.0))
-        if size <= ORBIT_CLOSED * _scale(z):
-            break
-        # Unstable motion makes a larger gap of what rounding and the integration leave: then the
-        # start is as good as steps to a better one are small.
-        whole, right = _equations(flight, gap, slope, z - begun)
-        step = np.linalg.lstsq(whole, right, rcond=tolerance)[0]
-        open_by = np.abs([*step, *(right - whole @ step)]).max()
-        known = size <= tolerance * float(np.linalg.norm(flight.by_start, 2))
-        if known and open_by <= ORBIT_CLOSED * _scale(z):
-            break
-        if not (known and left):
-            raise _lost(names, z * sizes, gap * sizes, period * guess)
-        z, period = z + step[:k], period + (float(step[k]) if slope is not None else 0.0)
-        found = fly(z * sizes, period * guess)
-        flight = found.scaled(sizes, guess)
+                if size <= ORBIT_CLOSED * _scale(self.z):
+                    return
+                weight = max(10.0 * weight, DAMPED)
+            else:
+                return
+
+    def _nearer(self, z: np.ndarray, period: float, size: float) -> bool:
+        """Go to a state if the flight from there leaves less than a gap of some size."""
+        # Every motion comes back after no time at all, and an equilibrium after any.
+        if period <= 0.1 * self.first.period:
+            return False
+        try:
+            flown = self.fly(z * self.sizes, period)
+        except RuntimeError:  # no event, or a failure of the integration
+            return False
+        flight = self._scaled(flown)
+        speed = np.linalg.norm(self._scaled(self.first).rates)
+        if self.slope is not None and np.linalg.norm(flight.rates) < 0.1 * speed:
+            return False
         z = flight.begun(z)
-        gap = flight.end - z
-    return z * sizes, found, float(np.abs(gap * sizes).max(initial=0.0))
+        if not float(np.abs(flight.end - z).max()) < size:
+            return False
+        self.z, self.flown, self.flight, self.period = z, flown, flight, period
+        return True
 
+    def _settle(self) -> None:
+        """Take the last steps, from where rounding is all that is left of the gap."""
+        for left in range(3, -1, -1):
+            gap = self._gap()
+            if np.abs(gap).max(initial=0.0) <= ORBIT_CLOSED * _scale(self.z):
+                return
+            # Unstable motion makes a larger gap of what rounding and the integration leave: then
+            # the start is as good as steps to a better one are small.
+            whole, right = self._equations()
+            step = np.linalg.lstsq(whole, right, rcond=self.tolerance)[0]
+            open_by = np.abs([*step, *(right - whole @ step)]).max()
+            grown = self.tolerance * float(np.linalg.norm(self.flight.by_start, 2))
+            known = float(np.abs(gap).max(initial=0.0)) <= grown
+            if known and open_by <= ORBIT_CLOSED * _scale(self.z):
+                return
+            if not (known and left):
+                raise _lost(self.names, self.z * self.sizes, gap * self.sizes, self.period)
+            z, self.period = self._moved(step)
+            self.flown = self.fly(z * self.sizes, self.period)
+            self.flight = self._scaled(self.flown)
+            self.z = self.flight.begun(z)
 
-def _equations(
-    flight: Flight, gap: np.ndarray, slope: np.ndarray | None, moved: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the linear equations of a step that closes the gap, in the plane of the search."""
-    whole = flight.by_start - np.eye(len(gap))
-    if slope is None:
-        return whole, -gap
-    whole = np.block([[whole, flight.rates[:, None]], [slope[None], np.zeros((1, 1))]])
-    return whole, np.append(-gap, -slope @ moved)
+    def _equations(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the linear equations of a step that closes the gap, in the plane of the search."""
+        gap = self._gap()
+        whole = self.flight.by_start - np.eye(len(gap))
+        if self.slope is None:
+            return whole, -gap
+        border = np.append(self.normal, 0.0)
+        whole = np.vstack([np.column_stack([whole, self.flight.rates]), border])
+        return whole, np.append(-gap, -self.normal @ (self.z - self.begun))
 
 
 def _scale(z: np.ndarray) -> float:

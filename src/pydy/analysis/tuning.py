@@ -1,7 +1,5 @@
 """Thresholds of the analyses, each with what it was found by."""
 
-from __future__ import annotations
-
 # -- ranks and directions --------------------------------------------------------------------------
 
 NAMED_IN_FIT = 1e-4
@@ -12,9 +10,6 @@ NAMED_IN_FIT = 1e-4
 BENT, NEARLY_STRAIGHT = 0.3, 0.1
 """How far residuals may be from those of a line, in units of a step, for it to be taken, and for
 the next to be longer."""
-
-SETTLED = 1e4
-"""A step of implicit Euler, in times of the fastest motion, that is one of Newton's method."""
 
 ON_BRANCH = 1e-11
 """Newton's last step to a point of a branch, in scaled unknowns."""

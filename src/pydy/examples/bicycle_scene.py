@@ -26,10 +26,7 @@ __all__ = ["scene", "visuals"]
 
 TYRE, RIM, STEEL, DARK = "#4a505b", "#aab3c0", "#c9433e", "#5a6270"
 SHIRT, TROUSERS, SKIN = "#3f7fc4", "#56617a", "#d9a27e"
-TYRE_RADIUS = 0.016
 PUSH = "#e0a92e"
-SPOKES = 14
-PUSH_SCALE = 0.003  # metres of arrow for each newton
 
 
 def visuals(bicycle: Bicycle) -> list[Visual]:
@@ -85,7 +82,8 @@ def visuals(bicycle: Bicycle) -> list[Visual]:
     parts.rider()
     for name, point, colour in (("rear track", "P", "#ee8b3a"), ("front track", "Pf", "#35a883")):
         parts.add(Visual(Trace(colour=colour), points[point], name=name))
-    push = Arrow(bicycle.push * bicycle.frames["A"].y, scale=PUSH_SCALE, radius=0.018, colour=PUSH)
+    # A newton is 3 mm of arrow.
+    push = Arrow(bicycle.push * bicycle.frames["A"].y, scale=0.003, radius=0.018, colour=PUSH)
     parts.add(Visual(push, points["Bo"], name="push"))
     return parts.visuals
 
@@ -138,19 +136,19 @@ class _Parts:
         return self._hubs[1].locatenew("front frame", arm)
 
     def wheel(self, name: str, frame: Any, hub: Any, radius: float) -> None:
-        tyre = Torus(radius - TYRE_RADIUS, TYRE_RADIUS, "y", colour=TYRE)
+        tyre = Torus(radius - 0.016, 0.016, "y", colour=TYRE)
         rim = Torus(radius - 0.038, 0.009, "y", colour=RIM)
         self.add(Visual(tyre, frame, hub, name=name))
         self.add(Visual(rim, frame, hub, name=name))
         self.add(Visual(Capsule(0.07, 0.018, "y", colour=RIM), frame, hub, name=name))
         # One line to and fro between the rim and the two sides of the hub.
         stations = []
-        for k in range(SPOKES):
+        for k in range(14):
             for angle, distance, y in (
                 (2 * k, radius - 0.04, 0.0),
                 (2 * k + 0.5, 0.016, 0.025 * (-1) ** k),
             ):
-                turn = pi * angle / SPOKES
+                turn = pi * angle / 14
                 vector = distance * (cos(turn) * frame.x + sin(turn) * frame.z) + y * frame.y
                 stations.append(hub.locatenew("spoke", vector))
         self.rod(name, [*stations, stations[0]], 0.002, RIM)

@@ -3,8 +3,6 @@
 Users call `System.export`; `write` takes a `Model`, which contains Programs and names.
 """
 
-from __future__ import annotations
-
 from pydy.export.model import EventData, Exported, Model, Variable
 from pydy.export.writing import write
 

@@ -34,7 +34,6 @@ from pydy.solvers.run.layout import DEPTH
 from pydy.solvers.tableaus import method_arrays
 
 _METHOD = "dop853"
-_TOLERANCE = 1e-10
 
 
 def write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -> tuple[Path, ...]:
@@ -297,7 +296,7 @@ def model_description(model: Model, fmi: str, token: str) -> str:
         f"<fmiModelDescription{_attributes(**head)}>",
         f"  <ModelExchange{_attributes(**abilities)}>{words.files}</ModelExchange>",
         f"  <CoSimulation{_attributes(**abilities, **steps)}>{words.files}</CoSimulation>",
-        f"  <DefaultExperiment{_attributes(**span, tolerance=repr(_TOLERANCE))}/>",
+        f"  <DefaultExperiment{_attributes(**span, tolerance='1e-10')}/>",
         "  <ModelVariables>",
     ]
     if new:

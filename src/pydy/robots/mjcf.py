@@ -54,7 +54,6 @@ _NUMBERS = [
 ]
 _CONSTRAINTS = {"CONTACT", "EQUALITY", "FRICTIONLOSS", "LIMIT"}
 """What MuJoCo counts as constraints, which a file may turn off all at once."""
-_SHOWN_GROUPS = 3  # as in MuJoCo's own viewer: the others are for contacts
 
 
 def read_mjcf(path: Path) -> Tree:
@@ -342,7 +341,8 @@ class _Model:
             rgba = np.array(model.geom_rgba[g])
             if (material := int(model.geom_matid[g])) >= 0:
                 rgba = np.array(model.mat_rgba[material])
-            if model.geom_group[g] >= _SHOWN_GROUPS or not rgba[3] > 0.0:
+            # Groups from 3 on are for contacts, as in MuJoCo's own viewer.
+            if model.geom_group[g] >= 3 or not rgba[3] > 0.0:
                 continue
             kind = mujoco.mjtGeom(model.geom_type[g]).name.removeprefix("mjGEOM_").lower()
             options = {"colour": tuple(rgba[:3].tolist()), "opacity": float(min(rgba[3], 1.0))}

@@ -12,8 +12,6 @@ They have the signature of `scipy.integrate.odeint`; select one by ``system.ode_
 Their loops are compiled for the processor when one of them first runs.
 """
 
-from __future__ import annotations
-
 from pydy.solvers.events import Event
 from pydy.solvers.options import SolverOptions, StepOptions
 from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9

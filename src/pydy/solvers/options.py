@@ -68,9 +68,6 @@ class Options:
     dense_output: bool = False
 
 
-_MOST = 2**62
-
-
 def _tolerance(value: Any, what: str) -> Any:
     tolerance = real_array(value, what)
     if not (np.isfinite(tolerance).all() and (tolerance >= 0.0).all()):
@@ -88,7 +85,7 @@ def _max_steps(value: Any, what: str) -> int:
     most = number(value, what)
     if not most >= 1.0:
         raise ValueError(f"{what} must be at least 1, got {value!r}.")
-    return int(min(most, _MOST))
+    return int(min(most, 2**62))
 
 
 def _compiled(kind: type, method: str) -> Check:

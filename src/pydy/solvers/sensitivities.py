@@ -42,7 +42,7 @@ class CompiledSensitivities:
     # error allowed in ∂x/∂θ is then that of x over the size of θ. None: it looks at the states
     # alone, and the steps are those of an integration without sensitivities.
     scales: np.ndarray | None
-    # The Kernel of `pydy._graph.columns.event_program` for an event, and which states it changes.
+    # The Kernel of what an event does to derivatives, and which states it changes.
     events: Callable[[int], tuple[Kernel, Sequence[int]]]
     # The Kernel of the derivatives of the holonomic, then of the velocity residuals, shapes (h, k)
     # and (v, k).

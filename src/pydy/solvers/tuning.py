@@ -1,7 +1,5 @@
 """Thresholds that compiled code and Python share."""
 
-from __future__ import annotations
-
 from pydy import _rank
 
 BLOCK = 8
@@ -94,9 +92,6 @@ CLEAR = 8.0
 oscillates by that once in between changes by up to 2π of it on the way. Nor does a state move so
 many times as fast between the stages of a step as at the fastest of them."""
 
-STEPS_MEMORY = 2**27
-"""Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""
-
 LEAST_TOLERANCE = 1e-300
 """In place of an absolute tolerance of zero: 0 / 0 would be no error."""
 
@@ -117,15 +112,8 @@ One is enough to warn; 64 take milliseconds, and are spread over all.
 
 EXCESS = 3.0
 """What errors of long steps, and of states between them, make of residuals, in units of the
-tolerances. Stabilised residuals come up to half of it, energies to a third: see FEW_STEPS.
+tolerances. Stabilised residuals come up to half of it, energies to a third.
 Projection moves accepted steps by less, most by a tenth of one."""
-
-FEW_STEPS = 10.0
-"""How many more steps explain a change of the energy than were taken: long steps, and states
-between them, are in error by more than what is allowed in one."""
-
-LEFT = 1e-2
-"""The share of the states that errors of a method without error control may amount to."""
 
 LOST = 1e-5
 """The share of the kinetic energy that roundings may change: ε/δ² a distance δ from a singular
@@ -138,7 +126,3 @@ singular positions, beside which they are small, do not change it."""
 CLOSE = 2.0**-10
 """The share of the way to the next point that is close to an event; and of the time, which is the
 least way that is looked at. What passes through zero is then beside it by a billion roundings."""
-
-INHERITED = 16.0
-"""A reset that leaves residuals up to so many times as large as before has not left the
-constraints: it has passed on what the motion has drifted by, as it does with speeds."""

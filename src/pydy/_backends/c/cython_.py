@@ -201,8 +201,6 @@ setup(
 )
 """
 
-_TAIL = 40  # lines of the build's output that an error shows
-
 
 def _require(*packages: str) -> None:
     """Raise if one of the packages cannot be imported; none of them is."""
@@ -243,7 +241,7 @@ def _build(name: str, directory: Path, verbose: bool) -> None:
         ) from error
     if process.returncode:
         (directory / "build.log").write_text("".join(lines), encoding="utf-8")
-        tail = "".join(lines[-_TAIL:]).rstrip()
+        tail = "".join(lines[-40:]).rstrip()
         raise GeneratorError(
             f"The C code could not be built. Its source and the whole output, build.log, lie in "
             f"'{directory}'. The 'cython' generator needs a C compiler that works; {_REMEDY} "

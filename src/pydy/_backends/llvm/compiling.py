@@ -20,7 +20,6 @@ from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
 from pydy._backends.llvm.targets import target
-from pydy._backends.tuning import ROOM, ROOM_PER_LETTER
 from pydy._forks import once
 
 
@@ -105,7 +104,8 @@ def object_code(source: Source, quick: bool = False) -> bytes:
     change nothing (measured on pendulums of 10 and 20 links).
     """
     text = source.text(quick)
-    _find_room(ROOM + ROOM_PER_LETTER * len(text))
+    # LLVM's passes took 10 MB, and 27 bytes for each letter of 100 links.
+    _find_room(2**24 + 32 * len(text))
     # A context of its own lets two threads compile at the same time.
     context = binding.create_context()
     _CONTEXTS[id(context)] = context

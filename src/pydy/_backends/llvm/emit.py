@@ -15,15 +15,7 @@ from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_typ
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
 from pydy._backends.llvm.targets import target
-from pydy._backends.tuning import (
-    BASIC_BLOCK,
-    FALLBACK_STACK,
-    FOR_SINCOS,
-    LINES,
-    SPARSE,
-    TEMPORARY,
-    TOGETHER,
-)
+from pydy._backends.tuning import SPARSE, TEMPORARY, TOGETHER
 from pydy._graph.operations import (
     ANGLES,
     OPERATIONS,
@@ -292,7 +284,7 @@ class Solves:
         else:
             count = len(stored) + work
             size = 8 * self.lanes * count
-            heap = size > FALLBACK_STACK
+            heap = size > 2**16  # threads have small stacks
             matrix = f.let(f"call ptr @malloc(i64 {size})") if heap else f.slot(v, count)
             room = matrix if heap else ""
             scratch = f.at(matrix, str(len(stored)), v)
@@ -462,13 +454,15 @@ class Emitter:
         self._write_and_keep(node)
 
     def _count(self) -> None:
-        if self.written and self.written % BASIC_BLOCK == 0 and not self.whole:
+        # LLVM's time grows faster than a block's length; 30 and 120 operations are no gain.
+        if self.written and self.written % 60 == 0 and not self.whole:
             self._next_block()
         self.written += 1
 
     def divide(self) -> None:
         """Begin another basic block if this one has become long with loads and stores."""
-        if len(self.f.lines) - self.began > LINES and not self.whole:
+        # A block may mostly read and write, such as a matrix for a fallback.
+        if len(self.f.lines) - self.began > 240 and not self.whole:
             self._next_block()
 
     def _write_and_keep(self, node: int) -> None:
@@ -592,7 +586,7 @@ class Emitter:
         if self.lanes > 1:
             for start in range(0, len(ready), TOGETHER):
                 group = ready[start : start + TOGETHER]
-                self.names.leave(node - 1, min(FOR_SINCOS, self.capacity - 1))
+                self.names.leave(node - 1, min(12, self.capacity - 1))  # they work in 12 registers
                 pairs = sincos_together(f, [self.names[k] for k in group], self.lanes)
                 self.angles.update(zip(group, pairs, strict=True))
             return

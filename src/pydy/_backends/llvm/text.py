@@ -20,7 +20,6 @@ from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, 
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
-from pydy._backends.tuning import LOOP
 from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.program import Program
 from pydy._graph.tangent import Part, Tangent
@@ -183,7 +182,8 @@ def stage_text(
 
 
 def is_small(program: Program) -> bool:
-    return sum(not setup for setup in program.setup) <= LOOP
+    # What leads in and out of a function takes as long as the equations of one link.
+    return sum(not setup for setup in program.setup) <= 100
 
 
 def _is_one_block(program: Program, lanes: int) -> bool:

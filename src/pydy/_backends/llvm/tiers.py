@@ -24,7 +24,7 @@ from pydy._backends.llvm.emit import solver_names
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.llvm.text import angles_text, is_small, kernel_text, pieces, tangent_text
-from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
+from pydy._backends.tuning import LARGE, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.program import Program
@@ -229,7 +229,9 @@ def _repeats(program: Program) -> bool:
     compiling takes 3 to 5 times as long.
     """
     large = program.operation_count["run"].total() > LARGE
-    return large and len(program.outputs) <= MOST_RESULTS and _does_little(program)
+    # To look for them takes LLVM the square of the number of results: 40 s in place of 4 for the
+    # Jacobian of 50 masses, 100 by 100.
+    return large and len(program.outputs) <= 2000 and _does_little(program)
 
 
 def _does_little(program: Program) -> bool:

@@ -14,7 +14,7 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import Term, factored, terms_of
 from pydy._graph.rewrite import again, rebuild
-from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT, POPULAR
+from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT
 
 
 def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -116,7 +116,7 @@ class _Expansion:
                 if exponent == 1:
                     found |= self._factors_in(node) or set()
             counts.update(found)
-        return {n for n, count in counts.items() if count >= POPULAR}
+        return {n for n, count in counts.items() if count >= 3}
 
     def _wanted(self, node: int, exponent: int, popular: set[int]) -> bool:
         """Tell whether a factor is to be multiplied out."""

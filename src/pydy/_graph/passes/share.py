@@ -12,8 +12,6 @@ import heapq
 from collections.abc import Hashable, Sequence
 from itertools import pairwise
 
-from pydy._graph.tuning import LONGEST_PAIRED
-
 # An operand, or the combination of two trees.
 Tree = Hashable
 # A tree, and whether it counts positive; factors of a product always do.
@@ -85,7 +83,9 @@ def _signed(trees: list[Tree], entry: int) -> Signed:
 
 def _candidates(row: list[int]) -> set[tuple[int, int]]:
     """Return the pairs of a row; the first of each is made positive."""
-    if len(row) > LONGEST_PAIRED:
+    # All pairs of operands cost the square of their number, and what long sums share is mostly a
+    # run of terms.
+    if len(row) > 20:
         couples = [(min(a, b), max(a, b)) for a, b in pairwise(row)]
     else:
         ordered = sorted(row)

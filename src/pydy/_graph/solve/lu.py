@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._graph.interpret import run
 from pydy._graph.program import Program, Tape
-from pydy._graph.tuning import BACKWARD_ERROR, PIVOT_SHARE, SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
+from pydy._graph.tuning import SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
 
 
 def unrolled(
@@ -64,7 +64,7 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
         in_row = pattern[np.ix_(rows_left, columns_left)].sum(axis=1)
         in_column = pattern[np.ix_(rows_left, columns_left)].sum(axis=0)
         size = np.abs(a[:, rows_left][:, :, columns_left])
-        sound = (size >= PIVOT_SHARE * size.max(axis=1, keepdims=True)) & (size > SMALL_PIVOT)
+        sound = (size >= 0.01 * size.max(axis=1, keepdims=True)) & (size > SMALL_PIVOT)
         allowed = sound.all(axis=0) & pattern[np.ix_(rows_left, columns_left)]
         for i, j in zip(*np.nonzero(allowed), strict=True):
             rank = (int((in_row[i] - 1) * (in_column[j] - 1)), int(i), int(j))
@@ -191,7 +191,9 @@ class UnrolledLU:
     def _accurate(self, column: list[int], x: list[int]) -> int:
         """Return whether the residual of every row is a matter of rounding."""
         n, tape, zero = self.n, self.tape, self.zero
-        tolerance = tape.const(BACKWARD_ERROR * n * SINGULAR)
+        # The backward error of a solution that is taken. Four in a hundred states of a bicycle are
+        # beyond 4 n·eps, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
+        tolerance = tape.const(32 * n * SINGULAR)
         sizes = [self._size(value) for value in x]
         sound = self.sound
         for i in range(n):

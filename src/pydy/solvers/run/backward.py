@@ -27,8 +27,6 @@ from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK
 
-_AT_ONCE = 2**20  # numbers of stages that are gone through between two looks at whether to go on
-
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
@@ -117,7 +115,8 @@ class WayBack:
         totals = np.zeros(self.further)
         instants: list[np.ndarray] = []
         kept: list[np.ndarray] = []
-        most, last = max(1, _AT_ONCE // (len(self.nodes) * self.length)), len(times)
+        # A million numbers of stages between two looks at whether to go on.
+        most, last = max(1, 2**20 // (len(self.nodes) * self.length)), len(times)
         while last:
             some = slice(max(0, last - most), last)
             part = self._part(times[some], ends[some] - times[some], states[some], adjoint)

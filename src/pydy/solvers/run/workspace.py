@@ -42,10 +42,7 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
-from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
-
-_LOG = 256  # events between two visits in Python
-_STEPS = 2**13  # numbers of kept steps, likewise
+from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
@@ -127,7 +124,7 @@ class Workspace:
         self.keeps = options.dense_output or options.recorded is not None
         if self.keeps:
             width = 2 + n * (1 + (3 if method == IMPLICIT else 0))
-            room = 4 + _STEPS // width
+            room = 4 + 2**13 // width  # between two visits in Python
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
         self.twins: list[Workspace] = []  # what `Twin` has reserved, while no other has it
@@ -199,7 +196,8 @@ class Workspace:
         words, rows = self.steps
         self._aside.append(rows[: words[at.KEPT]].copy())
         words[at.KEPT] = 0
-        if self.options.recorded is None and len(self._aside) * rows.nbytes > STEPS_MEMORY:
+        # 400 000 steps of a model with 20 states are so many bytes: a run keeps no more.
+        if self.options.recorded is None and len(self._aside) * rows.nbytes > 2**27:
             self._aside, words[at.ROOM] = [], 0
 
     def kept_steps(self) -> np.ndarray | None:
@@ -334,7 +332,7 @@ class Workspace:
         place, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resetting, strict=True)
         acting = [end or resets for end, resets in stops]
-        rows = _LOG + number if number else 0
+        rows = 256 + number if number else 0  # between two visits in Python
         # Steps of fixed size are as the user set them.
         fixed = self.options.step is not None
         kinds = [

@@ -151,7 +151,6 @@ def add_tableau(tableau: Tableau) -> None:
 # -- as arrays -------------------------------------------------------------------------------------
 
 IMPLICIT = "radau"
-_DEPTH = 3  # its collocation polynomial is a cubic
 
 
 @cache
@@ -160,7 +159,7 @@ def method_arrays(name: str, length: int) -> Method:
     if name == IMPLICIT:
         nothing, none = np.zeros(0), np.zeros(0, dtype=np.int64)
         shape = np.zeros(5, dtype=np.int64)
-        shape[DEPTH] = _DEPTH
+        shape[DEPTH] = 3  # its collocation polynomial is a cubic
         return _frozen(Method(shape, none, none, nothing, nothing, nothing))
     tableau = tableau_of(name)
     stages = len(tableau.stages)

@@ -5,8 +5,6 @@ RADAU5). With A the method's matrix, ``TI @ inv(A) @ T`` is block diagonal: the 
 ``[[α, −β], [β, α]]`` of the complex pair.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 
 _S = sqrt(6.0)

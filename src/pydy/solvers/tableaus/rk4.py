@@ -4,8 +4,6 @@ W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichun
 für Mathematik und Physik 46 (1901) 435–453.
 """
 
-from __future__ import annotations
-
 from pydy.solvers.tableaus import Tableau
 
 _WEIGHTS = {0: 1 / 6, 1: 1 / 3, 2: 1 / 3, 3: 1 / 6}

@@ -4,8 +4,6 @@ Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first colu
 assumption", Computers & Mathematics with Applications 62 (2011) 770–775.
 """
 
-from __future__ import annotations
-
 from pydy.solvers.tableaus import Tableau, from_monomials
 
 _WEIGHTS = {
