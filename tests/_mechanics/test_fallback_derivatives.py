@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from sympy.physics.mechanics.models import n_link_pendulum_on_cart as written_pendulum
 
 from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, solution, state_of
 from by_hand import coupler
 from pydy import System
 from pydy._graph.products import derivative_program
 from pydy._graph.rewrite import again, rebuild
+from pydy.errors import SingularMatrixError
 from pydy.models import n_link_pendulum_on_cart
 from system.test_formed import at_rest_with_the_constraints, nearly_dependent
 
@@ -84,6 +86,51 @@ def test_a_jacobian_is_exact_where_dependent_speeds_hardly_follow(size):
     found = System(kane, {e: size}, equations="graph").evaluate_jacobian(x)[4:]
     expected = differences(accelerations, exact, states)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+
+
+@cache
+def links():
+    """Five links on a cart, with exact accelerations that depend on the states and constants."""
+    kane = written_pendulum(5, cart_force=False)
+    numbers = {f"m{k}": 0.5 + 0.125 * k for k in range(6)} | {f"l{k}": 0.5 for k in range(5)}
+    system = System(kane, equations="graph")
+    constants = {s: numbers.get(str(s), 9.8125) for s in system.constants_symbols}
+    matrices = kane.mass_matrix, kane.forcing
+
+    def accelerations(point):
+        matrix, forcing = (m.xreplace(point).evalf(80) for m in matrices)
+        return matrix.LUsolve(forcing)
+
+    return system, constants, accelerations
+
+
+@pytest.mark.parametrize("turned", [1.0, 1e-2, 1e-4, 1e-6])
+def test_derivatives_are_exact_where_a_joint_has_no_mass(turned):
+    """By the elimination of bodies: no digit is left of the mass matrix, which is near singular."""
+    system, constants, accelerations = links()
+    system.constants = constants | {sm.Symbol("m2"): 0.0}
+    x = np.array([0.1, *turned * np.linspace(0.6, 1.3, 5) ** 3, 0.2, 0.3, -0.4, 0.5, -0.2, 0.1])
+    values = {**system.constants, **dict(zip(system.states, x, strict=True))}
+    exact = {s: sm.Rational(float(v)) for s, v in values.items()}
+    expected = differences(accelerations, exact, system.states)
+    size = np.abs(expected).max()
+    found = system.evaluate_jacobian(x)[6:]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * size)
+    back = system.evaluate_vector_jacobian(np.repeat([0.0, 1.0], 6), x)
+    np.testing.assert_allclose(back, expected.sum(axis=0), rtol=0, atol=1e-12 * size)
+
+
+def test_derivatives_by_a_singular_mass_matrix_are_an_error():
+    system, constants, _ = links()
+    system.constants = constants | {sm.Symbol("m5"): 0.0}
+    x = np.linspace(0.1, 1.2, 12)
+    for evaluate in (
+        lambda: system.evaluate_jacobian(x),
+        lambda: system.evaluate_jacobian_vector(x, x),
+        lambda: system.evaluate_vector_jacobian(x, x),
+    ):
+        with pytest.raises(SingularMatrixError):
+            evaluate()
 
 
 def held_at(bend):

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pydy._graph.derivative import times
+from pydy._graph.derivative import definite, times
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, symmetric
 from pydy._graph.roots import is_steep, of_half_power, slope
@@ -135,6 +135,11 @@ class _Sweep:
         if not bars:
             return
         n, entries, column, sound, fast = g.args[node]
+        judged = definite(g, node)
+        if judged is not None:
+            for k, bar in bars.items():
+                self.add(fast[k], g.add(bar, judged))
+            return
         # By another guard, always of the system.
         right = tuple(bars.get(k, g.zero) for k in range(len(column)))
         never = g.boolean(False)

@@ -9,7 +9,10 @@ A root that may be at rest is a variable too, as −1 − root, until it is know
 (`pydy._graph.roots`).
 
 The derivative of a guard is a guard, of the same matrix and condition: where it is sound, the
-derivative of what was found in the other way, and else the solution of ``A x' = b' − A' x``.
+derivative of what was found in the other way, and else the solution of ``A x' = b' − A' x``. With a
+positive definite matrix it is the first everywhere: elimination is stable in any order there
+(Higham, Accuracy and Stability, 2nd ed., ch. 10), that of bodies has more digits than their matrix,
+and A' would be several times the code of all else.
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, SOLVES, symmetric
+from pydy._graph.operations import OPERATIONS, SOLVES, is_symmetric, symmetric
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 
 Row = dict[int, int]
@@ -267,8 +270,24 @@ def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
     return result
 
 
+def definite(g: Graph, guard: int) -> int | None:
+    """Return a zero that reports where a guard's matrix is singular; None if it may be any."""
+    n, entries, _, sound, _ = g.args[guard]
+    if n == 1 or g.ops[sound] == "bool" or not is_symmetric(n, entries):
+        return None
+    zeros = (g.zero,) * n
+    return g.make("item", (g.make("guard", (n, entries, zeros, sound, zeros)), 0))
+
+
 def _guard_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
     n, entries, column, sound, fast = g.args[node]
+    result: list[Row] = [{} for _ in column]
+    if (judged := definite(g, node)) is not None:
+        told: set[int] = set()
+        for row, k in zip(result, fast, strict=True):
+            row.update((key, d if key in told else g.add(d, judged)) for key, d in rows[k].items())
+            told.update(row)
+        return result
     x = [g.make("item", (node, k)) for k in range(len(column))]
     slow: dict[int, list[int]] = {}
     for first in range(0, len(column), max(n, 1)):
@@ -282,7 +301,6 @@ def _guard_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
     rights = tuple(d for key in keys for d in slow.get(key, zeros))
     slopes = tuple(rows[k].get(key, g.zero) for key in keys for k in fast)
     made = g.make("guard", (n, entries, rights, sound, slopes))  # of no key, it is never used
-    result: list[Row] = [{} for _ in column]
     for place, key in enumerate(keys):
         for i, k in enumerate(fast):
             if never or key in rows[k]:

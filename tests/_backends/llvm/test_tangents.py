@@ -145,6 +145,7 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     graph, nodes, sizes = by_hand(n)
     _, entries, column, sound, fast = graph.args[graph.args[nodes[0]][0]]
     rows = [[*entries[k * n : k * n + n]] for k in range(n)]
+    rows[0][1] = graph.call("kept", rows[0][1])  # not known to be symmetric, nor definite
     more = graph.call("atan", column[0])
     nodes = graph.guard(rows, [more, *column[1:]], sound, [*fast])
     places = [("x", k) for k in range(3 * n)]
@@ -162,6 +163,29 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
         assert not failed.any()
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
     assert "atan" not in made.written_out().operation_count["run"]
+
+
+def test_derivatives_by_a_definite_matrix_take_nothing_but_its_elimination():
+    graph, nodes, sizes = by_hand(9)
+    places = [("x", k) for k in range(27)]
+    by = [graph.input(*place) for place in places]
+    parts = [(0, 9), (9, 27)]
+    made = jacobian_tangent(graph, nodes, places, sizes, Passes(), parts)
+    plain = graph.args[graph.args[nodes[0]][0]][4]
+    bare = jacobian_tangent(graph, plain, places, sizes, Passes(), parts)
+    # The judgement of the matrix: itself, and what tells where it is sound.
+    judged = on_tape(graph, nodes, sizes).num_operations
+    assert made.num_operations <= bare.num_operations + judged + 2 * 27
+    x, p = states(9)
+    arguments = np.zeros(19), x, np.empty((19, 0)), p
+    found, failed = LLVMBackend().compile(made).evaluate(*arguments)
+    expected, _ = run(on_tape(graph, dense_jacobian(graph, plain, by), sizes), *arguments)
+    assert not failed.any()
+    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
+    x[4, :9] = -p[0]  # of an odd number of rows
+    x[4, 18:] = 0.0
+    _, failed = LLVMBackend().compile(made).evaluate(*arguments)
+    assert np.flatnonzero(failed).tolist() == [4]
 
 
 @pytest.mark.parametrize("n", [5, 29])
