@@ -55,24 +55,6 @@ def test_constraints_that_fix_everything_leave_nothing():
     assert constrained_eigenvalues(PENDULUM, np.eye(4)).shape == (0,)
 
 
-@pytest.mark.parametrize("function", [reduce_state_matrix, constrained_eigenvalues])
-@pytest.mark.parametrize(
-    ("A", "C", "message"),
-    [
-        (np.zeros((2, 3)), np.zeros((1, 3)), r"`state_matrix` must be square.* \(2, 3\)"),
-        (np.zeros(4), ROD, r"`state_matrix` must have two dimensions.* \(4,\)"),
-        (PENDULUM, np.zeros((1, 3)), r"`constraint_jacobian` must have the shape \(k, 4\).*\(1, 3"),
-        (PENDULUM, np.zeros(4), r"`constraint_jacobian` must have two dimensions.* \(4,\)"),
-        (PENDULUM * np.nan, ROD, "`state_matrix` must be finite, got nan in row 0, column 0"),
-        (PENDULUM, [["a", 0, 0, 0]], "`constraint_jacobian` must hold real numbers"),
-        (PENDULUM * 1j, ROD, "`state_matrix` must hold real numbers"),
-    ],
-)
-def test_bad_matrices_are_refused(function, A, C, message):
-    with pytest.raises(ValueError, match=message):
-        function(A, C)
-
-
 def test_a_constraint_that_the_motion_does_not_keep_is_refused():
     # The rod's rate is missing: y = -1 is not kept by a pendulum that may move up and down.
     with pytest.raises(ValueError, match=r"into itself, but leads out of it by 0\.1"):

@@ -1,6 +1,5 @@
 """The labelled result of a simulation."""
 
-import io
 import pickle
 import subprocess
 import sys
@@ -461,15 +460,6 @@ def test_a_file_without_times_is_a_named_error(tmp_path):
     less.to_netcdf(tmp_path / "less.nc", engine="scipy", format="NETCDF3_64BIT")
     with pytest.raises(ValueError, match=r"must be a file that .* it holds no 'time'"):
         Trajectory.load(tmp_path / "less.nc")
-
-
-@pytest.mark.parametrize("path", [None, 5, ["a.nc"], io.StringIO("text"), io.BytesIO(b"CDF")])
-def test_what_is_no_path_is_a_type_error(path):
-    pytest.importorskip("xarray")
-    _, trajectory = simulated("bare")
-    for call in (trajectory.save, Trajectory.load):
-        with pytest.raises(TypeError, match=r"`path` must be the name of a file, .* got"):
-            call(path)
 
 
 def test_a_file_that_does_not_exist_is_the_usual_error(tmp_path):

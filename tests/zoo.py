@@ -111,16 +111,6 @@ def free_pendulum():
 
 
 @cache
-def long_pendulum():
-    """Twelve links: large enough for a solve that is not unrolled. Not in MODELS, for its time."""
-    kane = sympy_models.n_link_pendulum_on_cart(12, cart_force=True)
-    constants = sm.symbols("m:13 l:12 g")
-    rng = np.random.default_rng(12)
-    numbers = {s: float(rng.uniform(0.5, 2.0)) for s in constants}
-    return Model(kane, numbers, {me.dynamicsymbols("F"): 0.37})
-
-
-@cache
 def free_body():
     """A rigid body thrown in space: body-fixed angular velocity, full inertia matrix."""
     q = me.dynamicsymbols("q1:7")

@@ -7,7 +7,6 @@ import zoo
 from cases import system_of
 from pydy._graph.columns import Columns
 from pydy._graph.interpret import run
-from pydy._graph.tangent import program_from_bytes
 from pydy.models import n_link_pendulum_on_cart
 
 DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))
@@ -77,14 +76,6 @@ def test_a_column_takes_little_more_than_the_states():
     assert plain == 229
     assert both <= 813
     assert made.written_out().operation_count["run"].total() > 3.7 * both
-
-
-def test_a_tangent_is_written_and_read_again():
-    _, made = made_of(assembly_of(n_link_pendulum_on_cart(1)), DIRECTIONS)
-    again = program_from_bytes(made.to_bytes())
-    assert again.digest == made.digest
-    assert again.blocks == made.blocks
-    assert [block.name for block in again.blocks] == ["rates", "jacobian"]
 
 
 def test_both_parts_are_printed():

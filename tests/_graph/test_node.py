@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from graphs import BINARY, COMPARISONS, UNARY, on_tape, values
+from graphs import BINARY, COMPARISONS, UNARY, on_tape
 
 
 @pytest.fixture
@@ -228,19 +228,6 @@ def test_a_solve_for_zeros_is_no_solve(graph, x, y):
 
 
 # -- depth and size -------------------------------------------------------------------------------
-
-DEPTH = 20_000
-
-
-def test_twenty_thousand_nested_functions_are_no_obstacle(graph, x):
-    node = x
-    for _ in range(DEPTH):
-        node = graph.call("sin", node)
-    expected = 0.3
-    for _ in range(DEPTH):
-        expected = math.sin(expected)
-    program = on_tape(graph, [node], (1, 0, 0))
-    assert values(program, [0.3])[0] == pytest.approx(expected, rel=1e-12)
 
 
 def test_squaring_sixty_times_costs_sixty_multiplications(graph, x):

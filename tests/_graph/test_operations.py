@@ -52,6 +52,7 @@ def more_operations(monkeypatch):
     operations.TRUTHS.intersection_update(truths)
 
 
+@pytest.mark.in_parts
 @pytest.mark.usefixtures("more_operations")
 @pytest.mark.parametrize(
     "backend", [NumPyBackend, LLVMBackend, lambda: LLVMBackend(lanes=4), CythonBackend]

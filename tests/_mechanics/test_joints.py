@@ -51,6 +51,7 @@ def test_a_system_whose_equations_were_formed_can_be_formed_on_the_graph_too(nam
     compared(System(system, equations="graph"), System(system, equations="method"))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["four_bar", "tied_cart_pendulum", "sleigh"])
 def test_dependent_coordinates_and_speeds_need_not_be_named(name):
     named, system = SYSTEMS[name](), SYSTEMS[name]()

@@ -170,12 +170,6 @@ def test_random_impacts_with_friction_never_raise_the_energy():
         assert (np.abs(blow.forces[1::2]) <= friction * blow.forces[::2] + 1e-8 * size).all()
 
 
-def test_what_hypotheses_may_be_is_named():
-    system, floor = ball()
-    with pytest.raises(ValueError, match="`hypothesis` must be"):
-        Contacts(system, [floor], hypothesis="stronge")
-
-
 def test_feet_that_chatter_while_they_slide_come_to_rest():
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=0.5, mu=mu)
     system.initial_conditions, system.times = {y: 1.0, vx: 0.5}, np.linspace(0.0, 3.0, 31)

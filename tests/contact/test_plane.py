@@ -190,6 +190,7 @@ def test_a_block_that_is_pulled_slips_where_the_pull_reaches_the_cone():
     assert math.sqrt(total[-1]) == pytest.approx(0.2 * 9.81)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("static", [0.2, 0.21])
 def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     # Long first steps of an implicit method would hide errors of 1e-5 at any tolerance.
@@ -198,6 +199,7 @@ def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     assert [event.name for event in fine.events] == ["floor slips"]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_a_block_that_is_pulled_from_rest_goes_along_the_pull(tolerance, solver):

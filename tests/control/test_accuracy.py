@@ -60,6 +60,7 @@ def upstream(**options):
     return problem, {a: [1.8, 4.2], TF: 5.0}, t1 - t0
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "options", "least", "share"),
     [

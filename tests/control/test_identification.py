@@ -39,6 +39,7 @@ def standing(seed, seconds=10.0, noise=None):
     return system, Trial(times, measured, noise=QUARTER), gains, torques
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(2))
 def test_the_gains_of_a_standing_person_from_zeros(seed):
     """With gains of zero the person falls: no simulation gets near the data."""

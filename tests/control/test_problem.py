@@ -293,6 +293,7 @@ def test_errors_of_intervals_that_add_up_are_warned_of(monkeypatch):
     assert missed.max() > 1.0
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
 def test_an_angle_as_a_control_has_no_turns_that_nothing_depends_on(method):
     system, (x, y, v, angle) = optima.brachistochrone()

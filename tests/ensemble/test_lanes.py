@@ -46,6 +46,7 @@ def stacked(system, dataset):
     return np.stack([dataset[s.name].values for s in system.states], axis=-1)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "options"),
     [

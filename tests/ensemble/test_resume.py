@@ -189,12 +189,6 @@ def test_a_name_stands_for_functions_and_nothing_else(system, tmp_path):
         run(system, path, reduce=scaled(1.0), resume="scaled", rtol=1e-3)
 
 
-@pytest.mark.parametrize("resume", ["", None, 2, ["name"]])
-def test_resume_is_true_false_or_a_name(system, tmp_path, resume):
-    with pytest.raises(TypeError, match="`resume`, unless it is a name for functions, must be"):
-        run(system, tmp_path / "s.zarr", resume=resume)
-
-
 # -- a start that fails -------------------------------------------------------------------------
 
 

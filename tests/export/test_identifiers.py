@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from exported_models import ball, hostile, pendulum
+from exported_models import hostile, pendulum
 from pydy.export.model import identifiers
 from pydy.inputs import SampledInput
 
@@ -60,19 +60,6 @@ def test_an_option_of_another_kind_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "option", "words"),
-    [
-        ("pendulum.fmu", {"fmi": "1.0"}, "`fmi` must be"),
-        ("pendulum.py", {"target": "torch"}, "`target` must be"),
-        ("pendulum.fmu", {"binary": 3}, "`binary` must be"),
-    ],
-)
-def test_a_value_that_an_option_does_not_have_is_refused(tmp_path, name, option, words):
-    with pytest.raises((ValueError, TypeError), match=words):
-        pendulum().export(tmp_path / name, **option)
-
-
-@pytest.mark.parametrize(
     ("value", "what"),
     [(lambda x, t: t, "a Python function"), (SampledInput([0.0, 2.0], [0.0, 1.0]), "samples")],
 )
@@ -85,13 +72,6 @@ def test_a_specified_that_only_python_can_compute_is_named(tmp_path, value, what
     assert "'F': 0.0" in (tmp_path / "pendulum.py").read_text()
 
 
-def test_an_unknown_input_is_named(tmp_path):
-    with pytest.raises(
-        ValueError, match="`inputs` has the key `G`, which is not one of the specifieds"
-    ):
-        pendulum().export(tmp_path / "pendulum.py", inputs=["G"])
-
-
 def test_an_expression_becomes_part_of_the_equations(tmp_path):
     system = pendulum()
     system.specifieds = {"F": sm.sin(3 * sm.Symbol("t"))}
@@ -101,8 +81,3 @@ def test_an_expression_becomes_part_of_the_equations(tmp_path):
     assert names["INPUTS"] == {}
     x = np.linspace(0.1, 0.6, 6)
     assert names["rates"](0.4, x) == pytest.approx(system.evaluate_ode(x, t=0.4), rel=1e-13)
-
-
-def test_an_event_must_be_one(tmp_path):
-    with pytest.raises(TypeError, match=r"`events` must hold objects of pydy.solvers.Event"):
-        ball()[0].export(tmp_path / "ball.fmu", events=[1])

@@ -139,13 +139,6 @@ def test_small_swings_of_a_hanging_link_have_the_known_frequency():
 
 
 @pytest.mark.parametrize("model", [multi_mass_spring_damper, n_link_pendulum_on_cart])
-@pytest.mark.parametrize("n", [0, -1])
-def test_a_model_needs_at_least_one_part(model, n):
-    with pytest.raises(ValueError, match=r"\bn\b|number|positive"):
-        model(n)
-
-
-@pytest.mark.parametrize("model", [multi_mass_spring_damper, n_link_pendulum_on_cart])
 def test_a_model_can_be_integrated_at_once(model):
     system = model(2)
     system.times = [0.0, 0.1]

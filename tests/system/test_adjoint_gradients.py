@@ -57,6 +57,7 @@ def exact_oscillator(end):
     return values[0].real, values.imag.T / 1e-30
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("solver", "options"), EXPLICIT.items())
 def test_a_linear_system_follows_the_matrix_exponential(solver, options):
     system = oscillator(solver)

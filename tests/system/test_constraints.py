@@ -46,6 +46,7 @@ def test_the_constraints_are_a_column_of_holonomic_then_nonholonomic(name):
     close(oracle(model).evaluate(list(system.constraints), x, t), expected(name, x, t))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_evaluate_constraints_agrees_with_sympy(name, generator):
@@ -114,19 +115,6 @@ def test_asking_for_constraints_that_are_not_there_is_a_value_error(name, method
     kind = method.split("_")[1]
     with pytest.raises(ValueError, match=kind if kind != "constraints" else "constraint"):
         getattr(system_of(zoo.MODELS[name]()), method)()
-
-
-def test_a_system_with_holonomic_constraints_only_moves_on_them():
-    system = system_of(zoo.fourbar(), times=np.linspace(0.0, 1.0, 5))
-    x = system.integrate(rtol=1e-11, atol=1e-11)
-    close(system.evaluate_constraints(x), np.zeros((5, 2)), 1e-8)
-    close(system.evaluate_velocity_constraints(x), np.zeros((5, 2)), 1e-8)
-
-
-def test_a_system_with_nonholonomic_constraints_only_moves_on_them():
-    system = system_of(zoo.disc(), times=np.linspace(0.0, 1.0, 5))
-    x = system.integrate(rtol=1e-11, atol=1e-11)
-    close(system.evaluate_constraints(x), np.zeros((5, 2)), 1e-8)
 
 
 def test_a_system_with_both_moves_on_them():

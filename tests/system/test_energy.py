@@ -46,6 +46,7 @@ def is_conserved(system):
     return energy
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted({*zoo.CONSERVATIVE} - WITHOUT_PLACES))
 def test_total_energy_is_conserved(name):
     model = zoo.MODELS[name]()
@@ -358,20 +359,6 @@ def test_a_potential_energy_that_is_set_is_taken(name):
     system.potential_energy = None
     with pytest.raises(ValueError, match="Cannot determine the potential energy"):
         system.potential_energy
-
-
-@pytest.mark.parametrize(
-    ("value", "message"),
-    [
-        (sm.Symbol("nothing"), "got one with nothing"),
-        (me.dynamicsymbols("u") ** 2, r"got one with u\(t\)"),
-        ("a +", "must be SymPy expressions or numbers"),
-        ([1], "must be SymPy expressions or numbers"),
-    ],
-)
-def test_a_potential_energy_of_other_symbols_is_refused(value, message):
-    with pytest.raises(ValueError, match=message):
-        system_of(zoo.bare()).potential_energy = value
 
 
 @pytest.mark.parametrize("way", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])

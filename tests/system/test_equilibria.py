@@ -108,6 +108,7 @@ def test_a_coordinate_may_move_steadily():
     assert np.delete(system.evaluate_ode(found.state), 0) == pytest.approx(0.0, abs=1e-14)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("tilt", [0.0, 1e-3, 1.0])
 def test_a_motion_that_depends_on_a_coordinate_is_not_steady_while_it_moves(metre, tilt):
@@ -404,6 +405,7 @@ def test_a_chain_that_nearly_stands_comes_to_an_equilibrium(start, upright):
     assert not upright or np.abs(angles).max() < 1e-9
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
 def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
     """In nanometres the search used to end 4e7 turns away; in megametres a free fall was rest."""

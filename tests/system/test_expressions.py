@@ -101,15 +101,6 @@ def test_a_linear_solver_of_the_users_own_choice_takes_expressions(solver):
     close(system.evaluate_ode([0.5, 2.0], 0.3), [2.0, (np.cos(0.6) - 0.5 - 0.5) / 2])
 
 
-def test_a_whole_trajectory_is_evaluated():
-    x, t = zoo.pendulum().sample(3, 9)
-    t = t * 1.5
-    expected = [
-        oracle(zoo.pendulum()).xdot(a, b, numbers_of(a, b)) for a, b in zip(x, t, strict=True)
-    ]
-    close(controlled().evaluate_ode(x, t), expected)
-
-
 def test_expression_function_and_substitution_integrate_alike():
     times = np.linspace(0.0, 2.0, 9)
     start = {X: 0.7, V: -0.2}
@@ -156,12 +147,6 @@ def test_expressions_alone_leave_the_solver_with_plain_arrays():
     r, p = recorder.args
     np.testing.assert_array_equal(r, [0.0, 0.0, 0.3])
     assert p.shape == (system.num_constants,)
-
-
-def test_expressions_mix_with_functions_and_numbers():
-    x, t = zoo.pendulum().sample(5)
-    system = controlled(specifieds={F: LAW[F], T1: law_t1, T2: 0.3})
-    close(system.evaluate_ode(x, t), oracle(zoo.pendulum()).xdot(x, t, numbers_of(x, t)))
 
 
 FORMATS = {

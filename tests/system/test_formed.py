@@ -74,27 +74,6 @@ def test_the_symbols_are_those_of_sympys_equations(name):
     assert formed.specifieds_symbols == method.specifieds_symbols
 
 
-@pytest.mark.in_parts
-@pytest.mark.parametrize("name", ["free_pendulum", "disc", "shaken", "added_mass"])
-@pytest.mark.parametrize("wrt", ["states", "constants"])
-def test_jacobians_are_those_of_sympys_equations(name, wrt):
-    model = zoo.MODELS[name]()
-    x, t = model.sample(6)
-    found, expected = (
-        s.evaluate_jacobian(x, t, wrt) for s in (graph_system(model), system_of(model))
-    )
-    close(found, expected, 1e-10)
-
-
-@pytest.mark.parametrize("name", ["undamped_chain", "free_pendulum", "free_body", "sleigh"])
-def test_energies_are_those_of_the_bodies(name):
-    model = zoo.MODELS[name]()
-    x, t = model.sample(6)
-    found, expected = (s.evaluate_energy(x, t) for s in (graph_system(model), system_of(model)))
-    close(found.kinetic, expected.kinetic, 1e-12)
-    close(found.total, expected.total, 1e-12)
-
-
 @pytest.mark.parametrize(
     "how", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 20.0}]
 )
@@ -150,19 +129,6 @@ def test_a_formed_system_survives_a_copy(name, way):
     twin = way(system)
     close(twin.evaluate_ode(wide(twin, x), t), expected, 1e-14)
     close(twin.integrate(), system.integrate(), 1e-14)
-
-
-def test_an_ensemble_of_a_formed_system_is_that_of_the_method():
-    model = zoo.free_pendulum()
-    times = np.linspace(0.0, 0.5, 3)
-    mass = sm.Symbol("m0")
-    found, expected = (
-        s.integrate_ensemble(constants={mass: np.linspace(0.5, 1.5, 9)})
-        for s in (graph_system(model, times=times), system_of(model, times=times))
-    )
-    assert set(found.data_vars) == set(expected.data_vars)
-    for name in found.data_vars:
-        np.testing.assert_allclose(found[name], expected[name], rtol=1e-6, atol=1e-8)
 
 
 def test_an_indefinite_mass_matrix_is_solved_by_pivoting():
@@ -290,6 +256,7 @@ CONSTRAINED = {
 }
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_constrained_equations_that_were_derived_are_formed_again_too(name):
     model = derived(CONSTRAINED[name]())

@@ -12,7 +12,6 @@ from cases import Recorder, close, system_of
 from oracle import oracle
 from pydy._errors import PyDyUserWarning
 
-GENERATORS = ["llvm", "lambdify"]
 F = me.dynamicsymbols("F")
 A = sm.Symbol("a")
 
@@ -66,24 +65,6 @@ def test_the_users_options_are_kept_when_forces_are_named():
     before = len(calls)
     assert system.integrate().shape == (2, 6)
     assert len(calls) > before
-
-
-def test_generate_ode_function_sets_and_returns_the_function():
-    system = pendulum()
-    rhs = system.generate_ode_function()
-    assert system.evaluate_ode_function is rhs
-
-
-def test_the_generated_function_takes_arrays_and_dictionaries():
-    model = zoo.pendulum()
-    system = pendulum()
-    rhs = system.generate_ode_function()
-    x, t = model.sample()
-    r = [model.specifieds[s] for s in system.specifieds_symbols]
-    p = [model.constants[s] for s in system.constants_symbols]
-    expected = oracle(model).xdot(x, t)
-    close(rhs(x, t, np.array(r), np.array(p)), expected)
-    close(rhs(x, t, dict(model.specifieds), dict(model.constants)), expected)
 
 
 def test_a_specifieds_keyword_is_ignored_with_a_warning():

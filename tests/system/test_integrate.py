@@ -39,12 +39,6 @@ def test_the_trajectory_is_that_of_sympys_equations(generator):
     close(x, reference(system), 1e-6)
 
 
-@pytest.mark.parametrize("times", [None, [], [1.0]])
-def test_fewer_than_two_times_are_a_value_error(times):
-    with pytest.raises(ValueError, match="times"):
-        system_of(zoo.timed(), times=times).integrate()
-
-
 def test_integrate_generates_the_function_when_there_is_none():
     system = pendulum()
     assert system.evaluate_ode_function is None
@@ -98,13 +92,6 @@ def test_extra_keywords_go_to_the_solver():
 def test_what_the_solver_returns_is_returned():
     token = object()
     assert pendulum(ode_solver=lambda f, x0, t, args=(): token).integrate() is token
-
-
-def test_full_output_is_returned():
-    x, info = pendulum().integrate(full_output=True)
-    assert x.shape == (6, 6)
-    assert info["message"] == "Integration successful."
-    assert info["nfe"][-1] > 5
 
 
 def test_a_wrong_keyword_is_the_solvers_own_error():

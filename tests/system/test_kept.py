@@ -254,6 +254,7 @@ UNITS = [(1e-8, 1e7), (1.0, 1.0), (1e-6, 1e-9), (1e6, 1e-7)]
 UNITS += [(second, metre) for second in (1e-9, 1e9) for metre in (1e-9, 1e9)]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("second", "metre"), UNITS)
 def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre):
     """Tolerances below rounding errors explain none of it; beside the motion it is nothing."""
@@ -395,6 +396,7 @@ def two_cranks(**more):
     return system, {"initial_conditions": speeds, "rtol": 1e-10, "atol": 1e-10, **more}
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "options",
     [

@@ -34,6 +34,7 @@ def hessian(system, x, t):
     return out.reshape(kernel.program.blocks[0].shape)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_the_kinetic_energy_is_sympys(name):
     model = zoo.MODELS[name]()

@@ -216,20 +216,6 @@ def test_a_dictionary_gives_some_of_the_states_of_an_evaluation():
         system.evaluate_ode({"z": 1.0})
 
 
-@pytest.mark.parametrize(
-    ("wrt", "message"),
-    [
-        ("everything", "`wrt` must be one of 'states', 'specifieds', 'constants', or"),
-        (["q1", "nothing"], "`wrt` has the key `nothing`"),
-        ([], "at least one"),
-        (3, "`wrt` must be a sequence"),
-    ],
-)
-def test_what_is_no_variable_is_named(wrt, message):
-    with pytest.raises((ValueError, TypeError), match=message):
-        n_link_pendulum_on_cart().evaluate_jacobian(wrt=wrt)
-
-
 # -- states and inputs that need care -------------------------------------------------------------
 
 

@@ -54,6 +54,7 @@ def test_two_windows_end_where_their_pendulum_does():
     np.testing.assert_allclose([np.cos(end), np.sin(end)], expected, rtol=0, atol=1e-7)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "vern9", "radau"])
 def test_the_car_axis_ends_where_the_ivp_test_set_says(solver):
     # F. Mazzia and C. Magherini, Test Set for IVP Solvers, release 2.4, "Car axis problem": an axle

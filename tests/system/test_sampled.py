@@ -1,8 +1,5 @@
 """Sampled data as specifieds of a System, in evaluations and in every solver."""
 
-import copy
-import pickle
-
 import numpy as np
 import pytest
 import sympy as sm
@@ -10,7 +7,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import quad
 
 import zoo
-from cases import OTHER_SOLVERS, Recorder, close, system_of
+from cases import Recorder, close, system_of
 from oracle import oracle
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
@@ -120,15 +117,6 @@ def test_pchip_adds_up_to_its_integral():
     close(system.integrate(hmax=0.01, **TIGHT)[:, 1], expected, 1e-8)
 
 
-@pytest.mark.parametrize("solver", OTHER_SOLVERS)
-def test_every_solver_takes_samples(solver):
-    times = np.linspace(0.0, 0.6, 4)
-    system = system_of(zoo.pendulum(), specifieds=both(), times=times)
-    expected = system.integrate(**TIGHT)
-    system.ode_solver = solver
-    close(system.integrate(), expected, 1e-6)
-
-
 def test_a_solver_may_step_past_the_end():
     system = system_of(zoo.pendulum(), specifieds=both(), times=[0.0, 2.1])
     system.ode_solver = recorder = Recorder()
@@ -173,12 +161,6 @@ def test_half_of_the_samples_can_be_replaced_for_one_call():
     x, _ = zoo.pendulum().sample(1)
     expected = oracle(zoo.pendulum()).xdot(x, 0.9, {**numbers_at(0.9), F: 5.0})
     close(system.evaluate_ode(x, 0.9, r={F: 5.0}), expected)
-
-
-@pytest.mark.parametrize("way", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
-def test_copies_keep_the_samples(way):
-    system = system_of(zoo.pendulum(), specifieds=both("pchip"), times=[0.0, 2.0])
-    close(way(system).integrate(), system.integrate(), 1e-14)
 
 
 def test_integrating_past_the_samples_is_refused():

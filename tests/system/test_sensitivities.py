@@ -265,19 +265,6 @@ def test_a_trajectory_without_sensitivities_says_how_to_get_them():
 
 
 @pytest.mark.parametrize(
-    ("wanted", "message"),
-    [
-        (["mass"], "`sensitivities` has the key `mass`, which is not one of the constants, states"),
-        (["m0", sm.Symbol("m0")], "`sensitivities` gives `m0` more than once"),
-        ([], "`sensitivities` must name at least one"),
-    ],
-)
-def test_what_is_no_parameter_is_refused(wanted, message):
-    with pytest.raises(ValueError, match=message):
-        oscillator().simulate(sensitivities=wanted)
-
-
-@pytest.mark.parametrize(
     ("force", "wanted", "message"),
     [
         (

@@ -352,6 +352,7 @@ def test_samples_that_are_held_by_contradicting_rows_are_lost():
     assert np.isfinite(results.x[1]).all()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
 def test_velocity_constraints_that_imply_a_holonomic_one_by_numbers_are_right(unit, options):

@@ -110,11 +110,6 @@ def test_what_cannot_have_a_slider_is_named(live, words):
         page(pendulum(), live)
 
 
-def test_live_must_be_a_mapping():
-    with pytest.raises(TypeError, match="`live` must map constants, states or inputs"):
-        page(pendulum(), ["l0"])
-
-
 @pytest.mark.parametrize("value", [lambda x, t: t, SampledInput([0.0, 2.0], [0.0, 1.0])])
 def test_a_specified_that_only_python_can_compute_is_named(value):
     system = pendulum()

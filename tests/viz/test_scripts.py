@@ -250,11 +250,6 @@ def test_a_length_may_be_a_symbol_and_a_colour_has_two_spellings():
         Sphere(1.0, material="metal")
 
 
-def test_a_tube_needs_points():
-    with pytest.raises(ValueError, match="`points` of Tube must have the shape"):
-        Tube(0.1, [[0, 0, 0]])
-
-
 def test_all_of_them_are_on_the_page():
     shapes = [shape for shape, _, _ in SOLIDS.values()] + [Circle(1.0)]
     scene = Scene(N, O, *[VisualizationFrame(N, O, shape) for shape in shapes])

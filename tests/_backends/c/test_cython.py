@@ -19,7 +19,6 @@ import sympy.physics.mechanics as me
 
 from graphs import ELEMENTARY, everything, solves
 from pydy._backends.c.cython_ import CythonBackend
-from pydy._backends.registry import resolve
 from pydy._errors import GeneratorError, PyDyUserWarning
 from pydy._graph.interpret import run
 from pydy._graph.program import Program, Tape
@@ -235,10 +234,6 @@ def test_a_kernel_survives_pickling_and_copies_and_verbose_shows_the_build(capsy
     restored = pickle.loads(pickle.dumps(kernel))
     assert value(restored) == 21.0
     assert restored.recipe == kernel.recipe == ("cython", backend.options)
-
-
-def test_the_registry_knows_the_back_end():
-    assert resolve("cython") is CythonBackend
 
 
 # refusals

@@ -269,6 +269,7 @@ def nothing_cached(monkeypatch):
     jit.memory.clear()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["fourbar", "pendulum"])
 def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
     assembly = assembly_of(name)

@@ -82,6 +82,7 @@ def bicycle():
     return assembly_of(frozen.read("bicycle")).program("rates")
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("order", ["C", "F"])
 @pytest.mark.parametrize("several", [True, False], ids=["inputs each", "inputs for all"])
 def test_lanes_in_turns_give_the_bits_of_one_lane(bicycle, order, several):
