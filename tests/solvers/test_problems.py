@@ -49,6 +49,18 @@ def test_stiff_published_solutions_are_met(name, tolerance, expected):
     np.testing.assert_allclose(x[-1], problem.final, rtol=expected)
 
 
+@pytest.mark.parametrize("solver", [*ADAPTIVE, rk4])
+def test_a_clock_far_from_zero_does_not_drift(solver):
+    """In seconds since 1970 times are 2.4e-7 s apart: a step lasts from one of them to another."""
+
+    def oscillator(x, t, *_):
+        return np.array([x[1], -4.0 * x[0]])
+
+    options = {"step": 1e-3} if solver is rk4 else {"rtol": 1e-11, "atol": 1e-11}
+    x = solver(oscillator, np.array([1.0, 0.0]), 1.7e9 + np.array([0.0, 10.0]), **options)
+    assert x[-1] == pytest.approx([np.cos(20.0), -2.0 * np.sin(20.0)], abs=1e-9)
+
+
 def test_the_implicit_method_does_not_mind_how_stiff_a_problem_is():
     def evaluations(solver):
         problem = problems.van_der_pol()

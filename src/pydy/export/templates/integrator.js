@@ -178,11 +178,9 @@ class Integration {
     }
     if (this.steps + this.rejected >= this.maxSteps) return this.fail("too many steps");
     const t = this.t;
-    let size = Math.min(this.h, this.maxStep), after = t + size;
-    if (after > last - 1e-3 * size) {
-      size = last - t;
-      after = last;
-    }
+    const wanted = Math.min(this.h, this.maxStep), end = t + wanted;
+    const after = end > last - 1e-3 * wanted ? last : end;
+    const size = after - t; // what the rounded times are apart: far from zero a clock would drift
     if (!(t + 0.0625 * size > t || after === last)) return this.fail("the steps became too small");
     this.size = size;
     let failed = false;

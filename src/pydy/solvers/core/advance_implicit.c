@@ -141,7 +141,8 @@ INLINE int64_t step_on(const Run *run, double *flat)
                 return CALLBACK;
             words[WANTED] = 0, words[FRESH] = 1, words[FACTORISED] = 0;
         }
-        if (words[FACTORISED] == 0 || size != sizes[FACTORED]) {
+        const double rounded = ROUNDING * absolute(after);
+        if (words[FACTORISED] == 0 || absolute(size - sizes[FACTORED]) > rounded) {
             count[FACTORISATIONS] += 1;
             if (!factorise_both(newton, size)) {
                 count[FAILURE] = NOT_FINITE, count[REJECTED] += 1, h = 0.5 * size;
@@ -236,7 +237,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
         words[WANTED] = slow, words[FRESH] = 0, words[FIRST] = 0;
         /* the same step size spares a factorisation */
         const int same = 1.0 < factor && factor < 1.2 && !slow;
-        h = same ? size : size * maximum(factor, 0.2);
+        h = same ? sizes[FACTORED] : size * maximum(factor, 0.2);
         if (count[NEXT] == run->progress.times.size) {
             state[SIZE] = h;
             return FINISHED;

@@ -77,8 +77,8 @@ INLINE void limit_step(Real t, Real goal, Real *size, Real *after)
 {
     const Real end = t + *size;
     const Flags near = end > goal - SLIVER * *size;
-    *size = where(near, goal - t, *size);
     *after = where(near, goal, end);
+    *size = *after - t; /* what the rounded times are apart: far from zero a clock would drift */
 }
 
 /* Return the largest step up to a size that a whole number of times reaches the goal. */

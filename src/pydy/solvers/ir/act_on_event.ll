@@ -1,4 +1,4 @@
-; sources 80ce1c70831665b720218092d972ff76a7a56b782b59cce7ee28ef3688376f07
+; sources 488743c0d8d891b49c4740644673c2bd2ad50a270c3e9b85f27299dc8861dcc6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

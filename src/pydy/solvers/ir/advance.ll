@@ -1,4 +1,4 @@
-; sources beea8178ef82651d8ea62ded22f7084358ab19211078e16dd7ba9f26a140e8dc
+; sources 172ea638079fa10b048e50f4abe718050fefd33cd0aeb3aab75f6e8759e55cc1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -187,14 +187,14 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %158 = getelementptr inbounds i8, ptr %0, i64 720
   br label %159
 
-159:                                              ; preds = %1640, %72
+159:                                              ; preds = %1639, %72
   %160 = load ptr, ptr %75, align 8
   %161 = load ptr, ptr %76, align 8
   %162 = load ptr, ptr %77, align 8
   %163 = getelementptr inbounds i8, ptr %162, i64 56
   %164 = load i64, ptr %163, align 8
   %165 = icmp eq i64 %164, 0
-  br i1 %165, label %1625, label %166
+  br i1 %165, label %1624, label %166
 
 166:                                              ; preds = %159
   %167 = load ptr, ptr %78, align 8
@@ -262,7 +262,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %217, align 8
   %218 = icmp slt i32 %214, 0
   %219 = select i1 %218, i64 -4, i64 2
-  br label %1625
+  br label %1624
 
 220:                                              ; preds = %207
   store i64 1, ptr %162, align 8
@@ -326,7 +326,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %261 = getelementptr inbounds i8, ptr %260, i64 48
   store i64 %259, ptr %261, align 8
   %262 = icmp eq i64 %259, %229
-  br i1 %262, label %1625, label %263
+  br i1 %262, label %1624, label %263
 
 263:                                              ; preds = %258
   %264 = fcmp oeq double %194, 0.000000e+00
@@ -544,16 +544,16 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %441 = getelementptr inbounds i8, ptr %160, i64 40
   br label %444
 
-442:                                              ; preds = %1622, %411
-  %443 = phi double [ %412, %411 ], [ %1618, %1622 ]
+442:                                              ; preds = %1621, %411
+  %443 = phi double [ %412, %411 ], [ %1617, %1621 ]
   store double %443, ptr %193, align 8
-  br label %1625
+  br label %1624
 
-444:                                              ; preds = %415, %1622
-  %445 = phi i64 [ %413, %415 ], [ %1623, %1622 ]
-  %446 = phi i64 [ undef, %415 ], [ %1621, %1622 ]
-  %447 = phi double [ %192, %415 ], [ %1619, %1622 ]
-  %448 = phi double [ %412, %415 ], [ %1618, %1622 ]
+444:                                              ; preds = %415, %1621
+  %445 = phi i64 [ %413, %415 ], [ %1622, %1621 ]
+  %446 = phi i64 [ undef, %415 ], [ %1620, %1621 ]
+  %447 = phi double [ %192, %415 ], [ %1618, %1621 ]
+  %448 = phi double [ %412, %415 ], [ %1617, %1621 ]
   %449 = load ptr, ptr %93, align 8
   %450 = getelementptr inbounds i8, ptr %449, i64 8
   %451 = load i64, ptr %450, align 8
@@ -574,7 +574,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 461:                                              ; preds = %458
   store double %448, ptr %193, align 8
-  br label %1625
+  br label %1624
 
 462:                                              ; preds = %458
   %463 = add nsw i64 %445, -1
@@ -588,7 +588,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 469:                                              ; preds = %462
   store double %448, ptr %193, align 8
-  br label %1625
+  br label %1624
 
 470:                                              ; preds = %462
   br i1 %176, label %471, label %475
@@ -623,1525 +623,1524 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %490 = fmul double %488, 1.000000e-03
   %491 = fsub double %476, %490
   %492 = fcmp ule double %489, %491
-  %493 = fsub double %476, %447
-  %494 = select i1 %492, double %488, double %493
-  %495 = select i1 %492, double %489, double %476
-  %496 = fmul double %494, 6.250000e-02
-  %497 = fadd double %447, %496
-  %498 = fcmp ule double %497, %447
-  %499 = fcmp une double %495, %476
-  %500 = and i1 %499, %498
-  br i1 %500, label %501, label %502
+  %493 = select i1 %492, double %489, double %476
+  %494 = fsub double %493, %447
+  %495 = fmul double %494, 6.250000e-02
+  %496 = fadd double %447, %495
+  %497 = fcmp ule double %496, %447
+  %498 = fcmp une double %493, %476
+  %499 = and i1 %498, %497
+  br i1 %499, label %500, label %501
+
+500:                                              ; preds = %487
+  store double %494, ptr %193, align 8
+  br label %1616
 
 501:                                              ; preds = %487
-  store double %494, ptr %193, align 8
-  br label %1617
+  %502 = load ptr, ptr %0, align 8
+  %503 = load i64, ptr %502, align 8
+  %504 = load ptr, ptr %94, align 8
+  %505 = insertelement <8 x double> poison, double %494, i64 0
+  %506 = shufflevector <8 x double> %505, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %506, ptr %504, align 8
+  %507 = icmp sgt i64 %503, 1
+  br i1 %507, label %512, label %596
 
-502:                                              ; preds = %487
-  %503 = load ptr, ptr %0, align 8
-  %504 = load i64, ptr %503, align 8
-  %505 = load ptr, ptr %94, align 8
-  %506 = insertelement <8 x double> poison, double %494, i64 0
-  %507 = shufflevector <8 x double> %506, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %507, ptr %505, align 8
-  %508 = icmp sgt i64 %504, 1
-  br i1 %508, label %513, label %597
+508:                                              ; preds = %585
+  %509 = add nuw nsw i64 %515, 1
+  %510 = icmp slt i64 %509, %503
+  %511 = icmp eq i64 %509, %503
+  br i1 %511, label %596, label %512, !llvm.loop !12
 
-509:                                              ; preds = %586
-  %510 = add nuw nsw i64 %516, 1
-  %511 = icmp slt i64 %510, %504
-  %512 = icmp eq i64 %510, %504
-  br i1 %512, label %597, label %513, !llvm.loop !12
+512:                                              ; preds = %501, %508
+  %513 = phi i1 [ %510, %508 ], [ %507, %501 ]
+  %514 = phi i64 [ %595, %508 ], [ undef, %501 ]
+  %515 = phi i64 [ %509, %508 ], [ 1, %501 ]
+  %516 = load ptr, ptr %95, align 8
+  %517 = load ptr, ptr %74, align 8
+  %518 = load ptr, ptr %73, align 8
+  %519 = getelementptr inbounds i8, ptr %518, i64 16
+  %520 = load i64, ptr %519, align 8
+  %521 = icmp sgt i64 %520, 1
+  %522 = zext i1 %521 to i64
+  %523 = load ptr, ptr %96, align 8
+  %524 = getelementptr inbounds i64, ptr %523, i64 %515
+  %525 = load i64, ptr %524, align 8
+  %526 = getelementptr i8, ptr %524, i64 8
+  %527 = load i64, ptr %526, align 8
+  %528 = xor i64 %525, -1
+  %529 = add i64 %527, %528
+  %530 = load ptr, ptr %94, align 8
+  %531 = load ptr, ptr %97, align 8
+  %532 = load ptr, ptr %98, align 8
+  %533 = getelementptr inbounds i64, ptr %532, i64 %525
+  %534 = load ptr, ptr %99, align 8
+  %535 = getelementptr inbounds double, ptr %534, i64 %525
+  tail call fastcc void @combine(ptr noundef %516, ptr noundef %517, ptr noundef %530, ptr noundef %531, ptr noundef %533, ptr noundef %535, i64 noundef %529, i64 noundef %522, i64 noundef %520) #8
+  %536 = icmp eq i64 %520, 1
+  br i1 %536, label %537, label %568
 
-513:                                              ; preds = %502, %509
-  %514 = phi i1 [ %511, %509 ], [ %508, %502 ]
-  %515 = phi i64 [ %596, %509 ], [ undef, %502 ]
-  %516 = phi i64 [ %510, %509 ], [ 1, %502 ]
-  %517 = load ptr, ptr %95, align 8
-  %518 = load ptr, ptr %74, align 8
-  %519 = load ptr, ptr %73, align 8
-  %520 = getelementptr inbounds i8, ptr %519, i64 16
-  %521 = load i64, ptr %520, align 8
-  %522 = icmp sgt i64 %521, 1
-  %523 = zext i1 %522 to i64
-  %524 = load ptr, ptr %96, align 8
-  %525 = getelementptr inbounds i64, ptr %524, i64 %516
-  %526 = load i64, ptr %525, align 8
-  %527 = getelementptr i8, ptr %525, i64 8
-  %528 = load i64, ptr %527, align 8
-  %529 = xor i64 %526, -1
-  %530 = add i64 %528, %529
-  %531 = load ptr, ptr %94, align 8
-  %532 = load ptr, ptr %97, align 8
-  %533 = load ptr, ptr %98, align 8
-  %534 = getelementptr inbounds i64, ptr %533, i64 %526
-  %535 = load ptr, ptr %99, align 8
-  %536 = getelementptr inbounds double, ptr %535, i64 %526
-  tail call fastcc void @combine(ptr noundef %517, ptr noundef %518, ptr noundef %531, ptr noundef %532, ptr noundef %534, ptr noundef %536, i64 noundef %530, i64 noundef %523, i64 noundef %521) #8
-  %537 = icmp eq i64 %521, 1
-  br i1 %537, label %538, label %569
+537:                                              ; preds = %512
+  %538 = load ptr, ptr %96, align 8
+  %539 = getelementptr i64, ptr %538, i64 %515
+  %540 = getelementptr i8, ptr %539, i64 8
+  %541 = load i64, ptr %540, align 8
+  %542 = add nsw i64 %541, -1
+  %543 = load ptr, ptr %99, align 8
+  %544 = getelementptr inbounds double, ptr %543, i64 %542
+  %545 = load double, ptr %544, align 8
+  %546 = fmul double %494, %545
+  %547 = load ptr, ptr %97, align 8
+  %548 = load ptr, ptr %98, align 8
+  %549 = getelementptr inbounds i64, ptr %548, i64 %542
+  %550 = load i64, ptr %549, align 8
+  %551 = getelementptr inbounds double, ptr %547, i64 %550
+  %552 = load ptr, ptr %73, align 8
+  %553 = getelementptr inbounds i8, ptr %552, i64 8
+  %554 = load i64, ptr %553, align 8
+  %555 = icmp sgt i64 %554, 0
+  br i1 %555, label %556, label %568
 
-538:                                              ; preds = %513
-  %539 = load ptr, ptr %96, align 8
-  %540 = getelementptr i64, ptr %539, i64 %516
-  %541 = getelementptr i8, ptr %540, i64 8
-  %542 = load i64, ptr %541, align 8
-  %543 = add nsw i64 %542, -1
-  %544 = load ptr, ptr %99, align 8
-  %545 = getelementptr inbounds double, ptr %544, i64 %543
-  %546 = load double, ptr %545, align 8
-  %547 = fmul double %494, %546
-  %548 = load ptr, ptr %97, align 8
-  %549 = load ptr, ptr %98, align 8
-  %550 = getelementptr inbounds i64, ptr %549, i64 %543
-  %551 = load i64, ptr %550, align 8
-  %552 = getelementptr inbounds double, ptr %548, i64 %551
-  %553 = load ptr, ptr %73, align 8
-  %554 = getelementptr inbounds i8, ptr %553, i64 8
-  %555 = load i64, ptr %554, align 8
-  %556 = icmp sgt i64 %555, 0
-  br i1 %556, label %557, label %569
+556:                                              ; preds = %537, %556
+  %557 = phi i64 [ %563, %556 ], [ 0, %537 ]
+  %558 = getelementptr inbounds double, ptr %551, i64 %557
+  %559 = load double, ptr %558, align 8
+  %560 = getelementptr inbounds double, ptr %516, i64 %557
+  %561 = load double, ptr %560, align 8
+  %562 = tail call double @llvm.fma.f64(double %546, double %559, double %561)
+  store double %562, ptr %560, align 8
+  %563 = add nuw nsw i64 %557, 1
+  %564 = load ptr, ptr %73, align 8
+  %565 = getelementptr inbounds i8, ptr %564, i64 8
+  %566 = load i64, ptr %565, align 8
+  %567 = icmp slt i64 %563, %566
+  br i1 %567, label %556, label %568, !llvm.loop !13
 
-557:                                              ; preds = %538, %557
-  %558 = phi i64 [ %564, %557 ], [ 0, %538 ]
-  %559 = getelementptr inbounds double, ptr %552, i64 %558
-  %560 = load double, ptr %559, align 8
-  %561 = getelementptr inbounds double, ptr %517, i64 %558
-  %562 = load double, ptr %561, align 8
-  %563 = tail call double @llvm.fma.f64(double %547, double %560, double %562)
-  store double %563, ptr %561, align 8
-  %564 = add nuw nsw i64 %558, 1
-  %565 = load ptr, ptr %73, align 8
-  %566 = getelementptr inbounds i8, ptr %565, i64 8
-  %567 = load i64, ptr %566, align 8
-  %568 = icmp slt i64 %564, %567
-  br i1 %568, label %557, label %569, !llvm.loop !13
+568:                                              ; preds = %556, %537, %512
+  %569 = load ptr, ptr %97, align 8
+  %570 = load i64, ptr %100, align 8
+  %571 = mul nsw i64 %570, %515
+  %572 = getelementptr inbounds double, ptr %569, i64 %571
+  %573 = load i64, ptr %421, align 8
+  %574 = add nsw i64 %573, 1
+  store i64 %574, ptr %421, align 8
+  %575 = load ptr, ptr %101, align 8
+  %576 = getelementptr inbounds double, ptr %575, i64 %515
+  %577 = load double, ptr %576, align 8
+  %578 = fmul double %494, %577
+  %579 = fadd double %447, %578
+  %580 = load ptr, ptr %95, align 8
+  %581 = load ptr, ptr %102, align 8
+  store double %579, ptr %581, align 8
+  %582 = load i64, ptr %103, align 8
+  %583 = icmp sgt i64 %582, 0
+  br i1 %583, label %584, label %585
 
-569:                                              ; preds = %557, %538, %513
-  %570 = load ptr, ptr %97, align 8
-  %571 = load i64, ptr %100, align 8
-  %572 = mul nsw i64 %571, %516
-  %573 = getelementptr inbounds double, ptr %570, i64 %572
-  %574 = load i64, ptr %421, align 8
-  %575 = add nsw i64 %574, 1
-  store i64 %575, ptr %421, align 8
-  %576 = load ptr, ptr %101, align 8
-  %577 = getelementptr inbounds double, ptr %576, i64 %516
-  %578 = load double, ptr %577, align 8
-  %579 = fmul double %494, %578
-  %580 = fadd double %447, %579
-  %581 = load ptr, ptr %95, align 8
-  %582 = load ptr, ptr %102, align 8
-  store double %580, ptr %582, align 8
-  %583 = load i64, ptr %103, align 8
-  %584 = icmp sgt i64 %583, 0
-  br i1 %584, label %585, label %586
-
-585:                                              ; preds = %569
+584:                                              ; preds = %568
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %586
+  br label %585
 
-586:                                              ; preds = %569, %585
-  %587 = load ptr, ptr %73, align 8
-  %588 = load i64, ptr %587, align 8
-  %589 = load ptr, ptr %102, align 8
-  %590 = load ptr, ptr %104, align 8
-  %591 = load ptr, ptr %105, align 8
-  %592 = inttoptr i64 %588 to ptr
-  %593 = tail call i32 %592(ptr noundef %589, ptr noundef %581, ptr noundef %590, ptr noundef %591, ptr noundef %573) #9
-  %594 = sext i32 %593 to i64
-  %595 = icmp eq i32 %593, 0
-  %596 = select i1 %595, i64 %515, i64 %594
-  br i1 %595, label %509, label %597
+585:                                              ; preds = %568, %584
+  %586 = load ptr, ptr %73, align 8
+  %587 = load i64, ptr %586, align 8
+  %588 = load ptr, ptr %102, align 8
+  %589 = load ptr, ptr %104, align 8
+  %590 = load ptr, ptr %105, align 8
+  %591 = inttoptr i64 %587 to ptr
+  %592 = tail call i32 %591(ptr noundef %588, ptr noundef %580, ptr noundef %589, ptr noundef %590, ptr noundef %572) #9
+  %593 = sext i32 %592 to i64
+  %594 = icmp eq i32 %592, 0
+  %595 = select i1 %594, i64 %514, i64 %593
+  br i1 %594, label %508, label %596
 
-597:                                              ; preds = %509, %586, %502
-  %598 = phi i1 [ %508, %502 ], [ %511, %509 ], [ %514, %586 ]
-  %599 = phi i64 [ 0, %502 ], [ %594, %586 ], [ %594, %509 ]
-  %600 = phi i64 [ undef, %502 ], [ %596, %586 ], [ %596, %509 ]
-  br i1 %598, label %654, label %601
+596:                                              ; preds = %508, %585, %501
+  %597 = phi i1 [ %507, %501 ], [ %510, %508 ], [ %513, %585 ]
+  %598 = phi i64 [ 0, %501 ], [ %593, %585 ], [ %593, %508 ]
+  %599 = phi i64 [ undef, %501 ], [ %595, %585 ], [ %595, %508 ]
+  br i1 %597, label %653, label %600
 
-601:                                              ; preds = %597
-  %602 = load ptr, ptr %106, align 8
-  %603 = load ptr, ptr %74, align 8
-  %604 = load ptr, ptr %73, align 8
-  %605 = getelementptr inbounds i8, ptr %604, i64 16
-  %606 = load i64, ptr %605, align 8
-  %607 = icmp sgt i64 %606, 1
-  %608 = zext i1 %607 to i64
-  %609 = load ptr, ptr %107, align 8
-  %610 = getelementptr inbounds i64, ptr %609, i64 %504
-  %611 = load i64, ptr %610, align 8
-  %612 = getelementptr i8, ptr %610, i64 8
-  %613 = load i64, ptr %612, align 8
-  %614 = xor i64 %611, -1
-  %615 = add i64 %613, %614
-  %616 = load ptr, ptr %94, align 8
-  %617 = load ptr, ptr %108, align 8
-  %618 = load ptr, ptr %109, align 8
-  %619 = getelementptr inbounds i64, ptr %618, i64 %611
-  %620 = load ptr, ptr %110, align 8
-  %621 = getelementptr inbounds double, ptr %620, i64 %611
-  tail call fastcc void @combine(ptr noundef %602, ptr noundef %603, ptr noundef %616, ptr noundef %617, ptr noundef %619, ptr noundef %621, i64 noundef %615, i64 noundef %608, i64 noundef %606) #8
-  %622 = icmp eq i64 %606, 1
-  br i1 %622, label %623, label %654
+600:                                              ; preds = %596
+  %601 = load ptr, ptr %106, align 8
+  %602 = load ptr, ptr %74, align 8
+  %603 = load ptr, ptr %73, align 8
+  %604 = getelementptr inbounds i8, ptr %603, i64 16
+  %605 = load i64, ptr %604, align 8
+  %606 = icmp sgt i64 %605, 1
+  %607 = zext i1 %606 to i64
+  %608 = load ptr, ptr %107, align 8
+  %609 = getelementptr inbounds i64, ptr %608, i64 %503
+  %610 = load i64, ptr %609, align 8
+  %611 = getelementptr i8, ptr %609, i64 8
+  %612 = load i64, ptr %611, align 8
+  %613 = xor i64 %610, -1
+  %614 = add i64 %612, %613
+  %615 = load ptr, ptr %94, align 8
+  %616 = load ptr, ptr %108, align 8
+  %617 = load ptr, ptr %109, align 8
+  %618 = getelementptr inbounds i64, ptr %617, i64 %610
+  %619 = load ptr, ptr %110, align 8
+  %620 = getelementptr inbounds double, ptr %619, i64 %610
+  tail call fastcc void @combine(ptr noundef %601, ptr noundef %602, ptr noundef %615, ptr noundef %616, ptr noundef %618, ptr noundef %620, i64 noundef %614, i64 noundef %607, i64 noundef %605) #8
+  %621 = icmp eq i64 %605, 1
+  br i1 %621, label %622, label %653
 
-623:                                              ; preds = %601
-  %624 = load ptr, ptr %107, align 8
-  %625 = getelementptr i64, ptr %624, i64 %504
-  %626 = getelementptr i8, ptr %625, i64 8
-  %627 = load i64, ptr %626, align 8
-  %628 = add nsw i64 %627, -1
-  %629 = load ptr, ptr %110, align 8
-  %630 = getelementptr inbounds double, ptr %629, i64 %628
-  %631 = load double, ptr %630, align 8
-  %632 = fmul double %494, %631
-  %633 = load ptr, ptr %108, align 8
-  %634 = load ptr, ptr %109, align 8
-  %635 = getelementptr inbounds i64, ptr %634, i64 %628
-  %636 = load i64, ptr %635, align 8
-  %637 = getelementptr inbounds double, ptr %633, i64 %636
-  %638 = load ptr, ptr %73, align 8
-  %639 = getelementptr inbounds i8, ptr %638, i64 8
-  %640 = load i64, ptr %639, align 8
-  %641 = icmp sgt i64 %640, 0
-  br i1 %641, label %642, label %654
+622:                                              ; preds = %600
+  %623 = load ptr, ptr %107, align 8
+  %624 = getelementptr i64, ptr %623, i64 %503
+  %625 = getelementptr i8, ptr %624, i64 8
+  %626 = load i64, ptr %625, align 8
+  %627 = add nsw i64 %626, -1
+  %628 = load ptr, ptr %110, align 8
+  %629 = getelementptr inbounds double, ptr %628, i64 %627
+  %630 = load double, ptr %629, align 8
+  %631 = fmul double %494, %630
+  %632 = load ptr, ptr %108, align 8
+  %633 = load ptr, ptr %109, align 8
+  %634 = getelementptr inbounds i64, ptr %633, i64 %627
+  %635 = load i64, ptr %634, align 8
+  %636 = getelementptr inbounds double, ptr %632, i64 %635
+  %637 = load ptr, ptr %73, align 8
+  %638 = getelementptr inbounds i8, ptr %637, i64 8
+  %639 = load i64, ptr %638, align 8
+  %640 = icmp sgt i64 %639, 0
+  br i1 %640, label %641, label %653
 
-642:                                              ; preds = %623, %642
-  %643 = phi i64 [ %649, %642 ], [ 0, %623 ]
-  %644 = getelementptr inbounds double, ptr %637, i64 %643
-  %645 = load double, ptr %644, align 8
-  %646 = getelementptr inbounds double, ptr %602, i64 %643
-  %647 = load double, ptr %646, align 8
-  %648 = tail call double @llvm.fma.f64(double %632, double %645, double %647)
-  store double %648, ptr %646, align 8
-  %649 = add nuw nsw i64 %643, 1
-  %650 = load ptr, ptr %73, align 8
-  %651 = getelementptr inbounds i8, ptr %650, i64 8
-  %652 = load i64, ptr %651, align 8
-  %653 = icmp slt i64 %649, %652
-  br i1 %653, label %642, label %654, !llvm.loop !13
+641:                                              ; preds = %622, %641
+  %642 = phi i64 [ %648, %641 ], [ 0, %622 ]
+  %643 = getelementptr inbounds double, ptr %636, i64 %642
+  %644 = load double, ptr %643, align 8
+  %645 = getelementptr inbounds double, ptr %601, i64 %642
+  %646 = load double, ptr %645, align 8
+  %647 = tail call double @llvm.fma.f64(double %631, double %644, double %646)
+  store double %647, ptr %645, align 8
+  %648 = add nuw nsw i64 %642, 1
+  %649 = load ptr, ptr %73, align 8
+  %650 = getelementptr inbounds i8, ptr %649, i64 8
+  %651 = load i64, ptr %650, align 8
+  %652 = icmp slt i64 %648, %651
+  br i1 %652, label %641, label %653, !llvm.loop !13
 
-654:                                              ; preds = %642, %623, %601, %597
-  %655 = phi i64 [ %600, %597 ], [ %599, %601 ], [ %599, %623 ], [ %599, %642 ]
-  %656 = icmp eq i64 %655, 0
-  %657 = select i1 %656, i1 %179, i1 false
-  br i1 %657, label %658, label %674
+653:                                              ; preds = %641, %622, %600, %596
+  %654 = phi i64 [ %599, %596 ], [ %598, %600 ], [ %598, %622 ], [ %598, %641 ]
+  %655 = icmp eq i64 %654, 0
+  %656 = select i1 %655, i1 %179, i1 false
+  br i1 %656, label %657, label %673
 
-658:                                              ; preds = %654
-  %659 = load i64, ptr %421, align 8
-  %660 = add nsw i64 %659, 1
-  store i64 %660, ptr %421, align 8
-  %661 = load ptr, ptr %111, align 8
-  store double %495, ptr %661, align 8
-  %662 = load i64, ptr %112, align 8
-  %663 = icmp sgt i64 %662, 0
-  br i1 %663, label %664, label %665
+657:                                              ; preds = %653
+  %658 = load i64, ptr %421, align 8
+  %659 = add nsw i64 %658, 1
+  store i64 %659, ptr %421, align 8
+  %660 = load ptr, ptr %111, align 8
+  store double %493, ptr %660, align 8
+  %661 = load i64, ptr %112, align 8
+  %662 = icmp sgt i64 %661, 0
+  br i1 %662, label %663, label %664
 
-664:                                              ; preds = %658
+663:                                              ; preds = %657
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %665
+  br label %664
 
-665:                                              ; preds = %658, %664
-  %666 = load ptr, ptr %73, align 8
-  %667 = load i64, ptr %666, align 8
-  %668 = load ptr, ptr %111, align 8
-  %669 = load ptr, ptr %113, align 8
-  %670 = load ptr, ptr %114, align 8
-  %671 = inttoptr i64 %667 to ptr
-  %672 = tail call i32 %671(ptr noundef %668, ptr noundef %161, ptr noundef %669, ptr noundef %670, ptr noundef %191) #9
-  %673 = sext i32 %672 to i64
-  br label %674
+664:                                              ; preds = %657, %663
+  %665 = load ptr, ptr %73, align 8
+  %666 = load i64, ptr %665, align 8
+  %667 = load ptr, ptr %111, align 8
+  %668 = load ptr, ptr %113, align 8
+  %669 = load ptr, ptr %114, align 8
+  %670 = inttoptr i64 %666 to ptr
+  %671 = tail call i32 %670(ptr noundef %667, ptr noundef %161, ptr noundef %668, ptr noundef %669, ptr noundef %191) #9
+  %672 = sext i32 %671 to i64
+  br label %673
 
-674:                                              ; preds = %665, %654
-  %675 = phi i64 [ %673, %665 ], [ %655, %654 ]
-  %676 = icmp slt i64 %675, 0
-  br i1 %676, label %1617, label %677
+673:                                              ; preds = %664, %653
+  %674 = phi i64 [ %672, %664 ], [ %654, %653 ]
+  %675 = icmp slt i64 %674, 0
+  br i1 %675, label %1616, label %676
 
-677:                                              ; preds = %674
-  %678 = icmp eq i64 %675, 0
-  br i1 %678, label %679, label %874
+676:                                              ; preds = %673
+  %677 = icmp eq i64 %674, 0
+  br i1 %677, label %678, label %873
 
-679:                                              ; preds = %677
-  br i1 %176, label %680, label %681
+678:                                              ; preds = %676
+  br i1 %176, label %679, label %680
 
-680:                                              ; preds = %679
-  br i1 %422, label %830, label %839
+679:                                              ; preds = %678
+  br i1 %422, label %829, label %838
 
-681:                                              ; preds = %679
-  %682 = load ptr, ptr %73, align 8
-  %683 = load ptr, ptr %0, align 8
-  %684 = getelementptr inbounds i8, ptr %682, i64 24
-  %685 = load i64, ptr %684, align 8
-  %686 = getelementptr inbounds i8, ptr %683, i64 8
-  %687 = load i64, ptr %686, align 8
-  %688 = load ptr, ptr %115, align 8
-  %689 = load i64, ptr %116, align 8
-  %690 = getelementptr inbounds double, ptr %688, i64 %689
-  %691 = icmp sgt i64 %687, 0
-  br i1 %691, label %692, label %694
+680:                                              ; preds = %678
+  %681 = load ptr, ptr %73, align 8
+  %682 = load ptr, ptr %0, align 8
+  %683 = getelementptr inbounds i8, ptr %681, i64 24
+  %684 = load i64, ptr %683, align 8
+  %685 = getelementptr inbounds i8, ptr %682, i64 8
+  %686 = load i64, ptr %685, align 8
+  %687 = load ptr, ptr %115, align 8
+  %688 = load i64, ptr %116, align 8
+  %689 = getelementptr inbounds double, ptr %687, i64 %688
+  %690 = icmp sgt i64 %686, 0
+  br i1 %690, label %691, label %693
 
-692:                                              ; preds = %681
-  %693 = getelementptr inbounds i8, ptr %682, i64 32
-  br label %702
+691:                                              ; preds = %680
+  %692 = getelementptr inbounds i8, ptr %681, i64 32
+  br label %701
 
-694:                                              ; preds = %702, %681
-  %695 = icmp sgt i64 %685, 0
-  br i1 %695, label %696, label %728
+693:                                              ; preds = %701, %680
+  %694 = icmp sgt i64 %684, 0
+  br i1 %694, label %695, label %727
 
-696:                                              ; preds = %694
-  %697 = load ptr, ptr %74, align 8
-  %698 = load ptr, ptr %122, align 8
-  %699 = load ptr, ptr %123, align 8
-  %700 = load ptr, ptr %124, align 8
-  %701 = load ptr, ptr %115, align 8
-  br label %786
+695:                                              ; preds = %693
+  %696 = load ptr, ptr %74, align 8
+  %697 = load ptr, ptr %122, align 8
+  %698 = load ptr, ptr %123, align 8
+  %699 = load ptr, ptr %124, align 8
+  %700 = load ptr, ptr %115, align 8
+  br label %785
 
-702:                                              ; preds = %692, %702
-  %703 = phi i64 [ 0, %692 ], [ %726, %702 ]
-  %704 = load i64, ptr %683, align 8
-  %705 = load i64, ptr %693, align 8
-  %706 = load ptr, ptr %115, align 8
-  %707 = load i64, ptr %116, align 8
-  %708 = mul nsw i64 %707, %703
-  %709 = getelementptr inbounds double, ptr %706, i64 %708
-  %710 = load ptr, ptr %117, align 8
-  %711 = load ptr, ptr %118, align 8
-  %712 = getelementptr i64, ptr %711, i64 %704
-  %713 = getelementptr i8, ptr %712, i64 8
-  %714 = getelementptr i64, ptr %713, i64 %703
-  %715 = load i64, ptr %714, align 8
-  %716 = getelementptr i8, ptr %714, i64 8
-  %717 = load i64, ptr %716, align 8
-  %718 = xor i64 %715, -1
-  %719 = add i64 %717, %718
-  %720 = load ptr, ptr %94, align 8
-  %721 = load ptr, ptr %119, align 8
-  %722 = load ptr, ptr %120, align 8
-  %723 = getelementptr inbounds i64, ptr %722, i64 %715
-  %724 = load ptr, ptr %121, align 8
-  %725 = getelementptr inbounds double, ptr %724, i64 %715
-  tail call fastcc void @combine(ptr noundef %709, ptr noundef %710, ptr noundef %720, ptr noundef %721, ptr noundef %723, ptr noundef %725, i64 noundef %719, i64 noundef 1, i64 noundef %705) #8
-  %726 = add nuw nsw i64 %703, 1
-  %727 = icmp eq i64 %726, %687
-  br i1 %727, label %694, label %702, !llvm.loop !14
+701:                                              ; preds = %691, %701
+  %702 = phi i64 [ 0, %691 ], [ %725, %701 ]
+  %703 = load i64, ptr %682, align 8
+  %704 = load i64, ptr %692, align 8
+  %705 = load ptr, ptr %115, align 8
+  %706 = load i64, ptr %116, align 8
+  %707 = mul nsw i64 %706, %702
+  %708 = getelementptr inbounds double, ptr %705, i64 %707
+  %709 = load ptr, ptr %117, align 8
+  %710 = load ptr, ptr %118, align 8
+  %711 = getelementptr i64, ptr %710, i64 %703
+  %712 = getelementptr i8, ptr %711, i64 8
+  %713 = getelementptr i64, ptr %712, i64 %702
+  %714 = load i64, ptr %713, align 8
+  %715 = getelementptr i8, ptr %713, i64 8
+  %716 = load i64, ptr %715, align 8
+  %717 = xor i64 %714, -1
+  %718 = add i64 %716, %717
+  %719 = load ptr, ptr %94, align 8
+  %720 = load ptr, ptr %119, align 8
+  %721 = load ptr, ptr %120, align 8
+  %722 = getelementptr inbounds i64, ptr %721, i64 %714
+  %723 = load ptr, ptr %121, align 8
+  %724 = getelementptr inbounds double, ptr %723, i64 %714
+  tail call fastcc void @combine(ptr noundef %708, ptr noundef %709, ptr noundef %719, ptr noundef %720, ptr noundef %722, ptr noundef %724, i64 noundef %718, i64 noundef 1, i64 noundef %704) #8
+  %725 = add nuw nsw i64 %702, 1
+  %726 = icmp eq i64 %725, %686
+  br i1 %726, label %693, label %701, !llvm.loop !14
 
-728:                                              ; preds = %786, %694
-  %729 = phi double [ 0.000000e+00, %694 ], [ %814, %786 ]
-  %730 = phi double [ 0.000000e+00, %694 ], [ %812, %786 ]
-  %731 = load ptr, ptr %125, align 8
-  %732 = getelementptr inbounds i8, ptr %682, i64 8
-  %733 = load i64, ptr %732, align 8
-  %734 = add nsw i64 %733, -3
-  %735 = getelementptr i8, ptr %731, i64 8
-  %736 = getelementptr i8, ptr %731, i64 16
-  %737 = getelementptr i8, ptr %731, i64 24
-  %738 = icmp slt i64 %685, %734
-  br i1 %738, label %746, label %739
+727:                                              ; preds = %785, %693
+  %728 = phi double [ 0.000000e+00, %693 ], [ %813, %785 ]
+  %729 = phi double [ 0.000000e+00, %693 ], [ %811, %785 ]
+  %730 = load ptr, ptr %125, align 8
+  %731 = getelementptr inbounds i8, ptr %681, i64 8
+  %732 = load i64, ptr %731, align 8
+  %733 = add nsw i64 %732, -3
+  %734 = getelementptr i8, ptr %730, i64 8
+  %735 = getelementptr i8, ptr %730, i64 16
+  %736 = getelementptr i8, ptr %730, i64 24
+  %737 = icmp slt i64 %684, %733
+  br i1 %737, label %745, label %738
 
-739:                                              ; preds = %746, %728
-  %740 = phi double [ 0.000000e+00, %728 ], [ %755, %746 ]
-  %741 = phi double [ 0.000000e+00, %728 ], [ %759, %746 ]
-  %742 = phi double [ 0.000000e+00, %728 ], [ %763, %746 ]
-  %743 = phi double [ 0.000000e+00, %728 ], [ %767, %746 ]
-  %744 = phi i64 [ %685, %728 ], [ %768, %746 ]
-  %745 = icmp slt i64 %744, %733
-  br i1 %745, label %770, label %779
+738:                                              ; preds = %745, %727
+  %739 = phi double [ 0.000000e+00, %727 ], [ %754, %745 ]
+  %740 = phi double [ 0.000000e+00, %727 ], [ %758, %745 ]
+  %741 = phi double [ 0.000000e+00, %727 ], [ %762, %745 ]
+  %742 = phi double [ 0.000000e+00, %727 ], [ %766, %745 ]
+  %743 = phi i64 [ %684, %727 ], [ %767, %745 ]
+  %744 = icmp slt i64 %743, %732
+  br i1 %744, label %769, label %778
 
-746:                                              ; preds = %728, %746
-  %747 = phi i64 [ %768, %746 ], [ %685, %728 ]
-  %748 = phi double [ %767, %746 ], [ 0.000000e+00, %728 ]
-  %749 = phi double [ %763, %746 ], [ 0.000000e+00, %728 ]
-  %750 = phi double [ %759, %746 ], [ 0.000000e+00, %728 ]
-  %751 = phi double [ %755, %746 ], [ 0.000000e+00, %728 ]
-  %752 = getelementptr inbounds double, ptr %731, i64 %747
-  %753 = load double, ptr %752, align 8
-  %754 = fmul double %753, 0.000000e+00
-  %755 = fadd double %751, %754
-  %756 = getelementptr double, ptr %735, i64 %747
-  %757 = load double, ptr %756, align 8
-  %758 = fmul double %757, 0.000000e+00
-  %759 = fadd double %750, %758
-  %760 = getelementptr double, ptr %736, i64 %747
-  %761 = load double, ptr %760, align 8
-  %762 = fmul double %761, 0.000000e+00
-  %763 = fadd double %749, %762
-  %764 = getelementptr double, ptr %737, i64 %747
-  %765 = load double, ptr %764, align 8
-  %766 = fmul double %765, 0.000000e+00
-  %767 = fadd double %748, %766
-  %768 = add nsw i64 %747, 4
-  %769 = icmp slt i64 %768, %734
-  br i1 %769, label %746, label %739, !llvm.loop !15
+745:                                              ; preds = %727, %745
+  %746 = phi i64 [ %767, %745 ], [ %684, %727 ]
+  %747 = phi double [ %766, %745 ], [ 0.000000e+00, %727 ]
+  %748 = phi double [ %762, %745 ], [ 0.000000e+00, %727 ]
+  %749 = phi double [ %758, %745 ], [ 0.000000e+00, %727 ]
+  %750 = phi double [ %754, %745 ], [ 0.000000e+00, %727 ]
+  %751 = getelementptr inbounds double, ptr %730, i64 %746
+  %752 = load double, ptr %751, align 8
+  %753 = fmul double %752, 0.000000e+00
+  %754 = fadd double %750, %753
+  %755 = getelementptr double, ptr %734, i64 %746
+  %756 = load double, ptr %755, align 8
+  %757 = fmul double %756, 0.000000e+00
+  %758 = fadd double %749, %757
+  %759 = getelementptr double, ptr %735, i64 %746
+  %760 = load double, ptr %759, align 8
+  %761 = fmul double %760, 0.000000e+00
+  %762 = fadd double %748, %761
+  %763 = getelementptr double, ptr %736, i64 %746
+  %764 = load double, ptr %763, align 8
+  %765 = fmul double %764, 0.000000e+00
+  %766 = fadd double %747, %765
+  %767 = add nsw i64 %746, 4
+  %768 = icmp slt i64 %767, %733
+  br i1 %768, label %745, label %738, !llvm.loop !15
 
-770:                                              ; preds = %739, %770
-  %771 = phi i64 [ %777, %770 ], [ %744, %739 ]
-  %772 = phi double [ %776, %770 ], [ %740, %739 ]
-  %773 = getelementptr inbounds double, ptr %731, i64 %771
-  %774 = load double, ptr %773, align 8
-  %775 = fmul double %774, 0.000000e+00
-  %776 = fadd double %772, %775
-  %777 = add nsw i64 %771, 1
-  %778 = icmp eq i64 %777, %733
-  br i1 %778, label %779, label %770, !llvm.loop !16
+769:                                              ; preds = %738, %769
+  %770 = phi i64 [ %776, %769 ], [ %743, %738 ]
+  %771 = phi double [ %775, %769 ], [ %739, %738 ]
+  %772 = getelementptr inbounds double, ptr %730, i64 %770
+  %773 = load double, ptr %772, align 8
+  %774 = fmul double %773, 0.000000e+00
+  %775 = fadd double %771, %774
+  %776 = add nsw i64 %770, 1
+  %777 = icmp eq i64 %776, %732
+  br i1 %777, label %778, label %769, !llvm.loop !16
 
-779:                                              ; preds = %770, %739
-  %780 = phi double [ %740, %739 ], [ %776, %770 ]
-  %781 = fadd double %741, %780
-  %782 = fadd double %742, %743
-  %783 = fadd double %782, %781
-  %784 = fadd double %730, %783
-  %785 = icmp eq i64 %687, 2
-  br i1 %785, label %817, label %826
+778:                                              ; preds = %769, %738
+  %779 = phi double [ %739, %738 ], [ %775, %769 ]
+  %780 = fadd double %740, %779
+  %781 = fadd double %741, %742
+  %782 = fadd double %781, %780
+  %783 = fadd double %729, %782
+  %784 = icmp eq i64 %686, 2
+  br i1 %784, label %816, label %825
 
-786:                                              ; preds = %696, %786
-  %787 = phi double [ 0.000000e+00, %696 ], [ %812, %786 ]
-  %788 = phi double [ 0.000000e+00, %696 ], [ %814, %786 ]
-  %789 = phi i64 [ 0, %696 ], [ %815, %786 ]
-  %790 = getelementptr inbounds double, ptr %697, i64 %789
-  %791 = load double, ptr %790, align 8
-  %792 = getelementptr inbounds double, ptr %698, i64 %789
-  %793 = load double, ptr %792, align 8
-  %794 = getelementptr inbounds double, ptr %699, i64 %789
-  %795 = load double, ptr %794, align 8
-  %796 = getelementptr inbounds double, ptr %700, i64 %789
-  %797 = load double, ptr %796, align 8
-  %798 = tail call double @llvm.fabs.f64(double %791)
-  %799 = tail call double @llvm.fabs.f64(double %793)
-  %800 = fcmp ogt double %798, %799
-  %801 = select i1 %800, double %798, double %799
-  %802 = fmul double %801, %797
-  %803 = fadd double %795, %802
-  %804 = fdiv double 1.000000e+00, %803
-  %805 = getelementptr inbounds double, ptr %701, i64 %789
-  %806 = load double, ptr %805, align 8
-  %807 = fmul double %806, %804
-  %808 = getelementptr inbounds double, ptr %690, i64 %789
-  %809 = load double, ptr %808, align 8
-  %810 = fmul double %809, %804
-  %811 = fmul double %807, %807
-  %812 = fadd double %787, %811
-  %813 = fmul double %810, %810
-  %814 = fadd double %788, %813
-  %815 = add nuw nsw i64 %789, 1
-  %816 = icmp eq i64 %815, %685
-  br i1 %816, label %728, label %786, !llvm.loop !17
+785:                                              ; preds = %695, %785
+  %786 = phi double [ 0.000000e+00, %695 ], [ %811, %785 ]
+  %787 = phi double [ 0.000000e+00, %695 ], [ %813, %785 ]
+  %788 = phi i64 [ 0, %695 ], [ %814, %785 ]
+  %789 = getelementptr inbounds double, ptr %696, i64 %788
+  %790 = load double, ptr %789, align 8
+  %791 = getelementptr inbounds double, ptr %697, i64 %788
+  %792 = load double, ptr %791, align 8
+  %793 = getelementptr inbounds double, ptr %698, i64 %788
+  %794 = load double, ptr %793, align 8
+  %795 = getelementptr inbounds double, ptr %699, i64 %788
+  %796 = load double, ptr %795, align 8
+  %797 = tail call double @llvm.fabs.f64(double %790)
+  %798 = tail call double @llvm.fabs.f64(double %792)
+  %799 = fcmp ogt double %797, %798
+  %800 = select i1 %799, double %797, double %798
+  %801 = fmul double %800, %796
+  %802 = fadd double %794, %801
+  %803 = fdiv double 1.000000e+00, %802
+  %804 = getelementptr inbounds double, ptr %700, i64 %788
+  %805 = load double, ptr %804, align 8
+  %806 = fmul double %805, %803
+  %807 = getelementptr inbounds double, ptr %689, i64 %788
+  %808 = load double, ptr %807, align 8
+  %809 = fmul double %808, %803
+  %810 = fmul double %806, %806
+  %811 = fadd double %786, %810
+  %812 = fmul double %809, %809
+  %813 = fadd double %787, %812
+  %814 = add nuw nsw i64 %788, 1
+  %815 = icmp eq i64 %814, %684
+  br i1 %815, label %727, label %785, !llvm.loop !17
 
-817:                                              ; preds = %779
-  %818 = fmul double %729, 1.000000e-02
-  %819 = fadd double %818, %784
-  %820 = sitofp i64 %685 to double
-  %821 = fmul double %819, %820
-  %822 = tail call double @llvm.sqrt.f64(double %821)
-  %823 = fdiv double %784, %822
-  %824 = fcmp une double %784, 0.000000e+00
-  %825 = select i1 %824, double %823, double 0.000000e+00
-  br label %839
+816:                                              ; preds = %778
+  %817 = fmul double %728, 1.000000e-02
+  %818 = fadd double %817, %783
+  %819 = sitofp i64 %684 to double
+  %820 = fmul double %818, %819
+  %821 = tail call double @llvm.sqrt.f64(double %820)
+  %822 = fdiv double %783, %821
+  %823 = fcmp une double %783, 0.000000e+00
+  %824 = select i1 %823, double %822, double 0.000000e+00
+  br label %838
 
-826:                                              ; preds = %779
-  %827 = sitofp i64 %685 to double
-  %828 = fdiv double %784, %827
-  %829 = tail call double @llvm.sqrt.f64(double %828)
-  br label %839
+825:                                              ; preds = %778
+  %826 = sitofp i64 %684 to double
+  %827 = fdiv double %783, %826
+  %828 = tail call double @llvm.sqrt.f64(double %827)
+  br label %838
 
-830:                                              ; preds = %680, %830
-  %831 = phi i64 [ %837, %830 ], [ 0, %680 ]
-  %832 = phi double [ %836, %830 ], [ 0.000000e+00, %680 ]
-  %833 = getelementptr inbounds double, ptr %161, i64 %831
-  %834 = load double, ptr %833, align 8
-  %835 = fmul double %834, 0.000000e+00
-  %836 = fadd double %832, %835
-  %837 = add nuw nsw i64 %831, 1
-  %838 = icmp eq i64 %837, %170
-  br i1 %838, label %839, label %830, !llvm.loop !18
+829:                                              ; preds = %679, %829
+  %830 = phi i64 [ %836, %829 ], [ 0, %679 ]
+  %831 = phi double [ %835, %829 ], [ 0.000000e+00, %679 ]
+  %832 = getelementptr inbounds double, ptr %161, i64 %830
+  %833 = load double, ptr %832, align 8
+  %834 = fmul double %833, 0.000000e+00
+  %835 = fadd double %831, %834
+  %836 = add nuw nsw i64 %830, 1
+  %837 = icmp eq i64 %836, %170
+  br i1 %837, label %838, label %829, !llvm.loop !18
 
-839:                                              ; preds = %830, %680, %826, %817
-  %840 = phi double [ %825, %817 ], [ %829, %826 ], [ 0.000000e+00, %680 ], [ %836, %830 ]
-  %841 = fcmp uge double %840, 1.000000e+00
-  %842 = select i1 %841, i1 true, i1 %423
-  br i1 %842, label %874, label %843
+838:                                              ; preds = %829, %679, %825, %816
+  %839 = phi double [ %824, %816 ], [ %828, %825 ], [ 0.000000e+00, %679 ], [ %835, %829 ]
+  %840 = fcmp uge double %839, 1.000000e+00
+  %841 = select i1 %840, i1 true, i1 %423
+  br i1 %841, label %873, label %842
 
-843:                                              ; preds = %839
-  br i1 %173, label %855, label %844
+842:                                              ; preds = %838
+  br i1 %173, label %854, label %843
+
+843:                                              ; preds = %842
+  br i1 %176, label %846, label %844
 
 844:                                              ; preds = %843
-  br i1 %176, label %847, label %845
+  %845 = load ptr, ptr %74, align 8
+  br label %846
 
-845:                                              ; preds = %844
-  %846 = load ptr, ptr %74, align 8
-  br label %847
+846:                                              ; preds = %844, %843
+  %847 = phi ptr [ %845, %844 ], [ null, %843 ]
+  %848 = load ptr, ptr %81, align 8
+  %849 = getelementptr inbounds i8, ptr %848, i64 56
+  %850 = load i64, ptr %849, align 8
+  %851 = inttoptr i64 %850 to ptr
+  %852 = tail call i64 %851(ptr noundef %0, double noundef %493, ptr noundef %161, ptr noundef %847) #9
+  %853 = icmp ne i64 %852, 0
+  br label %854
 
-847:                                              ; preds = %845, %844
-  %848 = phi ptr [ %846, %845 ], [ null, %844 ]
-  %849 = load ptr, ptr %81, align 8
-  %850 = getelementptr inbounds i8, ptr %849, i64 56
-  %851 = load i64, ptr %850, align 8
-  %852 = inttoptr i64 %851 to ptr
-  %853 = tail call i64 %852(ptr noundef %0, double noundef %495, ptr noundef %161, ptr noundef %848) #9
-  %854 = icmp ne i64 %853, 0
-  br label %855
+854:                                              ; preds = %846, %842
+  %855 = phi i1 [ false, %842 ], [ %853, %846 ]
+  br i1 %855, label %873, label %856
 
-855:                                              ; preds = %847, %843
-  %856 = phi i1 [ false, %843 ], [ %854, %847 ]
-  br i1 %856, label %874, label %857
+856:                                              ; preds = %854
+  %857 = load i64, ptr %421, align 8
+  %858 = add nsw i64 %857, 1
+  store i64 %858, ptr %421, align 8
+  %859 = load ptr, ptr %126, align 8
+  store double %493, ptr %859, align 8
+  %860 = load i64, ptr %127, align 8
+  %861 = icmp sgt i64 %860, 0
+  br i1 %861, label %862, label %863
 
-857:                                              ; preds = %855
-  %858 = load i64, ptr %421, align 8
-  %859 = add nsw i64 %858, 1
-  store i64 %859, ptr %421, align 8
-  %860 = load ptr, ptr %126, align 8
-  store double %495, ptr %860, align 8
-  %861 = load i64, ptr %127, align 8
-  %862 = icmp sgt i64 %861, 0
-  br i1 %862, label %863, label %864
-
-863:                                              ; preds = %857
+862:                                              ; preds = %856
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %864
+  br label %863
 
-864:                                              ; preds = %857, %863
-  %865 = load ptr, ptr %73, align 8
-  %866 = load i64, ptr %865, align 8
-  %867 = load ptr, ptr %126, align 8
-  %868 = load ptr, ptr %128, align 8
-  %869 = load ptr, ptr %129, align 8
-  %870 = inttoptr i64 %866 to ptr
-  %871 = tail call i32 %870(ptr noundef %867, ptr noundef %161, ptr noundef %868, ptr noundef %869, ptr noundef %191) #9
-  %872 = sext i32 %871 to i64
-  %873 = icmp slt i32 %871, 0
-  br i1 %873, label %1617, label %874
+863:                                              ; preds = %856, %862
+  %864 = load ptr, ptr %73, align 8
+  %865 = load i64, ptr %864, align 8
+  %866 = load ptr, ptr %126, align 8
+  %867 = load ptr, ptr %128, align 8
+  %868 = load ptr, ptr %129, align 8
+  %869 = inttoptr i64 %865 to ptr
+  %870 = tail call i32 %869(ptr noundef %866, ptr noundef %161, ptr noundef %867, ptr noundef %868, ptr noundef %191) #9
+  %871 = sext i32 %870 to i64
+  %872 = icmp slt i32 %870, 0
+  br i1 %872, label %1616, label %873
 
-874:                                              ; preds = %864, %855, %839, %677
-  %875 = phi i64 [ 0, %855 ], [ %872, %864 ], [ 0, %839 ], [ %675, %677 ]
-  %876 = phi double [ %840, %855 ], [ %840, %864 ], [ %840, %839 ], [ 0.000000e+00, %677 ]
-  %877 = phi i1 [ %856, %855 ], [ %856, %864 ], [ false, %839 ], [ false, %677 ]
-  %878 = icmp ne i64 %875, 0
-  %879 = fcmp uge double %876, 1.000000e+00
-  %880 = or i1 %878, %879
-  %881 = or i1 %877, %880
-  br i1 %881, label %882, label %945
+873:                                              ; preds = %863, %854, %838, %676
+  %874 = phi i64 [ 0, %854 ], [ %871, %863 ], [ 0, %838 ], [ %674, %676 ]
+  %875 = phi double [ %839, %854 ], [ %839, %863 ], [ %839, %838 ], [ 0.000000e+00, %676 ]
+  %876 = phi i1 [ %855, %854 ], [ %855, %863 ], [ false, %838 ], [ false, %676 ]
+  %877 = icmp ne i64 %874, 0
+  %878 = fcmp uge double %875, 1.000000e+00
+  %879 = or i1 %877, %878
+  %880 = or i1 %876, %879
+  br i1 %880, label %881, label %944
 
-882:                                              ; preds = %874
-  %883 = load i64, ptr %417, align 8
-  %884 = add nsw i64 %883, 1
-  store i64 %884, ptr %417, align 8
-  %885 = or i1 %878, %877
-  br i1 %885, label %889, label %886
+881:                                              ; preds = %873
+  %882 = load i64, ptr %417, align 8
+  %883 = add nsw i64 %882, 1
+  store i64 %883, ptr %417, align 8
+  %884 = or i1 %877, %876
+  br i1 %884, label %888, label %885
 
-886:                                              ; preds = %882
-  %887 = tail call double @llvm.fabs.f64(double %876)
-  %888 = fcmp one double %887, 0x7FF0000000000000
-  br label %889
+885:                                              ; preds = %881
+  %886 = tail call double @llvm.fabs.f64(double %875)
+  %887 = fcmp one double %886, 0x7FF0000000000000
+  br label %888
 
-889:                                              ; preds = %886, %882
-  %890 = phi i1 [ false, %882 ], [ %888, %886 ]
-  %891 = select i1 %890, i64 2, i64 4
-  %892 = select i1 %877, i64 6, i64 %891
-  %893 = select i1 %878, i64 3, i64 %892
-  store i64 %893, ptr %438, align 8
-  %894 = fcmp ogt double %876, 1.000000e-10
-  %895 = select i1 %894, double %876, double 1.000000e-10
-  %896 = load double, ptr %439, align 8
-  %897 = load double, ptr %168, align 8
-  %898 = fneg double %897
-  %899 = bitcast double %895 to i64
-  %900 = add nsw i64 %899, -4604544271217802189
-  %901 = ashr i64 %900, 52
-  %902 = and i64 %900, -4503599627370496
-  %903 = sub nsw i64 %899, %902
-  %904 = bitcast i64 %903 to double
-  %905 = fadd double %904, -1.000000e+00
-  %906 = fadd double %904, 1.000000e+00
-  %907 = fdiv double %905, %906
-  %908 = fmul double %907, %907
-  %909 = tail call double @llvm.fma.f64(double %908, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %910 = tail call double @llvm.fma.f64(double %909, double %908, double 0x3FE2776C50EF9BFE)
-  %911 = tail call double @llvm.fma.f64(double %910, double %908, double 0x3FEEC709DC3A03FD)
-  %912 = tail call double @llvm.fma.f64(double %911, double %908, double 0x40071547652B82FE)
-  %913 = trunc nsw i64 %901 to i32
-  %914 = sitofp i32 %913 to double
-  %915 = fmul double %907, %912
-  %916 = fadd double %915, %914
-  %917 = fmul double %916, %898
-  %918 = fcmp ogt double %917, -1.000000e+03
-  %919 = select i1 %918, double %917, double -1.000000e+03
-  %920 = fcmp olt double %919, 1.000000e+03
-  %921 = select i1 %920, double %919, double 1.000000e+03
-  %922 = tail call double @llvm.rint.f64(double %921)
-  %923 = fsub double %921, %922
-  %924 = tail call double @llvm.fma.f64(double %923, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %925 = tail call double @llvm.fma.f64(double %924, double %923, double 0x3F55D87FE78A6730)
-  %926 = tail call double @llvm.fma.f64(double %925, double %923, double 0x3F83B2AB6FBA4E77)
-  %927 = tail call double @llvm.fma.f64(double %926, double %923, double 0x3FAC6B08D704A0BF)
-  %928 = tail call double @llvm.fma.f64(double %927, double %923, double 0x3FCEBFBDFF82C58E)
-  %929 = tail call double @llvm.fma.f64(double %928, double %923, double 0x3FE62E42FEFA39EF)
-  %930 = tail call double @llvm.fma.f64(double %929, double %923, double 1.000000e+00)
-  %931 = bitcast double %930 to i64
-  %932 = fptosi double %922 to i32
-  %933 = sext i32 %932 to i64
-  %934 = shl nsw i64 %933, 52
-  %935 = add nsw i64 %934, %931
-  %936 = bitcast i64 %935 to double
-  %937 = fmul double %896, %936
-  %938 = load double, ptr %440, align 8
-  %939 = fcmp ogt double %937, %938
-  %940 = select i1 %939, double %937, double %938
-  %941 = select i1 %890, double %940, double 2.500000e-01
-  %942 = fmul double %494, %941
-  br i1 %176, label %943, label %944
+888:                                              ; preds = %885, %881
+  %889 = phi i1 [ false, %881 ], [ %887, %885 ]
+  %890 = select i1 %889, i64 2, i64 4
+  %891 = select i1 %876, i64 6, i64 %890
+  %892 = select i1 %877, i64 3, i64 %891
+  store i64 %892, ptr %438, align 8
+  %893 = fcmp ogt double %875, 1.000000e-10
+  %894 = select i1 %893, double %875, double 1.000000e-10
+  %895 = load double, ptr %439, align 8
+  %896 = load double, ptr %168, align 8
+  %897 = fneg double %896
+  %898 = bitcast double %894 to i64
+  %899 = add nsw i64 %898, -4604544271217802189
+  %900 = ashr i64 %899, 52
+  %901 = and i64 %899, -4503599627370496
+  %902 = sub nsw i64 %898, %901
+  %903 = bitcast i64 %902 to double
+  %904 = fadd double %903, -1.000000e+00
+  %905 = fadd double %903, 1.000000e+00
+  %906 = fdiv double %904, %905
+  %907 = fmul double %906, %906
+  %908 = tail call double @llvm.fma.f64(double %907, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %909 = tail call double @llvm.fma.f64(double %908, double %907, double 0x3FE2776C50EF9BFE)
+  %910 = tail call double @llvm.fma.f64(double %909, double %907, double 0x3FEEC709DC3A03FD)
+  %911 = tail call double @llvm.fma.f64(double %910, double %907, double 0x40071547652B82FE)
+  %912 = trunc nsw i64 %900 to i32
+  %913 = sitofp i32 %912 to double
+  %914 = fmul double %906, %911
+  %915 = fadd double %914, %913
+  %916 = fmul double %915, %897
+  %917 = fcmp ogt double %916, -1.000000e+03
+  %918 = select i1 %917, double %916, double -1.000000e+03
+  %919 = fcmp olt double %918, 1.000000e+03
+  %920 = select i1 %919, double %918, double 1.000000e+03
+  %921 = tail call double @llvm.rint.f64(double %920)
+  %922 = fsub double %920, %921
+  %923 = tail call double @llvm.fma.f64(double %922, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %924 = tail call double @llvm.fma.f64(double %923, double %922, double 0x3F55D87FE78A6730)
+  %925 = tail call double @llvm.fma.f64(double %924, double %922, double 0x3F83B2AB6FBA4E77)
+  %926 = tail call double @llvm.fma.f64(double %925, double %922, double 0x3FAC6B08D704A0BF)
+  %927 = tail call double @llvm.fma.f64(double %926, double %922, double 0x3FCEBFBDFF82C58E)
+  %928 = tail call double @llvm.fma.f64(double %927, double %922, double 0x3FE62E42FEFA39EF)
+  %929 = tail call double @llvm.fma.f64(double %928, double %922, double 1.000000e+00)
+  %930 = bitcast double %929 to i64
+  %931 = fptosi double %921 to i32
+  %932 = sext i32 %931 to i64
+  %933 = shl nsw i64 %932, 52
+  %934 = add nsw i64 %933, %930
+  %935 = bitcast i64 %934 to double
+  %936 = fmul double %895, %935
+  %937 = load double, ptr %440, align 8
+  %938 = fcmp ogt double %936, %937
+  %939 = select i1 %938, double %936, double %937
+  %940 = select i1 %889, double %939, double 2.500000e-01
+  %941 = fmul double %494, %940
+  br i1 %176, label %942, label %943
 
-943:                                              ; preds = %889
+942:                                              ; preds = %888
   store double %494, ptr %193, align 8
-  br label %1617
+  br label %1616
 
-944:                                              ; preds = %889
+943:                                              ; preds = %888
   store double 1.000000e+00, ptr %441, align 8
-  br label %1617, !llvm.loop !19
+  br label %1616, !llvm.loop !19
 
-945:                                              ; preds = %874
-  %946 = load i64, ptr %416, align 8
-  %947 = add nsw i64 %946, 1
-  store i64 %947, ptr %416, align 8
-  store double %495, ptr %160, align 8
+944:                                              ; preds = %873
+  %945 = load i64, ptr %416, align 8
+  %946 = add nsw i64 %945, 1
+  store i64 %946, ptr %416, align 8
+  store double %493, ptr %160, align 8
   store double %494, ptr %424, align 8
-  %948 = load ptr, ptr %93, align 8
-  %949 = getelementptr inbounds i8, ptr %948, i64 8
-  %950 = load i64, ptr %949, align 8
-  %951 = icmp eq i64 %950, 0
-  br i1 %951, label %981, label %952
+  %947 = load ptr, ptr %93, align 8
+  %948 = getelementptr inbounds i8, ptr %947, i64 8
+  %949 = load i64, ptr %948, align 8
+  %950 = icmp eq i64 %949, 0
+  br i1 %950, label %980, label %951
 
-952:                                              ; preds = %945
-  %953 = load i64, ptr %948, align 8
-  %954 = load ptr, ptr %73, align 8
-  %955 = getelementptr inbounds i8, ptr %954, i64 8
-  %956 = load i64, ptr %955, align 8
-  %957 = load ptr, ptr %130, align 8
-  %958 = load i64, ptr %131, align 8
-  %959 = mul nsw i64 %958, %953
-  %960 = getelementptr inbounds double, ptr %957, i64 %959
-  %961 = getelementptr inbounds double, ptr %960, i64 %958
-  store double %447, ptr %960, align 8
+951:                                              ; preds = %944
+  %952 = load i64, ptr %947, align 8
+  %953 = load ptr, ptr %73, align 8
+  %954 = getelementptr inbounds i8, ptr %953, i64 8
+  %955 = load i64, ptr %954, align 8
+  %956 = load ptr, ptr %130, align 8
+  %957 = load i64, ptr %131, align 8
+  %958 = mul nsw i64 %957, %952
+  %959 = getelementptr inbounds double, ptr %956, i64 %958
+  %960 = getelementptr inbounds double, ptr %959, i64 %957
+  store double %447, ptr %959, align 8
+  %961 = getelementptr inbounds i8, ptr %959, i64 8
+  store double %494, ptr %961, align 8
+  store double %493, ptr %960, align 8
   %962 = getelementptr inbounds i8, ptr %960, i64 8
-  store double %494, ptr %962, align 8
-  store double %495, ptr %961, align 8
-  %963 = getelementptr inbounds i8, ptr %961, i64 8
-  store double 0.000000e+00, ptr %963, align 8
-  %964 = icmp sgt i64 %956, 0
-  br i1 %964, label %968, label %965
+  store double 0.000000e+00, ptr %962, align 8
+  %963 = icmp sgt i64 %955, 0
+  br i1 %963, label %967, label %964
 
-965:                                              ; preds = %968, %952
-  %966 = add nsw i64 %953, 1
-  %967 = load ptr, ptr %93, align 8
-  store i64 %966, ptr %967, align 8
-  br label %981
+964:                                              ; preds = %967, %951
+  %965 = add nsw i64 %952, 1
+  %966 = load ptr, ptr %93, align 8
+  store i64 %965, ptr %966, align 8
+  br label %980
 
-968:                                              ; preds = %952, %968
-  %969 = phi i64 [ %979, %968 ], [ 0, %952 ]
-  %970 = load ptr, ptr %74, align 8
-  %971 = getelementptr inbounds double, ptr %970, i64 %969
-  %972 = load double, ptr %971, align 8
-  %973 = add nuw nsw i64 %969, 2
-  %974 = getelementptr inbounds double, ptr %960, i64 %973
-  store double %972, ptr %974, align 8
-  %975 = load ptr, ptr %76, align 8
-  %976 = getelementptr inbounds double, ptr %975, i64 %969
-  %977 = load double, ptr %976, align 8
-  %978 = getelementptr inbounds double, ptr %961, i64 %973
-  store double %977, ptr %978, align 8
-  %979 = add nuw nsw i64 %969, 1
-  %980 = icmp eq i64 %979, %956
-  br i1 %980, label %965, label %968, !llvm.loop !20
+967:                                              ; preds = %951, %967
+  %968 = phi i64 [ %978, %967 ], [ 0, %951 ]
+  %969 = load ptr, ptr %74, align 8
+  %970 = getelementptr inbounds double, ptr %969, i64 %968
+  %971 = load double, ptr %970, align 8
+  %972 = add nuw nsw i64 %968, 2
+  %973 = getelementptr inbounds double, ptr %959, i64 %972
+  store double %971, ptr %973, align 8
+  %974 = load ptr, ptr %76, align 8
+  %975 = getelementptr inbounds double, ptr %974, i64 %968
+  %976 = load double, ptr %975, align 8
+  %977 = getelementptr inbounds double, ptr %960, i64 %972
+  store double %976, ptr %977, align 8
+  %978 = add nuw nsw i64 %968, 1
+  %979 = icmp eq i64 %978, %955
+  br i1 %979, label %964, label %967, !llvm.loop !20
 
-981:                                              ; preds = %945, %965
-  br i1 %183, label %982, label %1091
+980:                                              ; preds = %944, %964
+  br i1 %183, label %981, label %1090
 
-982:                                              ; preds = %981
-  %983 = load ptr, ptr %82, align 8
-  %984 = load i64, ptr %80, align 8
-  %985 = load ptr, ptr %132, align 8
-  %986 = getelementptr inbounds i8, ptr %983, i64 32
-  %987 = load i64, ptr %986, align 8
-  %988 = getelementptr inbounds double, ptr %985, i64 %987
-  %989 = getelementptr inbounds i8, ptr %983, i64 24
-  %990 = load i64, ptr %989, align 8
-  %991 = icmp eq i64 %990, 0
-  br i1 %991, label %1088, label %992
+981:                                              ; preds = %980
+  %982 = load ptr, ptr %82, align 8
+  %983 = load i64, ptr %80, align 8
+  %984 = load ptr, ptr %132, align 8
+  %985 = getelementptr inbounds i8, ptr %982, i64 32
+  %986 = load i64, ptr %985, align 8
+  %987 = getelementptr inbounds double, ptr %984, i64 %986
+  %988 = getelementptr inbounds i8, ptr %982, i64 24
+  %989 = load i64, ptr %988, align 8
+  %990 = icmp eq i64 %989, 0
+  br i1 %990, label %1087, label %991
 
-992:                                              ; preds = %982
-  %993 = getelementptr inbounds i8, ptr %983, i64 40
-  %994 = load i64, ptr %993, align 8
-  %995 = icmp sgt i64 %994, 0
-  br i1 %995, label %1049, label %996
+991:                                              ; preds = %981
+  %992 = getelementptr inbounds i8, ptr %982, i64 40
+  %993 = load i64, ptr %992, align 8
+  %994 = icmp sgt i64 %993, 0
+  br i1 %994, label %1048, label %995
 
-996:                                              ; preds = %1067, %992
-  %997 = load ptr, ptr %133, align 8
-  %998 = load ptr, ptr %82, align 8
-  %999 = getelementptr inbounds i8, ptr %998, i64 8
-  %1000 = load i64, ptr %999, align 8
-  %1001 = load ptr, ptr %134, align 8
-  %1002 = load ptr, ptr %132, align 8
-  %1003 = getelementptr inbounds i8, ptr %998, i64 32
-  %1004 = load i64, ptr %1003, align 8
-  %1005 = getelementptr inbounds i8, ptr %998, i64 40
-  %1006 = load i64, ptr %1005, align 8
-  %1007 = getelementptr double, ptr %1002, i64 %1004
-  %1008 = getelementptr double, ptr %1007, i64 %1006
-  store double %494, ptr %1008, align 8
-  %1009 = load ptr, ptr %133, align 8
-  store double %447, ptr %1009, align 8
-  %1010 = load ptr, ptr %82, align 8
-  %1011 = getelementptr inbounds i8, ptr %1010, i64 24
-  %1012 = load i64, ptr %1011, align 8
-  %1013 = load ptr, ptr %74, align 8
-  %1014 = load ptr, ptr %132, align 8
-  %1015 = load ptr, ptr %135, align 8
-  %1016 = inttoptr i64 %1012 to ptr
-  %1017 = tail call i32 %1016(ptr noundef %997, ptr noundef %1013, ptr noundef %1014, ptr noundef %1015, ptr noundef %1001) #9
-  %1018 = icmp eq i32 %1017, 0
-  br i1 %1018, label %1019, label %1088
+995:                                              ; preds = %1066, %991
+  %996 = load ptr, ptr %133, align 8
+  %997 = load ptr, ptr %82, align 8
+  %998 = getelementptr inbounds i8, ptr %997, i64 8
+  %999 = load i64, ptr %998, align 8
+  %1000 = load ptr, ptr %134, align 8
+  %1001 = load ptr, ptr %132, align 8
+  %1002 = getelementptr inbounds i8, ptr %997, i64 32
+  %1003 = load i64, ptr %1002, align 8
+  %1004 = getelementptr inbounds i8, ptr %997, i64 40
+  %1005 = load i64, ptr %1004, align 8
+  %1006 = getelementptr double, ptr %1001, i64 %1003
+  %1007 = getelementptr double, ptr %1006, i64 %1005
+  store double %494, ptr %1007, align 8
+  %1008 = load ptr, ptr %133, align 8
+  store double %447, ptr %1008, align 8
+  %1009 = load ptr, ptr %82, align 8
+  %1010 = getelementptr inbounds i8, ptr %1009, i64 24
+  %1011 = load i64, ptr %1010, align 8
+  %1012 = load ptr, ptr %74, align 8
+  %1013 = load ptr, ptr %132, align 8
+  %1014 = load ptr, ptr %135, align 8
+  %1015 = inttoptr i64 %1011 to ptr
+  %1016 = tail call i32 %1015(ptr noundef %996, ptr noundef %1012, ptr noundef %1013, ptr noundef %1014, ptr noundef %1000) #9
+  %1017 = icmp eq i32 %1016, 0
+  br i1 %1017, label %1018, label %1087
 
-1019:                                             ; preds = %996
-  %1020 = icmp slt i64 %1000, 1
-  br i1 %1020, label %1046, label %1021
+1018:                                             ; preds = %995
+  %1019 = icmp slt i64 %999, 1
+  br i1 %1019, label %1045, label %1020
 
-1021:                                             ; preds = %1019
-  %1022 = load ptr, ptr %136, align 8
-  %1023 = getelementptr double, ptr %1001, i64 %1000
-  br label %1024
+1020:                                             ; preds = %1018
+  %1021 = load ptr, ptr %136, align 8
+  %1022 = getelementptr double, ptr %1000, i64 %999
+  br label %1023
 
-1024:                                             ; preds = %1021, %1042
-  %1025 = phi i1 [ %1020, %1021 ], [ %1044, %1042 ]
-  %1026 = phi i64 [ 0, %1021 ], [ %1043, %1042 ]
-  %1027 = getelementptr inbounds i64, ptr %1022, i64 %1026
-  %1028 = load i64, ptr %1027, align 8
-  %1029 = and i64 %1028, 2
-  %1030 = icmp eq i64 %1029, 0
-  br i1 %1030, label %1031, label %1042
+1023:                                             ; preds = %1020, %1041
+  %1024 = phi i1 [ %1019, %1020 ], [ %1043, %1041 ]
+  %1025 = phi i64 [ 0, %1020 ], [ %1042, %1041 ]
+  %1026 = getelementptr inbounds i64, ptr %1021, i64 %1025
+  %1027 = load i64, ptr %1026, align 8
+  %1028 = and i64 %1027, 2
+  %1029 = icmp eq i64 %1028, 0
+  br i1 %1029, label %1030, label %1041
 
-1031:                                             ; preds = %1024
-  %1032 = getelementptr inbounds double, ptr %1001, i64 %1026
-  %1033 = load double, ptr %1032, align 8
-  %1034 = load ptr, ptr %137, align 8
-  %1035 = getelementptr inbounds i64, ptr %1034, i64 %1026
-  %1036 = load i64, ptr %1035, align 8
-  %1037 = sitofp i64 %1036 to double
-  %1038 = fmul double %1033, %1037
-  %1039 = getelementptr double, ptr %1023, i64 %1026
-  %1040 = load double, ptr %1039, align 8
-  %1041 = fcmp ogt double %1038, %1040
-  br i1 %1041, label %1042, label %1046
+1030:                                             ; preds = %1023
+  %1031 = getelementptr inbounds double, ptr %1000, i64 %1025
+  %1032 = load double, ptr %1031, align 8
+  %1033 = load ptr, ptr %137, align 8
+  %1034 = getelementptr inbounds i64, ptr %1033, i64 %1025
+  %1035 = load i64, ptr %1034, align 8
+  %1036 = sitofp i64 %1035 to double
+  %1037 = fmul double %1032, %1036
+  %1038 = getelementptr double, ptr %1022, i64 %1025
+  %1039 = load double, ptr %1038, align 8
+  %1040 = fcmp ogt double %1037, %1039
+  br i1 %1040, label %1041, label %1045
 
-1042:                                             ; preds = %1031, %1024
-  %1043 = add nuw nsw i64 %1026, 1
-  %1044 = icmp sge i64 %1043, %1000
-  %1045 = icmp eq i64 %1043, %1000
-  br i1 %1045, label %1046, label %1024, !llvm.loop !21
+1041:                                             ; preds = %1030, %1023
+  %1042 = add nuw nsw i64 %1025, 1
+  %1043 = icmp sge i64 %1042, %999
+  %1044 = icmp eq i64 %1042, %999
+  br i1 %1044, label %1045, label %1023, !llvm.loop !21
 
-1046:                                             ; preds = %1042, %1031, %1019
-  %1047 = phi i1 [ %1020, %1019 ], [ %1044, %1042 ], [ %1025, %1031 ]
-  %1048 = zext i1 %1047 to i32
-  br label %1088
+1045:                                             ; preds = %1041, %1030, %1018
+  %1046 = phi i1 [ %1019, %1018 ], [ %1043, %1041 ], [ %1024, %1030 ]
+  %1047 = zext i1 %1046 to i32
+  br label %1087
 
-1049:                                             ; preds = %992, %1067
-  %1050 = phi i64 [ %1071, %1067 ], [ 0, %992 ]
-  %1051 = load ptr, ptr %76, align 8
-  %1052 = getelementptr inbounds double, ptr %1051, i64 %1050
-  %1053 = load <8 x double>, ptr %1052, align 8
-  %1054 = load ptr, ptr %74, align 8
-  %1055 = getelementptr inbounds double, ptr %1054, i64 %1050
-  %1056 = load <8 x double>, ptr %1055, align 8
-  %1057 = fsub <8 x double> %1053, %1056
-  %1058 = fneg <8 x double> %1057
-  %1059 = fcmp ogt <8 x double> %1057, zeroinitializer
-  %1060 = select <8 x i1> %1059, <8 x double> %1057, <8 x double> %1058
-  %1061 = load ptr, ptr %0, align 8
-  %1062 = load i64, ptr %1061, align 8
-  %1063 = icmp slt i64 %1062, 0
-  br i1 %1063, label %1067, label %1064
+1048:                                             ; preds = %991, %1066
+  %1049 = phi i64 [ %1070, %1066 ], [ 0, %991 ]
+  %1050 = load ptr, ptr %76, align 8
+  %1051 = getelementptr inbounds double, ptr %1050, i64 %1049
+  %1052 = load <8 x double>, ptr %1051, align 8
+  %1053 = load ptr, ptr %74, align 8
+  %1054 = getelementptr inbounds double, ptr %1053, i64 %1049
+  %1055 = load <8 x double>, ptr %1054, align 8
+  %1056 = fsub <8 x double> %1052, %1055
+  %1057 = fneg <8 x double> %1056
+  %1058 = fcmp ogt <8 x double> %1056, zeroinitializer
+  %1059 = select <8 x i1> %1058, <8 x double> %1056, <8 x double> %1057
+  %1060 = load ptr, ptr %0, align 8
+  %1061 = load i64, ptr %1060, align 8
+  %1062 = icmp slt i64 %1061, 0
+  br i1 %1062, label %1066, label %1063
 
-1064:                                             ; preds = %1049
-  %1065 = load ptr, ptr %84, align 8
-  %1066 = getelementptr double, ptr %1065, i64 %1050
-  br label %1074
+1063:                                             ; preds = %1048
+  %1064 = load ptr, ptr %84, align 8
+  %1065 = getelementptr double, ptr %1064, i64 %1049
+  br label %1073
 
-1067:                                             ; preds = %1074, %1049
-  %1068 = phi <8 x double> [ %1060, %1049 ], [ %1085, %1074 ]
-  %1069 = getelementptr inbounds double, ptr %988, i64 %1050
-  %1070 = fmul <8 x double> %1068, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1070, ptr %1069, align 8
-  %1071 = add nuw nsw i64 %1050, 8
-  %1072 = load i64, ptr %993, align 8
-  %1073 = icmp slt i64 %1071, %1072
-  br i1 %1073, label %1049, label %996, !llvm.loop !22
+1066:                                             ; preds = %1073, %1048
+  %1067 = phi <8 x double> [ %1059, %1048 ], [ %1084, %1073 ]
+  %1068 = getelementptr inbounds double, ptr %987, i64 %1049
+  %1069 = fmul <8 x double> %1067, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1069, ptr %1068, align 8
+  %1070 = add nuw nsw i64 %1049, 8
+  %1071 = load i64, ptr %992, align 8
+  %1072 = icmp slt i64 %1070, %1071
+  br i1 %1072, label %1048, label %995, !llvm.loop !22
 
-1074:                                             ; preds = %1064, %1074
-  %1075 = phi i64 [ 0, %1064 ], [ %1086, %1074 ]
-  %1076 = phi <8 x double> [ %1060, %1064 ], [ %1085, %1074 ]
-  %1077 = mul nsw i64 %1075, %984
-  %1078 = getelementptr double, ptr %1066, i64 %1077
-  %1079 = load <8 x double>, ptr %1078, align 8
-  %1080 = fneg <8 x double> %1079
-  %1081 = fcmp ogt <8 x double> %1079, zeroinitializer
-  %1082 = select <8 x i1> %1081, <8 x double> %1079, <8 x double> %1080
-  %1083 = fmul <8 x double> %507, %1082
-  %1084 = fcmp ogt <8 x double> %1076, %1083
-  %1085 = select <8 x i1> %1084, <8 x double> %1076, <8 x double> %1083
-  %1086 = add nuw i64 %1075, 1
-  %1087 = icmp eq i64 %1075, %1062
-  br i1 %1087, label %1067, label %1074, !llvm.loop !23
+1073:                                             ; preds = %1063, %1073
+  %1074 = phi i64 [ 0, %1063 ], [ %1085, %1073 ]
+  %1075 = phi <8 x double> [ %1059, %1063 ], [ %1084, %1073 ]
+  %1076 = mul nsw i64 %1074, %983
+  %1077 = getelementptr double, ptr %1065, i64 %1076
+  %1078 = load <8 x double>, ptr %1077, align 8
+  %1079 = fneg <8 x double> %1078
+  %1080 = fcmp ogt <8 x double> %1078, zeroinitializer
+  %1081 = select <8 x i1> %1080, <8 x double> %1078, <8 x double> %1079
+  %1082 = fmul <8 x double> %506, %1081
+  %1083 = fcmp ogt <8 x double> %1075, %1082
+  %1084 = select <8 x i1> %1083, <8 x double> %1075, <8 x double> %1082
+  %1085 = add nuw i64 %1074, 1
+  %1086 = icmp eq i64 %1074, %1061
+  br i1 %1086, label %1066, label %1073, !llvm.loop !23
 
-1088:                                             ; preds = %1046, %996, %982
-  %1089 = phi i32 [ 0, %982 ], [ 0, %996 ], [ %1048, %1046 ]
-  %1090 = icmp eq i32 %1089, 0
-  br label %1091
+1087:                                             ; preds = %1045, %995, %981
+  %1088 = phi i32 [ 0, %981 ], [ 0, %995 ], [ %1047, %1045 ]
+  %1089 = icmp eq i32 %1088, 0
+  br label %1090
 
-1091:                                             ; preds = %1088, %981
-  %1092 = phi i1 [ false, %981 ], [ %1090, %1088 ]
-  br i1 %1092, label %1135, label %1093
+1090:                                             ; preds = %1087, %980
+  %1091 = phi i1 [ false, %980 ], [ %1089, %1087 ]
+  br i1 %1091, label %1134, label %1092
 
-1093:                                             ; preds = %1091
-  %1094 = load i64, ptr %425, align 8
-  %1095 = getelementptr inbounds double, ptr %167, i64 %1094
-  %1096 = load double, ptr %1095, align 8
-  %1097 = fcmp ult double %1096, %495
-  br i1 %1097, label %1135, label %1098
+1092:                                             ; preds = %1090
+  %1093 = load i64, ptr %425, align 8
+  %1094 = getelementptr inbounds double, ptr %167, i64 %1093
+  %1095 = load double, ptr %1094, align 8
+  %1096 = fcmp ult double %1095, %493
+  br i1 %1096, label %1134, label %1097
 
-1098:                                             ; preds = %1093
-  %1099 = load ptr, ptr %73, align 8
-  %1100 = getelementptr inbounds i8, ptr %1099, i64 8
-  %1101 = load i64, ptr %1100, align 8
-  %1102 = load i64, ptr %83, align 8
-  %1103 = load ptr, ptr %78, align 8
-  %1104 = load ptr, ptr %77, align 8
-  %1105 = getelementptr inbounds i8, ptr %1104, i64 48
-  %1106 = load i64, ptr %1105, align 8
-  %1107 = icmp slt i64 %1106, %1102
-  br i1 %1107, label %1108, label %1131
+1097:                                             ; preds = %1092
+  %1098 = load ptr, ptr %73, align 8
+  %1099 = getelementptr inbounds i8, ptr %1098, i64 8
+  %1100 = load i64, ptr %1099, align 8
+  %1101 = load i64, ptr %83, align 8
+  %1102 = load ptr, ptr %78, align 8
+  %1103 = load ptr, ptr %77, align 8
+  %1104 = getelementptr inbounds i8, ptr %1103, i64 48
+  %1105 = load i64, ptr %1104, align 8
+  %1106 = icmp slt i64 %1105, %1101
+  br i1 %1106, label %1107, label %1130
 
-1108:                                             ; preds = %1098
-  %1109 = icmp sgt i64 %1101, 0
-  br label %1110
+1107:                                             ; preds = %1097
+  %1108 = icmp sgt i64 %1100, 0
+  br label %1109
 
-1110:                                             ; preds = %1108, %1121
-  %1111 = phi i64 [ %1106, %1108 ], [ %1122, %1121 ]
-  %1112 = getelementptr inbounds double, ptr %1103, i64 %1111
-  %1113 = load double, ptr %1112, align 8
-  %1114 = load ptr, ptr %75, align 8
-  %1115 = load double, ptr %1114, align 8
-  %1116 = fcmp ugt double %1113, %1115
-  br i1 %1116, label %1131, label %1117
+1109:                                             ; preds = %1107, %1120
+  %1110 = phi i64 [ %1105, %1107 ], [ %1121, %1120 ]
+  %1111 = getelementptr inbounds double, ptr %1102, i64 %1110
+  %1112 = load double, ptr %1111, align 8
+  %1113 = load ptr, ptr %75, align 8
+  %1114 = load double, ptr %1113, align 8
+  %1115 = fcmp ugt double %1112, %1114
+  br i1 %1115, label %1130, label %1116
 
-1117:                                             ; preds = %1110
-  br i1 %1109, label %1118, label %1121
+1116:                                             ; preds = %1109
+  br i1 %1108, label %1117, label %1120
 
-1118:                                             ; preds = %1117
-  %1119 = mul nsw i64 %1111, %1101
-  %1120 = getelementptr double, ptr %1, i64 %1119
-  br label %1124
+1117:                                             ; preds = %1116
+  %1118 = mul nsw i64 %1110, %1100
+  %1119 = getelementptr double, ptr %1, i64 %1118
+  br label %1123
 
-1121:                                             ; preds = %1124, %1117
-  %1122 = add i64 %1111, 1
-  %1123 = icmp eq i64 %1122, %1102
-  br i1 %1123, label %1131, label %1110, !llvm.loop !8
+1120:                                             ; preds = %1123, %1116
+  %1121 = add i64 %1110, 1
+  %1122 = icmp eq i64 %1121, %1101
+  br i1 %1122, label %1130, label %1109, !llvm.loop !8
 
-1124:                                             ; preds = %1118, %1124
-  %1125 = phi i64 [ 0, %1118 ], [ %1129, %1124 ]
-  %1126 = getelementptr inbounds double, ptr %161, i64 %1125
-  %1127 = load double, ptr %1126, align 8
-  %1128 = getelementptr double, ptr %1120, i64 %1125
-  store double %1127, ptr %1128, align 8
-  %1129 = add nuw nsw i64 %1125, 1
-  %1130 = icmp eq i64 %1129, %1101
-  br i1 %1130, label %1121, label %1124, !llvm.loop !9
+1123:                                             ; preds = %1117, %1123
+  %1124 = phi i64 [ 0, %1117 ], [ %1128, %1123 ]
+  %1125 = getelementptr inbounds double, ptr %161, i64 %1124
+  %1126 = load double, ptr %1125, align 8
+  %1127 = getelementptr double, ptr %1119, i64 %1124
+  store double %1126, ptr %1127, align 8
+  %1128 = add nuw nsw i64 %1124, 1
+  %1129 = icmp eq i64 %1128, %1100
+  br i1 %1129, label %1120, label %1123, !llvm.loop !9
 
-1131:                                             ; preds = %1110, %1121, %1098
-  %1132 = phi i64 [ %1106, %1098 ], [ %1111, %1110 ], [ %1102, %1121 ]
-  %1133 = load ptr, ptr %77, align 8
-  %1134 = getelementptr inbounds i8, ptr %1133, i64 48
-  store i64 %1132, ptr %1134, align 8
-  br label %1494
+1130:                                             ; preds = %1109, %1120, %1097
+  %1131 = phi i64 [ %1105, %1097 ], [ %1110, %1109 ], [ %1101, %1120 ]
+  %1132 = load ptr, ptr %77, align 8
+  %1133 = getelementptr inbounds i8, ptr %1132, i64 48
+  store i64 %1131, ptr %1133, align 8
+  br label %1493
 
-1135:                                             ; preds = %1093, %1091
-  %1136 = load ptr, ptr %0, align 8
-  %1137 = load ptr, ptr %73, align 8
-  %1138 = getelementptr inbounds i8, ptr %1137, i64 16
-  %1139 = load i64, ptr %1138, align 8
-  %1140 = load i64, ptr %1136, align 8
-  %1141 = load i64, ptr %138, align 8
-  %1142 = load ptr, ptr %139, align 8
-  %1143 = mul nsw i64 %1141, %1140
-  %1144 = getelementptr inbounds double, ptr %1142, i64 %1143
-  %1145 = load ptr, ptr %140, align 8
-  %1146 = add nsw i64 %1140, 1
-  %1147 = getelementptr inbounds i8, ptr %1136, i64 16
-  %1148 = load i64, ptr %1147, align 8
-  %1149 = icmp sgt i64 %1148, 0
-  br i1 %1149, label %1150, label %1204
+1134:                                             ; preds = %1092, %1090
+  %1135 = load ptr, ptr %0, align 8
+  %1136 = load ptr, ptr %73, align 8
+  %1137 = getelementptr inbounds i8, ptr %1136, i64 16
+  %1138 = load i64, ptr %1137, align 8
+  %1139 = load i64, ptr %1135, align 8
+  %1140 = load i64, ptr %138, align 8
+  %1141 = load ptr, ptr %139, align 8
+  %1142 = mul nsw i64 %1140, %1139
+  %1143 = getelementptr inbounds double, ptr %1141, i64 %1142
+  %1144 = load ptr, ptr %140, align 8
+  %1145 = add nsw i64 %1139, 1
+  %1146 = getelementptr inbounds i8, ptr %1135, i64 16
+  %1147 = load i64, ptr %1146, align 8
+  %1148 = icmp sgt i64 %1147, 0
+  br i1 %1148, label %1149, label %1203
 
-1150:                                             ; preds = %1135
-  %1151 = getelementptr inbounds i8, ptr %1136, i64 8
-  br label %1157
+1149:                                             ; preds = %1134
+  %1150 = getelementptr inbounds i8, ptr %1135, i64 8
+  br label %1156
 
-1152:                                             ; preds = %1193
-  %1153 = add nsw i64 %1160, 1
-  %1154 = load i64, ptr %1147, align 8
-  %1155 = add nsw i64 %1154, %1146
-  %1156 = icmp slt i64 %1153, %1155
-  br i1 %1156, label %1157, label %1204, !llvm.loop !24
+1151:                                             ; preds = %1192
+  %1152 = add nsw i64 %1159, 1
+  %1153 = load i64, ptr %1146, align 8
+  %1154 = add nsw i64 %1153, %1145
+  %1155 = icmp slt i64 %1152, %1154
+  br i1 %1155, label %1156, label %1203, !llvm.loop !24
 
-1157:                                             ; preds = %1150, %1152
-  %1158 = phi i1 [ %1149, %1150 ], [ %1156, %1152 ]
-  %1159 = phi i64 [ undef, %1150 ], [ %1203, %1152 ]
-  %1160 = phi i64 [ %1146, %1150 ], [ %1153, %1152 ]
-  %1161 = load i64, ptr %1151, align 8
-  %1162 = load ptr, ptr %141, align 8
-  %1163 = load ptr, ptr %74, align 8
-  %1164 = load ptr, ptr %142, align 8
+1156:                                             ; preds = %1149, %1151
+  %1157 = phi i1 [ %1148, %1149 ], [ %1155, %1151 ]
+  %1158 = phi i64 [ undef, %1149 ], [ %1202, %1151 ]
+  %1159 = phi i64 [ %1145, %1149 ], [ %1152, %1151 ]
+  %1160 = load i64, ptr %1150, align 8
+  %1161 = load ptr, ptr %141, align 8
+  %1162 = load ptr, ptr %74, align 8
+  %1163 = load ptr, ptr %142, align 8
+  %1164 = getelementptr i64, ptr %1163, i64 %1159
   %1165 = getelementptr i64, ptr %1164, i64 %1160
-  %1166 = getelementptr i64, ptr %1165, i64 %1161
-  %1167 = load i64, ptr %1166, align 8
-  %1168 = getelementptr i8, ptr %1166, i64 8
-  %1169 = load i64, ptr %1168, align 8
-  %1170 = xor i64 %1167, -1
-  %1171 = add i64 %1169, %1170
-  %1172 = load ptr, ptr %94, align 8
-  %1173 = load ptr, ptr %139, align 8
-  %1174 = load ptr, ptr %143, align 8
-  %1175 = getelementptr inbounds i64, ptr %1174, i64 %1167
-  %1176 = load ptr, ptr %144, align 8
-  %1177 = getelementptr inbounds double, ptr %1176, i64 %1167
-  tail call fastcc void @combine(ptr noundef %1162, ptr noundef %1163, ptr noundef %1172, ptr noundef %1173, ptr noundef %1175, ptr noundef %1177, i64 noundef %1171, i64 noundef 1, i64 noundef %1139) #8
-  %1178 = load ptr, ptr %139, align 8
-  %1179 = mul nsw i64 %1160, %1141
-  %1180 = getelementptr inbounds double, ptr %1178, i64 %1179
-  %1181 = load i64, ptr %421, align 8
-  %1182 = add nsw i64 %1181, 1
-  store i64 %1182, ptr %421, align 8
-  %1183 = load ptr, ptr %145, align 8
-  %1184 = getelementptr inbounds double, ptr %1183, i64 %1160
-  %1185 = load double, ptr %1184, align 8
-  %1186 = fmul double %494, %1185
-  %1187 = fadd double %447, %1186
-  %1188 = load ptr, ptr %141, align 8
-  %1189 = load ptr, ptr %146, align 8
-  store double %1187, ptr %1189, align 8
-  %1190 = load i64, ptr %147, align 8
-  %1191 = icmp sgt i64 %1190, 0
-  br i1 %1191, label %1192, label %1193
+  %1166 = load i64, ptr %1165, align 8
+  %1167 = getelementptr i8, ptr %1165, i64 8
+  %1168 = load i64, ptr %1167, align 8
+  %1169 = xor i64 %1166, -1
+  %1170 = add i64 %1168, %1169
+  %1171 = load ptr, ptr %94, align 8
+  %1172 = load ptr, ptr %139, align 8
+  %1173 = load ptr, ptr %143, align 8
+  %1174 = getelementptr inbounds i64, ptr %1173, i64 %1166
+  %1175 = load ptr, ptr %144, align 8
+  %1176 = getelementptr inbounds double, ptr %1175, i64 %1166
+  tail call fastcc void @combine(ptr noundef %1161, ptr noundef %1162, ptr noundef %1171, ptr noundef %1172, ptr noundef %1174, ptr noundef %1176, i64 noundef %1170, i64 noundef 1, i64 noundef %1138) #8
+  %1177 = load ptr, ptr %139, align 8
+  %1178 = mul nsw i64 %1159, %1140
+  %1179 = getelementptr inbounds double, ptr %1177, i64 %1178
+  %1180 = load i64, ptr %421, align 8
+  %1181 = add nsw i64 %1180, 1
+  store i64 %1181, ptr %421, align 8
+  %1182 = load ptr, ptr %145, align 8
+  %1183 = getelementptr inbounds double, ptr %1182, i64 %1159
+  %1184 = load double, ptr %1183, align 8
+  %1185 = fmul double %494, %1184
+  %1186 = fadd double %447, %1185
+  %1187 = load ptr, ptr %141, align 8
+  %1188 = load ptr, ptr %146, align 8
+  store double %1186, ptr %1188, align 8
+  %1189 = load i64, ptr %147, align 8
+  %1190 = icmp sgt i64 %1189, 0
+  br i1 %1190, label %1191, label %1192
 
-1192:                                             ; preds = %1157
+1191:                                             ; preds = %1156
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1193
+  br label %1192
 
-1193:                                             ; preds = %1157, %1192
-  %1194 = load ptr, ptr %73, align 8
-  %1195 = load i64, ptr %1194, align 8
-  %1196 = load ptr, ptr %146, align 8
-  %1197 = load ptr, ptr %148, align 8
-  %1198 = load ptr, ptr %149, align 8
-  %1199 = inttoptr i64 %1195 to ptr
-  %1200 = tail call i32 %1199(ptr noundef %1196, ptr noundef %1188, ptr noundef %1197, ptr noundef %1198, ptr noundef %1180) #9
-  %1201 = sext i32 %1200 to i64
-  %1202 = icmp eq i32 %1200, 0
-  %1203 = select i1 %1202, i64 %1159, i64 %1201
-  br i1 %1202, label %1152, label %1204
+1192:                                             ; preds = %1156, %1191
+  %1193 = load ptr, ptr %73, align 8
+  %1194 = load i64, ptr %1193, align 8
+  %1195 = load ptr, ptr %146, align 8
+  %1196 = load ptr, ptr %148, align 8
+  %1197 = load ptr, ptr %149, align 8
+  %1198 = inttoptr i64 %1194 to ptr
+  %1199 = tail call i32 %1198(ptr noundef %1195, ptr noundef %1187, ptr noundef %1196, ptr noundef %1197, ptr noundef %1179) #9
+  %1200 = sext i32 %1199 to i64
+  %1201 = icmp eq i32 %1199, 0
+  %1202 = select i1 %1201, i64 %1158, i64 %1200
+  br i1 %1201, label %1151, label %1203
 
-1204:                                             ; preds = %1152, %1193, %1135
-  %1205 = phi i1 [ %1149, %1135 ], [ %1156, %1152 ], [ %1158, %1193 ]
-  %1206 = phi i64 [ 0, %1135 ], [ %1201, %1193 ], [ %1201, %1152 ]
-  %1207 = phi i64 [ undef, %1135 ], [ %1203, %1193 ], [ %1203, %1152 ]
-  %1208 = getelementptr inbounds i8, ptr %1136, i64 16
-  br i1 %1205, label %1277, label %1209
+1203:                                             ; preds = %1151, %1192, %1134
+  %1204 = phi i1 [ %1148, %1134 ], [ %1155, %1151 ], [ %1157, %1192 ]
+  %1205 = phi i64 [ 0, %1134 ], [ %1200, %1192 ], [ %1200, %1151 ]
+  %1206 = phi i64 [ undef, %1134 ], [ %1202, %1192 ], [ %1202, %1151 ]
+  %1207 = getelementptr inbounds i8, ptr %1135, i64 16
+  br i1 %1204, label %1276, label %1208
 
-1209:                                             ; preds = %1204
-  %1210 = load ptr, ptr %73, align 8
-  %1211 = getelementptr inbounds i8, ptr %1210, i64 8
-  %1212 = load i64, ptr %1211, align 8
-  %1213 = icmp sgt i64 %1212, 0
-  br i1 %1213, label %1214, label %1218
+1208:                                             ; preds = %1203
+  %1209 = load ptr, ptr %73, align 8
+  %1210 = getelementptr inbounds i8, ptr %1209, i64 8
+  %1211 = load i64, ptr %1210, align 8
+  %1212 = icmp sgt i64 %1211, 0
+  br i1 %1212, label %1213, label %1217
 
-1214:                                             ; preds = %1209
-  %1215 = getelementptr inbounds double, ptr %1145, i64 %1141
-  %1216 = shl nsw i64 %1141, 4
-  %1217 = getelementptr inbounds i8, ptr %1145, i64 %1216
-  br label %1225
+1213:                                             ; preds = %1208
+  %1214 = getelementptr inbounds double, ptr %1144, i64 %1140
+  %1215 = shl nsw i64 %1140, 4
+  %1216 = getelementptr inbounds i8, ptr %1144, i64 %1215
+  br label %1224
 
-1218:                                             ; preds = %1225, %1209
-  %1219 = getelementptr inbounds i8, ptr %1136, i64 8
-  %1220 = load i64, ptr %1219, align 8
-  %1221 = load i64, ptr %1208, align 8
-  %1222 = getelementptr inbounds i8, ptr %1136, i64 24
-  %1223 = load i64, ptr %1222, align 8
-  %1224 = icmp sgt i64 %1223, 3
-  br i1 %1224, label %1252, label %1277
+1217:                                             ; preds = %1224, %1208
+  %1218 = getelementptr inbounds i8, ptr %1135, i64 8
+  %1219 = load i64, ptr %1218, align 8
+  %1220 = load i64, ptr %1207, align 8
+  %1221 = getelementptr inbounds i8, ptr %1135, i64 24
+  %1222 = load i64, ptr %1221, align 8
+  %1223 = icmp sgt i64 %1222, 3
+  br i1 %1223, label %1251, label %1276
 
-1225:                                             ; preds = %1214, %1225
-  %1226 = phi i64 [ 0, %1214 ], [ %1247, %1225 ]
-  %1227 = load ptr, ptr %150, align 8
-  %1228 = getelementptr inbounds double, ptr %1227, i64 %1226
-  %1229 = load double, ptr %1228, align 8
-  %1230 = load ptr, ptr %74, align 8
-  %1231 = getelementptr inbounds double, ptr %1230, i64 %1226
-  %1232 = load double, ptr %1231, align 8
-  %1233 = fsub double %1229, %1232
-  %1234 = load ptr, ptr %139, align 8
-  %1235 = getelementptr inbounds double, ptr %1234, i64 %1226
-  %1236 = load double, ptr %1235, align 8
-  %1237 = fmul double %494, %1236
-  %1238 = fsub double %1237, %1233
-  %1239 = getelementptr inbounds double, ptr %1145, i64 %1226
-  store double %1233, ptr %1239, align 8
-  %1240 = getelementptr inbounds double, ptr %1215, i64 %1226
-  store double %1238, ptr %1240, align 8
-  %1241 = fsub double %1233, %1238
-  %1242 = getelementptr inbounds double, ptr %1144, i64 %1226
-  %1243 = load double, ptr %1242, align 8
-  %1244 = fmul double %494, %1243
-  %1245 = fsub double %1241, %1244
-  %1246 = getelementptr inbounds double, ptr %1217, i64 %1226
-  store double %1245, ptr %1246, align 8
-  %1247 = add nuw nsw i64 %1226, 1
-  %1248 = load ptr, ptr %73, align 8
-  %1249 = getelementptr inbounds i8, ptr %1248, i64 8
-  %1250 = load i64, ptr %1249, align 8
-  %1251 = icmp slt i64 %1247, %1250
-  br i1 %1251, label %1225, label %1218, !llvm.loop !25
+1224:                                             ; preds = %1213, %1224
+  %1225 = phi i64 [ 0, %1213 ], [ %1246, %1224 ]
+  %1226 = load ptr, ptr %150, align 8
+  %1227 = getelementptr inbounds double, ptr %1226, i64 %1225
+  %1228 = load double, ptr %1227, align 8
+  %1229 = load ptr, ptr %74, align 8
+  %1230 = getelementptr inbounds double, ptr %1229, i64 %1225
+  %1231 = load double, ptr %1230, align 8
+  %1232 = fsub double %1228, %1231
+  %1233 = load ptr, ptr %139, align 8
+  %1234 = getelementptr inbounds double, ptr %1233, i64 %1225
+  %1235 = load double, ptr %1234, align 8
+  %1236 = fmul double %494, %1235
+  %1237 = fsub double %1236, %1232
+  %1238 = getelementptr inbounds double, ptr %1144, i64 %1225
+  store double %1232, ptr %1238, align 8
+  %1239 = getelementptr inbounds double, ptr %1214, i64 %1225
+  store double %1237, ptr %1239, align 8
+  %1240 = fsub double %1232, %1237
+  %1241 = getelementptr inbounds double, ptr %1143, i64 %1225
+  %1242 = load double, ptr %1241, align 8
+  %1243 = fmul double %494, %1242
+  %1244 = fsub double %1240, %1243
+  %1245 = getelementptr inbounds double, ptr %1216, i64 %1225
+  store double %1244, ptr %1245, align 8
+  %1246 = add nuw nsw i64 %1225, 1
+  %1247 = load ptr, ptr %73, align 8
+  %1248 = getelementptr inbounds i8, ptr %1247, i64 8
+  %1249 = load i64, ptr %1248, align 8
+  %1250 = icmp slt i64 %1246, %1249
+  br i1 %1250, label %1224, label %1217, !llvm.loop !25
 
-1252:                                             ; preds = %1218, %1252
-  %1253 = phi i64 [ %1274, %1252 ], [ 3, %1218 ]
-  %1254 = mul nsw i64 %1253, %1141
-  %1255 = getelementptr inbounds double, ptr %1145, i64 %1254
-  %1256 = load ptr, ptr %151, align 8
-  %1257 = load ptr, ptr %152, align 8
-  %1258 = getelementptr i64, ptr %1257, i64 %1146
+1251:                                             ; preds = %1217, %1251
+  %1252 = phi i64 [ %1273, %1251 ], [ 3, %1217 ]
+  %1253 = mul nsw i64 %1252, %1140
+  %1254 = getelementptr inbounds double, ptr %1144, i64 %1253
+  %1255 = load ptr, ptr %151, align 8
+  %1256 = load ptr, ptr %152, align 8
+  %1257 = getelementptr i64, ptr %1256, i64 %1145
+  %1258 = getelementptr i64, ptr %1257, i64 %1219
   %1259 = getelementptr i64, ptr %1258, i64 %1220
-  %1260 = getelementptr i64, ptr %1259, i64 %1221
-  %1261 = getelementptr i64, ptr %1260, i64 %1253
-  %1262 = getelementptr i8, ptr %1261, i64 -24
-  %1263 = load i64, ptr %1262, align 8
-  %1264 = getelementptr i8, ptr %1261, i64 -16
-  %1265 = load i64, ptr %1264, align 8
-  %1266 = xor i64 %1263, -1
-  %1267 = add i64 %1265, %1266
-  %1268 = load ptr, ptr %94, align 8
-  %1269 = load ptr, ptr %139, align 8
-  %1270 = load ptr, ptr %153, align 8
-  %1271 = getelementptr inbounds i64, ptr %1270, i64 %1263
-  %1272 = load ptr, ptr %154, align 8
-  %1273 = getelementptr inbounds double, ptr %1272, i64 %1263
-  tail call fastcc void @combine(ptr noundef %1255, ptr noundef %1256, ptr noundef %1268, ptr noundef %1269, ptr noundef %1271, ptr noundef %1273, i64 noundef %1267, i64 noundef 1, i64 noundef %1139) #8
-  %1274 = add nuw nsw i64 %1253, 1
-  %1275 = load i64, ptr %1222, align 8
-  %1276 = icmp slt i64 %1274, %1275
-  br i1 %1276, label %1252, label %1277, !llvm.loop !26
+  %1260 = getelementptr i64, ptr %1259, i64 %1252
+  %1261 = getelementptr i8, ptr %1260, i64 -24
+  %1262 = load i64, ptr %1261, align 8
+  %1263 = getelementptr i8, ptr %1260, i64 -16
+  %1264 = load i64, ptr %1263, align 8
+  %1265 = xor i64 %1262, -1
+  %1266 = add i64 %1264, %1265
+  %1267 = load ptr, ptr %94, align 8
+  %1268 = load ptr, ptr %139, align 8
+  %1269 = load ptr, ptr %153, align 8
+  %1270 = getelementptr inbounds i64, ptr %1269, i64 %1262
+  %1271 = load ptr, ptr %154, align 8
+  %1272 = getelementptr inbounds double, ptr %1271, i64 %1262
+  tail call fastcc void @combine(ptr noundef %1254, ptr noundef %1255, ptr noundef %1267, ptr noundef %1268, ptr noundef %1270, ptr noundef %1272, i64 noundef %1266, i64 noundef 1, i64 noundef %1138) #8
+  %1273 = add nuw nsw i64 %1252, 1
+  %1274 = load i64, ptr %1221, align 8
+  %1275 = icmp slt i64 %1273, %1274
+  br i1 %1275, label %1251, label %1276, !llvm.loop !26
 
-1277:                                             ; preds = %1252, %1218, %1204
-  %1278 = phi i64 [ %1207, %1204 ], [ %1206, %1218 ], [ %1206, %1252 ]
-  %1279 = icmp eq i64 %1278, 0
-  br i1 %1279, label %1283, label %1280
+1276:                                             ; preds = %1251, %1217, %1203
+  %1277 = phi i64 [ %1206, %1203 ], [ %1205, %1217 ], [ %1205, %1251 ]
+  %1278 = icmp eq i64 %1277, 0
+  br i1 %1278, label %1282, label %1279
 
-1280:                                             ; preds = %1277
+1279:                                             ; preds = %1276
   store i64 3, ptr %426, align 8
   store double %447, ptr %160, align 8
-  %1281 = icmp slt i64 %1278, 0
-  %1282 = select i1 %1281, i64 -4, i64 2
-  br label %1617
+  %1280 = icmp slt i64 %1277, 0
+  %1281 = select i1 %1280, i64 -4, i64 2
+  br label %1616
 
-1283:                                             ; preds = %1277
-  %1284 = load ptr, ptr %75, align 8
-  br i1 %1092, label %1285, label %1296
+1282:                                             ; preds = %1276
+  %1283 = load ptr, ptr %75, align 8
+  br i1 %1091, label %1284, label %1295
 
-1285:                                             ; preds = %1283
-  %1286 = load ptr, ptr %82, align 8
-  %1287 = getelementptr inbounds i8, ptr %1286, i64 16
-  %1288 = load i64, ptr %1287, align 8
-  %1289 = inttoptr i64 %1288 to ptr
-  %1290 = tail call i64 %1289(ptr noundef %0, double noundef %447, double noundef %494) #9
-  %1291 = icmp eq i64 %1290, -6
-  br i1 %1291, label %1292, label %1293
+1284:                                             ; preds = %1282
+  %1285 = load ptr, ptr %82, align 8
+  %1286 = getelementptr inbounds i8, ptr %1285, i64 16
+  %1287 = load i64, ptr %1286, align 8
+  %1288 = inttoptr i64 %1287 to ptr
+  %1289 = tail call i64 %1288(ptr noundef %0, double noundef %447, double noundef %494) #9
+  %1290 = icmp eq i64 %1289, -6
+  br i1 %1290, label %1291, label %1292
 
-1292:                                             ; preds = %1285
-  store double %447, ptr %1284, align 8
-  br label %1471
+1291:                                             ; preds = %1284
+  store double %447, ptr %1283, align 8
+  br label %1470
 
-1293:                                             ; preds = %1285
-  %1294 = getelementptr inbounds i8, ptr %1284, i64 48
-  %1295 = load double, ptr %1294, align 8
-  br label %1296
+1292:                                             ; preds = %1284
+  %1293 = getelementptr inbounds i8, ptr %1283, i64 48
+  %1294 = load double, ptr %1293, align 8
+  br label %1295
 
-1296:                                             ; preds = %1293, %1283
-  %1297 = phi double [ %1295, %1293 ], [ 1.000000e+00, %1283 ]
-  %1298 = phi i64 [ %1290, %1293 ], [ 0, %1283 ]
-  %1299 = fcmp oeq double %1297, 1.000000e+00
-  br i1 %1299, label %1300, label %1302
+1295:                                             ; preds = %1292, %1282
+  %1296 = phi double [ %1294, %1292 ], [ 1.000000e+00, %1282 ]
+  %1297 = phi i64 [ %1289, %1292 ], [ 0, %1282 ]
+  %1298 = fcmp oeq double %1296, 1.000000e+00
+  br i1 %1298, label %1299, label %1301
 
-1300:                                             ; preds = %1296
-  %1301 = load double, ptr %1284, align 8
-  br label %1305
+1299:                                             ; preds = %1295
+  %1300 = load double, ptr %1283, align 8
+  br label %1304
 
-1302:                                             ; preds = %1296
-  %1303 = fmul double %494, %1297
-  %1304 = fadd double %447, %1303
-  br label %1305
+1301:                                             ; preds = %1295
+  %1302 = fmul double %494, %1296
+  %1303 = fadd double %447, %1302
+  br label %1304
 
-1305:                                             ; preds = %1302, %1300
-  %1306 = phi double [ %1301, %1300 ], [ %1304, %1302 ]
-  %1307 = icmp eq i64 %1298, -4
-  %1308 = select i1 %1307, i64 -4, i64 0
-  br i1 %1307, label %1366, label %1309
+1304:                                             ; preds = %1301, %1299
+  %1305 = phi double [ %1300, %1299 ], [ %1303, %1301 ]
+  %1306 = icmp eq i64 %1297, -4
+  %1307 = select i1 %1306, i64 -4, i64 0
+  br i1 %1306, label %1365, label %1308
 
-1309:                                             ; preds = %1305
-  %1310 = fcmp olt double %1297, 1.000000e+00
-  %1311 = load ptr, ptr %73, align 8
-  %1312 = getelementptr inbounds i8, ptr %1311, i64 8
-  %1313 = load i64, ptr %1312, align 8
-  %1314 = load i64, ptr %83, align 8
-  %1315 = load ptr, ptr %78, align 8
-  %1316 = load ptr, ptr %77, align 8
-  %1317 = getelementptr inbounds i8, ptr %1316, i64 48
-  %1318 = load i64, ptr %1317, align 8
-  %1319 = icmp slt i64 %1318, %1314
-  br i1 %1319, label %1320, label %1362
+1308:                                             ; preds = %1304
+  %1309 = fcmp olt double %1296, 1.000000e+00
+  %1310 = load ptr, ptr %73, align 8
+  %1311 = getelementptr inbounds i8, ptr %1310, i64 8
+  %1312 = load i64, ptr %1311, align 8
+  %1313 = load i64, ptr %83, align 8
+  %1314 = load ptr, ptr %78, align 8
+  %1315 = load ptr, ptr %77, align 8
+  %1316 = getelementptr inbounds i8, ptr %1315, i64 48
+  %1317 = load i64, ptr %1316, align 8
+  %1318 = icmp slt i64 %1317, %1313
+  br i1 %1318, label %1319, label %1361
 
-1320:                                             ; preds = %1309, %1358
-  %1321 = phi i64 [ %1359, %1358 ], [ undef, %1309 ]
-  %1322 = phi i64 [ %1360, %1358 ], [ %1318, %1309 ]
-  %1323 = getelementptr inbounds double, ptr %1315, i64 %1322
-  %1324 = load double, ptr %1323, align 8
-  %1325 = fcmp olt double %1324, %1306
-  %1326 = fcmp oeq double %1324, %1306
-  %1327 = and i1 %1310, %1326
-  %1328 = or i1 %1325, %1327
-  br i1 %1328, label %1329, label %1362
+1319:                                             ; preds = %1308, %1357
+  %1320 = phi i64 [ %1358, %1357 ], [ undef, %1308 ]
+  %1321 = phi i64 [ %1359, %1357 ], [ %1317, %1308 ]
+  %1322 = getelementptr inbounds double, ptr %1314, i64 %1321
+  %1323 = load double, ptr %1322, align 8
+  %1324 = fcmp olt double %1323, %1305
+  %1325 = fcmp oeq double %1323, %1305
+  %1326 = and i1 %1309, %1325
+  %1327 = or i1 %1324, %1326
+  br i1 %1327, label %1328, label %1361
 
-1329:                                             ; preds = %1320
-  %1330 = fsub double %1324, %447
-  %1331 = fdiv double %1330, %494
-  %1332 = mul nsw i64 %1322, %1313
-  %1333 = getelementptr inbounds double, ptr %1, i64 %1332
-  %1334 = load ptr, ptr %155, align 8
-  %1335 = insertelement <8 x double> poison, double %1331, i64 0
-  %1336 = shufflevector <8 x double> %1335, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1336, ptr %1334, align 8
-  %1337 = load ptr, ptr %74, align 8
-  %1338 = load ptr, ptr %140, align 8
-  %1339 = load i64, ptr %138, align 8
-  %1340 = load ptr, ptr %0, align 8
-  %1341 = getelementptr inbounds i8, ptr %1340, i64 24
-  %1342 = load i64, ptr %1341, align 8
-  %1343 = load ptr, ptr %155, align 8
-  %1344 = load ptr, ptr %73, align 8
-  %1345 = getelementptr inbounds i8, ptr %1344, i64 16
-  %1346 = load i64, ptr %1345, align 8
-  tail call fastcc void @nested(ptr noundef %1333, ptr noundef %1337, ptr noundef %1338, i64 noundef %1339, i64 noundef %1342, ptr noundef %1343, i64 noundef %1346) #8
-  %1347 = load ptr, ptr %81, align 8
-  %1348 = load i64, ptr %1347, align 8
-  %1349 = icmp eq i64 %1348, 1
-  br i1 %1349, label %1350, label %1358
+1328:                                             ; preds = %1319
+  %1329 = fsub double %1323, %447
+  %1330 = fdiv double %1329, %494
+  %1331 = mul nsw i64 %1321, %1312
+  %1332 = getelementptr inbounds double, ptr %1, i64 %1331
+  %1333 = load ptr, ptr %155, align 8
+  %1334 = insertelement <8 x double> poison, double %1330, i64 0
+  %1335 = shufflevector <8 x double> %1334, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1335, ptr %1333, align 8
+  %1336 = load ptr, ptr %74, align 8
+  %1337 = load ptr, ptr %140, align 8
+  %1338 = load i64, ptr %138, align 8
+  %1339 = load ptr, ptr %0, align 8
+  %1340 = getelementptr inbounds i8, ptr %1339, i64 24
+  %1341 = load i64, ptr %1340, align 8
+  %1342 = load ptr, ptr %155, align 8
+  %1343 = load ptr, ptr %73, align 8
+  %1344 = getelementptr inbounds i8, ptr %1343, i64 16
+  %1345 = load i64, ptr %1344, align 8
+  tail call fastcc void @nested(ptr noundef %1332, ptr noundef %1336, ptr noundef %1337, i64 noundef %1338, i64 noundef %1341, ptr noundef %1342, i64 noundef %1345) #8
+  %1346 = load ptr, ptr %81, align 8
+  %1347 = load i64, ptr %1346, align 8
+  %1348 = icmp eq i64 %1347, 1
+  br i1 %1348, label %1349, label %1357
 
-1350:                                             ; preds = %1329
-  %1351 = load double, ptr %1323, align 8
-  %1352 = getelementptr inbounds i8, ptr %1347, i64 56
-  %1353 = load i64, ptr %1352, align 8
-  %1354 = inttoptr i64 %1353 to ptr
-  %1355 = tail call i64 %1354(ptr noundef %0, double noundef %1351, ptr noundef %1333, ptr noundef null) #9
-  %1356 = icmp eq i64 %1355, 0
-  %1357 = select i1 %1356, i64 %1321, i64 %1355
-  br i1 %1356, label %1358, label %1366
+1349:                                             ; preds = %1328
+  %1350 = load double, ptr %1322, align 8
+  %1351 = getelementptr inbounds i8, ptr %1346, i64 56
+  %1352 = load i64, ptr %1351, align 8
+  %1353 = inttoptr i64 %1352 to ptr
+  %1354 = tail call i64 %1353(ptr noundef %0, double noundef %1350, ptr noundef %1332, ptr noundef null) #9
+  %1355 = icmp eq i64 %1354, 0
+  %1356 = select i1 %1355, i64 %1320, i64 %1354
+  br i1 %1355, label %1357, label %1365
 
-1358:                                             ; preds = %1350, %1329
-  %1359 = phi i64 [ %1357, %1350 ], [ %1321, %1329 ]
-  %1360 = add i64 %1322, 1
-  %1361 = icmp eq i64 %1360, %1314
-  br i1 %1361, label %1362, label %1320, !llvm.loop !27
+1357:                                             ; preds = %1349, %1328
+  %1358 = phi i64 [ %1356, %1349 ], [ %1320, %1328 ]
+  %1359 = add i64 %1321, 1
+  %1360 = icmp eq i64 %1359, %1313
+  br i1 %1360, label %1361, label %1319, !llvm.loop !27
 
-1362:                                             ; preds = %1358, %1320, %1309
-  %1363 = phi i64 [ %1318, %1309 ], [ %1314, %1358 ], [ %1322, %1320 ]
-  %1364 = load ptr, ptr %77, align 8
-  %1365 = getelementptr inbounds i8, ptr %1364, i64 48
-  store i64 %1363, ptr %1365, align 8
-  br label %1366
+1361:                                             ; preds = %1357, %1319, %1308
+  %1362 = phi i64 [ %1317, %1308 ], [ %1313, %1357 ], [ %1321, %1319 ]
+  %1363 = load ptr, ptr %77, align 8
+  %1364 = getelementptr inbounds i8, ptr %1363, i64 48
+  store i64 %1362, ptr %1364, align 8
+  br label %1365
 
-1366:                                             ; preds = %1350, %1362, %1305
-  %1367 = phi i64 [ %1308, %1305 ], [ 0, %1362 ], [ %1357, %1350 ]
-  %1368 = icmp eq i64 %1367, 0
-  %1369 = icmp ne i64 %1298, 0
-  %1370 = fcmp olt double %1297, 1.000000e+00
-  %1371 = and i1 %1370, %1368
-  %1372 = and i1 %1369, %1371
-  br i1 %1372, label %1373, label %1410
+1365:                                             ; preds = %1349, %1361, %1304
+  %1366 = phi i64 [ %1307, %1304 ], [ 0, %1361 ], [ %1356, %1349 ]
+  %1367 = icmp eq i64 %1366, 0
+  %1368 = icmp ne i64 %1297, 0
+  %1369 = fcmp olt double %1296, 1.000000e+00
+  %1370 = and i1 %1369, %1367
+  %1371 = and i1 %1368, %1370
+  br i1 %1371, label %1372, label %1409
 
-1373:                                             ; preds = %1366
-  %1374 = load ptr, ptr %156, align 8
-  %1375 = load ptr, ptr %157, align 8
-  %1376 = insertelement <8 x double> poison, double %1297, i64 0
-  %1377 = shufflevector <8 x double> %1376, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1377, ptr %1375, align 8
-  %1378 = load ptr, ptr %74, align 8
-  %1379 = load ptr, ptr %140, align 8
-  %1380 = load i64, ptr %138, align 8
-  %1381 = load ptr, ptr %0, align 8
-  %1382 = getelementptr inbounds i8, ptr %1381, i64 24
-  %1383 = load i64, ptr %1382, align 8
-  %1384 = load ptr, ptr %157, align 8
-  %1385 = load ptr, ptr %73, align 8
-  %1386 = getelementptr inbounds i8, ptr %1385, i64 16
-  %1387 = load i64, ptr %1386, align 8
-  tail call fastcc void @nested(ptr noundef %1374, ptr noundef %1378, ptr noundef %1379, i64 noundef %1380, i64 noundef %1383, ptr noundef %1384, i64 noundef %1387) #8
-  %1388 = load i64, ptr %80, align 8
-  %1389 = icmp sgt i64 %1388, 0
-  br i1 %1389, label %1394, label %1390
+1372:                                             ; preds = %1365
+  %1373 = load ptr, ptr %156, align 8
+  %1374 = load ptr, ptr %157, align 8
+  %1375 = insertelement <8 x double> poison, double %1296, i64 0
+  %1376 = shufflevector <8 x double> %1375, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1376, ptr %1374, align 8
+  %1377 = load ptr, ptr %74, align 8
+  %1378 = load ptr, ptr %140, align 8
+  %1379 = load i64, ptr %138, align 8
+  %1380 = load ptr, ptr %0, align 8
+  %1381 = getelementptr inbounds i8, ptr %1380, i64 24
+  %1382 = load i64, ptr %1381, align 8
+  %1383 = load ptr, ptr %157, align 8
+  %1384 = load ptr, ptr %73, align 8
+  %1385 = getelementptr inbounds i8, ptr %1384, i64 16
+  %1386 = load i64, ptr %1385, align 8
+  tail call fastcc void @nested(ptr noundef %1373, ptr noundef %1377, ptr noundef %1378, i64 noundef %1379, i64 noundef %1382, ptr noundef %1383, i64 noundef %1386) #8
+  %1387 = load i64, ptr %80, align 8
+  %1388 = icmp sgt i64 %1387, 0
+  br i1 %1388, label %1393, label %1389
 
-1390:                                             ; preds = %1394, %1373
-  %1391 = load ptr, ptr %81, align 8
-  %1392 = load i64, ptr %1391, align 8
-  %1393 = icmp eq i64 %1392, 1
-  br i1 %1393, label %1404, label %1410
+1389:                                             ; preds = %1393, %1372
+  %1390 = load ptr, ptr %81, align 8
+  %1391 = load i64, ptr %1390, align 8
+  %1392 = icmp eq i64 %1391, 1
+  br i1 %1392, label %1403, label %1409
 
-1394:                                             ; preds = %1373, %1394
-  %1395 = phi i64 [ %1401, %1394 ], [ 0, %1373 ]
-  %1396 = load ptr, ptr %156, align 8
-  %1397 = getelementptr inbounds double, ptr %1396, i64 %1395
-  %1398 = load double, ptr %1397, align 8
-  %1399 = load ptr, ptr %76, align 8
-  %1400 = getelementptr inbounds double, ptr %1399, i64 %1395
-  store double %1398, ptr %1400, align 8
-  %1401 = add nuw nsw i64 %1395, 1
-  %1402 = load i64, ptr %80, align 8
-  %1403 = icmp slt i64 %1401, %1402
-  br i1 %1403, label %1394, label %1390, !llvm.loop !28
+1393:                                             ; preds = %1372, %1393
+  %1394 = phi i64 [ %1400, %1393 ], [ 0, %1372 ]
+  %1395 = load ptr, ptr %156, align 8
+  %1396 = getelementptr inbounds double, ptr %1395, i64 %1394
+  %1397 = load double, ptr %1396, align 8
+  %1398 = load ptr, ptr %76, align 8
+  %1399 = getelementptr inbounds double, ptr %1398, i64 %1394
+  store double %1397, ptr %1399, align 8
+  %1400 = add nuw nsw i64 %1394, 1
+  %1401 = load i64, ptr %80, align 8
+  %1402 = icmp slt i64 %1400, %1401
+  br i1 %1402, label %1393, label %1389, !llvm.loop !28
 
-1404:                                             ; preds = %1390
-  %1405 = load ptr, ptr %76, align 8
-  %1406 = getelementptr inbounds i8, ptr %1391, i64 56
-  %1407 = load i64, ptr %1406, align 8
-  %1408 = inttoptr i64 %1407 to ptr
-  %1409 = tail call i64 %1408(ptr noundef %0, double noundef %1306, ptr noundef %1405, ptr noundef null) #9
-  br label %1410
+1403:                                             ; preds = %1389
+  %1404 = load ptr, ptr %76, align 8
+  %1405 = getelementptr inbounds i8, ptr %1390, i64 56
+  %1406 = load i64, ptr %1405, align 8
+  %1407 = inttoptr i64 %1406 to ptr
+  %1408 = tail call i64 %1407(ptr noundef %0, double noundef %1305, ptr noundef %1404, ptr noundef null) #9
+  br label %1409
 
-1410:                                             ; preds = %1404, %1390, %1366
-  %1411 = phi i64 [ %1409, %1404 ], [ 0, %1390 ], [ %1367, %1366 ]
-  %1412 = icmp eq i64 %1411, 0
-  br i1 %1412, label %1415, label %1413
+1409:                                             ; preds = %1403, %1389, %1365
+  %1410 = phi i64 [ %1408, %1403 ], [ 0, %1389 ], [ %1366, %1365 ]
+  %1411 = icmp eq i64 %1410, 0
+  br i1 %1411, label %1414, label %1412
 
-1413:                                             ; preds = %1410
-  store double %447, ptr %1284, align 8
-  %1414 = getelementptr inbounds i8, ptr %1284, i64 8
-  store double %494, ptr %1414, align 8
-  br label %1471
+1412:                                             ; preds = %1409
+  store double %447, ptr %1283, align 8
+  %1413 = getelementptr inbounds i8, ptr %1283, i64 8
+  store double %494, ptr %1413, align 8
+  br label %1470
 
-1415:                                             ; preds = %1410
-  br i1 %1299, label %1416, label %1454
+1414:                                             ; preds = %1409
+  br i1 %1298, label %1415, label %1453
 
-1416:                                             ; preds = %1415
-  %1417 = load ptr, ptr %76, align 8
-  %1418 = load ptr, ptr %73, align 8
-  %1419 = getelementptr inbounds i8, ptr %1418, i64 8
-  %1420 = load i64, ptr %1419, align 8
-  %1421 = load i64, ptr %83, align 8
-  %1422 = load ptr, ptr %78, align 8
-  %1423 = load ptr, ptr %77, align 8
-  %1424 = getelementptr inbounds i8, ptr %1423, i64 48
-  %1425 = load i64, ptr %1424, align 8
-  %1426 = icmp slt i64 %1425, %1421
-  br i1 %1426, label %1427, label %1450
+1415:                                             ; preds = %1414
+  %1416 = load ptr, ptr %76, align 8
+  %1417 = load ptr, ptr %73, align 8
+  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
+  %1419 = load i64, ptr %1418, align 8
+  %1420 = load i64, ptr %83, align 8
+  %1421 = load ptr, ptr %78, align 8
+  %1422 = load ptr, ptr %77, align 8
+  %1423 = getelementptr inbounds i8, ptr %1422, i64 48
+  %1424 = load i64, ptr %1423, align 8
+  %1425 = icmp slt i64 %1424, %1420
+  br i1 %1425, label %1426, label %1449
 
-1427:                                             ; preds = %1416
-  %1428 = icmp sgt i64 %1420, 0
-  br label %1429
+1426:                                             ; preds = %1415
+  %1427 = icmp sgt i64 %1419, 0
+  br label %1428
 
-1429:                                             ; preds = %1427, %1440
-  %1430 = phi i64 [ %1425, %1427 ], [ %1441, %1440 ]
-  %1431 = getelementptr inbounds double, ptr %1422, i64 %1430
-  %1432 = load double, ptr %1431, align 8
-  %1433 = load ptr, ptr %75, align 8
-  %1434 = load double, ptr %1433, align 8
-  %1435 = fcmp ugt double %1432, %1434
-  br i1 %1435, label %1450, label %1436
+1428:                                             ; preds = %1426, %1439
+  %1429 = phi i64 [ %1424, %1426 ], [ %1440, %1439 ]
+  %1430 = getelementptr inbounds double, ptr %1421, i64 %1429
+  %1431 = load double, ptr %1430, align 8
+  %1432 = load ptr, ptr %75, align 8
+  %1433 = load double, ptr %1432, align 8
+  %1434 = fcmp ugt double %1431, %1433
+  br i1 %1434, label %1449, label %1435
 
-1436:                                             ; preds = %1429
-  br i1 %1428, label %1437, label %1440
+1435:                                             ; preds = %1428
+  br i1 %1427, label %1436, label %1439
 
-1437:                                             ; preds = %1436
-  %1438 = mul nsw i64 %1430, %1420
-  %1439 = getelementptr double, ptr %1, i64 %1438
-  br label %1443
+1436:                                             ; preds = %1435
+  %1437 = mul nsw i64 %1429, %1419
+  %1438 = getelementptr double, ptr %1, i64 %1437
+  br label %1442
 
-1440:                                             ; preds = %1443, %1436
-  %1441 = add i64 %1430, 1
-  %1442 = icmp eq i64 %1441, %1421
-  br i1 %1442, label %1450, label %1429, !llvm.loop !8
+1439:                                             ; preds = %1442, %1435
+  %1440 = add i64 %1429, 1
+  %1441 = icmp eq i64 %1440, %1420
+  br i1 %1441, label %1449, label %1428, !llvm.loop !8
 
-1443:                                             ; preds = %1437, %1443
-  %1444 = phi i64 [ 0, %1437 ], [ %1448, %1443 ]
-  %1445 = getelementptr inbounds double, ptr %1417, i64 %1444
-  %1446 = load double, ptr %1445, align 8
-  %1447 = getelementptr double, ptr %1439, i64 %1444
-  store double %1446, ptr %1447, align 8
-  %1448 = add nuw nsw i64 %1444, 1
-  %1449 = icmp eq i64 %1448, %1420
-  br i1 %1449, label %1440, label %1443, !llvm.loop !9
+1442:                                             ; preds = %1436, %1442
+  %1443 = phi i64 [ 0, %1436 ], [ %1447, %1442 ]
+  %1444 = getelementptr inbounds double, ptr %1416, i64 %1443
+  %1445 = load double, ptr %1444, align 8
+  %1446 = getelementptr double, ptr %1438, i64 %1443
+  store double %1445, ptr %1446, align 8
+  %1447 = add nuw nsw i64 %1443, 1
+  %1448 = icmp eq i64 %1447, %1419
+  br i1 %1448, label %1439, label %1442, !llvm.loop !9
 
-1450:                                             ; preds = %1440, %1429, %1416
-  %1451 = phi i64 [ %1425, %1416 ], [ %1421, %1440 ], [ %1430, %1429 ]
-  %1452 = load ptr, ptr %77, align 8
-  %1453 = getelementptr inbounds i8, ptr %1452, i64 48
-  store i64 %1451, ptr %1453, align 8
-  br label %1454
+1449:                                             ; preds = %1439, %1428, %1415
+  %1450 = phi i64 [ %1424, %1415 ], [ %1420, %1439 ], [ %1429, %1428 ]
+  %1451 = load ptr, ptr %77, align 8
+  %1452 = getelementptr inbounds i8, ptr %1451, i64 48
+  store i64 %1450, ptr %1452, align 8
+  br label %1453
 
-1454:                                             ; preds = %1450, %1415
-  br i1 %1369, label %1455, label %1471
+1453:                                             ; preds = %1449, %1414
+  br i1 %1368, label %1454, label %1470
 
-1455:                                             ; preds = %1454
-  %1456 = load i64, ptr %80, align 8
-  %1457 = icmp sgt i64 %1456, 0
-  br i1 %1457, label %1461, label %1458
+1454:                                             ; preds = %1453
+  %1455 = load i64, ptr %80, align 8
+  %1456 = icmp sgt i64 %1455, 0
+  br i1 %1456, label %1460, label %1457
 
-1458:                                             ; preds = %1461, %1455
-  store double %1306, ptr %1284, align 8
-  %1459 = getelementptr inbounds i8, ptr %1284, i64 8
-  store double 0.000000e+00, ptr %1459, align 8
-  %1460 = load ptr, ptr %77, align 8
-  store i64 0, ptr %1460, align 8
-  br label %1471
+1457:                                             ; preds = %1460, %1454
+  store double %1305, ptr %1283, align 8
+  %1458 = getelementptr inbounds i8, ptr %1283, i64 8
+  store double 0.000000e+00, ptr %1458, align 8
+  %1459 = load ptr, ptr %77, align 8
+  store i64 0, ptr %1459, align 8
+  br label %1470
 
-1461:                                             ; preds = %1455, %1461
-  %1462 = phi i64 [ %1468, %1461 ], [ 0, %1455 ]
-  %1463 = load ptr, ptr %76, align 8
-  %1464 = getelementptr inbounds double, ptr %1463, i64 %1462
-  %1465 = load double, ptr %1464, align 8
-  %1466 = load ptr, ptr %74, align 8
-  %1467 = getelementptr inbounds double, ptr %1466, i64 %1462
-  store double %1465, ptr %1467, align 8
-  %1468 = add nuw nsw i64 %1462, 1
-  %1469 = load i64, ptr %80, align 8
-  %1470 = icmp slt i64 %1468, %1469
-  br i1 %1470, label %1461, label %1458, !llvm.loop !29
+1460:                                             ; preds = %1454, %1460
+  %1461 = phi i64 [ %1467, %1460 ], [ 0, %1454 ]
+  %1462 = load ptr, ptr %76, align 8
+  %1463 = getelementptr inbounds double, ptr %1462, i64 %1461
+  %1464 = load double, ptr %1463, align 8
+  %1465 = load ptr, ptr %74, align 8
+  %1466 = getelementptr inbounds double, ptr %1465, i64 %1461
+  store double %1464, ptr %1466, align 8
+  %1467 = add nuw nsw i64 %1461, 1
+  %1468 = load i64, ptr %80, align 8
+  %1469 = icmp slt i64 %1467, %1468
+  br i1 %1469, label %1460, label %1457, !llvm.loop !29
 
-1471:                                             ; preds = %1292, %1413, %1454, %1458
-  %1472 = phi i64 [ -6, %1292 ], [ %1411, %1413 ], [ %1298, %1458 ], [ %1298, %1454 ]
-  %1473 = icmp eq i64 %1472, -6
-  br i1 %1473, label %1478, label %1474
+1470:                                             ; preds = %1291, %1412, %1453, %1457
+  %1471 = phi i64 [ -6, %1291 ], [ %1410, %1412 ], [ %1297, %1457 ], [ %1297, %1453 ]
+  %1472 = icmp eq i64 %1471, -6
+  br i1 %1472, label %1477, label %1473
 
-1474:                                             ; preds = %1471
-  %1475 = icmp ne i64 %1472, 6
-  %1476 = select i1 %1475, i1 true, i1 %176
-  %1477 = select i1 %1476, i1 true, i1 %183
-  br i1 %1477, label %1488, label %1478
+1473:                                             ; preds = %1470
+  %1474 = icmp ne i64 %1471, 6
+  %1475 = select i1 %1474, i1 true, i1 %176
+  %1476 = select i1 %1475, i1 true, i1 %183
+  br i1 %1476, label %1487, label %1477
 
-1478:                                             ; preds = %1474, %1471
-  %1479 = phi i64 [ %1472, %1474 ], [ 2, %1471 ]
-  %1480 = load i64, ptr %416, align 8
-  %1481 = add nsw i64 %1480, -1
-  store i64 %1481, ptr %416, align 8
-  %1482 = load ptr, ptr %93, align 8
-  %1483 = load i64, ptr %1482, align 8
-  %1484 = add nsw i64 %1483, -1
-  store i64 %1484, ptr %1482, align 8
-  %1485 = load i64, ptr %417, align 8
-  %1486 = add nsw i64 %1485, 1
-  store i64 %1486, ptr %417, align 8
-  store i64 %1479, ptr %436, align 8
+1477:                                             ; preds = %1473, %1470
+  %1478 = phi i64 [ %1471, %1473 ], [ 2, %1470 ]
+  %1479 = load i64, ptr %416, align 8
+  %1480 = add nsw i64 %1479, -1
+  store i64 %1480, ptr %416, align 8
+  %1481 = load ptr, ptr %93, align 8
+  %1482 = load i64, ptr %1481, align 8
+  %1483 = add nsw i64 %1482, -1
+  store i64 %1483, ptr %1481, align 8
+  %1484 = load i64, ptr %417, align 8
+  %1485 = add nsw i64 %1484, 1
+  store i64 %1485, ptr %417, align 8
+  store i64 %1478, ptr %436, align 8
   store double 1.000000e+00, ptr %437, align 8
-  %1487 = fmul double %494, 2.500000e-01
-  br label %1617, !llvm.loop !19
+  %1486 = fmul double %494, 2.500000e-01
+  br label %1616, !llvm.loop !19
 
-1488:                                             ; preds = %1474
-  %1489 = icmp eq i64 %1472, 0
-  br i1 %1489, label %1494, label %1490
+1487:                                             ; preds = %1473
+  %1488 = icmp eq i64 %1471, 0
+  br i1 %1488, label %1493, label %1489
 
-1490:                                             ; preds = %1488
-  %1491 = load ptr, ptr %93, align 8
-  %1492 = load i64, ptr %1491, align 8
-  %1493 = add nsw i64 %1492, 1
-  store i64 %1493, ptr %1491, align 8
-  br label %1617
+1489:                                             ; preds = %1487
+  %1490 = load ptr, ptr %93, align 8
+  %1491 = load i64, ptr %1490, align 8
+  %1492 = add nsw i64 %1491, 1
+  store i64 %1492, ptr %1490, align 8
+  br label %1616
 
-1494:                                             ; preds = %1488, %1131
-  br i1 %176, label %1598, label %1495
+1493:                                             ; preds = %1487, %1130
+  br i1 %176, label %1597, label %1494
 
-1495:                                             ; preds = %1494
-  %1496 = load double, ptr %428, align 8
-  %1497 = fcmp ogt double %876, 1.000000e-10
-  %1498 = select i1 %1497, double %876, double 1.000000e-10
-  %1499 = load double, ptr %429, align 8
-  %1500 = load double, ptr %430, align 8
-  %1501 = fneg double %1500
-  %1502 = bitcast double %1498 to i64
-  %1503 = add nsw i64 %1502, -4604544271217802189
-  %1504 = ashr i64 %1503, 52
-  %1505 = and i64 %1503, -4503599627370496
-  %1506 = sub nsw i64 %1502, %1505
-  %1507 = bitcast i64 %1506 to double
-  %1508 = fadd double %1507, -1.000000e+00
-  %1509 = fadd double %1507, 1.000000e+00
-  %1510 = fdiv double %1508, %1509
-  %1511 = fmul double %1510, %1510
-  %1512 = tail call double @llvm.fma.f64(double %1511, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1513 = tail call double @llvm.fma.f64(double %1512, double %1511, double 0x3FE2776C50EF9BFE)
-  %1514 = tail call double @llvm.fma.f64(double %1513, double %1511, double 0x3FEEC709DC3A03FD)
-  %1515 = tail call double @llvm.fma.f64(double %1514, double %1511, double 0x40071547652B82FE)
-  %1516 = trunc nsw i64 %1504 to i32
-  %1517 = sitofp i32 %1516 to double
-  %1518 = fmul double %1510, %1515
-  %1519 = fadd double %1518, %1517
-  %1520 = fmul double %1519, %1501
-  %1521 = fcmp ogt double %1520, -1.000000e+03
-  %1522 = select i1 %1521, double %1520, double -1.000000e+03
-  %1523 = fcmp olt double %1522, 1.000000e+03
-  %1524 = select i1 %1523, double %1522, double 1.000000e+03
-  %1525 = tail call double @llvm.rint.f64(double %1524)
-  %1526 = fsub double %1524, %1525
-  %1527 = tail call double @llvm.fma.f64(double %1526, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1528 = tail call double @llvm.fma.f64(double %1527, double %1526, double 0x3F55D87FE78A6730)
-  %1529 = tail call double @llvm.fma.f64(double %1528, double %1526, double 0x3F83B2AB6FBA4E77)
-  %1530 = tail call double @llvm.fma.f64(double %1529, double %1526, double 0x3FAC6B08D704A0BF)
-  %1531 = tail call double @llvm.fma.f64(double %1530, double %1526, double 0x3FCEBFBDFF82C58E)
-  %1532 = tail call double @llvm.fma.f64(double %1531, double %1526, double 0x3FE62E42FEFA39EF)
-  %1533 = tail call double @llvm.fma.f64(double %1532, double %1526, double 1.000000e+00)
-  %1534 = bitcast double %1533 to i64
-  %1535 = fptosi double %1525 to i32
-  %1536 = sext i32 %1535 to i64
-  %1537 = shl nsw i64 %1536, 52
-  %1538 = add nsw i64 %1537, %1534
-  %1539 = bitcast i64 %1538 to double
-  %1540 = fmul double %1499, %1539
-  %1541 = load double, ptr %431, align 8
-  %1542 = fcmp une double %1541, 0.000000e+00
-  br i1 %1542, label %1543, label %1583
+1494:                                             ; preds = %1493
+  %1495 = load double, ptr %428, align 8
+  %1496 = fcmp ogt double %875, 1.000000e-10
+  %1497 = select i1 %1496, double %875, double 1.000000e-10
+  %1498 = load double, ptr %429, align 8
+  %1499 = load double, ptr %430, align 8
+  %1500 = fneg double %1499
+  %1501 = bitcast double %1497 to i64
+  %1502 = add nsw i64 %1501, -4604544271217802189
+  %1503 = ashr i64 %1502, 52
+  %1504 = and i64 %1502, -4503599627370496
+  %1505 = sub nsw i64 %1501, %1504
+  %1506 = bitcast i64 %1505 to double
+  %1507 = fadd double %1506, -1.000000e+00
+  %1508 = fadd double %1506, 1.000000e+00
+  %1509 = fdiv double %1507, %1508
+  %1510 = fmul double %1509, %1509
+  %1511 = tail call double @llvm.fma.f64(double %1510, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1512 = tail call double @llvm.fma.f64(double %1511, double %1510, double 0x3FE2776C50EF9BFE)
+  %1513 = tail call double @llvm.fma.f64(double %1512, double %1510, double 0x3FEEC709DC3A03FD)
+  %1514 = tail call double @llvm.fma.f64(double %1513, double %1510, double 0x40071547652B82FE)
+  %1515 = trunc nsw i64 %1503 to i32
+  %1516 = sitofp i32 %1515 to double
+  %1517 = fmul double %1509, %1514
+  %1518 = fadd double %1517, %1516
+  %1519 = fmul double %1518, %1500
+  %1520 = fcmp ogt double %1519, -1.000000e+03
+  %1521 = select i1 %1520, double %1519, double -1.000000e+03
+  %1522 = fcmp olt double %1521, 1.000000e+03
+  %1523 = select i1 %1522, double %1521, double 1.000000e+03
+  %1524 = tail call double @llvm.rint.f64(double %1523)
+  %1525 = fsub double %1523, %1524
+  %1526 = tail call double @llvm.fma.f64(double %1525, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1527 = tail call double @llvm.fma.f64(double %1526, double %1525, double 0x3F55D87FE78A6730)
+  %1528 = tail call double @llvm.fma.f64(double %1527, double %1525, double 0x3F83B2AB6FBA4E77)
+  %1529 = tail call double @llvm.fma.f64(double %1528, double %1525, double 0x3FAC6B08D704A0BF)
+  %1530 = tail call double @llvm.fma.f64(double %1529, double %1525, double 0x3FCEBFBDFF82C58E)
+  %1531 = tail call double @llvm.fma.f64(double %1530, double %1525, double 0x3FE62E42FEFA39EF)
+  %1532 = tail call double @llvm.fma.f64(double %1531, double %1525, double 1.000000e+00)
+  %1533 = bitcast double %1532 to i64
+  %1534 = fptosi double %1524 to i32
+  %1535 = sext i32 %1534 to i64
+  %1536 = shl nsw i64 %1535, 52
+  %1537 = add nsw i64 %1536, %1533
+  %1538 = bitcast i64 %1537 to double
+  %1539 = fmul double %1498, %1538
+  %1540 = load double, ptr %431, align 8
+  %1541 = fcmp une double %1540, 0.000000e+00
+  br i1 %1541, label %1542, label %1582
 
-1543:                                             ; preds = %1495
-  %1544 = load i64, ptr %427, align 8
-  %1545 = add nsw i64 %1544, -4604544271217802189
-  %1546 = ashr i64 %1545, 52
-  %1547 = and i64 %1545, -4503599627370496
-  %1548 = sub nsw i64 %1544, %1547
-  %1549 = bitcast i64 %1548 to double
-  %1550 = fadd double %1549, -1.000000e+00
-  %1551 = fadd double %1549, 1.000000e+00
-  %1552 = fdiv double %1550, %1551
-  %1553 = fmul double %1552, %1552
-  %1554 = tail call double @llvm.fma.f64(double %1553, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1555 = tail call double @llvm.fma.f64(double %1554, double %1553, double 0x3FE2776C50EF9BFE)
-  %1556 = tail call double @llvm.fma.f64(double %1555, double %1553, double 0x3FEEC709DC3A03FD)
-  %1557 = tail call double @llvm.fma.f64(double %1556, double %1553, double 0x40071547652B82FE)
-  %1558 = trunc nsw i64 %1546 to i32
-  %1559 = sitofp i32 %1558 to double
-  %1560 = fmul double %1552, %1557
-  %1561 = fadd double %1560, %1559
-  %1562 = fmul double %1541, %1561
-  %1563 = fcmp ogt double %1562, -1.000000e+03
-  %1564 = select i1 %1563, double %1562, double -1.000000e+03
-  %1565 = fcmp olt double %1564, 1.000000e+03
-  %1566 = select i1 %1565, double %1564, double 1.000000e+03
-  %1567 = tail call double @llvm.rint.f64(double %1566)
-  %1568 = fsub double %1566, %1567
-  %1569 = tail call double @llvm.fma.f64(double %1568, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1570 = tail call double @llvm.fma.f64(double %1569, double %1568, double 0x3F55D87FE78A6730)
-  %1571 = tail call double @llvm.fma.f64(double %1570, double %1568, double 0x3F83B2AB6FBA4E77)
-  %1572 = tail call double @llvm.fma.f64(double %1571, double %1568, double 0x3FAC6B08D704A0BF)
-  %1573 = tail call double @llvm.fma.f64(double %1572, double %1568, double 0x3FCEBFBDFF82C58E)
-  %1574 = tail call double @llvm.fma.f64(double %1573, double %1568, double 0x3FE62E42FEFA39EF)
-  %1575 = tail call double @llvm.fma.f64(double %1574, double %1568, double 1.000000e+00)
-  %1576 = bitcast double %1575 to i64
-  %1577 = fptosi double %1567 to i32
-  %1578 = sext i32 %1577 to i64
-  %1579 = shl nsw i64 %1578, 52
-  %1580 = add nsw i64 %1579, %1576
-  %1581 = bitcast i64 %1580 to double
-  %1582 = fmul double %1540, %1581
-  br label %1583
+1542:                                             ; preds = %1494
+  %1543 = load i64, ptr %427, align 8
+  %1544 = add nsw i64 %1543, -4604544271217802189
+  %1545 = ashr i64 %1544, 52
+  %1546 = and i64 %1544, -4503599627370496
+  %1547 = sub nsw i64 %1543, %1546
+  %1548 = bitcast i64 %1547 to double
+  %1549 = fadd double %1548, -1.000000e+00
+  %1550 = fadd double %1548, 1.000000e+00
+  %1551 = fdiv double %1549, %1550
+  %1552 = fmul double %1551, %1551
+  %1553 = tail call double @llvm.fma.f64(double %1552, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1554 = tail call double @llvm.fma.f64(double %1553, double %1552, double 0x3FE2776C50EF9BFE)
+  %1555 = tail call double @llvm.fma.f64(double %1554, double %1552, double 0x3FEEC709DC3A03FD)
+  %1556 = tail call double @llvm.fma.f64(double %1555, double %1552, double 0x40071547652B82FE)
+  %1557 = trunc nsw i64 %1545 to i32
+  %1558 = sitofp i32 %1557 to double
+  %1559 = fmul double %1551, %1556
+  %1560 = fadd double %1559, %1558
+  %1561 = fmul double %1540, %1560
+  %1562 = fcmp ogt double %1561, -1.000000e+03
+  %1563 = select i1 %1562, double %1561, double -1.000000e+03
+  %1564 = fcmp olt double %1563, 1.000000e+03
+  %1565 = select i1 %1564, double %1563, double 1.000000e+03
+  %1566 = tail call double @llvm.rint.f64(double %1565)
+  %1567 = fsub double %1565, %1566
+  %1568 = tail call double @llvm.fma.f64(double %1567, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1569 = tail call double @llvm.fma.f64(double %1568, double %1567, double 0x3F55D87FE78A6730)
+  %1570 = tail call double @llvm.fma.f64(double %1569, double %1567, double 0x3F83B2AB6FBA4E77)
+  %1571 = tail call double @llvm.fma.f64(double %1570, double %1567, double 0x3FAC6B08D704A0BF)
+  %1572 = tail call double @llvm.fma.f64(double %1571, double %1567, double 0x3FCEBFBDFF82C58E)
+  %1573 = tail call double @llvm.fma.f64(double %1572, double %1567, double 0x3FE62E42FEFA39EF)
+  %1574 = tail call double @llvm.fma.f64(double %1573, double %1567, double 1.000000e+00)
+  %1575 = bitcast double %1574 to i64
+  %1576 = fptosi double %1566 to i32
+  %1577 = sext i32 %1576 to i64
+  %1578 = shl nsw i64 %1577, 52
+  %1579 = add nsw i64 %1578, %1575
+  %1580 = bitcast i64 %1579 to double
+  %1581 = fmul double %1539, %1580
+  br label %1582
 
-1583:                                             ; preds = %1495, %1543
-  %1584 = phi double [ %1582, %1543 ], [ %1540, %1495 ]
-  %1585 = load double, ptr %432, align 8
-  %1586 = fcmp ogt double %1584, %1585
-  %1587 = select i1 %1586, double %1584, double %1585
-  %1588 = fcmp olt double %1496, %1587
-  %1589 = select i1 %1588, double %1496, double %1587
-  %1590 = fmul double %494, %1589
-  %1591 = fcmp oeq double %495, %187
-  %1592 = fcmp ogt double %448, %1590
-  %1593 = select i1 %1591, i1 %1592, i1 false
-  %1594 = select i1 %1593, double %448, double %1590
-  %1595 = fcmp ogt double %876, 1.000000e-04
-  %1596 = select i1 %1595, double %876, double 1.000000e-04
-  store double %1596, ptr %427, align 8
-  %1597 = load double, ptr %433, align 8
-  store double %1597, ptr %428, align 8
-  br label %1598
+1582:                                             ; preds = %1494, %1542
+  %1583 = phi double [ %1581, %1542 ], [ %1539, %1494 ]
+  %1584 = load double, ptr %432, align 8
+  %1585 = fcmp ogt double %1583, %1584
+  %1586 = select i1 %1585, double %1583, double %1584
+  %1587 = fcmp olt double %1495, %1586
+  %1588 = select i1 %1587, double %1495, double %1586
+  %1589 = fmul double %494, %1588
+  %1590 = fcmp oeq double %493, %187
+  %1591 = fcmp ogt double %448, %1589
+  %1592 = select i1 %1590, i1 %1591, i1 false
+  %1593 = select i1 %1592, double %448, double %1589
+  %1594 = fcmp ogt double %875, 1.000000e-04
+  %1595 = select i1 %1594, double %875, double 1.000000e-04
+  store double %1595, ptr %427, align 8
+  %1596 = load double, ptr %433, align 8
+  store double %1596, ptr %428, align 8
+  br label %1597
 
-1598:                                             ; preds = %1583, %1494
-  %1599 = phi double [ %1594, %1583 ], [ %448, %1494 ]
-  br i1 %434, label %1604, label %1600
+1597:                                             ; preds = %1582, %1493
+  %1598 = phi double [ %1593, %1582 ], [ %448, %1493 ]
+  br i1 %434, label %1603, label %1599
 
-1600:                                             ; preds = %1604, %1598
-  %1601 = load i64, ptr %435, align 8
-  %1602 = load i64, ptr %83, align 8
-  %1603 = icmp eq i64 %1601, %1602
-  br i1 %1603, label %1616, label %1617
+1599:                                             ; preds = %1603, %1597
+  %1600 = load i64, ptr %435, align 8
+  %1601 = load i64, ptr %83, align 8
+  %1602 = icmp eq i64 %1600, %1601
+  br i1 %1602, label %1615, label %1616
 
-1604:                                             ; preds = %1598, %1604
-  %1605 = phi i64 [ %1614, %1604 ], [ 0, %1598 ]
-  %1606 = getelementptr inbounds double, ptr %161, i64 %1605
-  %1607 = load double, ptr %1606, align 8
-  %1608 = load ptr, ptr %74, align 8
-  %1609 = getelementptr inbounds double, ptr %1608, i64 %1605
-  store double %1607, ptr %1609, align 8
-  %1610 = getelementptr inbounds double, ptr %191, i64 %1605
-  %1611 = load double, ptr %1610, align 8
-  %1612 = load ptr, ptr %84, align 8
-  %1613 = getelementptr inbounds double, ptr %1612, i64 %1605
-  store double %1611, ptr %1613, align 8
-  %1614 = add nuw nsw i64 %1605, 1
-  %1615 = icmp eq i64 %1614, %170
-  br i1 %1615, label %1600, label %1604, !llvm.loop !30
+1603:                                             ; preds = %1597, %1603
+  %1604 = phi i64 [ %1613, %1603 ], [ 0, %1597 ]
+  %1605 = getelementptr inbounds double, ptr %161, i64 %1604
+  %1606 = load double, ptr %1605, align 8
+  %1607 = load ptr, ptr %74, align 8
+  %1608 = getelementptr inbounds double, ptr %1607, i64 %1604
+  store double %1606, ptr %1608, align 8
+  %1609 = getelementptr inbounds double, ptr %191, i64 %1604
+  %1610 = load double, ptr %1609, align 8
+  %1611 = load ptr, ptr %84, align 8
+  %1612 = getelementptr inbounds double, ptr %1611, i64 %1604
+  store double %1610, ptr %1612, align 8
+  %1613 = add nuw nsw i64 %1604, 1
+  %1614 = icmp eq i64 %1613, %170
+  br i1 %1614, label %1599, label %1603, !llvm.loop !30
 
-1616:                                             ; preds = %1600
-  store double %1599, ptr %193, align 8
-  br label %1617
+1615:                                             ; preds = %1599
+  store double %1598, ptr %193, align 8
+  br label %1616
 
-1617:                                             ; preds = %1616, %1600, %1490, %1478, %1280, %944, %943, %864, %674, %501
-  %1618 = phi double [ %448, %501 ], [ %448, %674 ], [ %448, %864 ], [ %942, %944 ], [ %942, %943 ], [ %448, %1280 ], [ %1487, %1478 ], [ %448, %1490 ], [ %1599, %1616 ], [ %1599, %1600 ]
-  %1619 = phi double [ %447, %501 ], [ %447, %674 ], [ %447, %864 ], [ %447, %944 ], [ %447, %943 ], [ %447, %1280 ], [ %447, %1478 ], [ %447, %1490 ], [ %495, %1616 ], [ %495, %1600 ]
-  %1620 = phi i32 [ 1, %501 ], [ 1, %674 ], [ 1, %864 ], [ 3, %944 ], [ 1, %943 ], [ 1, %1280 ], [ 3, %1478 ], [ 1, %1490 ], [ 1, %1616 ], [ 0, %1600 ]
-  %1621 = phi i64 [ 2, %501 ], [ -4, %674 ], [ -4, %864 ], [ %446, %944 ], [ 2, %943 ], [ %1282, %1280 ], [ %446, %1478 ], [ %1472, %1490 ], [ 0, %1616 ], [ %446, %1600 ]
-  switch i32 %1620, label %1625 [
-    i32 0, label %1622
-    i32 3, label %1622
+1616:                                             ; preds = %1615, %1599, %1489, %1477, %1279, %943, %942, %863, %673, %500
+  %1617 = phi double [ %448, %500 ], [ %448, %673 ], [ %448, %863 ], [ %941, %943 ], [ %941, %942 ], [ %448, %1279 ], [ %1486, %1477 ], [ %448, %1489 ], [ %1598, %1615 ], [ %1598, %1599 ]
+  %1618 = phi double [ %447, %500 ], [ %447, %673 ], [ %447, %863 ], [ %447, %943 ], [ %447, %942 ], [ %447, %1279 ], [ %447, %1477 ], [ %447, %1489 ], [ %493, %1615 ], [ %493, %1599 ]
+  %1619 = phi i32 [ 1, %500 ], [ 1, %673 ], [ 1, %863 ], [ 3, %943 ], [ 1, %942 ], [ 1, %1279 ], [ 3, %1477 ], [ 1, %1489 ], [ 1, %1615 ], [ 0, %1599 ]
+  %1620 = phi i64 [ 2, %500 ], [ -4, %673 ], [ -4, %863 ], [ %446, %943 ], [ 2, %942 ], [ %1281, %1279 ], [ %446, %1477 ], [ %1471, %1489 ], [ 0, %1615 ], [ %446, %1599 ]
+  switch i32 %1619, label %1624 [
+    i32 0, label %1621
+    i32 3, label %1621
   ]
 
-1622:                                             ; preds = %1617, %1617
-  %1623 = load i64, ptr %163, align 8
-  %1624 = icmp eq i64 %1623, 0
-  br i1 %1624, label %442, label %444, !llvm.loop !19
+1621:                                             ; preds = %1616, %1616
+  %1622 = load i64, ptr %163, align 8
+  %1623 = icmp eq i64 %1622, 0
+  br i1 %1623, label %442, label %444, !llvm.loop !19
 
-1625:                                             ; preds = %1617, %159, %216, %258, %442, %461, %469
-  %1626 = phi i64 [ -1, %159 ], [ %219, %216 ], [ -1, %442 ], [ -5, %461 ], [ 1, %469 ], [ 0, %258 ], [ %1621, %1617 ]
-  %1627 = load ptr, ptr %158, align 8
-  %1628 = getelementptr inbounds i8, ptr %1627, i64 48
-  %1629 = load i64, ptr %1628, align 8
-  %1630 = icmp ne i64 %1626, -2
-  %1631 = icmp eq i64 %1629, 0
-  %1632 = select i1 %1630, i1 true, i1 %1631
-  br i1 %1632, label %1640, label %1633
+1624:                                             ; preds = %1616, %159, %216, %258, %442, %461, %469
+  %1625 = phi i64 [ -1, %159 ], [ %219, %216 ], [ -1, %442 ], [ -5, %461 ], [ 1, %469 ], [ 0, %258 ], [ %1620, %1616 ]
+  %1626 = load ptr, ptr %158, align 8
+  %1627 = getelementptr inbounds i8, ptr %1626, i64 48
+  %1628 = load i64, ptr %1627, align 8
+  %1629 = icmp ne i64 %1625, -2
+  %1630 = icmp eq i64 %1628, 0
+  %1631 = select i1 %1629, i1 true, i1 %1630
+  br i1 %1631, label %1639, label %1632
 
-1633:                                             ; preds = %1625
-  %1634 = inttoptr i64 %1629 to ptr
-  %1635 = tail call i64 %1634(ptr noundef %0) #9
-  %1636 = icmp eq i64 %1635, 8
-  %1637 = select i1 %1636, i64 8, i64 %1626
-  %1638 = icmp eq i64 %1635, 1
-  %1639 = zext i1 %1638 to i32
-  br label %1640
+1632:                                             ; preds = %1624
+  %1633 = inttoptr i64 %1628 to ptr
+  %1634 = tail call i64 %1633(ptr noundef %0) #9
+  %1635 = icmp eq i64 %1634, 8
+  %1636 = select i1 %1635, i64 8, i64 %1625
+  %1637 = icmp eq i64 %1634, 1
+  %1638 = zext i1 %1637 to i32
+  br label %1639
 
-1640:                                             ; preds = %1625, %1633
-  %1641 = phi i64 [ %1626, %1625 ], [ %1637, %1633 ]
-  %1642 = phi i32 [ 0, %1625 ], [ %1639, %1633 ]
-  %1643 = icmp eq i32 %1642, 0
-  br i1 %1643, label %1644, label %159, !llvm.loop !31
+1639:                                             ; preds = %1624, %1632
+  %1640 = phi i64 [ %1625, %1624 ], [ %1636, %1632 ]
+  %1641 = phi i32 [ 0, %1624 ], [ %1638, %1632 ]
+  %1642 = icmp eq i32 %1641, 0
+  br i1 %1642, label %1643, label %159, !llvm.loop !31
 
-1644:                                             ; preds = %1640
-  ret i64 %1641
+1643:                                             ; preds = %1639
+  ret i64 %1640
 }
 
 

@@ -1,4 +1,4 @@
-; sources 0f45e8418fdf4a8099c3caf70171f91929c540be4d5390e0eab3fe4c65bcc786
+; sources 88649fc0fa5c4784a0351e5398efbfcea86b6b28c15e2517992973b9a4322476
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -216,11 +216,11 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %182 = getelementptr inbounds i8, ptr %0, i64 720
   br label %183
 
-183:                                              ; preds = %1924, %75
-  %184 = phi double [ undef, %75 ], [ %1906, %1924 ]
-  %185 = phi i32 [ undef, %75 ], [ %1907, %1924 ]
-  %186 = phi i64 [ undef, %75 ], [ %1908, %1924 ]
-  %187 = phi i64 [ undef, %75 ], [ %1909, %1924 ]
+183:                                              ; preds = %1929, %75
+  %184 = phi double [ undef, %75 ], [ %1911, %1929 ]
+  %185 = phi i32 [ undef, %75 ], [ %1912, %1929 ]
+  %186 = phi i64 [ undef, %75 ], [ %1913, %1929 ]
+  %187 = phi i64 [ undef, %75 ], [ %1914, %1929 ]
   %188 = load ptr, ptr %79, align 8
   %189 = load ptr, ptr %80, align 8
   %190 = load ptr, ptr %81, align 8
@@ -228,7 +228,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %192 = getelementptr inbounds i8, ptr %190, i64 56
   %193 = load i64, ptr %192, align 8
   %194 = icmp eq i64 %193, 0
-  br i1 %194, label %1905, label %195
+  br i1 %194, label %1910, label %195
 
 195:                                              ; preds = %183
   %196 = load ptr, ptr %76, align 8
@@ -312,7 +312,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %258, align 8
   %259 = icmp slt i32 %255, 0
   %260 = select i1 %259, i64 -4, i64 2
-  br label %1905
+  br label %1910
 
 261:                                              ; preds = %248
   store i64 1, ptr %190, align 8
@@ -378,7 +378,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %302 = getelementptr inbounds i8, ptr %301, i64 48
   store i64 %300, ptr %302, align 8
   %303 = icmp eq i64 %300, %270
-  br i1 %303, label %1905, label %304
+  br i1 %303, label %1910, label %304
 
 304:                                              ; preds = %299
   %305 = fcmp oeq double %226, 0.000000e+00
@@ -458,24 +458,24 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %368 = getelementptr inbounds i8, ptr %191, i64 16
   br label %375
 
-369:                                              ; preds = %1902, %330
-  %370 = phi double [ %184, %330 ], [ %1894, %1902 ]
-  %371 = phi i32 [ %185, %330 ], [ %1895, %1902 ]
-  %372 = phi i64 [ %186, %330 ], [ %1896, %1902 ]
-  %373 = phi i64 [ %187, %330 ], [ %1897, %1902 ]
-  %374 = phi double [ %331, %330 ], [ %1898, %1902 ]
+369:                                              ; preds = %1907, %330
+  %370 = phi double [ %184, %330 ], [ %1899, %1907 ]
+  %371 = phi i32 [ %185, %330 ], [ %1900, %1907 ]
+  %372 = phi i64 [ %186, %330 ], [ %1901, %1907 ]
+  %373 = phi i64 [ %187, %330 ], [ %1902, %1907 ]
+  %374 = phi double [ %331, %330 ], [ %1903, %1907 ]
   store double %374, ptr %225, align 8
-  br label %1905
+  br label %1910
 
-375:                                              ; preds = %334, %1902
-  %376 = phi i64 [ %332, %334 ], [ %1903, %1902 ]
-  %377 = phi i64 [ undef, %334 ], [ %1901, %1902 ]
-  %378 = phi double [ %224, %334 ], [ %1899, %1902 ]
-  %379 = phi double [ %331, %334 ], [ %1898, %1902 ]
-  %380 = phi i64 [ %187, %334 ], [ %1897, %1902 ]
-  %381 = phi i64 [ %186, %334 ], [ %1896, %1902 ]
-  %382 = phi i32 [ %185, %334 ], [ %1895, %1902 ]
-  %383 = phi double [ %184, %334 ], [ %1894, %1902 ]
+375:                                              ; preds = %334, %1907
+  %376 = phi i64 [ %332, %334 ], [ %1908, %1907 ]
+  %377 = phi i64 [ undef, %334 ], [ %1906, %1907 ]
+  %378 = phi double [ %224, %334 ], [ %1904, %1907 ]
+  %379 = phi double [ %331, %334 ], [ %1903, %1907 ]
+  %380 = phi i64 [ %187, %334 ], [ %1902, %1907 ]
+  %381 = phi i64 [ %186, %334 ], [ %1901, %1907 ]
+  %382 = phi i32 [ %185, %334 ], [ %1900, %1907 ]
+  %383 = phi double [ %184, %334 ], [ %1899, %1907 ]
   %384 = load ptr, ptr %93, align 8
   %385 = getelementptr inbounds i8, ptr %384, i64 8
   %386 = load i64, ptr %385, align 8
@@ -496,7 +496,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 396:                                              ; preds = %393
   store double %379, ptr %225, align 8
-  br label %1905
+  br label %1910
 
 397:                                              ; preds = %393
   %398 = add nsw i64 %376, -1
@@ -510,7 +510,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 404:                                              ; preds = %397
   store double %379, ptr %225, align 8
-  br label %1905
+  br label %1910
 
 405:                                              ; preds = %397
   %406 = load double, ptr %338, align 8
@@ -520,2098 +520,2107 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %410 = fmul double %408, 1.000000e-03
   %411 = fsub double %203, %410
   %412 = fcmp ule double %409, %411
-  %413 = fsub double %203, %378
-  %414 = select i1 %412, double %408, double %413
-  %415 = select i1 %412, double %409, double %203
-  %416 = fmul double %414, 6.250000e-02
-  %417 = fadd double %378, %416
-  %418 = fcmp ule double %417, %378
-  %419 = fcmp une double %415, %203
-  %420 = and i1 %419, %418
-  br i1 %420, label %421, label %422
+  %413 = select i1 %412, double %409, double %203
+  %414 = fsub double %413, %378
+  %415 = fmul double %414, 6.250000e-02
+  %416 = fadd double %378, %415
+  %417 = fcmp ule double %416, %378
+  %418 = fcmp une double %413, %203
+  %419 = and i1 %418, %417
+  br i1 %419, label %420, label %421
+
+420:                                              ; preds = %405
+  store double %414, ptr %225, align 8
+  br label %1898
 
 421:                                              ; preds = %405
-  store double %414, ptr %225, align 8
-  br label %1893
+  %422 = load i64, ptr %339, align 8
+  %423 = icmp eq i64 %422, 1
+  br i1 %423, label %424, label %542
 
-422:                                              ; preds = %405
-  %423 = load i64, ptr %339, align 8
-  %424 = icmp eq i64 %423, 1
-  br i1 %424, label %425, label %543
+424:                                              ; preds = %421
+  %425 = load ptr, ptr %81, align 8
+  %426 = getelementptr inbounds i8, ptr %425, i64 32
+  %427 = load i64, ptr %426, align 8
+  %428 = add nsw i64 %427, 1
+  store i64 %428, ptr %426, align 8
+  %429 = load ptr, ptr %76, align 8
+  %430 = getelementptr inbounds i8, ptr %429, i64 8
+  %431 = load i64, ptr %430, align 8
+  %432 = load ptr, ptr %78, align 8
+  %433 = load i64, ptr %432, align 8
+  %434 = icmp eq i64 %433, 0
+  br i1 %434, label %435, label %437
 
-425:                                              ; preds = %422
-  %426 = load ptr, ptr %81, align 8
-  %427 = getelementptr inbounds i8, ptr %426, i64 32
-  %428 = load i64, ptr %427, align 8
-  %429 = add nsw i64 %428, 1
-  store i64 %429, ptr %427, align 8
-  %430 = load ptr, ptr %76, align 8
-  %431 = getelementptr inbounds i8, ptr %430, i64 8
-  %432 = load i64, ptr %431, align 8
-  %433 = load ptr, ptr %78, align 8
-  %434 = load i64, ptr %433, align 8
-  %435 = icmp eq i64 %434, 0
-  br i1 %435, label %436, label %438
+435:                                              ; preds = %424
+  %436 = icmp sgt i64 %431, 0
+  br i1 %436, label %455, label %453
 
-436:                                              ; preds = %425
-  %437 = icmp sgt i64 %432, 0
-  br i1 %437, label %456, label %454
+437:                                              ; preds = %424
+  %438 = load ptr, ptr %95, align 8
+  store double %378, ptr %438, align 8
+  %439 = load i64, ptr %96, align 8
+  %440 = icmp sgt i64 %439, 0
+  br i1 %440, label %441, label %442
 
-438:                                              ; preds = %425
-  %439 = load ptr, ptr %95, align 8
-  store double %378, ptr %439, align 8
-  %440 = load i64, ptr %96, align 8
-  %441 = icmp sgt i64 %440, 0
-  br i1 %441, label %442, label %443
-
-442:                                              ; preds = %438
+441:                                              ; preds = %437
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %443
+  br label %442
 
-443:                                              ; preds = %442, %438
-  %444 = load ptr, ptr %78, align 8
-  %445 = load i64, ptr %444, align 8
-  %446 = load ptr, ptr %97, align 8
-  %447 = load ptr, ptr %77, align 8
-  %448 = load ptr, ptr %98, align 8
-  %449 = load ptr, ptr %99, align 8
-  %450 = load ptr, ptr %94, align 8
-  %451 = inttoptr i64 %445 to ptr
-  %452 = tail call i32 %451(ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449, ptr noundef %450) #11
-  %453 = sext i32 %452 to i64
-  br label %524
+442:                                              ; preds = %441, %437
+  %443 = load ptr, ptr %78, align 8
+  %444 = load i64, ptr %443, align 8
+  %445 = load ptr, ptr %97, align 8
+  %446 = load ptr, ptr %77, align 8
+  %447 = load ptr, ptr %98, align 8
+  %448 = load ptr, ptr %99, align 8
+  %449 = load ptr, ptr %94, align 8
+  %450 = inttoptr i64 %444 to ptr
+  %451 = tail call i32 %450(ptr noundef %445, ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449) #11
+  %452 = sext i32 %451 to i64
+  br label %523
 
-454:                                              ; preds = %456, %436
-  %455 = icmp sgt i64 %432, 0
-  br i1 %455, label %468, label %524
+453:                                              ; preds = %455, %435
+  %454 = icmp sgt i64 %431, 0
+  br i1 %454, label %467, label %523
 
-456:                                              ; preds = %436, %456
-  %457 = phi i64 [ %463, %456 ], [ 0, %436 ]
-  %458 = load ptr, ptr %77, align 8
-  %459 = getelementptr inbounds double, ptr %458, i64 %457
-  %460 = load double, ptr %459, align 8
-  %461 = load ptr, ptr %100, align 8
-  %462 = getelementptr inbounds double, ptr %461, i64 %457
-  store double %460, ptr %462, align 8
-  %463 = add nuw nsw i64 %457, 1
-  %464 = icmp eq i64 %463, %432
-  br i1 %464, label %454, label %456, !llvm.loop !11
+455:                                              ; preds = %435, %455
+  %456 = phi i64 [ %462, %455 ], [ 0, %435 ]
+  %457 = load ptr, ptr %77, align 8
+  %458 = getelementptr inbounds double, ptr %457, i64 %456
+  %459 = load double, ptr %458, align 8
+  %460 = load ptr, ptr %100, align 8
+  %461 = getelementptr inbounds double, ptr %460, i64 %456
+  store double %459, ptr %461, align 8
+  %462 = add nuw nsw i64 %456, 1
+  %463 = icmp eq i64 %462, %431
+  br i1 %463, label %453, label %455, !llvm.loop !11
 
-465:                                              ; preds = %522
-  %466 = add nuw nsw i64 %470, 1
-  %467 = icmp eq i64 %466, %432
-  br i1 %467, label %524, label %468, !llvm.loop !12
+464:                                              ; preds = %521
+  %465 = add nuw nsw i64 %469, 1
+  %466 = icmp eq i64 %465, %431
+  br i1 %466, label %523, label %467, !llvm.loop !12
 
-468:                                              ; preds = %454, %465
-  %469 = phi i64 [ %523, %465 ], [ undef, %454 ]
-  %470 = phi i64 [ %466, %465 ], [ 0, %454 ]
-  %471 = load ptr, ptr %77, align 8
-  %472 = getelementptr inbounds double, ptr %471, i64 %470
-  %473 = load double, ptr %472, align 8
-  %474 = tail call double @llvm.fabs.f64(double %473)
-  %475 = fcmp olt double %474, 1.000000e-05
-  %476 = select i1 %475, double 1.000000e-05, double %474
-  %477 = fmul double %476, 1.500000e-08
-  %478 = fadd double %473, %477
-  %479 = load ptr, ptr %101, align 8
-  %480 = getelementptr inbounds double, ptr %479, i64 %470
-  store double %478, ptr %480, align 8
-  %481 = load ptr, ptr %81, align 8
-  %482 = getelementptr inbounds i8, ptr %481, i64 24
-  %483 = load i64, ptr %482, align 8
-  %484 = add nsw i64 %483, 1
-  store i64 %484, ptr %482, align 8
-  %485 = load ptr, ptr %101, align 8
-  %486 = load ptr, ptr %102, align 8
-  %487 = load ptr, ptr %103, align 8
-  store double %378, ptr %487, align 8
-  %488 = load i64, ptr %104, align 8
-  %489 = icmp sgt i64 %488, 0
-  br i1 %489, label %490, label %491
+467:                                              ; preds = %453, %464
+  %468 = phi i64 [ %522, %464 ], [ undef, %453 ]
+  %469 = phi i64 [ %465, %464 ], [ 0, %453 ]
+  %470 = load ptr, ptr %77, align 8
+  %471 = getelementptr inbounds double, ptr %470, i64 %469
+  %472 = load double, ptr %471, align 8
+  %473 = tail call double @llvm.fabs.f64(double %472)
+  %474 = fcmp olt double %473, 1.000000e-05
+  %475 = select i1 %474, double 1.000000e-05, double %473
+  %476 = fmul double %475, 1.500000e-08
+  %477 = fadd double %472, %476
+  %478 = load ptr, ptr %101, align 8
+  %479 = getelementptr inbounds double, ptr %478, i64 %469
+  store double %477, ptr %479, align 8
+  %480 = load ptr, ptr %81, align 8
+  %481 = getelementptr inbounds i8, ptr %480, i64 24
+  %482 = load i64, ptr %481, align 8
+  %483 = add nsw i64 %482, 1
+  store i64 %483, ptr %481, align 8
+  %484 = load ptr, ptr %101, align 8
+  %485 = load ptr, ptr %102, align 8
+  %486 = load ptr, ptr %103, align 8
+  store double %378, ptr %486, align 8
+  %487 = load i64, ptr %104, align 8
+  %488 = icmp sgt i64 %487, 0
+  br i1 %488, label %489, label %490
 
-490:                                              ; preds = %468
+489:                                              ; preds = %467
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %491
+  br label %490
 
-491:                                              ; preds = %490, %468
-  %492 = load ptr, ptr %76, align 8
-  %493 = load i64, ptr %492, align 8
-  %494 = load ptr, ptr %103, align 8
-  %495 = load ptr, ptr %105, align 8
-  %496 = load ptr, ptr %106, align 8
-  %497 = inttoptr i64 %493 to ptr
-  %498 = tail call i32 %497(ptr noundef %494, ptr noundef %485, ptr noundef %495, ptr noundef %496, ptr noundef %486) #11
-  %499 = sext i32 %498 to i64
-  %500 = icmp eq i32 %498, 0
-  br i1 %500, label %501, label %522
+490:                                              ; preds = %489, %467
+  %491 = load ptr, ptr %76, align 8
+  %492 = load i64, ptr %491, align 8
+  %493 = load ptr, ptr %103, align 8
+  %494 = load ptr, ptr %105, align 8
+  %495 = load ptr, ptr %106, align 8
+  %496 = inttoptr i64 %492 to ptr
+  %497 = tail call i32 %496(ptr noundef %493, ptr noundef %484, ptr noundef %494, ptr noundef %495, ptr noundef %485) #11
+  %498 = sext i32 %497 to i64
+  %499 = icmp eq i32 %497, 0
+  br i1 %499, label %500, label %521
 
-501:                                              ; preds = %491
-  %502 = fsub double %478, %473
-  br label %506
+500:                                              ; preds = %490
+  %501 = fsub double %477, %472
+  br label %505
 
-503:                                              ; preds = %506
-  %504 = load ptr, ptr %101, align 8
-  %505 = getelementptr inbounds double, ptr %504, i64 %470
-  store double %473, ptr %505, align 8
-  br label %522
+502:                                              ; preds = %505
+  %503 = load ptr, ptr %101, align 8
+  %504 = getelementptr inbounds double, ptr %503, i64 %469
+  store double %472, ptr %504, align 8
+  br label %521
 
-506:                                              ; preds = %501, %506
-  %507 = phi i64 [ 0, %501 ], [ %520, %506 ]
-  %508 = load ptr, ptr %102, align 8
-  %509 = getelementptr inbounds double, ptr %508, i64 %507
-  %510 = load double, ptr %509, align 8
-  %511 = load ptr, ptr %107, align 8
-  %512 = getelementptr inbounds double, ptr %511, i64 %507
-  %513 = load double, ptr %512, align 8
-  %514 = fsub double %510, %513
-  %515 = fdiv double %514, %502
-  %516 = load ptr, ptr %94, align 8
-  %517 = mul nuw nsw i64 %507, %432
-  %518 = getelementptr double, ptr %516, i64 %517
-  %519 = getelementptr double, ptr %518, i64 %470
-  store double %515, ptr %519, align 8
-  %520 = add nuw nsw i64 %507, 1
-  %521 = icmp eq i64 %520, %432
-  br i1 %521, label %503, label %506, !llvm.loop !13
+505:                                              ; preds = %500, %505
+  %506 = phi i64 [ 0, %500 ], [ %519, %505 ]
+  %507 = load ptr, ptr %102, align 8
+  %508 = getelementptr inbounds double, ptr %507, i64 %506
+  %509 = load double, ptr %508, align 8
+  %510 = load ptr, ptr %107, align 8
+  %511 = getelementptr inbounds double, ptr %510, i64 %506
+  %512 = load double, ptr %511, align 8
+  %513 = fsub double %509, %512
+  %514 = fdiv double %513, %501
+  %515 = load ptr, ptr %94, align 8
+  %516 = mul nuw nsw i64 %506, %431
+  %517 = getelementptr double, ptr %515, i64 %516
+  %518 = getelementptr double, ptr %517, i64 %469
+  store double %514, ptr %518, align 8
+  %519 = add nuw nsw i64 %506, 1
+  %520 = icmp eq i64 %519, %431
+  br i1 %520, label %502, label %505, !llvm.loop !13
 
-522:                                              ; preds = %503, %491
-  %523 = phi i64 [ %469, %503 ], [ %499, %491 ]
-  br i1 %500, label %465, label %524
+521:                                              ; preds = %502, %490
+  %522 = phi i64 [ %468, %502 ], [ %498, %490 ]
+  br i1 %499, label %464, label %523
 
-524:                                              ; preds = %522, %465, %454, %443
-  %525 = phi i64 [ %453, %443 ], [ 0, %454 ], [ 0, %465 ], [ %523, %522 ]
-  %526 = load i64, ptr %108, align 8
-  %527 = icmp sgt i64 %526, 0
-  br i1 %527, label %528, label %540
+523:                                              ; preds = %521, %464, %453, %442
+  %524 = phi i64 [ %452, %442 ], [ 0, %453 ], [ 0, %464 ], [ %522, %521 ]
+  %525 = load i64, ptr %108, align 8
+  %526 = icmp sgt i64 %525, 0
+  br i1 %526, label %527, label %539
 
-528:                                              ; preds = %524, %536
-  %529 = phi i64 [ %537, %536 ], [ 0, %524 ]
-  %530 = load ptr, ptr %94, align 8
-  %531 = getelementptr inbounds double, ptr %530, i64 %529
-  %532 = load double, ptr %531, align 8
-  %533 = tail call double @llvm.fabs.f64(double %532)
-  %534 = fcmp ueq double %533, 0x7FF0000000000000
-  br i1 %534, label %535, label %536
+527:                                              ; preds = %523, %535
+  %528 = phi i64 [ %536, %535 ], [ 0, %523 ]
+  %529 = load ptr, ptr %94, align 8
+  %530 = getelementptr inbounds double, ptr %529, i64 %528
+  %531 = load double, ptr %530, align 8
+  %532 = tail call double @llvm.fabs.f64(double %531)
+  %533 = fcmp ueq double %532, 0x7FF0000000000000
+  br i1 %533, label %534, label %535
 
-535:                                              ; preds = %528
-  store double 0.000000e+00, ptr %531, align 8
-  br label %536
+534:                                              ; preds = %527
+  store double 0.000000e+00, ptr %530, align 8
+  br label %535
 
-536:                                              ; preds = %535, %528
-  %537 = add nuw nsw i64 %529, 1
-  %538 = load i64, ptr %108, align 8
-  %539 = icmp slt i64 %537, %538
-  br i1 %539, label %528, label %540, !llvm.loop !14
+535:                                              ; preds = %534, %527
+  %536 = add nuw nsw i64 %528, 1
+  %537 = load i64, ptr %108, align 8
+  %538 = icmp slt i64 %536, %537
+  br i1 %538, label %527, label %539, !llvm.loop !14
 
-540:                                              ; preds = %536, %524
-  %541 = icmp slt i64 %525, 0
-  br i1 %541, label %1893, label %542
+539:                                              ; preds = %535, %523
+  %540 = icmp slt i64 %524, 0
+  br i1 %540, label %1898, label %541
 
-542:                                              ; preds = %540
+541:                                              ; preds = %539
   store i64 0, ptr %339, align 8
   store i64 1, ptr %340, align 8
   store i64 0, ptr %341, align 8
-  br label %543
+  br label %542
 
-543:                                              ; preds = %542, %422
-  %544 = load i64, ptr %342, align 8
-  %545 = icmp eq i64 %544, 0
-  br i1 %545, label %549, label %546
+542:                                              ; preds = %541, %421
+  %543 = load i64, ptr %342, align 8
+  %544 = icmp eq i64 %543, 0
+  br i1 %544, label %552, label %545
 
-546:                                              ; preds = %543
-  %547 = load double, ptr %189, align 8
-  %548 = fcmp une double %414, %547
-  br i1 %548, label %549, label %612
+545:                                              ; preds = %542
+  %546 = tail call double @llvm.fabs.f64(double %413)
+  %547 = fmul double %546, 0x3CB0000000000000
+  %548 = load double, ptr %189, align 8
+  %549 = fsub double %414, %548
+  %550 = tail call double @llvm.fabs.f64(double %549)
+  %551 = fcmp ogt double %550, %547
+  br i1 %551, label %552, label %615
 
-549:                                              ; preds = %546, %543
-  %550 = load i64, ptr %343, align 8
-  %551 = add nsw i64 %550, 1
-  store i64 %551, ptr %343, align 8
-  %552 = load i64, ptr %110, align 8
-  %553 = load ptr, ptr %111, align 8
-  %554 = load ptr, ptr %112, align 8
-  %555 = icmp sgt i64 %552, 0
-  br i1 %555, label %556, label %564
+552:                                              ; preds = %545, %542
+  %553 = load i64, ptr %343, align 8
+  %554 = add nsw i64 %553, 1
+  store i64 %554, ptr %343, align 8
+  %555 = load i64, ptr %110, align 8
+  %556 = load ptr, ptr %111, align 8
+  %557 = load ptr, ptr %112, align 8
+  %558 = icmp sgt i64 %555, 0
+  br i1 %558, label %559, label %567
 
-556:                                              ; preds = %549
-  %557 = fdiv double 0x400D1A48D83E731D, %414
-  %558 = add nuw i64 %552, 1
-  %559 = fdiv double 0x400572DB93E0C672, %414
-  %560 = fdiv double 0x40086747F2C3FCB6, %414
-  br label %561
+559:                                              ; preds = %552
+  %560 = fdiv double 0x400D1A48D83E731D, %414
+  %561 = add nuw i64 %555, 1
+  %562 = fdiv double 0x400572DB93E0C672, %414
+  %563 = fdiv double 0x40086747F2C3FCB6, %414
+  br label %564
 
-561:                                              ; preds = %556, %568
-  %562 = phi i64 [ 0, %556 ], [ %579, %568 ]
-  %563 = mul nuw nsw i64 %562, %552
-  br label %581
+564:                                              ; preds = %559, %571
+  %565 = phi i64 [ 0, %559 ], [ %582, %571 ]
+  %566 = mul nuw nsw i64 %565, %555
+  br label %584
 
-564:                                              ; preds = %568, %549
-  %565 = load ptr, ptr %109, align 8
-  %566 = tail call fastcc i32 @real_factorise(ptr noundef %553, i64 noundef %552, ptr noundef %565) #10
-  %567 = icmp eq i32 %566, 0
-  br i1 %567, label %602, label %597
+567:                                              ; preds = %571, %552
+  %568 = load ptr, ptr %109, align 8
+  %569 = tail call fastcc i32 @real_factorise(ptr noundef %556, i64 noundef %555, ptr noundef %568) #10
+  %570 = icmp eq i32 %569, 0
+  br i1 %570, label %605, label %600
 
-568:                                              ; preds = %581
-  %569 = mul i64 %562, %558
-  %570 = getelementptr inbounds double, ptr %553, i64 %569
-  %571 = load double, ptr %570, align 8
-  %572 = fadd double %557, %571
-  store double %572, ptr %570, align 8
-  %573 = getelementptr inbounds { double, double }, ptr %554, i64 %569
+571:                                              ; preds = %584
+  %572 = mul i64 %565, %561
+  %573 = getelementptr inbounds double, ptr %556, i64 %572
   %574 = load double, ptr %573, align 8
-  %575 = getelementptr inbounds i8, ptr %573, i64 8
-  %576 = load double, ptr %575, align 8
-  %577 = fadd double %559, %574
-  %578 = fsub double %576, %560
-  store double %577, ptr %573, align 8
-  store double %578, ptr %575, align 8
-  %579 = add nuw nsw i64 %562, 1
-  %580 = icmp eq i64 %579, %552
-  br i1 %580, label %564, label %561, !llvm.loop !15
+  %575 = fadd double %560, %574
+  store double %575, ptr %573, align 8
+  %576 = getelementptr inbounds { double, double }, ptr %557, i64 %572
+  %577 = load double, ptr %576, align 8
+  %578 = getelementptr inbounds i8, ptr %576, i64 8
+  %579 = load double, ptr %578, align 8
+  %580 = fadd double %562, %577
+  %581 = fsub double %579, %563
+  store double %580, ptr %576, align 8
+  store double %581, ptr %578, align 8
+  %582 = add nuw nsw i64 %565, 1
+  %583 = icmp eq i64 %582, %555
+  br i1 %583, label %567, label %564, !llvm.loop !15
 
-581:                                              ; preds = %561, %581
-  %582 = phi i64 [ 0, %561 ], [ %595, %581 ]
-  %583 = load ptr, ptr %113, align 8
-  %584 = add nuw nsw i64 %582, %563
-  %585 = getelementptr inbounds double, ptr %583, i64 %584
-  %586 = load double, ptr %585, align 8
-  %587 = fneg double %586
-  %588 = getelementptr inbounds double, ptr %553, i64 %584
-  store double %587, ptr %588, align 8
-  %589 = load ptr, ptr %113, align 8
-  %590 = getelementptr inbounds double, ptr %589, i64 %584
-  %591 = load double, ptr %590, align 8
-  %592 = fneg double %591
-  %593 = getelementptr inbounds { double, double }, ptr %554, i64 %584
-  %594 = getelementptr inbounds i8, ptr %593, i64 8
-  store double %592, ptr %593, align 8
-  store double 0.000000e+00, ptr %594, align 8
-  %595 = add nuw nsw i64 %582, 1
-  %596 = icmp eq i64 %595, %552
-  br i1 %596, label %568, label %581, !llvm.loop !16
+584:                                              ; preds = %564, %584
+  %585 = phi i64 [ 0, %564 ], [ %598, %584 ]
+  %586 = load ptr, ptr %113, align 8
+  %587 = add nuw nsw i64 %585, %566
+  %588 = getelementptr inbounds double, ptr %586, i64 %587
+  %589 = load double, ptr %588, align 8
+  %590 = fneg double %589
+  %591 = getelementptr inbounds double, ptr %556, i64 %587
+  store double %590, ptr %591, align 8
+  %592 = load ptr, ptr %113, align 8
+  %593 = getelementptr inbounds double, ptr %592, i64 %587
+  %594 = load double, ptr %593, align 8
+  %595 = fneg double %594
+  %596 = getelementptr inbounds { double, double }, ptr %557, i64 %587
+  %597 = getelementptr inbounds i8, ptr %596, i64 8
+  store double %595, ptr %596, align 8
+  store double 0.000000e+00, ptr %597, align 8
+  %598 = add nuw nsw i64 %585, 1
+  %599 = icmp eq i64 %598, %555
+  br i1 %599, label %571, label %584, !llvm.loop !16
 
-597:                                              ; preds = %564
-  %598 = load ptr, ptr %114, align 8
-  %599 = tail call fastcc i32 @pair_factorise(ptr noundef %554, i64 noundef %552, ptr noundef %598) #10
-  %600 = icmp ne i32 %599, 0
-  %601 = zext i1 %600 to i32
-  br label %602
+600:                                              ; preds = %567
+  %601 = load ptr, ptr %114, align 8
+  %602 = tail call fastcc i32 @pair_factorise(ptr noundef %557, i64 noundef %555, ptr noundef %601) #10
+  %603 = icmp ne i32 %602, 0
+  %604 = zext i1 %603 to i32
+  br label %605
 
-602:                                              ; preds = %564, %597
-  %603 = phi i32 [ 0, %564 ], [ %601, %597 ]
-  %604 = icmp eq i32 %603, 0
-  br i1 %604, label %605, label %611
+605:                                              ; preds = %567, %600
+  %606 = phi i32 [ 0, %567 ], [ %604, %600 ]
+  %607 = icmp eq i32 %606, 0
+  br i1 %607, label %608, label %614
 
-605:                                              ; preds = %602
+608:                                              ; preds = %605
   store i64 4, ptr %367, align 8
-  %606 = load i64, ptr %336, align 8
-  %607 = add nsw i64 %606, 1
-  store i64 %607, ptr %336, align 8
-  %608 = fmul double %414, 5.000000e-01
-  %609 = load i64, ptr %368, align 8
-  %610 = sub nsw i64 1, %609
-  store i64 %610, ptr %339, align 8
+  %609 = load i64, ptr %336, align 8
+  %610 = add nsw i64 %609, 1
+  store i64 %610, ptr %336, align 8
+  %611 = fmul double %414, 5.000000e-01
+  %612 = load i64, ptr %368, align 8
+  %613 = sub nsw i64 1, %612
+  store i64 %613, ptr %339, align 8
   store i64 0, ptr %342, align 8
-  br label %1893, !llvm.loop !17
+  br label %1898, !llvm.loop !17
 
-611:                                              ; preds = %602
+614:                                              ; preds = %605
   store i64 1, ptr %342, align 8
   store double %414, ptr %189, align 8
-  br label %612
+  br label %615
 
-612:                                              ; preds = %611, %546
-  %613 = load double, ptr %344, align 8
-  %614 = load ptr, ptr %76, align 8
-  %615 = getelementptr inbounds i8, ptr %614, i64 8
-  %616 = load i64, ptr %615, align 8
-  %617 = load ptr, ptr %115, align 8
-  %618 = load ptr, ptr %77, align 8
-  %619 = load ptr, ptr %116, align 8
-  %620 = load ptr, ptr %117, align 8
-  %621 = fcmp ogt double %613, 0.000000e+00
-  %622 = icmp sgt i64 %616, 0
-  %623 = shl i64 %616, 4
-  %624 = getelementptr i8, ptr %617, i64 %623
-  %625 = mul i64 %616, 24
-  %626 = getelementptr i8, ptr %617, i64 %625
-  %627 = getelementptr double, ptr %617, i64 %616
-  br label %633
+615:                                              ; preds = %614, %545
+  %616 = load double, ptr %344, align 8
+  %617 = load ptr, ptr %76, align 8
+  %618 = getelementptr inbounds i8, ptr %617, i64 8
+  %619 = load i64, ptr %618, align 8
+  %620 = load ptr, ptr %115, align 8
+  %621 = load ptr, ptr %77, align 8
+  %622 = load ptr, ptr %116, align 8
+  %623 = load ptr, ptr %117, align 8
+  %624 = fcmp ogt double %616, 0.000000e+00
+  %625 = icmp sgt i64 %619, 0
+  %626 = shl i64 %619, 4
+  %627 = getelementptr i8, ptr %620, i64 %626
+  %628 = mul i64 %619, 24
+  %629 = getelementptr i8, ptr %620, i64 %628
+  %630 = getelementptr double, ptr %620, i64 %619
+  br label %636
 
-628:                                              ; preds = %647
-  %629 = icmp sgt i64 %616, 0
-  %630 = getelementptr double, ptr %619, i64 %616
-  %631 = shl i64 %616, 4
-  %632 = getelementptr i8, ptr %619, i64 %631
+631:                                              ; preds = %650
+  %632 = icmp sgt i64 %619, 0
+  %633 = getelementptr double, ptr %622, i64 %619
+  %634 = shl i64 %619, 4
+  %635 = getelementptr i8, ptr %622, i64 %634
+  br label %677
+
+636:                                              ; preds = %615, %650
+  %637 = phi i64 [ 0, %615 ], [ %651, %650 ]
+  br i1 %624, label %638, label %644
+
+638:                                              ; preds = %636
+  %639 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %637
+  %640 = load double, ptr %639, align 8
+  %641 = fmul double %414, %640
+  %642 = fdiv double %641, %616
+  %643 = fadd double %642, 1.000000e+00
+  br label %644
+
+644:                                              ; preds = %638, %636
+  %645 = phi double [ %643, %638 ], [ 0.000000e+00, %636 ]
+  br i1 %625, label %646, label %650
+
+646:                                              ; preds = %644
+  %647 = mul nuw nsw i64 %619, %637
+  %648 = getelementptr double, ptr %622, i64 %647
+  %649 = fsub double 1.000000e+00, %645
+  br label %653
+
+650:                                              ; preds = %674, %644
+  %651 = add nuw nsw i64 %637, 1
+  %652 = icmp eq i64 %651, 3
+  br i1 %652, label %631, label %636, !llvm.loop !18
+
+653:                                              ; preds = %646, %674
+  %654 = phi i64 [ 0, %646 ], [ %675, %674 ]
+  %655 = getelementptr double, ptr %648, i64 %654
+  store double 0.000000e+00, ptr %655, align 8
+  br i1 %624, label %656, label %674
+
+656:                                              ; preds = %653
+  %657 = getelementptr double, ptr %627, i64 %654
+  %658 = load double, ptr %657, align 8
+  %659 = getelementptr double, ptr %629, i64 %654
+  %660 = load double, ptr %659, align 8
+  %661 = fmul double %645, %660
+  %662 = fadd double %658, %661
+  %663 = fmul double %649, %662
+  %664 = getelementptr inbounds double, ptr %620, i64 %654
+  %665 = load double, ptr %664, align 8
+  %666 = getelementptr double, ptr %630, i64 %654
+  %667 = load double, ptr %666, align 8
+  %668 = fadd double %667, %663
+  %669 = fmul double %645, %668
+  %670 = fadd double %665, %669
+  %671 = getelementptr inbounds double, ptr %621, i64 %654
+  %672 = load double, ptr %671, align 8
+  %673 = fsub double %670, %672
+  store double %673, ptr %655, align 8
   br label %674
 
-633:                                              ; preds = %612, %647
-  %634 = phi i64 [ 0, %612 ], [ %648, %647 ]
-  br i1 %621, label %635, label %641
+674:                                              ; preds = %656, %653
+  %675 = add nuw nsw i64 %654, 1
+  %676 = icmp eq i64 %675, %619
+  br i1 %676, label %650, label %653, !llvm.loop !19
 
-635:                                              ; preds = %633
-  %636 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %634
-  %637 = load double, ptr %636, align 8
-  %638 = fmul double %414, %637
-  %639 = fdiv double %638, %613
-  %640 = fadd double %639, 1.000000e+00
-  br label %641
+677:                                              ; preds = %631, %688
+  %678 = phi i64 [ 0, %631 ], [ %689, %688 ]
+  br i1 %632, label %679, label %688
 
-641:                                              ; preds = %635, %633
-  %642 = phi double [ %640, %635 ], [ 0.000000e+00, %633 ]
-  br i1 %622, label %643, label %647
+679:                                              ; preds = %677
+  %680 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %678
+  %681 = load double, ptr %680, align 8
+  %682 = getelementptr inbounds i8, ptr %680, i64 8
+  %683 = load double, ptr %682, align 8
+  %684 = getelementptr inbounds i8, ptr %680, i64 16
+  %685 = load double, ptr %684, align 8
+  %686 = mul nuw nsw i64 %619, %678
+  %687 = getelementptr double, ptr %623, i64 %686
+  br label %691
 
-643:                                              ; preds = %641
-  %644 = mul nuw nsw i64 %616, %634
-  %645 = getelementptr double, ptr %619, i64 %644
-  %646 = fsub double 1.000000e+00, %642
-  br label %650
+688:                                              ; preds = %691, %677
+  %689 = add nuw nsw i64 %678, 1
+  %690 = icmp eq i64 %689, 3
+  br i1 %690, label %707, label %677, !llvm.loop !20
 
-647:                                              ; preds = %671, %641
-  %648 = add nuw nsw i64 %634, 1
-  %649 = icmp eq i64 %648, 3
-  br i1 %649, label %628, label %633, !llvm.loop !18
-
-650:                                              ; preds = %643, %671
-  %651 = phi i64 [ 0, %643 ], [ %672, %671 ]
-  %652 = getelementptr double, ptr %645, i64 %651
-  store double 0.000000e+00, ptr %652, align 8
-  br i1 %621, label %653, label %671
-
-653:                                              ; preds = %650
-  %654 = getelementptr double, ptr %624, i64 %651
-  %655 = load double, ptr %654, align 8
-  %656 = getelementptr double, ptr %626, i64 %651
-  %657 = load double, ptr %656, align 8
-  %658 = fmul double %642, %657
-  %659 = fadd double %655, %658
-  %660 = fmul double %646, %659
-  %661 = getelementptr inbounds double, ptr %617, i64 %651
-  %662 = load double, ptr %661, align 8
-  %663 = getelementptr double, ptr %627, i64 %651
-  %664 = load double, ptr %663, align 8
-  %665 = fadd double %664, %660
-  %666 = fmul double %642, %665
-  %667 = fadd double %662, %666
-  %668 = getelementptr inbounds double, ptr %618, i64 %651
-  %669 = load double, ptr %668, align 8
-  %670 = fsub double %667, %669
-  store double %670, ptr %652, align 8
-  br label %671
-
-671:                                              ; preds = %653, %650
-  %672 = add nuw nsw i64 %651, 1
-  %673 = icmp eq i64 %672, %616
-  br i1 %673, label %647, label %650, !llvm.loop !19
-
-674:                                              ; preds = %628, %685
-  %675 = phi i64 [ 0, %628 ], [ %686, %685 ]
-  br i1 %629, label %676, label %685
-
-676:                                              ; preds = %674
-  %677 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %675
-  %678 = load double, ptr %677, align 8
-  %679 = getelementptr inbounds i8, ptr %677, i64 8
-  %680 = load double, ptr %679, align 8
-  %681 = getelementptr inbounds i8, ptr %677, i64 16
-  %682 = load double, ptr %681, align 8
-  %683 = mul nuw nsw i64 %616, %675
-  %684 = getelementptr double, ptr %620, i64 %683
-  br label %688
-
-685:                                              ; preds = %688, %674
-  %686 = add nuw nsw i64 %675, 1
-  %687 = icmp eq i64 %686, 3
-  br i1 %687, label %704, label %674, !llvm.loop !20
-
-688:                                              ; preds = %676, %688
-  %689 = phi i64 [ 0, %676 ], [ %702, %688 ]
-  %690 = getelementptr inbounds double, ptr %619, i64 %689
-  %691 = load double, ptr %690, align 8
-  %692 = fmul double %678, %691
-  %693 = getelementptr double, ptr %630, i64 %689
+691:                                              ; preds = %679, %691
+  %692 = phi i64 [ 0, %679 ], [ %705, %691 ]
+  %693 = getelementptr inbounds double, ptr %622, i64 %692
   %694 = load double, ptr %693, align 8
-  %695 = fmul double %680, %694
-  %696 = fadd double %692, %695
-  %697 = getelementptr double, ptr %632, i64 %689
-  %698 = load double, ptr %697, align 8
-  %699 = fmul double %682, %698
-  %700 = fadd double %696, %699
-  %701 = getelementptr double, ptr %684, i64 %689
-  store double %700, ptr %701, align 8
-  %702 = add nuw nsw i64 %689, 1
-  %703 = icmp eq i64 %702, %616
-  br i1 %703, label %685, label %688, !llvm.loop !21
+  %695 = fmul double %681, %694
+  %696 = getelementptr double, ptr %633, i64 %692
+  %697 = load double, ptr %696, align 8
+  %698 = fmul double %683, %697
+  %699 = fadd double %695, %698
+  %700 = getelementptr double, ptr %635, i64 %692
+  %701 = load double, ptr %700, align 8
+  %702 = fmul double %685, %701
+  %703 = fadd double %699, %702
+  %704 = getelementptr double, ptr %687, i64 %692
+  store double %703, ptr %704, align 8
+  %705 = add nuw nsw i64 %692, 1
+  %706 = icmp eq i64 %705, %619
+  br i1 %706, label %688, label %691, !llvm.loop !21
 
-704:                                              ; preds = %685
-  %705 = load ptr, ptr %76, align 8, !noalias !22
-  %706 = getelementptr inbounds i8, ptr %705, i64 8
-  %707 = load i64, ptr %706, align 8, !noalias !22
-  %708 = load ptr, ptr %78, align 8, !noalias !22
-  %709 = getelementptr inbounds i8, ptr %708, i64 40
+707:                                              ; preds = %688
+  %708 = load ptr, ptr %76, align 8, !noalias !22
+  %709 = getelementptr inbounds i8, ptr %708, i64 8
   %710 = load i64, ptr %709, align 8, !noalias !22
-  %711 = load ptr, ptr %116, align 8, !noalias !22
-  %712 = load ptr, ptr %117, align 8, !noalias !22
-  %713 = load ptr, ptr %118, align 8, !noalias !22
-  %714 = load ptr, ptr %119, align 8, !noalias !22
-  %715 = load ptr, ptr %120, align 8, !noalias !22
-  %716 = icmp sgt i64 %710, 0
-  %717 = select i1 %716, i64 10, i64 6
-  %718 = icmp sgt i64 %707, 0
-  %719 = fdiv double 0x400D1A48D83E731D, %414
-  %720 = fdiv double 0x400572DB93E0C672, %414
-  %721 = fdiv double 0xC0086747F2C3FCB6, %414
-  %722 = icmp sgt i64 %707, 0
-  %723 = getelementptr double, ptr %712, i64 %707
-  %724 = shl i64 %707, 4
-  %725 = getelementptr i8, ptr %712, i64 %724
-  %726 = icmp eq i64 %710, 0
-  br label %727
+  %711 = load ptr, ptr %78, align 8, !noalias !22
+  %712 = getelementptr inbounds i8, ptr %711, i64 40
+  %713 = load i64, ptr %712, align 8, !noalias !22
+  %714 = load ptr, ptr %116, align 8, !noalias !22
+  %715 = load ptr, ptr %117, align 8, !noalias !22
+  %716 = load ptr, ptr %118, align 8, !noalias !22
+  %717 = load ptr, ptr %119, align 8, !noalias !22
+  %718 = load ptr, ptr %120, align 8, !noalias !22
+  %719 = icmp sgt i64 %713, 0
+  %720 = select i1 %719, i64 10, i64 6
+  %721 = icmp sgt i64 %710, 0
+  %722 = fdiv double 0x400D1A48D83E731D, %414
+  %723 = fdiv double 0x400572DB93E0C672, %414
+  %724 = fdiv double 0xC0086747F2C3FCB6, %414
+  %725 = icmp sgt i64 %710, 0
+  %726 = getelementptr double, ptr %715, i64 %710
+  %727 = shl i64 %710, 4
+  %728 = getelementptr i8, ptr %715, i64 %727
+  %729 = icmp eq i64 %713, 0
+  br label %730
 
-727:                                              ; preds = %704, %1130
-  %728 = phi double [ -1.000000e+00, %704 ], [ %1129, %1130 ]
-  %729 = phi double [ 0.000000e+00, %704 ], [ %1128, %1130 ]
-  %730 = phi i64 [ 0, %704 ], [ %1127, %1130 ]
-  %731 = phi i64 [ 0, %704 ], [ %1131, %1130 ]
-  %732 = phi i64 [ %380, %704 ], [ %1124, %1130 ]
-  %733 = phi i64 [ %381, %704 ], [ %1123, %1130 ]
-  %734 = phi i32 [ %382, %704 ], [ %1122, %1130 ]
-  %735 = phi double [ %383, %704 ], [ %1121, %1130 ]
-  %736 = icmp ugt i64 %731, 5
-  %737 = icmp eq i64 %730, 0
-  %738 = select i1 %736, i1 %737, i1 false
-  br i1 %738, label %1133, label %743
+730:                                              ; preds = %707, %1133
+  %731 = phi double [ -1.000000e+00, %707 ], [ %1132, %1133 ]
+  %732 = phi double [ 0.000000e+00, %707 ], [ %1131, %1133 ]
+  %733 = phi i64 [ 0, %707 ], [ %1130, %1133 ]
+  %734 = phi i64 [ 0, %707 ], [ %1134, %1133 ]
+  %735 = phi i64 [ %380, %707 ], [ %1127, %1133 ]
+  %736 = phi i64 [ %381, %707 ], [ %1126, %1133 ]
+  %737 = phi i32 [ %382, %707 ], [ %1125, %1133 ]
+  %738 = phi double [ %383, %707 ], [ %1124, %1133 ]
+  %739 = icmp ugt i64 %734, 5
+  %740 = icmp eq i64 %733, 0
+  %741 = select i1 %739, i1 %740, i1 false
+  br i1 %741, label %1136, label %746
 
-739:                                              ; preds = %765
-  %740 = add nuw nsw i64 %744, 1
-  %741 = icmp ugt i64 %744, 1
-  %742 = icmp eq i64 %740, 3
-  br i1 %742, label %788, label %743, !llvm.loop !25
+742:                                              ; preds = %768
+  %743 = add nuw nsw i64 %747, 1
+  %744 = icmp ugt i64 %747, 1
+  %745 = icmp eq i64 %743, 3
+  br i1 %745, label %791, label %746, !llvm.loop !25
 
-743:                                              ; preds = %727, %739
-  %744 = phi i64 [ %740, %739 ], [ 0, %727 ]
-  %745 = phi i1 [ %741, %739 ], [ false, %727 ]
-  br i1 %718, label %746, label %749
+746:                                              ; preds = %730, %742
+  %747 = phi i64 [ %743, %742 ], [ 0, %730 ]
+  %748 = phi i1 [ %744, %742 ], [ false, %730 ]
+  br i1 %721, label %749, label %752
 
-746:                                              ; preds = %743
-  %747 = mul nuw nsw i64 %707, %744
-  %748 = getelementptr double, ptr %711, i64 %747
-  br label %774
+749:                                              ; preds = %746
+  %750 = mul nuw nsw i64 %710, %747
+  %751 = getelementptr double, ptr %714, i64 %750
+  br label %777
 
-749:                                              ; preds = %774, %743
-  %750 = load ptr, ptr %81, align 8, !noalias !22
-  %751 = getelementptr inbounds i8, ptr %750, i64 24
-  %752 = load i64, ptr %751, align 8, !noalias !22
-  %753 = add nsw i64 %752, 1
-  store i64 %753, ptr %751, align 8, !noalias !22
-  %754 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %744
-  %755 = load double, ptr %754, align 8, !noalias !22
-  %756 = fmul double %414, %755
-  %757 = fadd double %378, %756
-  %758 = load ptr, ptr %121, align 8, !noalias !22
-  %759 = mul nsw i64 %707, %744
-  %760 = getelementptr inbounds double, ptr %713, i64 %759
-  %761 = load ptr, ptr %122, align 8, !noalias !22
-  store double %757, ptr %761, align 8, !noalias !22
-  %762 = load i64, ptr %123, align 8, !noalias !22
-  %763 = icmp sgt i64 %762, 0
-  br i1 %763, label %764, label %765
+752:                                              ; preds = %777, %746
+  %753 = load ptr, ptr %81, align 8, !noalias !22
+  %754 = getelementptr inbounds i8, ptr %753, i64 24
+  %755 = load i64, ptr %754, align 8, !noalias !22
+  %756 = add nsw i64 %755, 1
+  store i64 %756, ptr %754, align 8, !noalias !22
+  %757 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %747
+  %758 = load double, ptr %757, align 8, !noalias !22
+  %759 = fmul double %414, %758
+  %760 = fadd double %378, %759
+  %761 = load ptr, ptr %121, align 8, !noalias !22
+  %762 = mul nsw i64 %710, %747
+  %763 = getelementptr inbounds double, ptr %716, i64 %762
+  %764 = load ptr, ptr %122, align 8, !noalias !22
+  store double %760, ptr %764, align 8, !noalias !22
+  %765 = load i64, ptr %123, align 8, !noalias !22
+  %766 = icmp sgt i64 %765, 0
+  br i1 %766, label %767, label %768
 
-764:                                              ; preds = %749
+767:                                              ; preds = %752
   tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
-  br label %765
+  br label %768
 
-765:                                              ; preds = %749, %764
-  %766 = load ptr, ptr %76, align 8, !noalias !22
-  %767 = load i64, ptr %766, align 8, !noalias !22
-  %768 = load ptr, ptr %122, align 8, !noalias !22
-  %769 = load ptr, ptr %125, align 8, !noalias !22
-  %770 = load ptr, ptr %126, align 8, !noalias !22
-  %771 = inttoptr i64 %767 to ptr
-  %772 = tail call i32 %771(ptr noundef %768, ptr noundef %758, ptr noundef %769, ptr noundef %770, ptr noundef %760) #11, !noalias !22
-  %773 = icmp eq i32 %772, 0
-  br i1 %773, label %739, label %786
+768:                                              ; preds = %752, %767
+  %769 = load ptr, ptr %76, align 8, !noalias !22
+  %770 = load i64, ptr %769, align 8, !noalias !22
+  %771 = load ptr, ptr %122, align 8, !noalias !22
+  %772 = load ptr, ptr %125, align 8, !noalias !22
+  %773 = load ptr, ptr %126, align 8, !noalias !22
+  %774 = inttoptr i64 %770 to ptr
+  %775 = tail call i32 %774(ptr noundef %771, ptr noundef %761, ptr noundef %772, ptr noundef %773, ptr noundef %763) #11, !noalias !22
+  %776 = icmp eq i32 %775, 0
+  br i1 %776, label %742, label %789
 
-774:                                              ; preds = %746, %774
-  %775 = phi i64 [ 0, %746 ], [ %784, %774 ]
-  %776 = load ptr, ptr %77, align 8, !noalias !22
-  %777 = getelementptr inbounds double, ptr %776, i64 %775
-  %778 = load double, ptr %777, align 8, !noalias !22
-  %779 = getelementptr double, ptr %748, i64 %775
-  %780 = load double, ptr %779, align 8, !noalias !22
-  %781 = fadd double %778, %780
-  %782 = load ptr, ptr %124, align 8, !noalias !22
-  %783 = getelementptr inbounds double, ptr %782, i64 %775
-  store double %781, ptr %783, align 8, !noalias !22
-  %784 = add nuw nsw i64 %775, 1
-  %785 = icmp eq i64 %784, %707
-  br i1 %785, label %749, label %774, !llvm.loop !26
+777:                                              ; preds = %749, %777
+  %778 = phi i64 [ 0, %749 ], [ %787, %777 ]
+  %779 = load ptr, ptr %77, align 8, !noalias !22
+  %780 = getelementptr inbounds double, ptr %779, i64 %778
+  %781 = load double, ptr %780, align 8, !noalias !22
+  %782 = getelementptr double, ptr %751, i64 %778
+  %783 = load double, ptr %782, align 8, !noalias !22
+  %784 = fadd double %781, %783
+  %785 = load ptr, ptr %124, align 8, !noalias !22
+  %786 = getelementptr inbounds double, ptr %785, i64 %778
+  store double %784, ptr %786, align 8, !noalias !22
+  %787 = add nuw nsw i64 %778, 1
+  %788 = icmp eq i64 %787, %710
+  br i1 %788, label %752, label %777, !llvm.loop !26
 
-786:                                              ; preds = %765
-  %787 = sext i32 %772 to i64
-  br label %788
+789:                                              ; preds = %768
+  %790 = sext i32 %775 to i64
+  br label %791
 
-788:                                              ; preds = %739, %786
-  %789 = phi i1 [ %745, %786 ], [ %741, %739 ]
-  %790 = phi double [ 0.000000e+00, %786 ], [ %735, %739 ]
-  %791 = phi i32 [ 0, %786 ], [ %734, %739 ]
-  %792 = phi i64 [ %731, %786 ], [ %733, %739 ]
-  %793 = phi i64 [ %787, %786 ], [ %732, %739 ]
-  %794 = phi i32 [ 1, %786 ], [ 5, %739 ]
-  br i1 %789, label %795, label %1133
+791:                                              ; preds = %742, %789
+  %792 = phi i1 [ %748, %789 ], [ %744, %742 ]
+  %793 = phi double [ 0.000000e+00, %789 ], [ %738, %742 ]
+  %794 = phi i32 [ 0, %789 ], [ %737, %742 ]
+  %795 = phi i64 [ %734, %789 ], [ %736, %742 ]
+  %796 = phi i64 [ %790, %789 ], [ %735, %742 ]
+  %797 = phi i32 [ 1, %789 ], [ 5, %742 ]
+  br i1 %792, label %798, label %1136
 
-795:                                              ; preds = %788
-  %796 = load ptr, ptr %76, align 8, !noalias !22
-  %797 = getelementptr inbounds i8, ptr %796, i64 8
-  %798 = load i64, ptr %797, align 8, !noalias !22
-  %799 = load ptr, ptr %118, align 8, !noalias !22
-  %800 = load ptr, ptr %117, align 8, !noalias !22
-  %801 = load ptr, ptr %119, align 8, !noalias !22
-  %802 = load ptr, ptr %120, align 8, !noalias !22
-  %803 = icmp sgt i64 %798, 0
-  br i1 %803, label %804, label %909
+798:                                              ; preds = %791
+  %799 = load ptr, ptr %76, align 8, !noalias !22
+  %800 = getelementptr inbounds i8, ptr %799, i64 8
+  %801 = load i64, ptr %800, align 8, !noalias !22
+  %802 = load ptr, ptr %118, align 8, !noalias !22
+  %803 = load ptr, ptr %117, align 8, !noalias !22
+  %804 = load ptr, ptr %119, align 8, !noalias !22
+  %805 = load ptr, ptr %120, align 8, !noalias !22
+  %806 = icmp sgt i64 %801, 0
+  br i1 %806, label %807, label %912
 
-804:                                              ; preds = %795
-  %805 = shl nuw nsw i64 %798, 1
-  %806 = getelementptr double, ptr %799, i64 %798
-  %807 = shl i64 %798, 4
-  %808 = getelementptr i8, ptr %799, i64 %807
-  %809 = load double, ptr %799, align 8, !noalias !22
-  %810 = getelementptr inbounds double, ptr %799, i64 %798
-  %811 = load double, ptr %810, align 8, !noalias !22
-  %812 = fadd double %809, %811
-  %813 = getelementptr inbounds double, ptr %799, i64 %805
+807:                                              ; preds = %798
+  %808 = shl nuw nsw i64 %801, 1
+  %809 = getelementptr double, ptr %802, i64 %801
+  %810 = shl i64 %801, 4
+  %811 = getelementptr i8, ptr %802, i64 %810
+  %812 = load double, ptr %802, align 8, !noalias !22
+  %813 = getelementptr inbounds double, ptr %802, i64 %801
   %814 = load double, ptr %813, align 8, !noalias !22
   %815 = fadd double %812, %814
-  %816 = tail call double @llvm.fabs.f64(double %815)
-  %817 = fcmp ueq double %816, 0x7FF0000000000000
-  br i1 %817, label %906, label %818
+  %816 = getelementptr inbounds double, ptr %802, i64 %808
+  %817 = load double, ptr %816, align 8, !noalias !22
+  %818 = fadd double %815, %817
+  %819 = tail call double @llvm.fabs.f64(double %818)
+  %820 = fcmp ueq double %819, 0x7FF0000000000000
+  br i1 %820, label %909, label %821
 
-818:                                              ; preds = %804
-  %819 = getelementptr double, ptr %800, i64 %798
-  %820 = getelementptr inbounds double, ptr %800, i64 %805
-  %821 = getelementptr double, ptr %799, i64 %798
-  %822 = getelementptr inbounds double, ptr %799, i64 %805
-  br label %834
+821:                                              ; preds = %807
+  %822 = getelementptr double, ptr %803, i64 %801
+  %823 = getelementptr inbounds double, ptr %803, i64 %808
+  %824 = getelementptr double, ptr %802, i64 %801
+  %825 = getelementptr inbounds double, ptr %802, i64 %808
+  br label %837
 
-823:                                              ; preds = %834
-  %824 = getelementptr inbounds double, ptr %799, i64 %902
-  %825 = load double, ptr %824, align 8, !noalias !22
-  %826 = getelementptr double, ptr %821, i64 %902
-  %827 = load double, ptr %826, align 8, !noalias !22
-  %828 = fadd double %825, %827
-  %829 = getelementptr inbounds double, ptr %822, i64 %902
+826:                                              ; preds = %837
+  %827 = getelementptr inbounds double, ptr %802, i64 %905
+  %828 = load double, ptr %827, align 8, !noalias !22
+  %829 = getelementptr double, ptr %824, i64 %905
   %830 = load double, ptr %829, align 8, !noalias !22
   %831 = fadd double %828, %830
-  %832 = tail call double @llvm.fabs.f64(double %831)
-  %833 = fcmp ueq double %832, 0x7FF0000000000000
-  br i1 %833, label %904, label %834, !llvm.loop !27
+  %832 = getelementptr inbounds double, ptr %825, i64 %905
+  %833 = load double, ptr %832, align 8, !noalias !22
+  %834 = fadd double %831, %833
+  %835 = tail call double @llvm.fabs.f64(double %834)
+  %836 = fcmp ueq double %835, 0x7FF0000000000000
+  br i1 %836, label %907, label %837, !llvm.loop !27
 
-834:                                              ; preds = %818, %823
-  %835 = phi double [ %825, %823 ], [ %809, %818 ]
-  %836 = phi double [ %901, %823 ], [ 0.000000e+00, %818 ]
-  %837 = phi i64 [ %902, %823 ], [ 0, %818 ]
-  %838 = getelementptr inbounds double, ptr %799, i64 %837
-  %839 = fmul double %835, 0x4010B70201A79C46
-  %840 = getelementptr double, ptr %806, i64 %837
-  %841 = load double, ptr %840, align 8, !noalias !22
-  %842 = fmul double %841, 0x3FD4F8C15DA84E86
-  %843 = fadd double %839, %842
-  %844 = getelementptr double, ptr %808, i64 %837
-  %845 = load double, ptr %844, align 8, !noalias !22
-  %846 = fmul double %845, 0x3FE0BF7FF59D56EF
-  %847 = fadd double %843, %846
-  %848 = getelementptr inbounds double, ptr %800, i64 %837
-  %849 = load double, ptr %848, align 8, !noalias !22
-  %850 = fmul double %719, %849
-  %851 = fsub double %847, %850
-  %852 = getelementptr inbounds double, ptr %801, i64 %837
-  store double %851, ptr %852, align 8, !noalias !22
-  %853 = load double, ptr %838, align 8, !noalias !22
-  %854 = fmul double %853, 0xC010B70201A79C46
-  %855 = load double, ptr %840, align 8, !noalias !22
-  %856 = fmul double %855, 0x3FD4F8C15DA84E86
-  %857 = fsub double %854, %856
-  %858 = load double, ptr %844, align 8, !noalias !22
-  %859 = fmul double %858, 0x3FDE810014C55221
-  %860 = fadd double %857, %859
-  %861 = fmul double %853, 0x3FE017885A24A7F2
-  %862 = fmul double %855, 0x4004934E6FCAA598
-  %863 = fsub double %861, %862
-  %864 = fmul double %858, 0x3FE312C0CF7BDFD1
-  %865 = fadd double %863, %864
-  %866 = getelementptr double, ptr %819, i64 %837
-  %867 = load double, ptr %866, align 8, !noalias !22
-  %868 = getelementptr inbounds double, ptr %820, i64 %837
-  %869 = load double, ptr %868, align 8, !noalias !22
-  %870 = fmul double %720, %867
-  %871 = fmul double %721, %869
-  %872 = fmul double %720, %869
-  %873 = fmul double %721, %867
-  %874 = fsub double %870, %871
-  %875 = fadd double %873, %872
-  %876 = fsub double %860, %874
-  %877 = fsub double %865, %875
-  %878 = getelementptr inbounds { double, double }, ptr %802, i64 %837
-  %879 = getelementptr inbounds i8, ptr %878, i64 8
-  store double %876, ptr %878, align 8, !noalias !22
-  store double %877, ptr %879, align 8, !noalias !22
-  %880 = load double, ptr %852, align 8, !noalias !22
-  %881 = tail call double @llvm.fabs.f64(double %880)
-  %882 = tail call double @llvm.fabs.f64(double %876)
-  %883 = fadd double %881, %882
-  %884 = tail call double @llvm.fabs.f64(double %877)
-  %885 = fadd double %884, %883
-  %886 = fmul double %414, %885
-  %887 = load ptr, ptr %77, align 8, !noalias !22
-  %888 = getelementptr inbounds double, ptr %887, i64 %837
-  %889 = load double, ptr %888, align 8, !noalias !22
-  %890 = load ptr, ptr %127, align 8, !noalias !22
-  %891 = getelementptr inbounds double, ptr %890, i64 %837
+837:                                              ; preds = %821, %826
+  %838 = phi double [ %828, %826 ], [ %812, %821 ]
+  %839 = phi double [ %904, %826 ], [ 0.000000e+00, %821 ]
+  %840 = phi i64 [ %905, %826 ], [ 0, %821 ]
+  %841 = getelementptr inbounds double, ptr %802, i64 %840
+  %842 = fmul double %838, 0x4010B70201A79C46
+  %843 = getelementptr double, ptr %809, i64 %840
+  %844 = load double, ptr %843, align 8, !noalias !22
+  %845 = fmul double %844, 0x3FD4F8C15DA84E86
+  %846 = fadd double %842, %845
+  %847 = getelementptr double, ptr %811, i64 %840
+  %848 = load double, ptr %847, align 8, !noalias !22
+  %849 = fmul double %848, 0x3FE0BF7FF59D56EF
+  %850 = fadd double %846, %849
+  %851 = getelementptr inbounds double, ptr %803, i64 %840
+  %852 = load double, ptr %851, align 8, !noalias !22
+  %853 = fmul double %722, %852
+  %854 = fsub double %850, %853
+  %855 = getelementptr inbounds double, ptr %804, i64 %840
+  store double %854, ptr %855, align 8, !noalias !22
+  %856 = load double, ptr %841, align 8, !noalias !22
+  %857 = fmul double %856, 0xC010B70201A79C46
+  %858 = load double, ptr %843, align 8, !noalias !22
+  %859 = fmul double %858, 0x3FD4F8C15DA84E86
+  %860 = fsub double %857, %859
+  %861 = load double, ptr %847, align 8, !noalias !22
+  %862 = fmul double %861, 0x3FDE810014C55221
+  %863 = fadd double %860, %862
+  %864 = fmul double %856, 0x3FE017885A24A7F2
+  %865 = fmul double %858, 0x4004934E6FCAA598
+  %866 = fsub double %864, %865
+  %867 = fmul double %861, 0x3FE312C0CF7BDFD1
+  %868 = fadd double %866, %867
+  %869 = getelementptr double, ptr %822, i64 %840
+  %870 = load double, ptr %869, align 8, !noalias !22
+  %871 = getelementptr inbounds double, ptr %823, i64 %840
+  %872 = load double, ptr %871, align 8, !noalias !22
+  %873 = fmul double %723, %870
+  %874 = fmul double %724, %872
+  %875 = fmul double %723, %872
+  %876 = fmul double %724, %870
+  %877 = fsub double %873, %874
+  %878 = fadd double %876, %875
+  %879 = fsub double %863, %877
+  %880 = fsub double %868, %878
+  %881 = getelementptr inbounds { double, double }, ptr %805, i64 %840
+  %882 = getelementptr inbounds i8, ptr %881, i64 8
+  store double %879, ptr %881, align 8, !noalias !22
+  store double %880, ptr %882, align 8, !noalias !22
+  %883 = load double, ptr %855, align 8, !noalias !22
+  %884 = tail call double @llvm.fabs.f64(double %883)
+  %885 = tail call double @llvm.fabs.f64(double %879)
+  %886 = fadd double %884, %885
+  %887 = tail call double @llvm.fabs.f64(double %880)
+  %888 = fadd double %887, %886
+  %889 = fmul double %414, %888
+  %890 = load ptr, ptr %77, align 8, !noalias !22
+  %891 = getelementptr inbounds double, ptr %890, i64 %840
   %892 = load double, ptr %891, align 8, !noalias !22
-  %893 = load ptr, ptr %128, align 8, !noalias !22
-  %894 = getelementptr inbounds double, ptr %893, i64 %837
+  %893 = load ptr, ptr %127, align 8, !noalias !22
+  %894 = getelementptr inbounds double, ptr %893, i64 %840
   %895 = load double, ptr %894, align 8, !noalias !22
-  %896 = tail call double @llvm.fabs.f64(double %889)
-  %897 = fmul double %896, %895
-  %898 = fadd double %892, %897
-  %899 = fdiv double %886, %898
-  %900 = fmul double %899, %899
-  %901 = fadd double %836, %900
-  %902 = add nuw nsw i64 %837, 1
-  %903 = icmp eq i64 %902, %798
-  br i1 %903, label %909, label %823, !llvm.loop !27
+  %896 = load ptr, ptr %128, align 8, !noalias !22
+  %897 = getelementptr inbounds double, ptr %896, i64 %840
+  %898 = load double, ptr %897, align 8, !noalias !22
+  %899 = tail call double @llvm.fabs.f64(double %892)
+  %900 = fmul double %899, %898
+  %901 = fadd double %895, %900
+  %902 = fdiv double %889, %901
+  %903 = fmul double %902, %902
+  %904 = fadd double %839, %903
+  %905 = add nuw nsw i64 %840, 1
+  %906 = icmp eq i64 %905, %801
+  br i1 %906, label %912, label %826, !llvm.loop !27
 
-904:                                              ; preds = %823
-  %905 = icmp slt i64 %902, %798
-  br label %906
+907:                                              ; preds = %826
+  %908 = icmp slt i64 %905, %801
+  br label %909
 
-906:                                              ; preds = %904, %804
-  %907 = phi i1 [ %905, %904 ], [ %803, %804 ]
-  %908 = phi double [ %901, %904 ], [ 0.000000e+00, %804 ]
-  br i1 %907, label %1133, label %909
+909:                                              ; preds = %907, %807
+  %910 = phi i1 [ %908, %907 ], [ %806, %807 ]
+  %911 = phi double [ %904, %907 ], [ 0.000000e+00, %807 ]
+  br i1 %910, label %1136, label %912
 
-909:                                              ; preds = %834, %795, %906
-  %910 = phi double [ %908, %906 ], [ 0.000000e+00, %795 ], [ %901, %834 ]
-  %911 = load ptr, ptr %76, align 8, !noalias !22
-  %912 = getelementptr inbounds i8, ptr %911, i64 8
-  %913 = load i64, ptr %912, align 8, !noalias !22
-  %914 = load i64, ptr %130, align 8, !noalias !22
-  %915 = load ptr, ptr %78, align 8, !noalias !22
-  %916 = getelementptr inbounds i8, ptr %915, i64 40
-  %917 = load i64, ptr %916, align 8, !noalias !22
-  %918 = load ptr, ptr %119, align 8, !noalias !22
-  %919 = load ptr, ptr %120, align 8, !noalias !22
-  %920 = load ptr, ptr %131, align 8, !noalias !22
-  %921 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %920, i64 noundef %914, ptr noundef %921, ptr noundef %918) #10, !noalias !22
-  %922 = load ptr, ptr %132, align 8, !noalias !22
-  %923 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %922, i64 noundef %914, ptr noundef %923, ptr noundef %919) #10, !noalias !22
-  %924 = icmp sgt i64 %917, 0
-  br i1 %924, label %925, label %930
+912:                                              ; preds = %837, %798, %909
+  %913 = phi double [ %911, %909 ], [ 0.000000e+00, %798 ], [ %904, %837 ]
+  %914 = load ptr, ptr %76, align 8, !noalias !22
+  %915 = getelementptr inbounds i8, ptr %914, i64 8
+  %916 = load i64, ptr %915, align 8, !noalias !22
+  %917 = load i64, ptr %130, align 8, !noalias !22
+  %918 = load ptr, ptr %78, align 8, !noalias !22
+  %919 = getelementptr inbounds i8, ptr %918, i64 40
+  %920 = load i64, ptr %919, align 8, !noalias !22
+  %921 = load ptr, ptr %119, align 8, !noalias !22
+  %922 = load ptr, ptr %120, align 8, !noalias !22
+  %923 = load ptr, ptr %131, align 8, !noalias !22
+  %924 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %923, i64 noundef %917, ptr noundef %924, ptr noundef %921) #10, !noalias !22
+  %925 = load ptr, ptr %132, align 8, !noalias !22
+  %926 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve(ptr noundef %925, i64 noundef %917, ptr noundef %926, ptr noundef %922) #10, !noalias !22
+  %927 = icmp sgt i64 %920, 0
+  br i1 %927, label %928, label %933
 
-925:                                              ; preds = %909
-  %926 = load ptr, ptr %131, align 8, !noalias !22
-  %927 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %926, i64 noundef %914, ptr noundef %927, ptr noundef %918, i64 noundef %917) #10, !noalias !22
-  %928 = load ptr, ptr %132, align 8, !noalias !22
-  %929 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %928, i64 noundef %914, ptr noundef %929, ptr noundef %919, i64 noundef %917) #10, !noalias !22
-  br label %930
+928:                                              ; preds = %912
+  %929 = load ptr, ptr %131, align 8, !noalias !22
+  %930 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %929, i64 noundef %917, ptr noundef %930, ptr noundef %921, i64 noundef %920) #10, !noalias !22
+  %931 = load ptr, ptr %132, align 8, !noalias !22
+  %932 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %931, i64 noundef %917, ptr noundef %932, ptr noundef %922, i64 noundef %920) #10, !noalias !22
+  br label %933
 
-930:                                              ; preds = %925, %909
-  %931 = icmp sgt i64 %913, 0
-  br i1 %931, label %932, label %965
+933:                                              ; preds = %928, %912
+  %934 = icmp sgt i64 %916, 0
+  br i1 %934, label %935, label %968
 
-932:                                              ; preds = %930
-  %933 = load ptr, ptr %77, align 8, !noalias !22
-  %934 = load ptr, ptr %134, align 8, !noalias !22
-  %935 = load ptr, ptr %135, align 8, !noalias !22
-  br label %936
+935:                                              ; preds = %933
+  %936 = load ptr, ptr %77, align 8, !noalias !22
+  %937 = load ptr, ptr %134, align 8, !noalias !22
+  %938 = load ptr, ptr %135, align 8, !noalias !22
+  br label %939
 
-936:                                              ; preds = %932, %936
-  %937 = phi double [ 0.000000e+00, %932 ], [ %962, %936 ]
-  %938 = phi i64 [ 0, %932 ], [ %963, %936 ]
-  %939 = getelementptr inbounds double, ptr %933, i64 %938
-  %940 = load double, ptr %939, align 8, !noalias !22
-  %941 = getelementptr inbounds double, ptr %934, i64 %938
-  %942 = load double, ptr %941, align 8, !noalias !22
-  %943 = getelementptr inbounds double, ptr %935, i64 %938
-  %944 = load double, ptr %943, align 8, !noalias !22
-  %945 = tail call double @llvm.fabs.f64(double %940)
-  %946 = fmul double %945, %944
-  %947 = fadd double %942, %946
-  %948 = getelementptr inbounds double, ptr %918, i64 %938
-  %949 = load double, ptr %948, align 8, !noalias !22
-  %950 = fdiv double %949, %947
-  %951 = getelementptr inbounds { double, double }, ptr %919, i64 %938
+939:                                              ; preds = %935, %939
+  %940 = phi double [ 0.000000e+00, %935 ], [ %965, %939 ]
+  %941 = phi i64 [ 0, %935 ], [ %966, %939 ]
+  %942 = getelementptr inbounds double, ptr %936, i64 %941
+  %943 = load double, ptr %942, align 8, !noalias !22
+  %944 = getelementptr inbounds double, ptr %937, i64 %941
+  %945 = load double, ptr %944, align 8, !noalias !22
+  %946 = getelementptr inbounds double, ptr %938, i64 %941
+  %947 = load double, ptr %946, align 8, !noalias !22
+  %948 = tail call double @llvm.fabs.f64(double %943)
+  %949 = fmul double %948, %947
+  %950 = fadd double %945, %949
+  %951 = getelementptr inbounds double, ptr %921, i64 %941
   %952 = load double, ptr %951, align 8, !noalias !22
-  %953 = getelementptr inbounds i8, ptr %951, i64 8
-  %954 = fdiv double %952, %947
-  %955 = load double, ptr %953, align 8, !noalias !22
-  %956 = fdiv double %955, %947
-  %957 = fmul double %950, %950
-  %958 = fmul double %954, %954
-  %959 = fadd double %957, %958
-  %960 = fmul double %956, %956
-  %961 = fadd double %959, %960
-  %962 = fadd double %937, %961
-  %963 = add nuw nsw i64 %938, 1
-  %964 = icmp eq i64 %963, %913
-  br i1 %964, label %965, label %936, !llvm.loop !28
+  %953 = fdiv double %952, %950
+  %954 = getelementptr inbounds { double, double }, ptr %922, i64 %941
+  %955 = load double, ptr %954, align 8, !noalias !22
+  %956 = getelementptr inbounds i8, ptr %954, i64 8
+  %957 = fdiv double %955, %950
+  %958 = load double, ptr %956, align 8, !noalias !22
+  %959 = fdiv double %958, %950
+  %960 = fmul double %953, %953
+  %961 = fmul double %957, %957
+  %962 = fadd double %960, %961
+  %963 = fmul double %959, %959
+  %964 = fadd double %962, %963
+  %965 = fadd double %940, %964
+  %966 = add nuw nsw i64 %941, 1
+  %967 = icmp eq i64 %966, %916
+  br i1 %967, label %968, label %939, !llvm.loop !28
 
-965:                                              ; preds = %936, %930
-  %966 = phi double [ 0.000000e+00, %930 ], [ %962, %936 ]
-  %967 = mul nsw i64 %913, 3
-  %968 = sitofp i64 %967 to double
-  %969 = fdiv double %966, %968
-  %970 = tail call double @llvm.sqrt.f64(double %969)
-  %971 = fcmp oeq double %970, 0.000000e+00
-  %972 = fcmp ogt double %910, 0.000000e+00
-  %973 = select i1 %971, i1 %972, i1 false
-  br i1 %973, label %974, label %976
+968:                                              ; preds = %939, %933
+  %969 = phi double [ 0.000000e+00, %933 ], [ %965, %939 ]
+  %970 = mul nsw i64 %916, 3
+  %971 = sitofp i64 %970 to double
+  %972 = fdiv double %969, %971
+  %973 = tail call double @llvm.sqrt.f64(double %972)
+  %974 = fcmp oeq double %973, 0.000000e+00
+  %975 = fcmp ogt double %913, 0.000000e+00
+  %976 = select i1 %974, i1 %975, i1 false
+  br i1 %976, label %977, label %979
 
-974:                                              ; preds = %965
-  %975 = add nuw nsw i64 %731, 1
-  br label %1120
+977:                                              ; preds = %968
+  %978 = add nuw nsw i64 %734, 1
+  br label %1123
 
-976:                                              ; preds = %965
-  %977 = fcmp ogt double %728, 0.000000e+00
-  %978 = select i1 %977, i1 %737, i1 false
-  br i1 %978, label %979, label %992
-
-979:                                              ; preds = %976
-  %980 = fdiv double %970, %728
-  %981 = fcmp ult double %980, 1.000000e+00
-  br i1 %981, label %982, label %990
+979:                                              ; preds = %968
+  %980 = fcmp ogt double %731, 0.000000e+00
+  %981 = select i1 %980, i1 %740, i1 false
+  br i1 %981, label %982, label %995
 
 982:                                              ; preds = %979
-  %983 = sub nsw i64 5, %731
-  %984 = sitofp i64 %983 to double
-  %985 = tail call double @llvm.pow.f64(double %980, double %984)
-  %986 = fsub double 1.000000e+00, %980
-  %987 = fdiv double %985, %986
-  %988 = fmul double %970, %987
-  %989 = fcmp ogt double %988, %223
-  br i1 %989, label %990, label %992
+  %983 = fdiv double %973, %731
+  %984 = fcmp ult double %983, 1.000000e+00
+  br i1 %984, label %985, label %993
 
-990:                                              ; preds = %982, %979
-  %991 = add nuw nsw i64 %731, 1
-  br label %1120
+985:                                              ; preds = %982
+  %986 = sub nsw i64 5, %734
+  %987 = sitofp i64 %986 to double
+  %988 = tail call double @llvm.pow.f64(double %983, double %987)
+  %989 = fsub double 1.000000e+00, %983
+  %990 = fdiv double %988, %989
+  %991 = fmul double %973, %990
+  %992 = fcmp ogt double %991, %223
+  br i1 %992, label %993, label %995
 
-992:                                              ; preds = %982, %976
-  %993 = phi double [ %729, %976 ], [ %980, %982 ]
-  br i1 %722, label %1005, label %994
+993:                                              ; preds = %985, %982
+  %994 = add nuw nsw i64 %734, 1
+  br label %1123
 
-994:                                              ; preds = %1023, %992
-  %995 = fsub double 1.000000e+00, %993
-  %996 = fdiv double %993, %995
-  %997 = fmul double %970, %996
-  %998 = fcmp olt double %997, %223
-  %999 = select i1 %977, i1 %998, i1 false
-  %1000 = select i1 %971, i1 true, i1 %999
-  %1001 = add nuw nsw i64 %731, 1
-  %1002 = select i1 %1000, i64 %1001, i64 0
-  %1003 = select i1 %737, i64 %1002, i64 %730
-  %1004 = icmp sgt i64 %1003, 0
-  br i1 %1004, label %1046, label %1119
+995:                                              ; preds = %985, %979
+  %996 = phi double [ %732, %979 ], [ %983, %985 ]
+  br i1 %725, label %1008, label %997
 
-1005:                                             ; preds = %992, %1023
-  %1006 = phi i64 [ %1024, %1023 ], [ 0, %992 ]
-  %1007 = getelementptr inbounds double, ptr %714, i64 %1006
-  %1008 = load double, ptr %1007, align 8, !noalias !22
-  %1009 = getelementptr inbounds double, ptr %712, i64 %1006
-  %1010 = load double, ptr %1009, align 8, !noalias !22
-  %1011 = fadd double %1008, %1010
-  store double %1011, ptr %1009, align 8, !noalias !22
-  %1012 = getelementptr inbounds { double, double }, ptr %715, i64 %1006
+997:                                              ; preds = %1026, %995
+  %998 = fsub double 1.000000e+00, %996
+  %999 = fdiv double %996, %998
+  %1000 = fmul double %973, %999
+  %1001 = fcmp olt double %1000, %223
+  %1002 = select i1 %980, i1 %1001, i1 false
+  %1003 = select i1 %974, i1 true, i1 %1002
+  %1004 = add nuw nsw i64 %734, 1
+  %1005 = select i1 %1003, i64 %1004, i64 0
+  %1006 = select i1 %740, i64 %1005, i64 %733
+  %1007 = icmp sgt i64 %1006, 0
+  br i1 %1007, label %1049, label %1122
+
+1008:                                             ; preds = %995, %1026
+  %1009 = phi i64 [ %1027, %1026 ], [ 0, %995 ]
+  %1010 = getelementptr inbounds double, ptr %717, i64 %1009
+  %1011 = load double, ptr %1010, align 8, !noalias !22
+  %1012 = getelementptr inbounds double, ptr %715, i64 %1009
   %1013 = load double, ptr %1012, align 8, !noalias !22
-  %1014 = getelementptr inbounds i8, ptr %1012, i64 8
-  %1015 = getelementptr double, ptr %723, i64 %1006
+  %1014 = fadd double %1011, %1013
+  store double %1014, ptr %1012, align 8, !noalias !22
+  %1015 = getelementptr inbounds { double, double }, ptr %718, i64 %1009
   %1016 = load double, ptr %1015, align 8, !noalias !22
-  %1017 = fadd double %1013, %1016
-  store double %1017, ptr %1015, align 8, !noalias !22
-  %1018 = load double, ptr %1014, align 8, !noalias !22
-  %1019 = getelementptr double, ptr %725, i64 %1006
-  %1020 = load double, ptr %1019, align 8, !noalias !22
-  %1021 = fadd double %1018, %1020
-  store double %1021, ptr %1019, align 8, !noalias !22
-  %1022 = getelementptr double, ptr %711, i64 %1006
-  br label %1026
+  %1017 = getelementptr inbounds i8, ptr %1015, i64 8
+  %1018 = getelementptr double, ptr %726, i64 %1009
+  %1019 = load double, ptr %1018, align 8, !noalias !22
+  %1020 = fadd double %1016, %1019
+  store double %1020, ptr %1018, align 8, !noalias !22
+  %1021 = load double, ptr %1017, align 8, !noalias !22
+  %1022 = getelementptr double, ptr %728, i64 %1009
+  %1023 = load double, ptr %1022, align 8, !noalias !22
+  %1024 = fadd double %1021, %1023
+  store double %1024, ptr %1022, align 8, !noalias !22
+  %1025 = getelementptr double, ptr %714, i64 %1009
+  br label %1029
 
-1023:                                             ; preds = %1026
-  %1024 = add nuw nsw i64 %1006, 1
-  %1025 = icmp eq i64 %1024, %707
-  br i1 %1025, label %994, label %1005, !llvm.loop !29
+1026:                                             ; preds = %1029
+  %1027 = add nuw nsw i64 %1009, 1
+  %1028 = icmp eq i64 %1027, %710
+  br i1 %1028, label %997, label %1008, !llvm.loop !29
 
-1026:                                             ; preds = %1005, %1026
-  %1027 = phi i64 [ 0, %1005 ], [ %1044, %1026 ]
-  %1028 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1027
-  %1029 = load double, ptr %1028, align 8, !noalias !22
-  %1030 = load double, ptr %1009, align 8, !noalias !22
-  %1031 = fmul double %1029, %1030
-  %1032 = getelementptr inbounds i8, ptr %1028, i64 8
-  %1033 = load double, ptr %1032, align 8, !noalias !22
-  %1034 = load double, ptr %1015, align 8, !noalias !22
-  %1035 = fmul double %1033, %1034
-  %1036 = fadd double %1031, %1035
-  %1037 = getelementptr inbounds i8, ptr %1028, i64 16
-  %1038 = load double, ptr %1037, align 8, !noalias !22
-  %1039 = load double, ptr %1019, align 8, !noalias !22
-  %1040 = fmul double %1038, %1039
-  %1041 = fadd double %1036, %1040
-  %1042 = mul nuw nsw i64 %707, %1027
-  %1043 = getelementptr double, ptr %1022, i64 %1042
-  store double %1041, ptr %1043, align 8, !noalias !22
-  %1044 = add nuw nsw i64 %1027, 1
-  %1045 = icmp eq i64 %1044, 3
-  br i1 %1045, label %1023, label %1026, !llvm.loop !30
+1029:                                             ; preds = %1008, %1029
+  %1030 = phi i64 [ 0, %1008 ], [ %1047, %1029 ]
+  %1031 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1030
+  %1032 = load double, ptr %1031, align 8, !noalias !22
+  %1033 = load double, ptr %1012, align 8, !noalias !22
+  %1034 = fmul double %1032, %1033
+  %1035 = getelementptr inbounds i8, ptr %1031, i64 8
+  %1036 = load double, ptr %1035, align 8, !noalias !22
+  %1037 = load double, ptr %1018, align 8, !noalias !22
+  %1038 = fmul double %1036, %1037
+  %1039 = fadd double %1034, %1038
+  %1040 = getelementptr inbounds i8, ptr %1031, i64 16
+  %1041 = load double, ptr %1040, align 8, !noalias !22
+  %1042 = load double, ptr %1022, align 8, !noalias !22
+  %1043 = fmul double %1041, %1042
+  %1044 = fadd double %1039, %1043
+  %1045 = mul nuw nsw i64 %710, %1030
+  %1046 = getelementptr double, ptr %1025, i64 %1045
+  store double %1044, ptr %1046, align 8, !noalias !22
+  %1047 = add nuw nsw i64 %1030, 1
+  %1048 = icmp eq i64 %1047, 3
+  br i1 %1048, label %1026, label %1029, !llvm.loop !30
 
-1046:                                             ; preds = %994
-  br i1 %726, label %1120, label %1047
+1049:                                             ; preds = %997
+  br i1 %729, label %1123, label %1050
 
-1047:                                             ; preds = %1046
-  %1048 = load i64, ptr %136, align 8, !noalias !22
-  %1049 = load ptr, ptr %78, align 8, !noalias !22
-  %1050 = getelementptr inbounds i8, ptr %1049, i64 40
-  %1051 = load i64, ptr %1050, align 8, !noalias !22
-  %1052 = load ptr, ptr %139, align 8, !noalias !22
-  %1053 = load ptr, ptr %137, align 8, !noalias !22
-  %1054 = load ptr, ptr %140, align 8, !noalias !22
-  %1055 = icmp sgt i64 %1051, 0
-  br i1 %1055, label %1056, label %1116
+1050:                                             ; preds = %1049
+  %1051 = load i64, ptr %136, align 8, !noalias !22
+  %1052 = load ptr, ptr %78, align 8, !noalias !22
+  %1053 = getelementptr inbounds i8, ptr %1052, i64 40
+  %1054 = load i64, ptr %1053, align 8, !noalias !22
+  %1055 = load ptr, ptr %139, align 8, !noalias !22
+  %1056 = load ptr, ptr %137, align 8, !noalias !22
+  %1057 = load ptr, ptr %140, align 8, !noalias !22
+  %1058 = icmp sgt i64 %1054, 0
+  br i1 %1058, label %1059, label %1119
 
-1056:                                             ; preds = %1047
-  %1057 = load i64, ptr %138, align 8, !noalias !22
-  %1058 = icmp sgt i64 %1048, 0
-  %1059 = getelementptr double, ptr %1053, i64 %1057
-  %1060 = shl i64 %1057, 4
-  %1061 = getelementptr i8, ptr %1053, i64 %1060
-  br label %1062
+1059:                                             ; preds = %1050
+  %1060 = load i64, ptr %138, align 8, !noalias !22
+  %1061 = icmp sgt i64 %1051, 0
+  %1062 = getelementptr double, ptr %1056, i64 %1060
+  %1063 = shl i64 %1060, 4
+  %1064 = getelementptr i8, ptr %1056, i64 %1063
+  br label %1065
 
-1062:                                             ; preds = %1056, %1112
-  %1063 = phi double [ 0.000000e+00, %1056 ], [ %1113, %1112 ]
-  %1064 = phi i64 [ 0, %1056 ], [ %1114, %1112 ]
-  br i1 %1058, label %1065, label %1068
+1065:                                             ; preds = %1059, %1115
+  %1066 = phi double [ 0.000000e+00, %1059 ], [ %1116, %1115 ]
+  %1067 = phi i64 [ 0, %1059 ], [ %1117, %1115 ]
+  br i1 %1061, label %1068, label %1071
 
-1065:                                             ; preds = %1062
-  %1066 = add nuw i64 %1064, %1048
-  %1067 = load ptr, ptr %77, align 8, !noalias !22
-  br label %1073
+1068:                                             ; preds = %1065
+  %1069 = add nuw i64 %1067, %1051
+  %1070 = load ptr, ptr %77, align 8, !noalias !22
+  br label %1076
 
-1068:                                             ; preds = %1073, %1062
-  %1069 = phi double [ 0.000000e+00, %1062 ], [ %1105, %1073 ]
-  %1070 = phi double [ 0.000000e+00, %1062 ], [ %1089, %1073 ]
-  %1071 = fmul double %1063, %1069
-  %1072 = fcmp ogt double %1070, %1071
-  br i1 %1072, label %1108, label %1112
+1071:                                             ; preds = %1076, %1065
+  %1072 = phi double [ 0.000000e+00, %1065 ], [ %1108, %1076 ]
+  %1073 = phi double [ 0.000000e+00, %1065 ], [ %1092, %1076 ]
+  %1074 = fmul double %1066, %1072
+  %1075 = fcmp ogt double %1073, %1074
+  br i1 %1075, label %1111, label %1115
 
-1073:                                             ; preds = %1065, %1073
-  %1074 = phi double [ 0.000000e+00, %1065 ], [ %1089, %1073 ]
-  %1075 = phi double [ 0.000000e+00, %1065 ], [ %1105, %1073 ]
-  %1076 = phi i64 [ 0, %1065 ], [ %1106, %1073 ]
-  %1077 = mul nuw nsw i64 %1076, %1051
-  %1078 = add i64 %1066, %1077
-  %1079 = getelementptr inbounds double, ptr %1052, i64 %1078
-  %1080 = load double, ptr %1079, align 8, !noalias !22
-  %1081 = fmul double %1080, %1080
-  %1082 = getelementptr inbounds { double, double }, ptr %1054, i64 %1078
+1076:                                             ; preds = %1068, %1076
+  %1077 = phi double [ 0.000000e+00, %1068 ], [ %1092, %1076 ]
+  %1078 = phi double [ 0.000000e+00, %1068 ], [ %1108, %1076 ]
+  %1079 = phi i64 [ 0, %1068 ], [ %1109, %1076 ]
+  %1080 = mul nuw nsw i64 %1079, %1054
+  %1081 = add i64 %1069, %1080
+  %1082 = getelementptr inbounds double, ptr %1055, i64 %1081
   %1083 = load double, ptr %1082, align 8, !noalias !22
-  %1084 = getelementptr inbounds i8, ptr %1082, i64 8
-  %1085 = load double, ptr %1084, align 8, !noalias !22
-  %1086 = tail call double @hypot(double noundef %1083, double noundef %1085) #13
-  %1087 = fmul double %1086, %1086
-  %1088 = fadd double %1081, %1087
-  %1089 = fadd double %1074, %1088
-  %1090 = getelementptr inbounds double, ptr %1067, i64 %1078
-  %1091 = load double, ptr %1090, align 8, !noalias !22
-  %1092 = fmul double %1091, %1091
-  %1093 = fadd double %1075, %1092
-  %1094 = getelementptr inbounds double, ptr %1053, i64 %1078
-  %1095 = load double, ptr %1094, align 8, !noalias !22
-  %1096 = fmul double %1095, %1095
-  %1097 = getelementptr double, ptr %1059, i64 %1078
+  %1084 = fmul double %1083, %1083
+  %1085 = getelementptr inbounds { double, double }, ptr %1057, i64 %1081
+  %1086 = load double, ptr %1085, align 8, !noalias !22
+  %1087 = getelementptr inbounds i8, ptr %1085, i64 8
+  %1088 = load double, ptr %1087, align 8, !noalias !22
+  %1089 = tail call double @hypot(double noundef %1086, double noundef %1088) #13
+  %1090 = fmul double %1089, %1089
+  %1091 = fadd double %1084, %1090
+  %1092 = fadd double %1077, %1091
+  %1093 = getelementptr inbounds double, ptr %1070, i64 %1081
+  %1094 = load double, ptr %1093, align 8, !noalias !22
+  %1095 = fmul double %1094, %1094
+  %1096 = fadd double %1078, %1095
+  %1097 = getelementptr inbounds double, ptr %1056, i64 %1081
   %1098 = load double, ptr %1097, align 8, !noalias !22
   %1099 = fmul double %1098, %1098
-  %1100 = fadd double %1096, %1099
-  %1101 = getelementptr double, ptr %1061, i64 %1078
-  %1102 = load double, ptr %1101, align 8, !noalias !22
-  %1103 = fmul double %1102, %1102
-  %1104 = fadd double %1100, %1103
-  %1105 = fadd double %1093, %1104
-  %1106 = add nuw nsw i64 %1076, 1
-  %1107 = icmp eq i64 %1106, %1048
-  br i1 %1107, label %1068, label %1073, !llvm.loop !31
+  %1100 = getelementptr double, ptr %1062, i64 %1081
+  %1101 = load double, ptr %1100, align 8, !noalias !22
+  %1102 = fmul double %1101, %1101
+  %1103 = fadd double %1099, %1102
+  %1104 = getelementptr double, ptr %1064, i64 %1081
+  %1105 = load double, ptr %1104, align 8, !noalias !22
+  %1106 = fmul double %1105, %1105
+  %1107 = fadd double %1103, %1106
+  %1108 = fadd double %1096, %1107
+  %1109 = add nuw nsw i64 %1079, 1
+  %1110 = icmp eq i64 %1109, %1051
+  br i1 %1110, label %1071, label %1076, !llvm.loop !31
 
-1108:                                             ; preds = %1068
-  %1109 = fcmp ogt double %1069, 0.000000e+00
-  %1110 = fdiv double %1070, %1069
-  %1111 = select i1 %1109, double %1110, double 1.000000e+00
-  br label %1112
+1111:                                             ; preds = %1071
+  %1112 = fcmp ogt double %1072, 0.000000e+00
+  %1113 = fdiv double %1073, %1072
+  %1114 = select i1 %1112, double %1113, double 1.000000e+00
+  br label %1115
 
-1112:                                             ; preds = %1108, %1068
-  %1113 = phi double [ %1111, %1108 ], [ %1063, %1068 ]
-  %1114 = add nuw nsw i64 %1064, 1
-  %1115 = icmp eq i64 %1114, %1051
-  br i1 %1115, label %1116, label %1062, !llvm.loop !32
+1115:                                             ; preds = %1111, %1071
+  %1116 = phi double [ %1114, %1111 ], [ %1066, %1071 ]
+  %1117 = add nuw nsw i64 %1067, 1
+  %1118 = icmp eq i64 %1117, %1054
+  br i1 %1118, label %1119, label %1065, !llvm.loop !32
 
-1116:                                             ; preds = %1112, %1047
-  %1117 = phi double [ 0.000000e+00, %1047 ], [ %1113, %1112 ]
-  %1118 = fcmp ugt double %1117, %346
-  br i1 %1118, label %1119, label %1120
+1119:                                             ; preds = %1115, %1050
+  %1120 = phi double [ 0.000000e+00, %1050 ], [ %1116, %1115 ]
+  %1121 = fcmp ugt double %1120, %346
+  br i1 %1121, label %1122, label %1123
 
-1119:                                             ; preds = %1116, %994
-  br label %1120
+1122:                                             ; preds = %1119, %997
+  br label %1123
 
-1120:                                             ; preds = %1119, %1116, %1046, %990, %974
-  %1121 = phi double [ %729, %974 ], [ %980, %990 ], [ %790, %1046 ], [ %790, %1119 ], [ %790, %1116 ]
-  %1122 = phi i32 [ 0, %974 ], [ 0, %990 ], [ %791, %1046 ], [ %791, %1119 ], [ %791, %1116 ]
-  %1123 = phi i64 [ %975, %974 ], [ %991, %990 ], [ %792, %1046 ], [ %792, %1119 ], [ %792, %1116 ]
-  %1124 = phi i64 [ 0, %974 ], [ 0, %990 ], [ %793, %1046 ], [ %793, %1119 ], [ %793, %1116 ]
-  %1125 = phi i1 [ false, %974 ], [ false, %990 ], [ false, %1046 ], [ true, %1119 ], [ false, %1116 ]
-  %1126 = phi i32 [ 1, %974 ], [ 1, %990 ], [ 2, %1046 ], [ 0, %1119 ], [ 2, %1116 ]
-  %1127 = phi i64 [ %730, %974 ], [ 0, %990 ], [ %1003, %1046 ], [ %1003, %1119 ], [ %1003, %1116 ]
-  %1128 = phi double [ %729, %974 ], [ %980, %990 ], [ %993, %1046 ], [ %993, %1119 ], [ %993, %1116 ]
-  %1129 = phi double [ %728, %974 ], [ %728, %990 ], [ %728, %1046 ], [ %970, %1119 ], [ %728, %1116 ]
-  br i1 %1125, label %1130, label %1133
+1123:                                             ; preds = %1122, %1119, %1049, %993, %977
+  %1124 = phi double [ %732, %977 ], [ %983, %993 ], [ %793, %1049 ], [ %793, %1122 ], [ %793, %1119 ]
+  %1125 = phi i32 [ 0, %977 ], [ 0, %993 ], [ %794, %1049 ], [ %794, %1122 ], [ %794, %1119 ]
+  %1126 = phi i64 [ %978, %977 ], [ %994, %993 ], [ %795, %1049 ], [ %795, %1122 ], [ %795, %1119 ]
+  %1127 = phi i64 [ 0, %977 ], [ 0, %993 ], [ %796, %1049 ], [ %796, %1122 ], [ %796, %1119 ]
+  %1128 = phi i1 [ false, %977 ], [ false, %993 ], [ false, %1049 ], [ true, %1122 ], [ false, %1119 ]
+  %1129 = phi i32 [ 1, %977 ], [ 1, %993 ], [ 2, %1049 ], [ 0, %1122 ], [ 2, %1119 ]
+  %1130 = phi i64 [ %733, %977 ], [ 0, %993 ], [ %1006, %1049 ], [ %1006, %1122 ], [ %1006, %1119 ]
+  %1131 = phi double [ %732, %977 ], [ %983, %993 ], [ %996, %1049 ], [ %996, %1122 ], [ %996, %1119 ]
+  %1132 = phi double [ %731, %977 ], [ %731, %993 ], [ %731, %1049 ], [ %973, %1122 ], [ %731, %1119 ]
+  br i1 %1128, label %1133, label %1136
 
-1130:                                             ; preds = %1120
-  %1131 = add nuw nsw i64 %731, 1
-  %1132 = icmp eq i64 %1131, %717
-  br i1 %1132, label %1133, label %727, !llvm.loop !33
+1133:                                             ; preds = %1123
+  %1134 = add nuw nsw i64 %734, 1
+  %1135 = icmp eq i64 %1134, %720
+  br i1 %1135, label %1136, label %730, !llvm.loop !33
 
-1133:                                             ; preds = %906, %1120, %788, %727, %1130
-  %1134 = phi double [ %735, %727 ], [ %1121, %1120 ], [ %790, %788 ], [ %1121, %1130 ], [ 0x7FF0000000000000, %906 ]
-  %1135 = phi i32 [ %734, %727 ], [ %1122, %1120 ], [ %791, %788 ], [ %1122, %1130 ], [ 0, %906 ]
-  %1136 = phi i64 [ %733, %727 ], [ %1123, %1120 ], [ %792, %788 ], [ %1123, %1130 ], [ %731, %906 ]
-  %1137 = phi i64 [ %732, %727 ], [ %1124, %1120 ], [ %793, %788 ], [ %1124, %1130 ], [ 0, %906 ]
-  %1138 = phi i32 [ 2, %727 ], [ %1126, %1120 ], [ %794, %788 ], [ 2, %1130 ], [ 1, %906 ]
-  %1139 = phi i64 [ 0, %727 ], [ %1127, %1120 ], [ %730, %788 ], [ %1127, %1130 ], [ %730, %906 ]
-  %1140 = phi double [ %729, %727 ], [ %1128, %1120 ], [ %729, %788 ], [ %1128, %1130 ], [ %729, %906 ]
-  %1141 = icmp eq i32 %1138, 2
-  br i1 %1141, label %1142, label %1146
+1136:                                             ; preds = %909, %1123, %791, %730, %1133
+  %1137 = phi double [ %738, %730 ], [ %1124, %1123 ], [ %793, %791 ], [ %1124, %1133 ], [ 0x7FF0000000000000, %909 ]
+  %1138 = phi i32 [ %737, %730 ], [ %1125, %1123 ], [ %794, %791 ], [ %1125, %1133 ], [ 0, %909 ]
+  %1139 = phi i64 [ %736, %730 ], [ %1126, %1123 ], [ %795, %791 ], [ %1126, %1133 ], [ %734, %909 ]
+  %1140 = phi i64 [ %735, %730 ], [ %1127, %1123 ], [ %796, %791 ], [ %1127, %1133 ], [ 0, %909 ]
+  %1141 = phi i32 [ 2, %730 ], [ %1129, %1123 ], [ %797, %791 ], [ 2, %1133 ], [ 1, %909 ]
+  %1142 = phi i64 [ 0, %730 ], [ %1130, %1123 ], [ %733, %791 ], [ %1130, %1133 ], [ %733, %909 ]
+  %1143 = phi double [ %732, %730 ], [ %1131, %1123 ], [ %732, %791 ], [ %1131, %1133 ], [ %732, %909 ]
+  %1144 = icmp eq i32 %1141, 2
+  br i1 %1144, label %1145, label %1149
 
-1142:                                             ; preds = %1133
-  %1143 = icmp sgt i64 %1139, 0
-  %1144 = select i1 %1143, i64 %1139, i64 6
-  %1145 = zext i1 %1143 to i32
-  br label %1146
+1145:                                             ; preds = %1136
+  %1146 = icmp sgt i64 %1142, 0
+  %1147 = select i1 %1146, i64 %1142, i64 6
+  %1148 = zext i1 %1146 to i32
+  br label %1149
 
-1146:                                             ; preds = %1133, %1142
-  %1147 = phi double [ %1140, %1142 ], [ %1134, %1133 ]
-  %1148 = phi i32 [ %1145, %1142 ], [ %1135, %1133 ]
-  %1149 = phi i64 [ %1144, %1142 ], [ %1136, %1133 ]
-  %1150 = phi i64 [ 0, %1142 ], [ %1137, %1133 ]
-  %1151 = icmp slt i64 %1150, 0
-  br i1 %1151, label %1893, label %1152
+1149:                                             ; preds = %1136, %1145
+  %1150 = phi double [ %1143, %1145 ], [ %1137, %1136 ]
+  %1151 = phi i32 [ %1148, %1145 ], [ %1138, %1136 ]
+  %1152 = phi i64 [ %1147, %1145 ], [ %1139, %1136 ]
+  %1153 = phi i64 [ 0, %1145 ], [ %1140, %1136 ]
+  %1154 = icmp slt i64 %1153, 0
+  br i1 %1154, label %1898, label %1155
 
-1152:                                             ; preds = %1146
-  %1153 = icmp eq i32 %1148, 0
-  br i1 %1153, label %1155, label %1154
+1155:                                             ; preds = %1149
+  %1156 = icmp eq i32 %1151, 0
+  br i1 %1156, label %1158, label %1157
 
-1154:                                             ; preds = %1152
-  br i1 %347, label %1306, label %1205
+1157:                                             ; preds = %1155
+  br i1 %347, label %1309, label %1208
 
-1155:                                             ; preds = %1152
-  %1156 = load i64, ptr %336, align 8
-  %1157 = add nsw i64 %1156, 1
-  store i64 %1157, ptr %336, align 8
-  %1158 = tail call double @llvm.fabs.f64(double %1147)
-  %1159 = fcmp ueq double %1158, 0x7FF0000000000000
-  %1160 = select i1 %1159, i64 4, i64 7
-  %1161 = icmp eq i64 %1150, 0
-  %1162 = select i1 %1161, i64 %1160, i64 3
-  store i64 %1162, ptr %365, align 8
-  %1163 = load i64, ptr %366, align 8
-  %1164 = icmp eq i64 %1163, 1
-  %1165 = and i1 %1161, %1164
-  br i1 %1165, label %1166, label %1192
+1158:                                             ; preds = %1155
+  %1159 = load i64, ptr %336, align 8
+  %1160 = add nsw i64 %1159, 1
+  store i64 %1160, ptr %336, align 8
+  %1161 = tail call double @llvm.fabs.f64(double %1150)
+  %1162 = fcmp ueq double %1161, 0x7FF0000000000000
+  %1163 = select i1 %1162, i64 4, i64 7
+  %1164 = icmp eq i64 %1153, 0
+  %1165 = select i1 %1164, i64 %1163, i64 3
+  store i64 %1165, ptr %365, align 8
+  %1166 = load i64, ptr %366, align 8
+  %1167 = icmp eq i64 %1166, 1
+  %1168 = and i1 %1164, %1167
+  br i1 %1168, label %1169, label %1195
 
-1166:                                             ; preds = %1155
-  %1167 = load i64, ptr %181, align 8
-  %1168 = icmp sgt i64 %1167, 0
-  br i1 %1168, label %1169, label %1186
+1169:                                             ; preds = %1158
+  %1170 = load i64, ptr %181, align 8
+  %1171 = icmp sgt i64 %1170, 0
+  br i1 %1171, label %1172, label %1189
 
-1169:                                             ; preds = %1166, %1178
-  %1170 = phi i64 [ %1183, %1178 ], [ 0, %1166 ]
-  %1171 = phi i32 [ %1180, %1178 ], [ 0, %1166 ]
-  %1172 = icmp eq i32 %1171, 0
-  br i1 %1172, label %1173, label %1178
+1172:                                             ; preds = %1169, %1181
+  %1173 = phi i64 [ %1186, %1181 ], [ 0, %1169 ]
+  %1174 = phi i32 [ %1183, %1181 ], [ 0, %1169 ]
+  %1175 = icmp eq i32 %1174, 0
+  br i1 %1175, label %1176, label %1181
 
-1173:                                             ; preds = %1169
-  %1174 = load ptr, ptr %180, align 8
-  %1175 = getelementptr inbounds double, ptr %1174, i64 %1170
-  %1176 = load double, ptr %1175, align 8
-  %1177 = fcmp une double %1176, 0.000000e+00
-  br label %1178
+1176:                                             ; preds = %1172
+  %1177 = load ptr, ptr %180, align 8
+  %1178 = getelementptr inbounds double, ptr %1177, i64 %1173
+  %1179 = load double, ptr %1178, align 8
+  %1180 = fcmp une double %1179, 0.000000e+00
+  br label %1181
 
-1178:                                             ; preds = %1173, %1169
-  %1179 = phi i1 [ true, %1169 ], [ %1177, %1173 ]
-  %1180 = zext i1 %1179 to i32
-  %1181 = load ptr, ptr %180, align 8
-  %1182 = getelementptr inbounds double, ptr %1181, i64 %1170
-  store double 0.000000e+00, ptr %1182, align 8
-  %1183 = add nuw nsw i64 %1170, 1
-  %1184 = load i64, ptr %181, align 8
-  %1185 = icmp slt i64 %1183, %1184
-  br i1 %1185, label %1169, label %1186, !llvm.loop !34
+1181:                                             ; preds = %1176, %1172
+  %1182 = phi i1 [ true, %1172 ], [ %1180, %1176 ]
+  %1183 = zext i1 %1182 to i32
+  %1184 = load ptr, ptr %180, align 8
+  %1185 = getelementptr inbounds double, ptr %1184, i64 %1173
+  store double 0.000000e+00, ptr %1185, align 8
+  %1186 = add nuw nsw i64 %1173, 1
+  %1187 = load i64, ptr %181, align 8
+  %1188 = icmp slt i64 %1186, %1187
+  br i1 %1188, label %1172, label %1189, !llvm.loop !34
 
-1186:                                             ; preds = %1178, %1166
-  %1187 = phi i32 [ 0, %1166 ], [ %1180, %1178 ]
-  %1188 = icmp eq i32 %1187, 0
-  br i1 %1188, label %1190, label %1189
+1189:                                             ; preds = %1181, %1169
+  %1190 = phi i32 [ 0, %1169 ], [ %1183, %1181 ]
+  %1191 = icmp eq i32 %1190, 0
+  br i1 %1191, label %1193, label %1192
 
-1189:                                             ; preds = %1186
+1192:                                             ; preds = %1189
   store i64 0, ptr %342, align 8
-  br label %1893, !llvm.loop !17
+  br label %1898, !llvm.loop !17
 
-1190:                                             ; preds = %1186
+1193:                                             ; preds = %1189
   store i64 0, ptr %366, align 8
-  %1191 = fmul double %414, 5.000000e-01
-  br label %1192
+  %1194 = fmul double %414, 5.000000e-01
+  br label %1195
 
-1192:                                             ; preds = %1190, %1155
-  %1193 = phi double [ %1191, %1190 ], [ %379, %1155 ]
-  %1194 = load i64, ptr %366, align 8
-  %1195 = icmp eq i64 %1194, 1
-  %1196 = icmp ne i64 %1150, 0
-  %1197 = or i1 %1196, %1195
-  br i1 %1197, label %1198, label %1201
+1195:                                             ; preds = %1193, %1158
+  %1196 = phi double [ %1194, %1193 ], [ %379, %1158 ]
+  %1197 = load i64, ptr %366, align 8
+  %1198 = icmp eq i64 %1197, 1
+  %1199 = icmp ne i64 %1153, 0
+  %1200 = or i1 %1199, %1198
+  br i1 %1200, label %1201, label %1204
 
-1198:                                             ; preds = %1192
-  %1199 = select i1 %1161, double 5.000000e-01, double 2.500000e-01
-  %1200 = fmul double %414, %1199
+1201:                                             ; preds = %1195
+  %1202 = select i1 %1164, double 5.000000e-01, double 2.500000e-01
+  %1203 = fmul double %414, %1202
   store double 0.000000e+00, ptr %344, align 8
-  br label %1201
+  br label %1204
 
-1201:                                             ; preds = %1198, %1192
-  %1202 = phi double [ %1200, %1198 ], [ %1193, %1192 ]
-  %1203 = load i64, ptr %366, align 8
-  %1204 = sub nsw i64 1, %1203
-  store i64 %1204, ptr %339, align 8
-  br label %1893, !llvm.loop !17
+1204:                                             ; preds = %1201, %1195
+  %1205 = phi double [ %1203, %1201 ], [ %1196, %1195 ]
+  %1206 = load i64, ptr %366, align 8
+  %1207 = sub nsw i64 1, %1206
+  store i64 %1207, ptr %339, align 8
+  br label %1898, !llvm.loop !17
 
-1205:                                             ; preds = %1306, %1154
-  %1206 = load i64, ptr %349, align 8
-  %1207 = icmp eq i64 %1206, 1
-  %1208 = load ptr, ptr %76, align 8
-  %1209 = getelementptr inbounds i8, ptr %1208, i64 8
-  %1210 = load i64, ptr %1209, align 8
-  %1211 = load i64, ptr %143, align 8
-  %1212 = load ptr, ptr %144, align 8
-  %1213 = load ptr, ptr %119, align 8
-  %1214 = icmp sgt i64 %1210, 0
-  br i1 %1214, label %1215, label %1217
+1208:                                             ; preds = %1309, %1157
+  %1209 = load i64, ptr %349, align 8
+  %1210 = icmp eq i64 %1209, 1
+  %1211 = load ptr, ptr %76, align 8
+  %1212 = getelementptr inbounds i8, ptr %1211, i64 8
+  %1213 = load i64, ptr %1212, align 8
+  %1214 = load i64, ptr %143, align 8
+  %1215 = load ptr, ptr %144, align 8
+  %1216 = load ptr, ptr %119, align 8
+  %1217 = icmp sgt i64 %1213, 0
+  br i1 %1217, label %1218, label %1220
 
-1215:                                             ; preds = %1205
-  %1216 = shl i64 %1210, 4
-  br label %1226
+1218:                                             ; preds = %1208
+  %1219 = shl i64 %1213, 4
+  br label %1229
 
-1217:                                             ; preds = %1226, %1205
-  %1218 = load ptr, ptr %146, align 8
-  %1219 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1218, i64 noundef %1211, ptr noundef %1219, ptr noundef %1213) #10
-  %1220 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1213, ptr noundef %1220, ptr noundef nonnull %77, i64 noundef %1210) #10
-  %1221 = load double, ptr %6, align 8
-  %1222 = fcmp uge double %1221, 1.000000e+00
-  %1223 = and i1 %1207, %1222
-  br i1 %1223, label %1224, label %1302
+1220:                                             ; preds = %1229, %1208
+  %1221 = load ptr, ptr %146, align 8
+  %1222 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1221, i64 noundef %1214, ptr noundef %1222, ptr noundef %1216) #10
+  %1223 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1216, ptr noundef %1223, ptr noundef nonnull %77, i64 noundef %1213) #10
+  %1224 = load double, ptr %6, align 8
+  %1225 = fcmp uge double %1224, 1.000000e+00
+  %1226 = and i1 %1210, %1225
+  br i1 %1226, label %1227, label %1305
 
-1224:                                             ; preds = %1217
-  %1225 = icmp sgt i64 %1210, 0
-  br i1 %1225, label %1274, label %1251
+1227:                                             ; preds = %1220
+  %1228 = icmp sgt i64 %1213, 0
+  br i1 %1228, label %1277, label %1254
 
-1226:                                             ; preds = %1215, %1226
-  %1227 = phi i64 [ 0, %1215 ], [ %1249, %1226 ]
-  %1228 = load ptr, ptr %116, align 8
-  %1229 = getelementptr inbounds double, ptr %1228, i64 %1227
-  %1230 = load double, ptr %1229, align 8
-  %1231 = fmul double %1230, 0x402418FD8BAFFE05
-  %1232 = getelementptr double, ptr %1228, i64 %1210
-  %1233 = getelementptr double, ptr %1232, i64 %1227
-  %1234 = load double, ptr %1233, align 8
-  %1235 = fmul double %1234, 0x3FF61D41B2D54580
-  %1236 = fsub double %1235, %1231
-  %1237 = getelementptr i8, ptr %1228, i64 %1216
-  %1238 = getelementptr double, ptr %1237, i64 %1227
-  %1239 = load double, ptr %1238, align 8
-  %1240 = fmul double %1239, 0x3FD5555555555555
-  %1241 = fsub double %1236, %1240
-  %1242 = fdiv double %1241, %414
-  %1243 = getelementptr inbounds double, ptr %1212, i64 %1227
-  store double %1242, ptr %1243, align 8
-  %1244 = load ptr, ptr %145, align 8
-  %1245 = getelementptr inbounds double, ptr %1244, i64 %1227
-  %1246 = load double, ptr %1245, align 8
-  %1247 = fadd double %1246, %1242
-  %1248 = getelementptr inbounds double, ptr %1213, i64 %1227
-  store double %1247, ptr %1248, align 8
-  %1249 = add nuw nsw i64 %1227, 1
-  %1250 = icmp eq i64 %1249, %1210
-  br i1 %1250, label %1217, label %1226, !llvm.loop !35
+1229:                                             ; preds = %1218, %1229
+  %1230 = phi i64 [ 0, %1218 ], [ %1252, %1229 ]
+  %1231 = load ptr, ptr %116, align 8
+  %1232 = getelementptr inbounds double, ptr %1231, i64 %1230
+  %1233 = load double, ptr %1232, align 8
+  %1234 = fmul double %1233, 0x402418FD8BAFFE05
+  %1235 = getelementptr double, ptr %1231, i64 %1213
+  %1236 = getelementptr double, ptr %1235, i64 %1230
+  %1237 = load double, ptr %1236, align 8
+  %1238 = fmul double %1237, 0x3FF61D41B2D54580
+  %1239 = fsub double %1238, %1234
+  %1240 = getelementptr i8, ptr %1231, i64 %1219
+  %1241 = getelementptr double, ptr %1240, i64 %1230
+  %1242 = load double, ptr %1241, align 8
+  %1243 = fmul double %1242, 0x3FD5555555555555
+  %1244 = fsub double %1239, %1243
+  %1245 = fdiv double %1244, %414
+  %1246 = getelementptr inbounds double, ptr %1215, i64 %1230
+  store double %1245, ptr %1246, align 8
+  %1247 = load ptr, ptr %145, align 8
+  %1248 = getelementptr inbounds double, ptr %1247, i64 %1230
+  %1249 = load double, ptr %1248, align 8
+  %1250 = fadd double %1249, %1245
+  %1251 = getelementptr inbounds double, ptr %1216, i64 %1230
+  store double %1250, ptr %1251, align 8
+  %1252 = add nuw nsw i64 %1230, 1
+  %1253 = icmp eq i64 %1252, %1213
+  br i1 %1253, label %1220, label %1229, !llvm.loop !35
 
-1251:                                             ; preds = %1274, %1224
-  %1252 = load ptr, ptr %81, align 8
-  %1253 = getelementptr inbounds i8, ptr %1252, i64 24
-  %1254 = load i64, ptr %1253, align 8
-  %1255 = add nsw i64 %1254, 1
-  store i64 %1255, ptr %1253, align 8
-  %1256 = load ptr, ptr %149, align 8
-  %1257 = load ptr, ptr %118, align 8
-  %1258 = load ptr, ptr %150, align 8
-  store double %378, ptr %1258, align 8
-  %1259 = load i64, ptr %151, align 8
-  %1260 = icmp sgt i64 %1259, 0
-  br i1 %1260, label %1261, label %1262
+1254:                                             ; preds = %1277, %1227
+  %1255 = load ptr, ptr %81, align 8
+  %1256 = getelementptr inbounds i8, ptr %1255, i64 24
+  %1257 = load i64, ptr %1256, align 8
+  %1258 = add nsw i64 %1257, 1
+  store i64 %1258, ptr %1256, align 8
+  %1259 = load ptr, ptr %149, align 8
+  %1260 = load ptr, ptr %118, align 8
+  %1261 = load ptr, ptr %150, align 8
+  store double %378, ptr %1261, align 8
+  %1262 = load i64, ptr %151, align 8
+  %1263 = icmp sgt i64 %1262, 0
+  br i1 %1263, label %1264, label %1265
 
-1261:                                             ; preds = %1251
+1264:                                             ; preds = %1254
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1262
+  br label %1265
 
-1262:                                             ; preds = %1251, %1261
-  %1263 = load ptr, ptr %76, align 8
-  %1264 = load i64, ptr %1263, align 8
-  %1265 = load ptr, ptr %150, align 8
-  %1266 = load ptr, ptr %152, align 8
-  %1267 = load ptr, ptr %153, align 8
-  %1268 = inttoptr i64 %1264 to ptr
-  %1269 = tail call i32 %1268(ptr noundef %1265, ptr noundef %1256, ptr noundef %1266, ptr noundef %1267, ptr noundef %1257) #11
-  %1270 = sext i32 %1269 to i64
-  %1271 = icmp eq i32 %1269, 0
-  br i1 %1271, label %1272, label %1302
+1265:                                             ; preds = %1254, %1264
+  %1266 = load ptr, ptr %76, align 8
+  %1267 = load i64, ptr %1266, align 8
+  %1268 = load ptr, ptr %150, align 8
+  %1269 = load ptr, ptr %152, align 8
+  %1270 = load ptr, ptr %153, align 8
+  %1271 = inttoptr i64 %1267 to ptr
+  %1272 = tail call i32 %1271(ptr noundef %1268, ptr noundef %1259, ptr noundef %1269, ptr noundef %1270, ptr noundef %1260) #11
+  %1273 = sext i32 %1272 to i64
+  %1274 = icmp eq i32 %1272, 0
+  br i1 %1274, label %1275, label %1305
 
-1272:                                             ; preds = %1262
-  %1273 = icmp sgt i64 %1210, 0
-  br i1 %1273, label %1291, label %1286
+1275:                                             ; preds = %1265
+  %1276 = icmp sgt i64 %1213, 0
+  br i1 %1276, label %1294, label %1289
 
-1274:                                             ; preds = %1224, %1274
-  %1275 = phi i64 [ %1284, %1274 ], [ 0, %1224 ]
-  %1276 = load ptr, ptr %77, align 8
-  %1277 = getelementptr inbounds double, ptr %1276, i64 %1275
-  %1278 = load double, ptr %1277, align 8
-  %1279 = getelementptr inbounds double, ptr %1213, i64 %1275
-  %1280 = load double, ptr %1279, align 8
-  %1281 = fadd double %1278, %1280
-  %1282 = load ptr, ptr %148, align 8
-  %1283 = getelementptr inbounds double, ptr %1282, i64 %1275
-  store double %1281, ptr %1283, align 8
-  %1284 = add nuw nsw i64 %1275, 1
-  %1285 = icmp eq i64 %1284, %1210
-  br i1 %1285, label %1251, label %1274, !llvm.loop !36
+1277:                                             ; preds = %1227, %1277
+  %1278 = phi i64 [ %1287, %1277 ], [ 0, %1227 ]
+  %1279 = load ptr, ptr %77, align 8
+  %1280 = getelementptr inbounds double, ptr %1279, i64 %1278
+  %1281 = load double, ptr %1280, align 8
+  %1282 = getelementptr inbounds double, ptr %1216, i64 %1278
+  %1283 = load double, ptr %1282, align 8
+  %1284 = fadd double %1281, %1283
+  %1285 = load ptr, ptr %148, align 8
+  %1286 = getelementptr inbounds double, ptr %1285, i64 %1278
+  store double %1284, ptr %1286, align 8
+  %1287 = add nuw nsw i64 %1278, 1
+  %1288 = icmp eq i64 %1287, %1213
+  br i1 %1288, label %1254, label %1277, !llvm.loop !36
 
-1286:                                             ; preds = %1291, %1272
-  %1287 = load ptr, ptr %146, align 8
-  %1288 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1287, i64 noundef %1211, ptr noundef %1288, ptr noundef %1213) #10
-  %1289 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1213, ptr noundef %1289, ptr noundef nonnull %77, i64 noundef %1210) #10
-  %1290 = load double, ptr %7, align 8
-  br label %1302
+1289:                                             ; preds = %1294, %1275
+  %1290 = load ptr, ptr %146, align 8
+  %1291 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1290, i64 noundef %1214, ptr noundef %1291, ptr noundef %1216) #10
+  %1292 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1216, ptr noundef %1292, ptr noundef nonnull %77, i64 noundef %1213) #10
+  %1293 = load double, ptr %7, align 8
+  br label %1305
 
-1291:                                             ; preds = %1272, %1291
-  %1292 = phi i64 [ %1300, %1291 ], [ 0, %1272 ]
-  %1293 = load ptr, ptr %118, align 8
-  %1294 = getelementptr inbounds double, ptr %1293, i64 %1292
-  %1295 = load double, ptr %1294, align 8
-  %1296 = getelementptr inbounds double, ptr %1212, i64 %1292
-  %1297 = load double, ptr %1296, align 8
-  %1298 = fadd double %1295, %1297
-  %1299 = getelementptr inbounds double, ptr %1213, i64 %1292
-  store double %1298, ptr %1299, align 8
-  %1300 = add nuw nsw i64 %1292, 1
-  %1301 = icmp eq i64 %1300, %1210
-  br i1 %1301, label %1286, label %1291, !llvm.loop !37
+1294:                                             ; preds = %1275, %1294
+  %1295 = phi i64 [ %1303, %1294 ], [ 0, %1275 ]
+  %1296 = load ptr, ptr %118, align 8
+  %1297 = getelementptr inbounds double, ptr %1296, i64 %1295
+  %1298 = load double, ptr %1297, align 8
+  %1299 = getelementptr inbounds double, ptr %1215, i64 %1295
+  %1300 = load double, ptr %1299, align 8
+  %1301 = fadd double %1298, %1300
+  %1302 = getelementptr inbounds double, ptr %1216, i64 %1295
+  store double %1301, ptr %1302, align 8
+  %1303 = add nuw nsw i64 %1295, 1
+  %1304 = icmp eq i64 %1303, %1213
+  br i1 %1304, label %1289, label %1294, !llvm.loop !37
 
-1302:                                             ; preds = %1217, %1262, %1286
-  %1303 = phi double [ %1290, %1286 ], [ %1221, %1262 ], [ %1221, %1217 ]
-  %1304 = phi i64 [ 0, %1286 ], [ %1270, %1262 ], [ 0, %1217 ]
-  %1305 = icmp slt i64 %1304, 0
-  br i1 %1305, label %1893, label %1320
+1305:                                             ; preds = %1220, %1265, %1289
+  %1306 = phi double [ %1293, %1289 ], [ %1224, %1265 ], [ %1224, %1220 ]
+  %1307 = phi i64 [ 0, %1289 ], [ %1273, %1265 ], [ 0, %1220 ]
+  %1308 = icmp slt i64 %1307, 0
+  br i1 %1308, label %1898, label %1323
 
-1306:                                             ; preds = %1154, %1306
-  %1307 = phi i64 [ %1318, %1306 ], [ 0, %1154 ]
-  %1308 = load ptr, ptr %77, align 8
-  %1309 = getelementptr inbounds double, ptr %1308, i64 %1307
-  %1310 = load double, ptr %1309, align 8
-  %1311 = load ptr, ptr %116, align 8
-  %1312 = getelementptr i8, ptr %1311, i64 %348
-  %1313 = getelementptr double, ptr %1312, i64 %1307
-  %1314 = load double, ptr %1313, align 8
-  %1315 = fadd double %1310, %1314
-  %1316 = load ptr, ptr %141, align 8
-  %1317 = getelementptr inbounds double, ptr %1316, i64 %1307
-  store double %1315, ptr %1317, align 8
-  %1318 = add nuw nsw i64 %1307, 1
-  %1319 = icmp eq i64 %1318, %198
-  br i1 %1319, label %1205, label %1306, !llvm.loop !38
+1309:                                             ; preds = %1157, %1309
+  %1310 = phi i64 [ %1321, %1309 ], [ 0, %1157 ]
+  %1311 = load ptr, ptr %77, align 8
+  %1312 = getelementptr inbounds double, ptr %1311, i64 %1310
+  %1313 = load double, ptr %1312, align 8
+  %1314 = load ptr, ptr %116, align 8
+  %1315 = getelementptr i8, ptr %1314, i64 %348
+  %1316 = getelementptr double, ptr %1315, i64 %1310
+  %1317 = load double, ptr %1316, align 8
+  %1318 = fadd double %1313, %1317
+  %1319 = load ptr, ptr %141, align 8
+  %1320 = getelementptr inbounds double, ptr %1319, i64 %1310
+  store double %1318, ptr %1320, align 8
+  %1321 = add nuw nsw i64 %1310, 1
+  %1322 = icmp eq i64 %1321, %198
+  br i1 %1322, label %1208, label %1309, !llvm.loop !38
 
-1320:                                             ; preds = %1302
-  %1321 = add nsw i64 %1149, 12
-  %1322 = sitofp i64 %1321 to double
-  %1323 = fdiv double 0x4027666666666667, %1322
-  %1324 = fcmp olt double %1303, 1.000000e-10
-  %1325 = select i1 %1324, double 1.000000e-10, double %1303
-  %1326 = tail call double @llvm.pow.f64(double %1325, double -2.500000e-01)
-  %1327 = icmp eq i64 %1304, 0
-  %1328 = fcmp olt double %1303, 1.000000e+00
-  %1329 = select i1 %1327, i1 %1328, i1 false
-  br i1 %1329, label %1345, label %1330
+1323:                                             ; preds = %1305
+  %1324 = add nsw i64 %1152, 12
+  %1325 = sitofp i64 %1324 to double
+  %1326 = fdiv double 0x4027666666666667, %1325
+  %1327 = fcmp olt double %1306, 1.000000e-10
+  %1328 = select i1 %1327, double 1.000000e-10, double %1306
+  %1329 = tail call double @llvm.pow.f64(double %1328, double -2.500000e-01)
+  %1330 = icmp eq i64 %1307, 0
+  %1331 = fcmp olt double %1306, 1.000000e+00
+  %1332 = select i1 %1330, i1 %1331, i1 false
+  br i1 %1332, label %1348, label %1333
 
-1330:                                             ; preds = %1320
-  %1331 = load i64, ptr %336, align 8
-  %1332 = add nsw i64 %1331, 1
-  store i64 %1332, ptr %336, align 8
-  %1333 = select i1 %1327, i64 2, i64 3
-  store i64 %1333, ptr %350, align 8
-  %1334 = tail call double @llvm.fabs.f64(double %1303)
-  %1335 = fcmp ueq double %1334, 0x7FF0000000000000
-  br i1 %1335, label %1340, label %1336
+1333:                                             ; preds = %1323
+  %1334 = load i64, ptr %336, align 8
+  %1335 = add nsw i64 %1334, 1
+  store i64 %1335, ptr %336, align 8
+  %1336 = select i1 %1330, i64 2, i64 3
+  store i64 %1336, ptr %350, align 8
+  %1337 = tail call double @llvm.fabs.f64(double %1306)
+  %1338 = fcmp ueq double %1337, 0x7FF0000000000000
+  br i1 %1338, label %1343, label %1339
 
-1336:                                             ; preds = %1330
-  %1337 = fmul double %1323, %1326
-  %1338 = fcmp ogt double %1337, 2.000000e-01
-  %1339 = select i1 %1338, double %1337, double 2.000000e-01
-  br label %1340
+1339:                                             ; preds = %1333
+  %1340 = fmul double %1326, %1329
+  %1341 = fcmp ogt double %1340, 2.000000e-01
+  %1342 = select i1 %1341, double %1340, double 2.000000e-01
+  br label %1343
 
-1340:                                             ; preds = %1330, %1336
-  %1341 = phi double [ %1339, %1336 ], [ 2.500000e-01, %1330 ]
-  %1342 = fmul double %414, %1341
+1343:                                             ; preds = %1333, %1339
+  %1344 = phi double [ %1342, %1339 ], [ 2.500000e-01, %1333 ]
+  %1345 = fmul double %414, %1344
   store i64 1, ptr %349, align 8
-  %1343 = load i64, ptr %351, align 8
-  %1344 = sub nsw i64 1, %1343
-  store i64 %1344, ptr %339, align 8
-  br label %1893, !llvm.loop !17
+  %1346 = load i64, ptr %351, align 8
+  %1347 = sub nsw i64 1, %1346
+  store i64 %1347, ptr %339, align 8
+  br label %1898, !llvm.loop !17
 
-1345:                                             ; preds = %1320
-  br i1 %206, label %1346, label %1361
+1348:                                             ; preds = %1323
+  br i1 %206, label %1349, label %1364
 
-1346:                                             ; preds = %1345
-  %1347 = load ptr, ptr %147, align 8
-  %1348 = load ptr, ptr %77, align 8
-  %1349 = load ptr, ptr %84, align 8
-  %1350 = getelementptr inbounds i8, ptr %1349, i64 56
-  %1351 = load i64, ptr %1350, align 8
-  %1352 = inttoptr i64 %1351 to ptr
-  %1353 = tail call i64 %1352(ptr noundef %0, double noundef %415, ptr noundef %1347, ptr noundef %1348) #11
-  %1354 = icmp eq i64 %1353, 0
-  br i1 %1354, label %1361, label %1355
+1349:                                             ; preds = %1348
+  %1350 = load ptr, ptr %147, align 8
+  %1351 = load ptr, ptr %77, align 8
+  %1352 = load ptr, ptr %84, align 8
+  %1353 = getelementptr inbounds i8, ptr %1352, i64 56
+  %1354 = load i64, ptr %1353, align 8
+  %1355 = inttoptr i64 %1354 to ptr
+  %1356 = tail call i64 %1355(ptr noundef %0, double noundef %413, ptr noundef %1350, ptr noundef %1351) #11
+  %1357 = icmp eq i64 %1356, 0
+  br i1 %1357, label %1364, label %1358
 
-1355:                                             ; preds = %1346
-  %1356 = load i64, ptr %336, align 8
-  %1357 = add nsw i64 %1356, 1
-  store i64 %1357, ptr %336, align 8
+1358:                                             ; preds = %1349
+  %1359 = load i64, ptr %336, align 8
+  %1360 = add nsw i64 %1359, 1
+  store i64 %1360, ptr %336, align 8
   store i64 6, ptr %352, align 8
-  %1358 = fmul double %414, 2.500000e-01
+  %1361 = fmul double %414, 2.500000e-01
   store i64 1, ptr %349, align 8
-  %1359 = load i64, ptr %353, align 8
-  %1360 = sub nsw i64 1, %1359
-  store i64 %1360, ptr %339, align 8
-  br label %1893, !llvm.loop !17
+  %1362 = load i64, ptr %353, align 8
+  %1363 = sub nsw i64 1, %1362
+  store i64 %1363, ptr %339, align 8
+  br label %1898, !llvm.loop !17
 
-1361:                                             ; preds = %1346, %1345
-  %1362 = load i64, ptr %335, align 8
-  %1363 = add nsw i64 %1362, 1
-  store i64 %1363, ptr %335, align 8
-  %1364 = load double, ptr %354, align 8
-  %1365 = fcmp ogt double %1364, 0.000000e+00
-  br i1 %1365, label %1366, label %1375
+1364:                                             ; preds = %1349, %1348
+  %1365 = load i64, ptr %335, align 8
+  %1366 = add nsw i64 %1365, 1
+  store i64 %1366, ptr %335, align 8
+  %1367 = load double, ptr %354, align 8
+  %1368 = fcmp ogt double %1367, 0.000000e+00
+  br i1 %1368, label %1369, label %1378
 
-1366:                                             ; preds = %1361
-  %1367 = fdiv double %1364, %1325
-  %1368 = tail call double @llvm.pow.f64(double %1367, double 2.500000e-01)
-  %1369 = load double, ptr %355, align 8
-  %1370 = fdiv double %414, %1369
-  %1371 = fmul double %1368, %1370
-  %1372 = fcmp olt double %1371, 1.000000e+00
-  %1373 = select i1 %1372, double %1371, double 1.000000e+00
-  %1374 = fmul double %1326, %1373
-  br label %1375
+1369:                                             ; preds = %1364
+  %1370 = fdiv double %1367, %1328
+  %1371 = tail call double @llvm.pow.f64(double %1370, double 2.500000e-01)
+  %1372 = load double, ptr %355, align 8
+  %1373 = fdiv double %414, %1372
+  %1374 = fmul double %1371, %1373
+  %1375 = fcmp olt double %1374, 1.000000e+00
+  %1376 = select i1 %1375, double %1374, double 1.000000e+00
+  %1377 = fmul double %1329, %1376
+  br label %1378
 
-1375:                                             ; preds = %1366, %1361
-  %1376 = phi double [ %1374, %1366 ], [ %1326, %1361 ]
-  %1377 = fmul double %1323, %1376
-  %1378 = fcmp olt double %1377, 1.000000e+01
-  store double %415, ptr %188, align 8
+1378:                                             ; preds = %1369, %1364
+  %1379 = phi double [ %1377, %1369 ], [ %1329, %1364 ]
+  %1380 = fmul double %1326, %1379
+  %1381 = fcmp olt double %1380, 1.000000e+01
+  store double %413, ptr %188, align 8
   store double %414, ptr %356, align 8
-  store double %1325, ptr %354, align 8
-  %1379 = load ptr, ptr %76, align 8
-  %1380 = getelementptr inbounds i8, ptr %1379, i64 8
-  %1381 = load i64, ptr %1380, align 8
-  %1382 = load i64, ptr %154, align 8
-  %1383 = load ptr, ptr %116, align 8
-  %1384 = load ptr, ptr %155, align 8
-  %1385 = load ptr, ptr %115, align 8
-  br label %1402
+  store double %1328, ptr %354, align 8
+  %1382 = load ptr, ptr %76, align 8
+  %1383 = getelementptr inbounds i8, ptr %1382, i64 8
+  %1384 = load i64, ptr %1383, align 8
+  %1385 = load i64, ptr %154, align 8
+  %1386 = load ptr, ptr %116, align 8
+  %1387 = load ptr, ptr %155, align 8
+  %1388 = load ptr, ptr %115, align 8
+  br label %1405
 
-1386:                                             ; preds = %1402
-  %1387 = select i1 %1378, double %1377, double 1.000000e+01
-  %1388 = icmp sgt i64 %1381, 0
-  br i1 %1388, label %1389, label %1462
+1389:                                             ; preds = %1405
+  %1390 = select i1 %1381, double %1380, double 1.000000e+01
+  %1391 = icmp sgt i64 %1384, 0
+  br i1 %1391, label %1392, label %1465
 
-1389:                                             ; preds = %1386
-  %1390 = load double, ptr %8, align 16
-  %1391 = load double, ptr %156, align 8
-  %1392 = getelementptr double, ptr %1383, i64 %1381
-  %1393 = load double, ptr %157, align 16
-  %1394 = shl i64 %1381, 4
-  %1395 = getelementptr i8, ptr %1383, i64 %1394
-  %1396 = load double, ptr %9, align 16
-  %1397 = load double, ptr %158, align 8
-  %1398 = load double, ptr %159, align 16
-  %1399 = getelementptr double, ptr %1384, i64 %1382
-  %1400 = shl i64 %1382, 4
-  %1401 = getelementptr i8, ptr %1384, i64 %1400
-  br label %1413
+1392:                                             ; preds = %1389
+  %1393 = load double, ptr %8, align 16
+  %1394 = load double, ptr %156, align 8
+  %1395 = getelementptr double, ptr %1386, i64 %1384
+  %1396 = load double, ptr %157, align 16
+  %1397 = shl i64 %1384, 4
+  %1398 = getelementptr i8, ptr %1386, i64 %1397
+  %1399 = load double, ptr %9, align 16
+  %1400 = load double, ptr %158, align 8
+  %1401 = load double, ptr %159, align 16
+  %1402 = getelementptr double, ptr %1387, i64 %1385
+  %1403 = shl i64 %1385, 4
+  %1404 = getelementptr i8, ptr %1387, i64 %1403
+  br label %1416
 
-1402:                                             ; preds = %1375, %1402
-  %1403 = phi i64 [ 0, %1375 ], [ %1411, %1402 ]
-  %1404 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1403
-  %1405 = getelementptr inbounds i8, ptr %1404, i64 8
-  %1406 = load double, ptr %1405, align 8
-  %1407 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1403
-  store double %1406, ptr %1407, align 8
-  %1408 = getelementptr inbounds i8, ptr %1404, i64 16
+1405:                                             ; preds = %1378, %1405
+  %1406 = phi i64 [ 0, %1378 ], [ %1414, %1405 ]
+  %1407 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1406
+  %1408 = getelementptr inbounds i8, ptr %1407, i64 8
   %1409 = load double, ptr %1408, align 8
-  %1410 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1403
+  %1410 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1406
   store double %1409, ptr %1410, align 8
-  %1411 = add nuw nsw i64 %1403, 1
-  %1412 = icmp eq i64 %1411, 3
-  br i1 %1412, label %1386, label %1402, !llvm.loop !39
+  %1411 = getelementptr inbounds i8, ptr %1407, i64 16
+  %1412 = load double, ptr %1411, align 8
+  %1413 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1406
+  store double %1412, ptr %1413, align 8
+  %1414 = add nuw nsw i64 %1406, 1
+  %1415 = icmp eq i64 %1414, 3
+  br i1 %1415, label %1389, label %1405, !llvm.loop !39
 
-1413:                                             ; preds = %1389, %1450
-  %1414 = phi i64 [ 0, %1389 ], [ %1451, %1450 ]
-  %1415 = getelementptr inbounds double, ptr %1383, i64 %1414
-  %1416 = load double, ptr %1415, align 8
-  %1417 = fmul double %1390, %1416
-  %1418 = getelementptr double, ptr %1392, i64 %1414
+1416:                                             ; preds = %1392, %1453
+  %1417 = phi i64 [ 0, %1392 ], [ %1454, %1453 ]
+  %1418 = getelementptr inbounds double, ptr %1386, i64 %1417
   %1419 = load double, ptr %1418, align 8
-  %1420 = fmul double %1391, %1419
-  %1421 = fadd double %1417, %1420
-  %1422 = getelementptr double, ptr %1395, i64 %1414
-  %1423 = load double, ptr %1422, align 8
-  %1424 = fmul double %1393, %1423
-  %1425 = fadd double %1421, %1424
-  %1426 = fmul double %1416, %1396
-  %1427 = fmul double %1419, %1397
-  %1428 = fadd double %1426, %1427
-  %1429 = fmul double %1423, %1398
-  %1430 = fadd double %1428, %1429
-  %1431 = load ptr, ptr %147, align 8
-  %1432 = getelementptr inbounds double, ptr %1431, i64 %1414
-  %1433 = load double, ptr %1432, align 8
-  %1434 = load ptr, ptr %77, align 8
-  %1435 = getelementptr inbounds double, ptr %1434, i64 %1414
+  %1420 = fmul double %1393, %1419
+  %1421 = getelementptr double, ptr %1395, i64 %1417
+  %1422 = load double, ptr %1421, align 8
+  %1423 = fmul double %1394, %1422
+  %1424 = fadd double %1420, %1423
+  %1425 = getelementptr double, ptr %1398, i64 %1417
+  %1426 = load double, ptr %1425, align 8
+  %1427 = fmul double %1396, %1426
+  %1428 = fadd double %1424, %1427
+  %1429 = fmul double %1419, %1399
+  %1430 = fmul double %1422, %1400
+  %1431 = fadd double %1429, %1430
+  %1432 = fmul double %1426, %1401
+  %1433 = fadd double %1431, %1432
+  %1434 = load ptr, ptr %147, align 8
+  %1435 = getelementptr inbounds double, ptr %1434, i64 %1417
   %1436 = load double, ptr %1435, align 8
-  %1437 = fsub double %1433, %1436
-  %1438 = getelementptr inbounds double, ptr %1384, i64 %1414
-  store double %1437, ptr %1438, align 8
-  %1439 = fneg double %1425
-  %1440 = fsub double %1439, %1430
-  %1441 = getelementptr double, ptr %1399, i64 %1414
+  %1437 = load ptr, ptr %77, align 8
+  %1438 = getelementptr inbounds double, ptr %1437, i64 %1417
+  %1439 = load double, ptr %1438, align 8
+  %1440 = fsub double %1436, %1439
+  %1441 = getelementptr inbounds double, ptr %1387, i64 %1417
   store double %1440, ptr %1441, align 8
-  %1442 = fneg double %1430
-  %1443 = getelementptr double, ptr %1401, i64 %1414
-  store double %1442, ptr %1443, align 8
-  %1444 = load ptr, ptr %77, align 8
-  %1445 = getelementptr inbounds double, ptr %1444, i64 %1414
-  %1446 = load double, ptr %1445, align 8
-  %1447 = getelementptr inbounds double, ptr %1385, i64 %1414
-  store double %1446, ptr %1447, align 8
-  %1448 = getelementptr double, ptr %1384, i64 %1414
-  %1449 = getelementptr double, ptr %1385, i64 %1414
-  br label %1453
+  %1442 = fneg double %1428
+  %1443 = fsub double %1442, %1433
+  %1444 = getelementptr double, ptr %1402, i64 %1417
+  store double %1443, ptr %1444, align 8
+  %1445 = fneg double %1433
+  %1446 = getelementptr double, ptr %1404, i64 %1417
+  store double %1445, ptr %1446, align 8
+  %1447 = load ptr, ptr %77, align 8
+  %1448 = getelementptr inbounds double, ptr %1447, i64 %1417
+  %1449 = load double, ptr %1448, align 8
+  %1450 = getelementptr inbounds double, ptr %1388, i64 %1417
+  store double %1449, ptr %1450, align 8
+  %1451 = getelementptr double, ptr %1387, i64 %1417
+  %1452 = getelementptr double, ptr %1388, i64 %1417
+  br label %1456
 
-1450:                                             ; preds = %1453
-  %1451 = add nuw nsw i64 %1414, 1
-  %1452 = icmp eq i64 %1451, %1381
-  br i1 %1452, label %1462, label %1413, !llvm.loop !40
+1453:                                             ; preds = %1456
+  %1454 = add nuw nsw i64 %1417, 1
+  %1455 = icmp eq i64 %1454, %1384
+  br i1 %1455, label %1465, label %1416, !llvm.loop !40
 
-1453:                                             ; preds = %1413, %1453
-  %1454 = phi i64 [ 0, %1413 ], [ %1458, %1453 ]
-  %1455 = mul nsw i64 %1382, %1454
-  %1456 = getelementptr double, ptr %1448, i64 %1455
-  %1457 = load double, ptr %1456, align 8
-  %1458 = add nuw nsw i64 %1454, 1
-  %1459 = mul nuw nsw i64 %1381, %1458
-  %1460 = getelementptr double, ptr %1449, i64 %1459
-  store double %1457, ptr %1460, align 8
-  %1461 = icmp eq i64 %1458, 3
-  br i1 %1461, label %1450, label %1453, !llvm.loop !41
+1456:                                             ; preds = %1416, %1456
+  %1457 = phi i64 [ 0, %1416 ], [ %1461, %1456 ]
+  %1458 = mul nsw i64 %1385, %1457
+  %1459 = getelementptr double, ptr %1451, i64 %1458
+  %1460 = load double, ptr %1459, align 8
+  %1461 = add nuw nsw i64 %1457, 1
+  %1462 = mul nuw nsw i64 %1384, %1461
+  %1463 = getelementptr double, ptr %1452, i64 %1462
+  store double %1460, ptr %1463, align 8
+  %1464 = icmp eq i64 %1461, 3
+  br i1 %1464, label %1453, label %1456, !llvm.loop !41
 
-1462:                                             ; preds = %1450, %1386
+1465:                                             ; preds = %1453, %1389
   store double %414, ptr %344, align 8
-  %1463 = load ptr, ptr %0, align 8
-  %1464 = getelementptr inbounds i8, ptr %1463, i64 24
-  %1465 = load i64, ptr %1464, align 8
-  %1466 = load ptr, ptr %93, align 8
-  %1467 = getelementptr inbounds i8, ptr %1466, i64 8
+  %1466 = load ptr, ptr %0, align 8
+  %1467 = getelementptr inbounds i8, ptr %1466, i64 24
   %1468 = load i64, ptr %1467, align 8
-  %1469 = icmp eq i64 %1468, 0
-  br i1 %1469, label %1516, label %1470
+  %1469 = load ptr, ptr %93, align 8
+  %1470 = getelementptr inbounds i8, ptr %1469, i64 8
+  %1471 = load i64, ptr %1470, align 8
+  %1472 = icmp eq i64 %1471, 0
+  br i1 %1472, label %1519, label %1473
 
-1470:                                             ; preds = %1462
-  %1471 = load i64, ptr %1466, align 8
-  %1472 = load ptr, ptr %76, align 8
-  %1473 = getelementptr inbounds i8, ptr %1472, i64 8
-  %1474 = load i64, ptr %1473, align 8
-  %1475 = load ptr, ptr %160, align 8
-  %1476 = load i64, ptr %161, align 8
-  %1477 = mul nsw i64 %1476, %1471
-  %1478 = getelementptr inbounds double, ptr %1475, i64 %1477
-  %1479 = getelementptr inbounds double, ptr %1478, i64 %1476
-  store double %378, ptr %1478, align 8
-  %1480 = getelementptr inbounds i8, ptr %1478, i64 8
-  store double %414, ptr %1480, align 8
-  store double %415, ptr %1479, align 8
-  %1481 = getelementptr inbounds i8, ptr %1479, i64 8
-  store double 0.000000e+00, ptr %1481, align 8
-  %1482 = icmp sgt i64 %1474, 0
-  br i1 %1482, label %1483, label %1486
+1473:                                             ; preds = %1465
+  %1474 = load i64, ptr %1469, align 8
+  %1475 = load ptr, ptr %76, align 8
+  %1476 = getelementptr inbounds i8, ptr %1475, i64 8
+  %1477 = load i64, ptr %1476, align 8
+  %1478 = load ptr, ptr %160, align 8
+  %1479 = load i64, ptr %161, align 8
+  %1480 = mul nsw i64 %1479, %1474
+  %1481 = getelementptr inbounds double, ptr %1478, i64 %1480
+  %1482 = getelementptr inbounds double, ptr %1481, i64 %1479
+  store double %378, ptr %1481, align 8
+  %1483 = getelementptr inbounds i8, ptr %1481, i64 8
+  store double %414, ptr %1483, align 8
+  store double %413, ptr %1482, align 8
+  %1484 = getelementptr inbounds i8, ptr %1482, i64 8
+  store double 0.000000e+00, ptr %1484, align 8
+  %1485 = icmp sgt i64 %1477, 0
+  br i1 %1485, label %1486, label %1489
 
-1483:                                             ; preds = %1470
-  %1484 = getelementptr i8, ptr %1478, i64 16
-  %1485 = icmp sgt i64 %1465, 0
-  br label %1489
+1486:                                             ; preds = %1473
+  %1487 = getelementptr i8, ptr %1481, i64 16
+  %1488 = icmp sgt i64 %1468, 0
+  br label %1492
 
-1486:                                             ; preds = %1501, %1470
-  %1487 = add nsw i64 %1471, 1
-  %1488 = load ptr, ptr %93, align 8
-  store i64 %1487, ptr %1488, align 8
-  br label %1516
+1489:                                             ; preds = %1504, %1473
+  %1490 = add nsw i64 %1474, 1
+  %1491 = load ptr, ptr %93, align 8
+  store i64 %1490, ptr %1491, align 8
+  br label %1519
 
-1489:                                             ; preds = %1483, %1501
-  %1490 = phi i64 [ 0, %1483 ], [ %1502, %1501 ]
-  %1491 = load ptr, ptr %77, align 8
-  %1492 = getelementptr inbounds double, ptr %1491, i64 %1490
-  %1493 = load double, ptr %1492, align 8
-  %1494 = add nuw nsw i64 %1490, 2
-  %1495 = getelementptr inbounds double, ptr %1478, i64 %1494
-  store double %1493, ptr %1495, align 8
-  %1496 = load ptr, ptr %147, align 8
-  %1497 = getelementptr inbounds double, ptr %1496, i64 %1490
-  %1498 = load double, ptr %1497, align 8
-  %1499 = getelementptr inbounds double, ptr %1479, i64 %1494
-  store double %1498, ptr %1499, align 8
-  %1500 = getelementptr double, ptr %1484, i64 %1490
-  br i1 %1485, label %1504, label %1501
+1492:                                             ; preds = %1486, %1504
+  %1493 = phi i64 [ 0, %1486 ], [ %1505, %1504 ]
+  %1494 = load ptr, ptr %77, align 8
+  %1495 = getelementptr inbounds double, ptr %1494, i64 %1493
+  %1496 = load double, ptr %1495, align 8
+  %1497 = add nuw nsw i64 %1493, 2
+  %1498 = getelementptr inbounds double, ptr %1481, i64 %1497
+  store double %1496, ptr %1498, align 8
+  %1499 = load ptr, ptr %147, align 8
+  %1500 = getelementptr inbounds double, ptr %1499, i64 %1493
+  %1501 = load double, ptr %1500, align 8
+  %1502 = getelementptr inbounds double, ptr %1482, i64 %1497
+  store double %1501, ptr %1502, align 8
+  %1503 = getelementptr double, ptr %1487, i64 %1493
+  br i1 %1488, label %1507, label %1504
 
-1501:                                             ; preds = %1504, %1489
-  %1502 = add nuw nsw i64 %1490, 1
-  %1503 = icmp eq i64 %1502, %1474
-  br i1 %1503, label %1486, label %1489, !llvm.loop !42
+1504:                                             ; preds = %1507, %1492
+  %1505 = add nuw nsw i64 %1493, 1
+  %1506 = icmp eq i64 %1505, %1477
+  br i1 %1506, label %1489, label %1492, !llvm.loop !42
 
-1504:                                             ; preds = %1489, %1504
-  %1505 = phi i64 [ %1512, %1504 ], [ 0, %1489 ]
-  %1506 = load ptr, ptr %155, align 8
-  %1507 = load i64, ptr %154, align 8
-  %1508 = mul nsw i64 %1507, %1505
-  %1509 = getelementptr double, ptr %1506, i64 %1508
-  %1510 = getelementptr double, ptr %1509, i64 %1490
-  %1511 = load double, ptr %1510, align 8
-  %1512 = add nuw nsw i64 %1505, 1
-  %1513 = mul nuw nsw i64 %1512, %1474
-  %1514 = getelementptr double, ptr %1500, i64 %1513
-  store double %1511, ptr %1514, align 8
-  %1515 = icmp eq i64 %1512, %1465
-  br i1 %1515, label %1501, label %1504, !llvm.loop !43
+1507:                                             ; preds = %1492, %1507
+  %1508 = phi i64 [ %1515, %1507 ], [ 0, %1492 ]
+  %1509 = load ptr, ptr %155, align 8
+  %1510 = load i64, ptr %154, align 8
+  %1511 = mul nsw i64 %1510, %1508
+  %1512 = getelementptr double, ptr %1509, i64 %1511
+  %1513 = getelementptr double, ptr %1512, i64 %1493
+  %1514 = load double, ptr %1513, align 8
+  %1515 = add nuw nsw i64 %1508, 1
+  %1516 = mul nuw nsw i64 %1515, %1477
+  %1517 = getelementptr double, ptr %1503, i64 %1516
+  store double %1514, ptr %1517, align 8
+  %1518 = icmp eq i64 %1515, %1468
+  br i1 %1518, label %1504, label %1507, !llvm.loop !43
 
-1516:                                             ; preds = %1462, %1486
-  br i1 %210, label %1517, label %1624
+1519:                                             ; preds = %1465, %1489
+  br i1 %210, label %1520, label %1627
 
-1517:                                             ; preds = %1516
-  %1518 = load ptr, ptr %85, align 8
-  %1519 = load ptr, ptr %76, align 8
-  %1520 = getelementptr inbounds i8, ptr %1519, i64 8
-  %1521 = load i64, ptr %1520, align 8
-  %1522 = load ptr, ptr %162, align 8
-  %1523 = getelementptr inbounds i8, ptr %1518, i64 32
+1520:                                             ; preds = %1519
+  %1521 = load ptr, ptr %85, align 8
+  %1522 = load ptr, ptr %76, align 8
+  %1523 = getelementptr inbounds i8, ptr %1522, i64 8
   %1524 = load i64, ptr %1523, align 8
-  %1525 = getelementptr inbounds double, ptr %1522, i64 %1524
-  %1526 = load ptr, ptr %116, align 8
-  %1527 = getelementptr inbounds i8, ptr %1518, i64 24
-  %1528 = load i64, ptr %1527, align 8
-  %1529 = icmp eq i64 %1528, 0
-  br i1 %1529, label %1621, label %1530
+  %1525 = load ptr, ptr %162, align 8
+  %1526 = getelementptr inbounds i8, ptr %1521, i64 32
+  %1527 = load i64, ptr %1526, align 8
+  %1528 = getelementptr inbounds double, ptr %1525, i64 %1527
+  %1529 = load ptr, ptr %116, align 8
+  %1530 = getelementptr inbounds i8, ptr %1521, i64 24
+  %1531 = load i64, ptr %1530, align 8
+  %1532 = icmp eq i64 %1531, 0
+  br i1 %1532, label %1624, label %1533
 
-1530:                                             ; preds = %1517
-  %1531 = getelementptr inbounds i8, ptr %1518, i64 40
-  %1532 = load i64, ptr %1531, align 8
-  %1533 = icmp sgt i64 %1532, 0
-  br i1 %1533, label %1534, label %1538
+1533:                                             ; preds = %1520
+  %1534 = getelementptr inbounds i8, ptr %1521, i64 40
+  %1535 = load i64, ptr %1534, align 8
+  %1536 = icmp sgt i64 %1535, 0
+  br i1 %1536, label %1537, label %1541
 
-1534:                                             ; preds = %1530
-  %1535 = getelementptr double, ptr %1526, i64 %1521
-  %1536 = shl i64 %1521, 4
-  %1537 = getelementptr i8, ptr %1526, i64 %1536
-  br label %1591
+1537:                                             ; preds = %1533
+  %1538 = getelementptr double, ptr %1529, i64 %1524
+  %1539 = shl i64 %1524, 4
+  %1540 = getelementptr i8, ptr %1529, i64 %1539
+  br label %1594
 
-1538:                                             ; preds = %1591, %1530
-  %1539 = load ptr, ptr %163, align 8
-  %1540 = load ptr, ptr %85, align 8
-  %1541 = getelementptr inbounds i8, ptr %1540, i64 8
-  %1542 = load i64, ptr %1541, align 8
-  %1543 = load ptr, ptr %164, align 8
-  %1544 = load ptr, ptr %162, align 8
-  %1545 = getelementptr inbounds i8, ptr %1540, i64 32
-  %1546 = load i64, ptr %1545, align 8
-  %1547 = getelementptr inbounds i8, ptr %1540, i64 40
-  %1548 = load i64, ptr %1547, align 8
-  %1549 = getelementptr double, ptr %1544, i64 %1546
-  %1550 = getelementptr double, ptr %1549, i64 %1548
-  store double %414, ptr %1550, align 8
-  %1551 = load ptr, ptr %163, align 8
-  store double %378, ptr %1551, align 8
-  %1552 = load ptr, ptr %85, align 8
-  %1553 = getelementptr inbounds i8, ptr %1552, i64 24
-  %1554 = load i64, ptr %1553, align 8
-  %1555 = load ptr, ptr %77, align 8
-  %1556 = load ptr, ptr %162, align 8
-  %1557 = load ptr, ptr %165, align 8
-  %1558 = inttoptr i64 %1554 to ptr
-  %1559 = tail call i32 %1558(ptr noundef %1539, ptr noundef %1555, ptr noundef %1556, ptr noundef %1557, ptr noundef %1543) #11
-  %1560 = icmp eq i32 %1559, 0
-  br i1 %1560, label %1561, label %1621
+1541:                                             ; preds = %1594, %1533
+  %1542 = load ptr, ptr %163, align 8
+  %1543 = load ptr, ptr %85, align 8
+  %1544 = getelementptr inbounds i8, ptr %1543, i64 8
+  %1545 = load i64, ptr %1544, align 8
+  %1546 = load ptr, ptr %164, align 8
+  %1547 = load ptr, ptr %162, align 8
+  %1548 = getelementptr inbounds i8, ptr %1543, i64 32
+  %1549 = load i64, ptr %1548, align 8
+  %1550 = getelementptr inbounds i8, ptr %1543, i64 40
+  %1551 = load i64, ptr %1550, align 8
+  %1552 = getelementptr double, ptr %1547, i64 %1549
+  %1553 = getelementptr double, ptr %1552, i64 %1551
+  store double %414, ptr %1553, align 8
+  %1554 = load ptr, ptr %163, align 8
+  store double %378, ptr %1554, align 8
+  %1555 = load ptr, ptr %85, align 8
+  %1556 = getelementptr inbounds i8, ptr %1555, i64 24
+  %1557 = load i64, ptr %1556, align 8
+  %1558 = load ptr, ptr %77, align 8
+  %1559 = load ptr, ptr %162, align 8
+  %1560 = load ptr, ptr %165, align 8
+  %1561 = inttoptr i64 %1557 to ptr
+  %1562 = tail call i32 %1561(ptr noundef %1542, ptr noundef %1558, ptr noundef %1559, ptr noundef %1560, ptr noundef %1546) #11
+  %1563 = icmp eq i32 %1562, 0
+  br i1 %1563, label %1564, label %1624
 
-1561:                                             ; preds = %1538
-  %1562 = icmp slt i64 %1542, 1
-  br i1 %1562, label %1588, label %1563
+1564:                                             ; preds = %1541
+  %1565 = icmp slt i64 %1545, 1
+  br i1 %1565, label %1591, label %1566
 
-1563:                                             ; preds = %1561
-  %1564 = load ptr, ptr %166, align 8
-  %1565 = getelementptr double, ptr %1543, i64 %1542
-  br label %1566
+1566:                                             ; preds = %1564
+  %1567 = load ptr, ptr %166, align 8
+  %1568 = getelementptr double, ptr %1546, i64 %1545
+  br label %1569
 
-1566:                                             ; preds = %1563, %1584
-  %1567 = phi i1 [ %1562, %1563 ], [ %1586, %1584 ]
-  %1568 = phi i64 [ 0, %1563 ], [ %1585, %1584 ]
-  %1569 = getelementptr inbounds i64, ptr %1564, i64 %1568
-  %1570 = load i64, ptr %1569, align 8
-  %1571 = and i64 %1570, 2
-  %1572 = icmp eq i64 %1571, 0
-  br i1 %1572, label %1573, label %1584
+1569:                                             ; preds = %1566, %1587
+  %1570 = phi i1 [ %1565, %1566 ], [ %1589, %1587 ]
+  %1571 = phi i64 [ 0, %1566 ], [ %1588, %1587 ]
+  %1572 = getelementptr inbounds i64, ptr %1567, i64 %1571
+  %1573 = load i64, ptr %1572, align 8
+  %1574 = and i64 %1573, 2
+  %1575 = icmp eq i64 %1574, 0
+  br i1 %1575, label %1576, label %1587
 
-1573:                                             ; preds = %1566
-  %1574 = getelementptr inbounds double, ptr %1543, i64 %1568
-  %1575 = load double, ptr %1574, align 8
-  %1576 = load ptr, ptr %167, align 8
-  %1577 = getelementptr inbounds i64, ptr %1576, i64 %1568
-  %1578 = load i64, ptr %1577, align 8
-  %1579 = sitofp i64 %1578 to double
-  %1580 = fmul double %1575, %1579
-  %1581 = getelementptr double, ptr %1565, i64 %1568
-  %1582 = load double, ptr %1581, align 8
-  %1583 = fcmp ogt double %1580, %1582
-  br i1 %1583, label %1584, label %1588
+1576:                                             ; preds = %1569
+  %1577 = getelementptr inbounds double, ptr %1546, i64 %1571
+  %1578 = load double, ptr %1577, align 8
+  %1579 = load ptr, ptr %167, align 8
+  %1580 = getelementptr inbounds i64, ptr %1579, i64 %1571
+  %1581 = load i64, ptr %1580, align 8
+  %1582 = sitofp i64 %1581 to double
+  %1583 = fmul double %1578, %1582
+  %1584 = getelementptr double, ptr %1568, i64 %1571
+  %1585 = load double, ptr %1584, align 8
+  %1586 = fcmp ogt double %1583, %1585
+  br i1 %1586, label %1587, label %1591
 
-1584:                                             ; preds = %1573, %1566
-  %1585 = add nuw nsw i64 %1568, 1
-  %1586 = icmp sge i64 %1585, %1542
-  %1587 = icmp eq i64 %1585, %1542
-  br i1 %1587, label %1588, label %1566, !llvm.loop !44
+1587:                                             ; preds = %1576, %1569
+  %1588 = add nuw nsw i64 %1571, 1
+  %1589 = icmp sge i64 %1588, %1545
+  %1590 = icmp eq i64 %1588, %1545
+  br i1 %1590, label %1591, label %1569, !llvm.loop !44
 
-1588:                                             ; preds = %1584, %1573, %1561
-  %1589 = phi i1 [ %1562, %1561 ], [ %1586, %1584 ], [ %1567, %1573 ]
-  %1590 = zext i1 %1589 to i32
-  br label %1621
-
-1591:                                             ; preds = %1534, %1591
-  %1592 = phi i64 [ 0, %1534 ], [ %1618, %1591 ]
-  %1593 = load ptr, ptr %147, align 8
-  %1594 = getelementptr inbounds double, ptr %1593, i64 %1592
-  %1595 = load double, ptr %1594, align 8
-  %1596 = load ptr, ptr %77, align 8
-  %1597 = getelementptr inbounds double, ptr %1596, i64 %1592
-  %1598 = load double, ptr %1597, align 8
-  %1599 = fsub double %1595, %1598
-  %1600 = tail call double @llvm.fabs.f64(double %1599)
-  %1601 = getelementptr inbounds double, ptr %1526, i64 %1592
-  %1602 = load double, ptr %1601, align 8
-  %1603 = tail call double @llvm.fabs.f64(double %1602)
-  %1604 = getelementptr double, ptr %1535, i64 %1592
-  %1605 = load double, ptr %1604, align 8
-  %1606 = tail call double @llvm.fabs.f64(double %1605)
-  %1607 = fcmp ogt double %1603, %1606
-  %1608 = select i1 %1607, double %1603, double %1606
-  %1609 = getelementptr double, ptr %1537, i64 %1592
-  %1610 = load double, ptr %1609, align 8
-  %1611 = tail call double @llvm.fabs.f64(double %1610)
-  %1612 = fcmp ogt double %1608, %1611
-  %1613 = select i1 %1612, double %1608, double %1611
-  %1614 = fcmp ogt double %1613, %1600
-  %1615 = select i1 %1614, double %1613, double %1600
-  %1616 = fmul double %1615, 8.000000e+00
-  %1617 = getelementptr inbounds double, ptr %1525, i64 %1592
-  store double %1616, ptr %1617, align 8
-  %1618 = add nuw nsw i64 %1592, 1
-  %1619 = load i64, ptr %1531, align 8
-  %1620 = icmp slt i64 %1618, %1619
-  br i1 %1620, label %1591, label %1538, !llvm.loop !45
-
-1621:                                             ; preds = %1588, %1538, %1517
-  %1622 = phi i32 [ 0, %1517 ], [ 0, %1538 ], [ %1590, %1588 ]
-  %1623 = icmp eq i32 %1622, 0
+1591:                                             ; preds = %1587, %1576, %1564
+  %1592 = phi i1 [ %1565, %1564 ], [ %1589, %1587 ], [ %1570, %1576 ]
+  %1593 = zext i1 %1592 to i32
   br label %1624
 
-1624:                                             ; preds = %1621, %1516
-  %1625 = phi i1 [ false, %1516 ], [ %1623, %1621 ]
-  br i1 %1625, label %1631, label %1626
+1594:                                             ; preds = %1537, %1594
+  %1595 = phi i64 [ 0, %1537 ], [ %1621, %1594 ]
+  %1596 = load ptr, ptr %147, align 8
+  %1597 = getelementptr inbounds double, ptr %1596, i64 %1595
+  %1598 = load double, ptr %1597, align 8
+  %1599 = load ptr, ptr %77, align 8
+  %1600 = getelementptr inbounds double, ptr %1599, i64 %1595
+  %1601 = load double, ptr %1600, align 8
+  %1602 = fsub double %1598, %1601
+  %1603 = tail call double @llvm.fabs.f64(double %1602)
+  %1604 = getelementptr inbounds double, ptr %1529, i64 %1595
+  %1605 = load double, ptr %1604, align 8
+  %1606 = tail call double @llvm.fabs.f64(double %1605)
+  %1607 = getelementptr double, ptr %1538, i64 %1595
+  %1608 = load double, ptr %1607, align 8
+  %1609 = tail call double @llvm.fabs.f64(double %1608)
+  %1610 = fcmp ogt double %1606, %1609
+  %1611 = select i1 %1610, double %1606, double %1609
+  %1612 = getelementptr double, ptr %1540, i64 %1595
+  %1613 = load double, ptr %1612, align 8
+  %1614 = tail call double @llvm.fabs.f64(double %1613)
+  %1615 = fcmp ogt double %1611, %1614
+  %1616 = select i1 %1615, double %1611, double %1614
+  %1617 = fcmp ogt double %1616, %1603
+  %1618 = select i1 %1617, double %1616, double %1603
+  %1619 = fmul double %1618, 8.000000e+00
+  %1620 = getelementptr inbounds double, ptr %1528, i64 %1595
+  store double %1619, ptr %1620, align 8
+  %1621 = add nuw nsw i64 %1595, 1
+  %1622 = load i64, ptr %1534, align 8
+  %1623 = icmp slt i64 %1621, %1622
+  br i1 %1623, label %1594, label %1541, !llvm.loop !45
 
-1626:                                             ; preds = %1624
-  %1627 = load i64, ptr %357, align 8
-  %1628 = getelementptr inbounds double, ptr %199, i64 %1627
-  %1629 = load double, ptr %1628, align 8
-  %1630 = fcmp ugt double %1629, %415
-  br i1 %1630, label %1843, label %1631
+1624:                                             ; preds = %1591, %1541, %1520
+  %1625 = phi i32 [ 0, %1520 ], [ 0, %1541 ], [ %1593, %1591 ]
+  %1626 = icmp eq i32 %1625, 0
+  br label %1627
 
-1631:                                             ; preds = %1626, %1624
-  %1632 = load ptr, ptr %79, align 8
-  br i1 %1625, label %1633, label %1644
+1627:                                             ; preds = %1624, %1519
+  %1628 = phi i1 [ false, %1519 ], [ %1626, %1624 ]
+  br i1 %1628, label %1634, label %1629
 
-1633:                                             ; preds = %1631
-  %1634 = load ptr, ptr %85, align 8
-  %1635 = getelementptr inbounds i8, ptr %1634, i64 16
-  %1636 = load i64, ptr %1635, align 8
-  %1637 = inttoptr i64 %1636 to ptr
-  %1638 = tail call i64 %1637(ptr noundef %0, double noundef %378, double noundef %414) #11
-  %1639 = icmp eq i64 %1638, -6
-  br i1 %1639, label %1640, label %1641
+1629:                                             ; preds = %1627
+  %1630 = load i64, ptr %357, align 8
+  %1631 = getelementptr inbounds double, ptr %199, i64 %1630
+  %1632 = load double, ptr %1631, align 8
+  %1633 = fcmp ugt double %1632, %413
+  br i1 %1633, label %1846, label %1634
 
-1640:                                             ; preds = %1633
-  store double %378, ptr %1632, align 8
-  br label %1819
+1634:                                             ; preds = %1629, %1627
+  %1635 = load ptr, ptr %79, align 8
+  br i1 %1628, label %1636, label %1647
 
-1641:                                             ; preds = %1633
-  %1642 = getelementptr inbounds i8, ptr %1632, i64 48
-  %1643 = load double, ptr %1642, align 8
-  br label %1644
+1636:                                             ; preds = %1634
+  %1637 = load ptr, ptr %85, align 8
+  %1638 = getelementptr inbounds i8, ptr %1637, i64 16
+  %1639 = load i64, ptr %1638, align 8
+  %1640 = inttoptr i64 %1639 to ptr
+  %1641 = tail call i64 %1640(ptr noundef %0, double noundef %378, double noundef %414) #11
+  %1642 = icmp eq i64 %1641, -6
+  br i1 %1642, label %1643, label %1644
 
-1644:                                             ; preds = %1641, %1631
-  %1645 = phi double [ %1643, %1641 ], [ 1.000000e+00, %1631 ]
-  %1646 = phi i64 [ %1638, %1641 ], [ 0, %1631 ]
-  %1647 = fcmp oeq double %1645, 1.000000e+00
-  br i1 %1647, label %1648, label %1650
+1643:                                             ; preds = %1636
+  store double %378, ptr %1635, align 8
+  br label %1822
 
-1648:                                             ; preds = %1644
-  %1649 = load double, ptr %1632, align 8
-  br label %1653
+1644:                                             ; preds = %1636
+  %1645 = getelementptr inbounds i8, ptr %1635, i64 48
+  %1646 = load double, ptr %1645, align 8
+  br label %1647
 
-1650:                                             ; preds = %1644
-  %1651 = fmul double %414, %1645
-  %1652 = fadd double %378, %1651
-  br label %1653
+1647:                                             ; preds = %1644, %1634
+  %1648 = phi double [ %1646, %1644 ], [ 1.000000e+00, %1634 ]
+  %1649 = phi i64 [ %1641, %1644 ], [ 0, %1634 ]
+  %1650 = fcmp oeq double %1648, 1.000000e+00
+  br i1 %1650, label %1651, label %1653
 
-1653:                                             ; preds = %1650, %1648
-  %1654 = phi double [ %1649, %1648 ], [ %1652, %1650 ]
-  %1655 = icmp eq i64 %1646, -4
-  %1656 = select i1 %1655, i64 -4, i64 0
-  br i1 %1655, label %1714, label %1657
+1651:                                             ; preds = %1647
+  %1652 = load double, ptr %1635, align 8
+  br label %1656
 
-1657:                                             ; preds = %1653
-  %1658 = fcmp olt double %1645, 1.000000e+00
-  %1659 = load ptr, ptr %76, align 8
-  %1660 = getelementptr inbounds i8, ptr %1659, i64 8
-  %1661 = load i64, ptr %1660, align 8
-  %1662 = load i64, ptr %83, align 8
-  %1663 = load ptr, ptr %82, align 8
-  %1664 = load ptr, ptr %81, align 8
-  %1665 = getelementptr inbounds i8, ptr %1664, i64 48
-  %1666 = load i64, ptr %1665, align 8
-  %1667 = icmp slt i64 %1666, %1662
-  br i1 %1667, label %1668, label %1710
+1653:                                             ; preds = %1647
+  %1654 = fmul double %414, %1648
+  %1655 = fadd double %378, %1654
+  br label %1656
 
-1668:                                             ; preds = %1657, %1706
-  %1669 = phi i64 [ %1707, %1706 ], [ undef, %1657 ]
-  %1670 = phi i64 [ %1708, %1706 ], [ %1666, %1657 ]
-  %1671 = getelementptr inbounds double, ptr %1663, i64 %1670
-  %1672 = load double, ptr %1671, align 8
-  %1673 = fcmp olt double %1672, %1654
-  %1674 = fcmp oeq double %1672, %1654
-  %1675 = and i1 %1658, %1674
-  %1676 = or i1 %1673, %1675
-  br i1 %1676, label %1677, label %1710
+1656:                                             ; preds = %1653, %1651
+  %1657 = phi double [ %1652, %1651 ], [ %1655, %1653 ]
+  %1658 = icmp eq i64 %1649, -4
+  %1659 = select i1 %1658, i64 -4, i64 0
+  br i1 %1658, label %1717, label %1660
 
-1677:                                             ; preds = %1668
-  %1678 = fsub double %1672, %378
-  %1679 = fdiv double %1678, %414
-  %1680 = mul nsw i64 %1670, %1661
-  %1681 = getelementptr inbounds double, ptr %1, i64 %1680
-  %1682 = load ptr, ptr %168, align 8
-  %1683 = insertelement <8 x double> poison, double %1679, i64 0
-  %1684 = shufflevector <8 x double> %1683, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1684, ptr %1682, align 8
-  %1685 = load ptr, ptr %77, align 8
-  %1686 = load ptr, ptr %169, align 8
-  %1687 = load i64, ptr %170, align 8
-  %1688 = load ptr, ptr %0, align 8
-  %1689 = getelementptr inbounds i8, ptr %1688, i64 24
-  %1690 = load i64, ptr %1689, align 8
-  %1691 = load ptr, ptr %168, align 8
-  %1692 = load ptr, ptr %76, align 8
-  %1693 = getelementptr inbounds i8, ptr %1692, i64 16
-  %1694 = load i64, ptr %1693, align 8
-  tail call fastcc void @nested(ptr noundef %1681, ptr noundef %1685, ptr noundef %1686, i64 noundef %1687, i64 noundef %1690, ptr noundef %1691, i64 noundef %1694) #10
-  %1695 = load ptr, ptr %84, align 8
-  %1696 = load i64, ptr %1695, align 8
-  %1697 = icmp eq i64 %1696, 1
-  br i1 %1697, label %1698, label %1706
+1660:                                             ; preds = %1656
+  %1661 = fcmp olt double %1648, 1.000000e+00
+  %1662 = load ptr, ptr %76, align 8
+  %1663 = getelementptr inbounds i8, ptr %1662, i64 8
+  %1664 = load i64, ptr %1663, align 8
+  %1665 = load i64, ptr %83, align 8
+  %1666 = load ptr, ptr %82, align 8
+  %1667 = load ptr, ptr %81, align 8
+  %1668 = getelementptr inbounds i8, ptr %1667, i64 48
+  %1669 = load i64, ptr %1668, align 8
+  %1670 = icmp slt i64 %1669, %1665
+  br i1 %1670, label %1671, label %1713
 
-1698:                                             ; preds = %1677
-  %1699 = load double, ptr %1671, align 8
-  %1700 = getelementptr inbounds i8, ptr %1695, i64 56
-  %1701 = load i64, ptr %1700, align 8
-  %1702 = inttoptr i64 %1701 to ptr
-  %1703 = tail call i64 %1702(ptr noundef %0, double noundef %1699, ptr noundef %1681, ptr noundef null) #11
-  %1704 = icmp eq i64 %1703, 0
-  %1705 = select i1 %1704, i64 %1669, i64 %1703
-  br i1 %1704, label %1706, label %1714
+1671:                                             ; preds = %1660, %1709
+  %1672 = phi i64 [ %1710, %1709 ], [ undef, %1660 ]
+  %1673 = phi i64 [ %1711, %1709 ], [ %1669, %1660 ]
+  %1674 = getelementptr inbounds double, ptr %1666, i64 %1673
+  %1675 = load double, ptr %1674, align 8
+  %1676 = fcmp olt double %1675, %1657
+  %1677 = fcmp oeq double %1675, %1657
+  %1678 = and i1 %1661, %1677
+  %1679 = or i1 %1676, %1678
+  br i1 %1679, label %1680, label %1713
 
-1706:                                             ; preds = %1698, %1677
-  %1707 = phi i64 [ %1705, %1698 ], [ %1669, %1677 ]
-  %1708 = add i64 %1670, 1
-  %1709 = icmp eq i64 %1708, %1662
-  br i1 %1709, label %1710, label %1668, !llvm.loop !46
+1680:                                             ; preds = %1671
+  %1681 = fsub double %1675, %378
+  %1682 = fdiv double %1681, %414
+  %1683 = mul nsw i64 %1673, %1664
+  %1684 = getelementptr inbounds double, ptr %1, i64 %1683
+  %1685 = load ptr, ptr %168, align 8
+  %1686 = insertelement <8 x double> poison, double %1682, i64 0
+  %1687 = shufflevector <8 x double> %1686, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1687, ptr %1685, align 8
+  %1688 = load ptr, ptr %77, align 8
+  %1689 = load ptr, ptr %169, align 8
+  %1690 = load i64, ptr %170, align 8
+  %1691 = load ptr, ptr %0, align 8
+  %1692 = getelementptr inbounds i8, ptr %1691, i64 24
+  %1693 = load i64, ptr %1692, align 8
+  %1694 = load ptr, ptr %168, align 8
+  %1695 = load ptr, ptr %76, align 8
+  %1696 = getelementptr inbounds i8, ptr %1695, i64 16
+  %1697 = load i64, ptr %1696, align 8
+  tail call fastcc void @nested(ptr noundef %1684, ptr noundef %1688, ptr noundef %1689, i64 noundef %1690, i64 noundef %1693, ptr noundef %1694, i64 noundef %1697) #10
+  %1698 = load ptr, ptr %84, align 8
+  %1699 = load i64, ptr %1698, align 8
+  %1700 = icmp eq i64 %1699, 1
+  br i1 %1700, label %1701, label %1709
 
-1710:                                             ; preds = %1706, %1668, %1657
-  %1711 = phi i64 [ %1666, %1657 ], [ %1662, %1706 ], [ %1670, %1668 ]
-  %1712 = load ptr, ptr %81, align 8
-  %1713 = getelementptr inbounds i8, ptr %1712, i64 48
-  store i64 %1711, ptr %1713, align 8
-  br label %1714
+1701:                                             ; preds = %1680
+  %1702 = load double, ptr %1674, align 8
+  %1703 = getelementptr inbounds i8, ptr %1698, i64 56
+  %1704 = load i64, ptr %1703, align 8
+  %1705 = inttoptr i64 %1704 to ptr
+  %1706 = tail call i64 %1705(ptr noundef %0, double noundef %1702, ptr noundef %1684, ptr noundef null) #11
+  %1707 = icmp eq i64 %1706, 0
+  %1708 = select i1 %1707, i64 %1672, i64 %1706
+  br i1 %1707, label %1709, label %1717
 
-1714:                                             ; preds = %1698, %1710, %1653
-  %1715 = phi i64 [ %1656, %1653 ], [ 0, %1710 ], [ %1705, %1698 ]
-  %1716 = icmp eq i64 %1715, 0
-  %1717 = icmp ne i64 %1646, 0
-  %1718 = fcmp olt double %1645, 1.000000e+00
-  %1719 = and i1 %1718, %1716
-  %1720 = and i1 %1717, %1719
-  br i1 %1720, label %1721, label %1758
+1709:                                             ; preds = %1701, %1680
+  %1710 = phi i64 [ %1708, %1701 ], [ %1672, %1680 ]
+  %1711 = add i64 %1673, 1
+  %1712 = icmp eq i64 %1711, %1665
+  br i1 %1712, label %1713, label %1671, !llvm.loop !46
 
-1721:                                             ; preds = %1714
-  %1722 = load ptr, ptr %171, align 8
-  %1723 = load ptr, ptr %172, align 8
-  %1724 = insertelement <8 x double> poison, double %1645, i64 0
-  %1725 = shufflevector <8 x double> %1724, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1725, ptr %1723, align 8
-  %1726 = load ptr, ptr %77, align 8
-  %1727 = load ptr, ptr %173, align 8
-  %1728 = load i64, ptr %174, align 8
-  %1729 = load ptr, ptr %0, align 8
-  %1730 = getelementptr inbounds i8, ptr %1729, i64 24
-  %1731 = load i64, ptr %1730, align 8
-  %1732 = load ptr, ptr %172, align 8
-  %1733 = load ptr, ptr %76, align 8
-  %1734 = getelementptr inbounds i8, ptr %1733, i64 16
-  %1735 = load i64, ptr %1734, align 8
-  tail call fastcc void @nested(ptr noundef %1722, ptr noundef %1726, ptr noundef %1727, i64 noundef %1728, i64 noundef %1731, ptr noundef %1732, i64 noundef %1735) #10
-  %1736 = load i64, ptr %154, align 8
-  %1737 = icmp sgt i64 %1736, 0
-  br i1 %1737, label %1742, label %1738
+1713:                                             ; preds = %1709, %1671, %1660
+  %1714 = phi i64 [ %1669, %1660 ], [ %1665, %1709 ], [ %1673, %1671 ]
+  %1715 = load ptr, ptr %81, align 8
+  %1716 = getelementptr inbounds i8, ptr %1715, i64 48
+  store i64 %1714, ptr %1716, align 8
+  br label %1717
 
-1738:                                             ; preds = %1742, %1721
-  %1739 = load ptr, ptr %84, align 8
-  %1740 = load i64, ptr %1739, align 8
-  %1741 = icmp eq i64 %1740, 1
-  br i1 %1741, label %1752, label %1758
+1717:                                             ; preds = %1701, %1713, %1656
+  %1718 = phi i64 [ %1659, %1656 ], [ 0, %1713 ], [ %1708, %1701 ]
+  %1719 = icmp eq i64 %1718, 0
+  %1720 = icmp ne i64 %1649, 0
+  %1721 = fcmp olt double %1648, 1.000000e+00
+  %1722 = and i1 %1721, %1719
+  %1723 = and i1 %1720, %1722
+  br i1 %1723, label %1724, label %1761
 
-1742:                                             ; preds = %1721, %1742
-  %1743 = phi i64 [ %1749, %1742 ], [ 0, %1721 ]
-  %1744 = load ptr, ptr %171, align 8
-  %1745 = getelementptr inbounds double, ptr %1744, i64 %1743
-  %1746 = load double, ptr %1745, align 8
-  %1747 = load ptr, ptr %147, align 8
-  %1748 = getelementptr inbounds double, ptr %1747, i64 %1743
-  store double %1746, ptr %1748, align 8
-  %1749 = add nuw nsw i64 %1743, 1
-  %1750 = load i64, ptr %154, align 8
-  %1751 = icmp slt i64 %1749, %1750
-  br i1 %1751, label %1742, label %1738, !llvm.loop !47
+1724:                                             ; preds = %1717
+  %1725 = load ptr, ptr %171, align 8
+  %1726 = load ptr, ptr %172, align 8
+  %1727 = insertelement <8 x double> poison, double %1648, i64 0
+  %1728 = shufflevector <8 x double> %1727, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1728, ptr %1726, align 8
+  %1729 = load ptr, ptr %77, align 8
+  %1730 = load ptr, ptr %173, align 8
+  %1731 = load i64, ptr %174, align 8
+  %1732 = load ptr, ptr %0, align 8
+  %1733 = getelementptr inbounds i8, ptr %1732, i64 24
+  %1734 = load i64, ptr %1733, align 8
+  %1735 = load ptr, ptr %172, align 8
+  %1736 = load ptr, ptr %76, align 8
+  %1737 = getelementptr inbounds i8, ptr %1736, i64 16
+  %1738 = load i64, ptr %1737, align 8
+  tail call fastcc void @nested(ptr noundef %1725, ptr noundef %1729, ptr noundef %1730, i64 noundef %1731, i64 noundef %1734, ptr noundef %1735, i64 noundef %1738) #10
+  %1739 = load i64, ptr %154, align 8
+  %1740 = icmp sgt i64 %1739, 0
+  br i1 %1740, label %1745, label %1741
 
-1752:                                             ; preds = %1738
-  %1753 = load ptr, ptr %147, align 8
-  %1754 = getelementptr inbounds i8, ptr %1739, i64 56
-  %1755 = load i64, ptr %1754, align 8
-  %1756 = inttoptr i64 %1755 to ptr
-  %1757 = tail call i64 %1756(ptr noundef %0, double noundef %1654, ptr noundef %1753, ptr noundef null) #11
-  br label %1758
+1741:                                             ; preds = %1745, %1724
+  %1742 = load ptr, ptr %84, align 8
+  %1743 = load i64, ptr %1742, align 8
+  %1744 = icmp eq i64 %1743, 1
+  br i1 %1744, label %1755, label %1761
 
-1758:                                             ; preds = %1752, %1738, %1714
-  %1759 = phi i64 [ %1757, %1752 ], [ 0, %1738 ], [ %1715, %1714 ]
-  %1760 = icmp eq i64 %1759, 0
-  br i1 %1760, label %1763, label %1761
+1745:                                             ; preds = %1724, %1745
+  %1746 = phi i64 [ %1752, %1745 ], [ 0, %1724 ]
+  %1747 = load ptr, ptr %171, align 8
+  %1748 = getelementptr inbounds double, ptr %1747, i64 %1746
+  %1749 = load double, ptr %1748, align 8
+  %1750 = load ptr, ptr %147, align 8
+  %1751 = getelementptr inbounds double, ptr %1750, i64 %1746
+  store double %1749, ptr %1751, align 8
+  %1752 = add nuw nsw i64 %1746, 1
+  %1753 = load i64, ptr %154, align 8
+  %1754 = icmp slt i64 %1752, %1753
+  br i1 %1754, label %1745, label %1741, !llvm.loop !47
 
-1761:                                             ; preds = %1758
-  store double %378, ptr %1632, align 8
-  %1762 = getelementptr inbounds i8, ptr %1632, i64 8
-  store double %414, ptr %1762, align 8
-  br label %1819
+1755:                                             ; preds = %1741
+  %1756 = load ptr, ptr %147, align 8
+  %1757 = getelementptr inbounds i8, ptr %1742, i64 56
+  %1758 = load i64, ptr %1757, align 8
+  %1759 = inttoptr i64 %1758 to ptr
+  %1760 = tail call i64 %1759(ptr noundef %0, double noundef %1657, ptr noundef %1756, ptr noundef null) #11
+  br label %1761
 
-1763:                                             ; preds = %1758
-  br i1 %1647, label %1764, label %1802
+1761:                                             ; preds = %1755, %1741, %1717
+  %1762 = phi i64 [ %1760, %1755 ], [ 0, %1741 ], [ %1718, %1717 ]
+  %1763 = icmp eq i64 %1762, 0
+  br i1 %1763, label %1766, label %1764
 
-1764:                                             ; preds = %1763
-  %1765 = load ptr, ptr %147, align 8
-  %1766 = load ptr, ptr %76, align 8
-  %1767 = getelementptr inbounds i8, ptr %1766, i64 8
-  %1768 = load i64, ptr %1767, align 8
-  %1769 = load i64, ptr %83, align 8
-  %1770 = load ptr, ptr %82, align 8
-  %1771 = load ptr, ptr %81, align 8
-  %1772 = getelementptr inbounds i8, ptr %1771, i64 48
-  %1773 = load i64, ptr %1772, align 8
-  %1774 = icmp slt i64 %1773, %1769
-  br i1 %1774, label %1775, label %1798
+1764:                                             ; preds = %1761
+  store double %378, ptr %1635, align 8
+  %1765 = getelementptr inbounds i8, ptr %1635, i64 8
+  store double %414, ptr %1765, align 8
+  br label %1822
 
-1775:                                             ; preds = %1764
-  %1776 = icmp sgt i64 %1768, 0
-  br label %1777
+1766:                                             ; preds = %1761
+  br i1 %1650, label %1767, label %1805
 
-1777:                                             ; preds = %1775, %1788
-  %1778 = phi i64 [ %1773, %1775 ], [ %1789, %1788 ]
-  %1779 = getelementptr inbounds double, ptr %1770, i64 %1778
-  %1780 = load double, ptr %1779, align 8
-  %1781 = load ptr, ptr %79, align 8
-  %1782 = load double, ptr %1781, align 8
-  %1783 = fcmp ugt double %1780, %1782
-  br i1 %1783, label %1798, label %1784
+1767:                                             ; preds = %1766
+  %1768 = load ptr, ptr %147, align 8
+  %1769 = load ptr, ptr %76, align 8
+  %1770 = getelementptr inbounds i8, ptr %1769, i64 8
+  %1771 = load i64, ptr %1770, align 8
+  %1772 = load i64, ptr %83, align 8
+  %1773 = load ptr, ptr %82, align 8
+  %1774 = load ptr, ptr %81, align 8
+  %1775 = getelementptr inbounds i8, ptr %1774, i64 48
+  %1776 = load i64, ptr %1775, align 8
+  %1777 = icmp slt i64 %1776, %1772
+  br i1 %1777, label %1778, label %1801
 
-1784:                                             ; preds = %1777
-  br i1 %1776, label %1785, label %1788
+1778:                                             ; preds = %1767
+  %1779 = icmp sgt i64 %1771, 0
+  br label %1780
 
-1785:                                             ; preds = %1784
-  %1786 = mul nsw i64 %1778, %1768
-  %1787 = getelementptr double, ptr %1, i64 %1786
-  br label %1791
+1780:                                             ; preds = %1778, %1791
+  %1781 = phi i64 [ %1776, %1778 ], [ %1792, %1791 ]
+  %1782 = getelementptr inbounds double, ptr %1773, i64 %1781
+  %1783 = load double, ptr %1782, align 8
+  %1784 = load ptr, ptr %79, align 8
+  %1785 = load double, ptr %1784, align 8
+  %1786 = fcmp ugt double %1783, %1785
+  br i1 %1786, label %1801, label %1787
 
-1788:                                             ; preds = %1791, %1784
-  %1789 = add i64 %1778, 1
-  %1790 = icmp eq i64 %1789, %1769
-  br i1 %1790, label %1798, label %1777, !llvm.loop !9
+1787:                                             ; preds = %1780
+  br i1 %1779, label %1788, label %1791
 
-1791:                                             ; preds = %1785, %1791
-  %1792 = phi i64 [ 0, %1785 ], [ %1796, %1791 ]
-  %1793 = getelementptr inbounds double, ptr %1765, i64 %1792
-  %1794 = load double, ptr %1793, align 8
-  %1795 = getelementptr double, ptr %1787, i64 %1792
-  store double %1794, ptr %1795, align 8
-  %1796 = add nuw nsw i64 %1792, 1
-  %1797 = icmp eq i64 %1796, %1768
-  br i1 %1797, label %1788, label %1791, !llvm.loop !10
+1788:                                             ; preds = %1787
+  %1789 = mul nsw i64 %1781, %1771
+  %1790 = getelementptr double, ptr %1, i64 %1789
+  br label %1794
 
-1798:                                             ; preds = %1788, %1777, %1764
-  %1799 = phi i64 [ %1773, %1764 ], [ %1769, %1788 ], [ %1778, %1777 ]
-  %1800 = load ptr, ptr %81, align 8
-  %1801 = getelementptr inbounds i8, ptr %1800, i64 48
-  store i64 %1799, ptr %1801, align 8
-  br label %1802
+1791:                                             ; preds = %1794, %1787
+  %1792 = add i64 %1781, 1
+  %1793 = icmp eq i64 %1792, %1772
+  br i1 %1793, label %1801, label %1780, !llvm.loop !9
 
-1802:                                             ; preds = %1798, %1763
-  br i1 %1717, label %1803, label %1819
+1794:                                             ; preds = %1788, %1794
+  %1795 = phi i64 [ 0, %1788 ], [ %1799, %1794 ]
+  %1796 = getelementptr inbounds double, ptr %1768, i64 %1795
+  %1797 = load double, ptr %1796, align 8
+  %1798 = getelementptr double, ptr %1790, i64 %1795
+  store double %1797, ptr %1798, align 8
+  %1799 = add nuw nsw i64 %1795, 1
+  %1800 = icmp eq i64 %1799, %1771
+  br i1 %1800, label %1791, label %1794, !llvm.loop !10
 
-1803:                                             ; preds = %1802
-  %1804 = load i64, ptr %154, align 8
-  %1805 = icmp sgt i64 %1804, 0
-  br i1 %1805, label %1809, label %1806
+1801:                                             ; preds = %1791, %1780, %1767
+  %1802 = phi i64 [ %1776, %1767 ], [ %1772, %1791 ], [ %1781, %1780 ]
+  %1803 = load ptr, ptr %81, align 8
+  %1804 = getelementptr inbounds i8, ptr %1803, i64 48
+  store i64 %1802, ptr %1804, align 8
+  br label %1805
 
-1806:                                             ; preds = %1809, %1803
-  store double %1654, ptr %1632, align 8
-  %1807 = getelementptr inbounds i8, ptr %1632, i64 8
-  store double 0.000000e+00, ptr %1807, align 8
-  %1808 = load ptr, ptr %81, align 8
-  store i64 0, ptr %1808, align 8
-  br label %1819
+1805:                                             ; preds = %1801, %1766
+  br i1 %1720, label %1806, label %1822
 
-1809:                                             ; preds = %1803, %1809
-  %1810 = phi i64 [ %1816, %1809 ], [ 0, %1803 ]
-  %1811 = load ptr, ptr %147, align 8
-  %1812 = getelementptr inbounds double, ptr %1811, i64 %1810
-  %1813 = load double, ptr %1812, align 8
-  %1814 = load ptr, ptr %77, align 8
-  %1815 = getelementptr inbounds double, ptr %1814, i64 %1810
-  store double %1813, ptr %1815, align 8
-  %1816 = add nuw nsw i64 %1810, 1
-  %1817 = load i64, ptr %154, align 8
-  %1818 = icmp slt i64 %1816, %1817
-  br i1 %1818, label %1809, label %1806, !llvm.loop !48
+1806:                                             ; preds = %1805
+  %1807 = load i64, ptr %154, align 8
+  %1808 = icmp sgt i64 %1807, 0
+  br i1 %1808, label %1812, label %1809
 
-1819:                                             ; preds = %1640, %1761, %1802, %1806
-  %1820 = phi i64 [ -6, %1640 ], [ %1759, %1761 ], [ %1646, %1806 ], [ %1646, %1802 ]
-  %1821 = icmp eq i64 %1820, -6
-  br i1 %1821, label %1825, label %1822
+1809:                                             ; preds = %1812, %1806
+  store double %1657, ptr %1635, align 8
+  %1810 = getelementptr inbounds i8, ptr %1635, i64 8
+  store double 0.000000e+00, ptr %1810, align 8
+  %1811 = load ptr, ptr %81, align 8
+  store i64 0, ptr %1811, align 8
+  br label %1822
 
-1822:                                             ; preds = %1819
-  %1823 = icmp ne i64 %1820, 6
-  %1824 = select i1 %1823, i1 true, i1 %210
-  br i1 %1824, label %1837, label %1825
+1812:                                             ; preds = %1806, %1812
+  %1813 = phi i64 [ %1819, %1812 ], [ 0, %1806 ]
+  %1814 = load ptr, ptr %147, align 8
+  %1815 = getelementptr inbounds double, ptr %1814, i64 %1813
+  %1816 = load double, ptr %1815, align 8
+  %1817 = load ptr, ptr %77, align 8
+  %1818 = getelementptr inbounds double, ptr %1817, i64 %1813
+  store double %1816, ptr %1818, align 8
+  %1819 = add nuw nsw i64 %1813, 1
+  %1820 = load i64, ptr %154, align 8
+  %1821 = icmp slt i64 %1819, %1820
+  br i1 %1821, label %1812, label %1809, !llvm.loop !48
 
-1825:                                             ; preds = %1822, %1819
-  %1826 = phi i64 [ %1820, %1822 ], [ 2, %1819 ]
-  %1827 = load i64, ptr %335, align 8
-  %1828 = add nsw i64 %1827, -1
-  store i64 %1828, ptr %335, align 8
-  %1829 = load ptr, ptr %93, align 8
-  %1830 = load i64, ptr %1829, align 8
+1822:                                             ; preds = %1643, %1764, %1805, %1809
+  %1823 = phi i64 [ -6, %1643 ], [ %1762, %1764 ], [ %1649, %1809 ], [ %1649, %1805 ]
+  %1824 = icmp eq i64 %1823, -6
+  br i1 %1824, label %1828, label %1825
+
+1825:                                             ; preds = %1822
+  %1826 = icmp ne i64 %1823, 6
+  %1827 = select i1 %1826, i1 true, i1 %210
+  br i1 %1827, label %1840, label %1828
+
+1828:                                             ; preds = %1825, %1822
+  %1829 = phi i64 [ %1823, %1825 ], [ 2, %1822 ]
+  %1830 = load i64, ptr %335, align 8
   %1831 = add nsw i64 %1830, -1
-  store i64 %1831, ptr %1829, align 8
+  store i64 %1831, ptr %335, align 8
+  %1832 = load ptr, ptr %93, align 8
+  %1833 = load i64, ptr %1832, align 8
+  %1834 = add nsw i64 %1833, -1
+  store i64 %1834, ptr %1832, align 8
   store i64 1, ptr %349, align 8
-  %1832 = load i64, ptr %363, align 8
-  %1833 = sub nsw i64 1, %1832
-  store i64 %1833, ptr %339, align 8
+  %1835 = load i64, ptr %363, align 8
+  %1836 = sub nsw i64 1, %1835
+  store i64 %1836, ptr %339, align 8
   store double 0.000000e+00, ptr %344, align 8
-  %1834 = load i64, ptr %336, align 8
-  %1835 = add nsw i64 %1834, 1
-  store i64 %1835, ptr %336, align 8
-  store i64 %1826, ptr %364, align 8
-  %1836 = fmul double %414, 2.500000e-01
-  br label %1893, !llvm.loop !17
+  %1837 = load i64, ptr %336, align 8
+  %1838 = add nsw i64 %1837, 1
+  store i64 %1838, ptr %336, align 8
+  store i64 %1829, ptr %364, align 8
+  %1839 = fmul double %414, 2.500000e-01
+  br label %1898, !llvm.loop !17
 
-1837:                                             ; preds = %1822
-  %1838 = icmp eq i64 %1820, 0
-  br i1 %1838, label %1843, label %1839
+1840:                                             ; preds = %1825
+  %1841 = icmp eq i64 %1823, 0
+  br i1 %1841, label %1846, label %1842
 
-1839:                                             ; preds = %1837
-  %1840 = load ptr, ptr %93, align 8
-  %1841 = load i64, ptr %1840, align 8
-  %1842 = add nsw i64 %1841, 1
-  store i64 %1842, ptr %1840, align 8
-  br label %1893
+1842:                                             ; preds = %1840
+  %1843 = load ptr, ptr %93, align 8
+  %1844 = load i64, ptr %1843, align 8
+  %1845 = add nsw i64 %1844, 1
+  store i64 %1845, ptr %1843, align 8
+  br label %1898
 
-1843:                                             ; preds = %1837, %1626
-  br i1 %358, label %1862, label %1844
+1846:                                             ; preds = %1840, %1629
+  br i1 %358, label %1865, label %1847
 
-1844:                                             ; preds = %1862, %1843
-  %1845 = load i64, ptr %359, align 8
-  %1846 = add nsw i64 %1845, 1
-  store i64 %1846, ptr %359, align 8
-  %1847 = load ptr, ptr %77, align 8
-  %1848 = load ptr, ptr %175, align 8
-  %1849 = load ptr, ptr %176, align 8
-  store double %415, ptr %1849, align 8
-  %1850 = load i64, ptr %177, align 8
-  %1851 = icmp sgt i64 %1850, 0
-  br i1 %1851, label %1852, label %1853
+1847:                                             ; preds = %1865, %1846
+  %1848 = load i64, ptr %359, align 8
+  %1849 = add nsw i64 %1848, 1
+  store i64 %1849, ptr %359, align 8
+  %1850 = load ptr, ptr %77, align 8
+  %1851 = load ptr, ptr %175, align 8
+  %1852 = load ptr, ptr %176, align 8
+  store double %413, ptr %1852, align 8
+  %1853 = load i64, ptr %177, align 8
+  %1854 = icmp sgt i64 %1853, 0
+  br i1 %1854, label %1855, label %1856
 
-1852:                                             ; preds = %1844
+1855:                                             ; preds = %1847
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1853
+  br label %1856
 
-1853:                                             ; preds = %1844, %1852
-  %1854 = load ptr, ptr %76, align 8
-  %1855 = load i64, ptr %1854, align 8
-  %1856 = load ptr, ptr %176, align 8
-  %1857 = load ptr, ptr %178, align 8
-  %1858 = load ptr, ptr %179, align 8
-  %1859 = inttoptr i64 %1855 to ptr
-  %1860 = tail call i32 %1859(ptr noundef %1856, ptr noundef %1847, ptr noundef %1857, ptr noundef %1858, ptr noundef %1848) #11
-  %1861 = icmp eq i32 %1860, 0
-  br i1 %1861, label %1874, label %1871
+1856:                                             ; preds = %1847, %1855
+  %1857 = load ptr, ptr %76, align 8
+  %1858 = load i64, ptr %1857, align 8
+  %1859 = load ptr, ptr %176, align 8
+  %1860 = load ptr, ptr %178, align 8
+  %1861 = load ptr, ptr %179, align 8
+  %1862 = inttoptr i64 %1858 to ptr
+  %1863 = tail call i32 %1862(ptr noundef %1859, ptr noundef %1850, ptr noundef %1860, ptr noundef %1861, ptr noundef %1851) #11
+  %1864 = icmp eq i32 %1863, 0
+  br i1 %1864, label %1877, label %1874
 
-1862:                                             ; preds = %1843, %1862
-  %1863 = phi i64 [ %1869, %1862 ], [ 0, %1843 ]
-  %1864 = load ptr, ptr %147, align 8
-  %1865 = getelementptr inbounds double, ptr %1864, i64 %1863
-  %1866 = load double, ptr %1865, align 8
-  %1867 = load ptr, ptr %77, align 8
-  %1868 = getelementptr inbounds double, ptr %1867, i64 %1863
-  store double %1866, ptr %1868, align 8
-  %1869 = add nuw nsw i64 %1863, 1
-  %1870 = icmp eq i64 %1869, %198
-  br i1 %1870, label %1844, label %1862, !llvm.loop !49
+1865:                                             ; preds = %1846, %1865
+  %1866 = phi i64 [ %1872, %1865 ], [ 0, %1846 ]
+  %1867 = load ptr, ptr %147, align 8
+  %1868 = getelementptr inbounds double, ptr %1867, i64 %1866
+  %1869 = load double, ptr %1868, align 8
+  %1870 = load ptr, ptr %77, align 8
+  %1871 = getelementptr inbounds double, ptr %1870, i64 %1866
+  store double %1869, ptr %1871, align 8
+  %1872 = add nuw nsw i64 %1866, 1
+  %1873 = icmp eq i64 %1872, %198
+  br i1 %1873, label %1847, label %1865, !llvm.loop !49
 
-1871:                                             ; preds = %1853
+1874:                                             ; preds = %1856
   store i64 3, ptr %360, align 8
   store double %414, ptr %225, align 8
-  %1872 = icmp slt i32 %1860, 0
-  %1873 = select i1 %1872, i64 -4, i64 2
-  br label %1893
+  %1875 = icmp slt i32 %1863, 0
+  %1876 = select i1 %1875, i64 -4, i64 2
+  br label %1898
 
-1874:                                             ; preds = %1853
-  %1875 = icmp sgt i64 %1149, 2
-  %1876 = fcmp ogt double %1147, 1.000000e-03
-  %1877 = select i1 %1875, i1 %1876, i1 false
-  %1878 = zext i1 %1877 to i64
-  store i64 %1878, ptr %339, align 8
+1877:                                             ; preds = %1856
+  %1878 = icmp sgt i64 %1152, 2
+  %1879 = fcmp ogt double %1150, 1.000000e-03
+  %1880 = select i1 %1878, i1 %1879, i1 false
+  %1881 = zext i1 %1880 to i64
+  store i64 %1881, ptr %339, align 8
   store i64 0, ptr %361, align 8
   store i64 0, ptr %349, align 8
-  %1879 = fcmp ule double %1387, 1.000000e+00
-  %1880 = fcmp uge double %1387, 1.200000e+00
-  %1881 = or i1 %1879, %1880
-  %1882 = select i1 %1881, i1 true, i1 %1877
-  br i1 %1882, label %1883, label %1887
+  %1882 = fcmp ule double %1390, 1.000000e+00
+  %1883 = fcmp uge double %1390, 1.200000e+00
+  %1884 = or i1 %1882, %1883
+  %1885 = select i1 %1884, i1 true, i1 %1880
+  br i1 %1885, label %1888, label %1886
 
-1883:                                             ; preds = %1874
-  %1884 = fcmp ogt double %1387, 2.000000e-01
-  %1885 = select i1 %1884, double %1387, double 2.000000e-01
-  %1886 = fmul double %414, %1885
-  br label %1887
+1886:                                             ; preds = %1877
+  %1887 = load double, ptr %189, align 8
+  br label %1892
 
-1887:                                             ; preds = %1874, %1883
-  %1888 = phi double [ %1886, %1883 ], [ %414, %1874 ]
-  %1889 = load i64, ptr %362, align 8
-  %1890 = load i64, ptr %83, align 8
-  %1891 = icmp eq i64 %1889, %1890
-  br i1 %1891, label %1892, label %1893
+1888:                                             ; preds = %1877
+  %1889 = fcmp ogt double %1390, 2.000000e-01
+  %1890 = select i1 %1889, double %1390, double 2.000000e-01
+  %1891 = fmul double %414, %1890
+  br label %1892
 
-1892:                                             ; preds = %1887
-  store double %1888, ptr %225, align 8
-  br label %1893
+1892:                                             ; preds = %1888, %1886
+  %1893 = phi double [ %1887, %1886 ], [ %1891, %1888 ]
+  %1894 = load i64, ptr %362, align 8
+  %1895 = load i64, ptr %83, align 8
+  %1896 = icmp eq i64 %1894, %1895
+  br i1 %1896, label %1897, label %1898
 
-1893:                                             ; preds = %1146, %1189, %1201, %1892, %1887, %1871, %1839, %1825, %1355, %1340, %1302, %605, %540, %421
-  %1894 = phi double [ %383, %421 ], [ %383, %540 ], [ %383, %605 ], [ %1147, %1302 ], [ %1147, %1340 ], [ %1147, %1355 ], [ %1147, %1825 ], [ %1147, %1839 ], [ %1147, %1871 ], [ %1147, %1887 ], [ %1147, %1892 ], [ %1147, %1201 ], [ %1147, %1189 ], [ %1147, %1146 ]
-  %1895 = phi i32 [ %382, %421 ], [ %382, %540 ], [ %382, %605 ], [ %1148, %1302 ], [ %1148, %1340 ], [ %1148, %1355 ], [ %1148, %1825 ], [ %1148, %1839 ], [ %1148, %1871 ], [ %1148, %1887 ], [ %1148, %1892 ], [ %1148, %1201 ], [ %1148, %1189 ], [ %1148, %1146 ]
-  %1896 = phi i64 [ %381, %421 ], [ %381, %540 ], [ %381, %605 ], [ %1149, %1302 ], [ %1149, %1340 ], [ %1149, %1355 ], [ %1149, %1825 ], [ %1149, %1839 ], [ %1149, %1871 ], [ %1149, %1887 ], [ %1149, %1892 ], [ %1149, %1201 ], [ %1149, %1189 ], [ %1149, %1146 ]
-  %1897 = phi i64 [ %380, %421 ], [ %380, %540 ], [ %380, %605 ], [ %1150, %1302 ], [ %1150, %1340 ], [ %1150, %1355 ], [ %1150, %1825 ], [ %1150, %1839 ], [ %1150, %1871 ], [ %1150, %1887 ], [ %1150, %1892 ], [ %1150, %1201 ], [ %1150, %1189 ], [ %1150, %1146 ]
-  %1898 = phi double [ %379, %421 ], [ %379, %540 ], [ %608, %605 ], [ %379, %1302 ], [ %1342, %1340 ], [ %1358, %1355 ], [ %1836, %1825 ], [ %379, %1839 ], [ %379, %1871 ], [ %1888, %1887 ], [ %1888, %1892 ], [ %1202, %1201 ], [ %379, %1189 ], [ %379, %1146 ]
-  %1899 = phi double [ %378, %421 ], [ %378, %540 ], [ %378, %605 ], [ %378, %1302 ], [ %378, %1340 ], [ %378, %1355 ], [ %378, %1825 ], [ %378, %1839 ], [ %415, %1871 ], [ %415, %1887 ], [ %415, %1892 ], [ %378, %1201 ], [ %378, %1189 ], [ %378, %1146 ]
-  %1900 = phi i32 [ 1, %421 ], [ 1, %540 ], [ 6, %605 ], [ 1, %1302 ], [ 6, %1340 ], [ 6, %1355 ], [ 6, %1825 ], [ 1, %1839 ], [ 1, %1871 ], [ 0, %1887 ], [ 1, %1892 ], [ 6, %1201 ], [ 6, %1189 ], [ 1, %1146 ]
-  %1901 = phi i64 [ 2, %421 ], [ -4, %540 ], [ %377, %605 ], [ -4, %1302 ], [ %377, %1340 ], [ %377, %1355 ], [ %377, %1825 ], [ %1820, %1839 ], [ %1873, %1871 ], [ %377, %1887 ], [ 0, %1892 ], [ %377, %1201 ], [ %377, %1189 ], [ -4, %1146 ]
-  switch i32 %1900, label %1905 [
-    i32 0, label %1902
-    i32 6, label %1902
+1897:                                             ; preds = %1892
+  store double %1893, ptr %225, align 8
+  br label %1898
+
+1898:                                             ; preds = %1149, %1192, %1204, %1897, %1892, %1874, %1842, %1828, %1358, %1343, %1305, %608, %539, %420
+  %1899 = phi double [ %383, %420 ], [ %383, %539 ], [ %383, %608 ], [ %1150, %1305 ], [ %1150, %1343 ], [ %1150, %1358 ], [ %1150, %1828 ], [ %1150, %1842 ], [ %1150, %1874 ], [ %1150, %1892 ], [ %1150, %1897 ], [ %1150, %1204 ], [ %1150, %1192 ], [ %1150, %1149 ]
+  %1900 = phi i32 [ %382, %420 ], [ %382, %539 ], [ %382, %608 ], [ %1151, %1305 ], [ %1151, %1343 ], [ %1151, %1358 ], [ %1151, %1828 ], [ %1151, %1842 ], [ %1151, %1874 ], [ %1151, %1892 ], [ %1151, %1897 ], [ %1151, %1204 ], [ %1151, %1192 ], [ %1151, %1149 ]
+  %1901 = phi i64 [ %381, %420 ], [ %381, %539 ], [ %381, %608 ], [ %1152, %1305 ], [ %1152, %1343 ], [ %1152, %1358 ], [ %1152, %1828 ], [ %1152, %1842 ], [ %1152, %1874 ], [ %1152, %1892 ], [ %1152, %1897 ], [ %1152, %1204 ], [ %1152, %1192 ], [ %1152, %1149 ]
+  %1902 = phi i64 [ %380, %420 ], [ %380, %539 ], [ %380, %608 ], [ %1153, %1305 ], [ %1153, %1343 ], [ %1153, %1358 ], [ %1153, %1828 ], [ %1153, %1842 ], [ %1153, %1874 ], [ %1153, %1892 ], [ %1153, %1897 ], [ %1153, %1204 ], [ %1153, %1192 ], [ %1153, %1149 ]
+  %1903 = phi double [ %379, %420 ], [ %379, %539 ], [ %611, %608 ], [ %379, %1305 ], [ %1345, %1343 ], [ %1361, %1358 ], [ %1839, %1828 ], [ %379, %1842 ], [ %379, %1874 ], [ %1893, %1892 ], [ %1893, %1897 ], [ %1205, %1204 ], [ %379, %1192 ], [ %379, %1149 ]
+  %1904 = phi double [ %378, %420 ], [ %378, %539 ], [ %378, %608 ], [ %378, %1305 ], [ %378, %1343 ], [ %378, %1358 ], [ %378, %1828 ], [ %378, %1842 ], [ %413, %1874 ], [ %413, %1892 ], [ %413, %1897 ], [ %378, %1204 ], [ %378, %1192 ], [ %378, %1149 ]
+  %1905 = phi i32 [ 1, %420 ], [ 1, %539 ], [ 6, %608 ], [ 1, %1305 ], [ 6, %1343 ], [ 6, %1358 ], [ 6, %1828 ], [ 1, %1842 ], [ 1, %1874 ], [ 0, %1892 ], [ 1, %1897 ], [ 6, %1204 ], [ 6, %1192 ], [ 1, %1149 ]
+  %1906 = phi i64 [ 2, %420 ], [ -4, %539 ], [ %377, %608 ], [ -4, %1305 ], [ %377, %1343 ], [ %377, %1358 ], [ %377, %1828 ], [ %1823, %1842 ], [ %1876, %1874 ], [ %377, %1892 ], [ 0, %1897 ], [ %377, %1204 ], [ %377, %1192 ], [ -4, %1149 ]
+  switch i32 %1905, label %1910 [
+    i32 0, label %1907
+    i32 6, label %1907
   ]
 
-1902:                                             ; preds = %1893, %1893
-  %1903 = load i64, ptr %192, align 8
-  %1904 = icmp eq i64 %1903, 0
-  br i1 %1904, label %369, label %375, !llvm.loop !17
+1907:                                             ; preds = %1898, %1898
+  %1908 = load i64, ptr %192, align 8
+  %1909 = icmp eq i64 %1908, 0
+  br i1 %1909, label %369, label %375, !llvm.loop !17
 
-1905:                                             ; preds = %1893, %183, %257, %299, %369, %396, %404
-  %1906 = phi double [ %184, %183 ], [ %370, %369 ], [ %383, %404 ], [ %383, %396 ], [ %184, %299 ], [ %184, %257 ], [ %1894, %1893 ]
-  %1907 = phi i32 [ %185, %183 ], [ %371, %369 ], [ %382, %404 ], [ %382, %396 ], [ %185, %299 ], [ %185, %257 ], [ %1895, %1893 ]
-  %1908 = phi i64 [ %186, %183 ], [ %372, %369 ], [ %381, %404 ], [ %381, %396 ], [ %186, %299 ], [ %186, %257 ], [ %1896, %1893 ]
-  %1909 = phi i64 [ %187, %183 ], [ %373, %369 ], [ %380, %404 ], [ %380, %396 ], [ %187, %299 ], [ %187, %257 ], [ %1897, %1893 ]
-  %1910 = phi i64 [ -1, %183 ], [ -1, %369 ], [ 1, %404 ], [ -5, %396 ], [ 0, %299 ], [ %260, %257 ], [ %1901, %1893 ]
-  %1911 = load ptr, ptr %182, align 8
-  %1912 = getelementptr inbounds i8, ptr %1911, i64 48
-  %1913 = load i64, ptr %1912, align 8
-  %1914 = icmp ne i64 %1910, -2
-  %1915 = icmp eq i64 %1913, 0
-  %1916 = select i1 %1914, i1 true, i1 %1915
-  br i1 %1916, label %1924, label %1917
+1910:                                             ; preds = %1898, %183, %257, %299, %369, %396, %404
+  %1911 = phi double [ %184, %183 ], [ %370, %369 ], [ %383, %404 ], [ %383, %396 ], [ %184, %299 ], [ %184, %257 ], [ %1899, %1898 ]
+  %1912 = phi i32 [ %185, %183 ], [ %371, %369 ], [ %382, %404 ], [ %382, %396 ], [ %185, %299 ], [ %185, %257 ], [ %1900, %1898 ]
+  %1913 = phi i64 [ %186, %183 ], [ %372, %369 ], [ %381, %404 ], [ %381, %396 ], [ %186, %299 ], [ %186, %257 ], [ %1901, %1898 ]
+  %1914 = phi i64 [ %187, %183 ], [ %373, %369 ], [ %380, %404 ], [ %380, %396 ], [ %187, %299 ], [ %187, %257 ], [ %1902, %1898 ]
+  %1915 = phi i64 [ -1, %183 ], [ -1, %369 ], [ 1, %404 ], [ -5, %396 ], [ 0, %299 ], [ %260, %257 ], [ %1906, %1898 ]
+  %1916 = load ptr, ptr %182, align 8
+  %1917 = getelementptr inbounds i8, ptr %1916, i64 48
+  %1918 = load i64, ptr %1917, align 8
+  %1919 = icmp ne i64 %1915, -2
+  %1920 = icmp eq i64 %1918, 0
+  %1921 = select i1 %1919, i1 true, i1 %1920
+  br i1 %1921, label %1929, label %1922
 
-1917:                                             ; preds = %1905
-  %1918 = inttoptr i64 %1913 to ptr
-  %1919 = tail call i64 %1918(ptr noundef %0) #11
-  %1920 = icmp eq i64 %1919, 8
-  %1921 = select i1 %1920, i64 8, i64 %1910
-  %1922 = icmp eq i64 %1919, 1
-  %1923 = zext i1 %1922 to i32
-  br label %1924
+1922:                                             ; preds = %1910
+  %1923 = inttoptr i64 %1918 to ptr
+  %1924 = tail call i64 %1923(ptr noundef %0) #11
+  %1925 = icmp eq i64 %1924, 8
+  %1926 = select i1 %1925, i64 8, i64 %1915
+  %1927 = icmp eq i64 %1924, 1
+  %1928 = zext i1 %1927 to i32
+  br label %1929
 
-1924:                                             ; preds = %1905, %1917
-  %1925 = phi i64 [ %1910, %1905 ], [ %1921, %1917 ]
-  %1926 = phi i32 [ 0, %1905 ], [ %1923, %1917 ]
-  %1927 = icmp eq i32 %1926, 0
-  br i1 %1927, label %1928, label %183, !llvm.loop !50
+1929:                                             ; preds = %1910, %1922
+  %1930 = phi i64 [ %1915, %1910 ], [ %1926, %1922 ]
+  %1931 = phi i32 [ 0, %1910 ], [ %1928, %1922 ]
+  %1932 = icmp eq i32 %1931, 0
+  br i1 %1932, label %1933, label %183, !llvm.loop !50
 
-1928:                                             ; preds = %1924
-  ret i64 %1925
+1933:                                             ; preds = %1929
+  ret i64 %1930
 }
 
 
 
 declare double @llvm.sqrt.f64(double) #2
+
+declare double @llvm.fabs.f64(double) #2
 
 declare double @llvm.pow.f64(double, double) #2
 
@@ -2765,8 +2774,6 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %41 = icmp eq i64 %40, %4
   br i1 %41, label %13, label %18, !llvm.loop !53
 }
-
-declare double @llvm.fabs.f64(double) #2
 
 define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
   %4 = icmp slt i64 %1, 1

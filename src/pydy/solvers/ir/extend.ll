@@ -1,4 +1,4 @@
-; sources 7e1dfe660ba2bf040e03c93e8c40cfb250622eac27cf17adcaa2fd94d282d465
+; sources 447cb747ebe711dd023a934d863d4736c7aa09d67365bfdeb820b6d699996f77
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

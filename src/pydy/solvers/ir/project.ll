@@ -1,4 +1,4 @@
-; sources a8c9bddb551d3cd35f658f5489838f9c34a0af867fa06fab4a302bd9a06f3f85
+; sources d4f4c7dcd485c6f337799926af057738069fd155e01b51071b3d74cd62b022dd
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources dd93e6c3644eaca13178a8ad8ccb5f32eace1debdc0556bc67802e47d8846884
+; sources d179af7b4dd31a24732eb10fa582750a4ff4b88a7f601b19be9627e20bd144bd
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources cccf6e110ad72b6795fee5849c85e105d47f3904835da35bb2689ee1d84bd1d2
+; sources 2361a039c0814d4017b11d33242f195c9613b694a0033d90491a75acba141b73
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 387f6d721d1685afc7f39f5e4f5aadf06c6460041a9613482b5d7f851ca85ed6
+; sources 61e63d0baeeb9614df5ea7a2501de9062d003e180bfc237f3d478a1510e55ea1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 4b8fe509ba5b7700cd42eb2581f1fecebbbfa2c5f5970eb34ed02b26404dcedb
+; sources 2f682aee56a07ebdbfc2ac873415a9a505fdde12924c1bf84cf8034e4ec75c66
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -218,14 +218,14 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %181 = phi i32 [ 1, %158 ], [ 8, %162 ], [ 0, %175 ]
   %182 = phi i32 [ %150, %158 ], [ 0, %162 ], [ %177, %175 ]
   %183 = phi i64 [ %151, %158 ], [ %151, %162 ], [ 0, %175 ]
-  switch i32 %181, label %1103 [
+  switch i32 %181, label %1102 [
     i32 0, label %184
     i32 8, label %187
   ]
 
-184:                                              ; preds = %180, %1101, %263
-  %185 = phi i32 [ %182, %180 ], [ %1102, %1101 ], [ 1, %263 ]
-  %186 = phi i64 [ %183, %180 ], [ %1091, %1101 ], [ %189, %263 ]
+184:                                              ; preds = %180, %1100, %262
+  %185 = phi i32 [ %182, %180 ], [ %1101, %1100 ], [ 1, %262 ]
+  %186 = phi i64 [ %183, %180 ], [ %1090, %1100 ], [ %189, %262 ]
   br label %149, !llvm.loop !7
 
 187:                                              ; preds = %180, %149
@@ -235,7 +235,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %191 = getelementptr inbounds i8, ptr %190, i64 8
   %192 = load i64, ptr %191, align 8
   %193 = icmp slt i64 %192, 1
-  br i1 %193, label %1103, label %194
+  br i1 %193, label %1102, label %194
 
 194:                                              ; preds = %187
   br i1 %58, label %195, label %215
@@ -264,7 +264,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 212:                                              ; preds = %195, %198
   %213 = phi i32 [ 0, %195 ], [ %211, %198 ]
   %214 = icmp eq i32 %213, 0
-  br i1 %214, label %215, label %1103
+  br i1 %214, label %215, label %1102
 
 215:                                              ; preds = %212, %194
   %216 = add nsw i64 %192, -1
@@ -306,1051 +306,1050 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %241 = fmul <8 x double> %239, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
   %242 = fsub <8 x double> %226, %241
   %243 = fcmp ogt <8 x double> %240, %242
-  %244 = fsub <8 x double> %226, %221
-  %245 = select <8 x i1> %243, <8 x double> %244, <8 x double> %239
-  %246 = select <8 x i1> %243, <8 x double> %226, <8 x double> %240
-  %247 = select <8 x i1> %219, <8 x double> %245, <8 x double> zeroinitializer
-  %248 = load ptr, ptr %69, align 8
-  %249 = load <8 x double>, ptr %248, align 8
-  %250 = load ptr, ptr %70, align 8
-  %251 = load <8 x double>, ptr %250, align 8
-  %252 = fadd <8 x double> %249, %251
-  %253 = fcmp oge <8 x double> %252, %72
-  %254 = fmul <8 x double> %247, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %255 = fadd <8 x double> %221, %254
-  %256 = fcmp ule <8 x double> %255, %221
-  %257 = fcmp une <8 x double> %246, %226
-  %258 = and <8 x i1> %256, %257
-  %259 = or <8 x i1> %258, %253
-  %260 = and <8 x i1> %259, %219
-  %261 = bitcast <8 x i1> %260 to i8
-  %262 = icmp eq i8 %261, 0
-  br i1 %262, label %270, label %263
+  %244 = select <8 x i1> %243, <8 x double> %226, <8 x double> %240
+  %245 = fsub <8 x double> %244, %221
+  %246 = select <8 x i1> %219, <8 x double> %245, <8 x double> zeroinitializer
+  %247 = load ptr, ptr %69, align 8
+  %248 = load <8 x double>, ptr %247, align 8
+  %249 = load ptr, ptr %70, align 8
+  %250 = load <8 x double>, ptr %249, align 8
+  %251 = fadd <8 x double> %248, %250
+  %252 = fcmp oge <8 x double> %251, %72
+  %253 = fmul <8 x double> %246, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %254 = fadd <8 x double> %221, %253
+  %255 = fcmp ule <8 x double> %254, %221
+  %256 = fcmp une <8 x double> %244, %226
+  %257 = and <8 x i1> %255, %256
+  %258 = or <8 x i1> %257, %252
+  %259 = and <8 x i1> %258, %219
+  %260 = bitcast <8 x i1> %259 to i8
+  %261 = icmp eq i8 %260, 0
+  br i1 %261, label %269, label %262
 
-263:                                              ; preds = %238
-  %264 = zext i8 %261 to i64
-  %265 = bitcast <8 x i1> %253 to i8
-  %266 = zext i8 %265 to i64
-  %267 = and i64 %264, %266
-  call fastcc void @retire(ptr noundef %0, i64 noundef %267, i64 noundef 1) #11
-  %268 = xor i64 %266, -1
-  %269 = and i64 %264, %268
-  call fastcc void @retire(ptr noundef %0, i64 noundef %269, i64 noundef -1) #11
+262:                                              ; preds = %238
+  %263 = zext i8 %260 to i64
+  %264 = bitcast <8 x i1> %252 to i8
+  %265 = zext i8 %264 to i64
+  %266 = and i64 %263, %265
+  call fastcc void @retire(ptr noundef %0, i64 noundef %266, i64 noundef 1) #11
+  %267 = xor i64 %265, -1
+  %268 = and i64 %263, %267
+  call fastcc void @retire(ptr noundef %0, i64 noundef %268, i64 noundef -1) #11
   br label %184
 
-270:                                              ; preds = %238
-  %271 = load ptr, ptr %0, align 8
-  %272 = load i64, ptr %271, align 8
-  %273 = load ptr, ptr %73, align 8
-  store <8 x double> %247, ptr %273, align 8
-  %274 = icmp sgt i64 %272, 1
-  br i1 %274, label %275, label %324
+269:                                              ; preds = %238
+  %270 = load ptr, ptr %0, align 8
+  %271 = load i64, ptr %270, align 8
+  %272 = load ptr, ptr %73, align 8
+  store <8 x double> %246, ptr %272, align 8
+  %273 = icmp sgt i64 %271, 1
+  br i1 %273, label %274, label %323
 
-275:                                              ; preds = %270, %312
-  %276 = phi i64 [ %321, %312 ], [ 0, %270 ]
-  %277 = phi i64 [ %322, %312 ], [ 1, %270 ]
-  %278 = load ptr, ptr %74, align 8
-  %279 = load ptr, ptr %11, align 8
-  %280 = load ptr, ptr %9, align 8
-  %281 = getelementptr inbounds i8, ptr %280, i64 16
-  %282 = load i64, ptr %281, align 8
-  %283 = load ptr, ptr %75, align 8
-  %284 = getelementptr inbounds i64, ptr %283, i64 %277
-  %285 = load i64, ptr %284, align 8
-  %286 = getelementptr i8, ptr %284, i64 8
-  %287 = load i64, ptr %286, align 8
-  %288 = xor i64 %285, -1
-  %289 = add i64 %287, %288
-  %290 = load ptr, ptr %73, align 8
-  %291 = load ptr, ptr %76, align 8
-  %292 = load ptr, ptr %77, align 8
-  %293 = getelementptr inbounds i64, ptr %292, i64 %285
-  %294 = load ptr, ptr %78, align 8
-  %295 = getelementptr inbounds double, ptr %294, i64 %285
-  call fastcc void @combine(ptr noundef %278, ptr noundef %279, ptr noundef %290, ptr noundef %291, ptr noundef %293, ptr noundef %295, i64 noundef %289, i64 noundef %282) #11
-  %296 = load ptr, ptr %76, align 8
-  %297 = load i64, ptr %79, align 8
-  %298 = mul nsw i64 %297, %277
-  %299 = getelementptr inbounds double, ptr %296, i64 %298
-  %300 = load ptr, ptr %80, align 8
-  %301 = getelementptr inbounds double, ptr %300, i64 %277
-  %302 = load double, ptr %301, align 8
-  %303 = insertelement <8 x double> poison, double %302, i64 0
-  %304 = shufflevector <8 x double> %303, <8 x double> poison, <8 x i32> zeroinitializer
-  %305 = fmul <8 x double> %247, %304
-  %306 = fadd <8 x double> %221, %305
-  %307 = load ptr, ptr %74, align 8
-  %308 = load ptr, ptr %81, align 8
-  store <8 x double> %306, ptr %308, align 8
-  %309 = load i64, ptr %82, align 8
-  %310 = icmp sgt i64 %309, 0
-  br i1 %310, label %311, label %312
+274:                                              ; preds = %269, %311
+  %275 = phi i64 [ %320, %311 ], [ 0, %269 ]
+  %276 = phi i64 [ %321, %311 ], [ 1, %269 ]
+  %277 = load ptr, ptr %74, align 8
+  %278 = load ptr, ptr %11, align 8
+  %279 = load ptr, ptr %9, align 8
+  %280 = getelementptr inbounds i8, ptr %279, i64 16
+  %281 = load i64, ptr %280, align 8
+  %282 = load ptr, ptr %75, align 8
+  %283 = getelementptr inbounds i64, ptr %282, i64 %276
+  %284 = load i64, ptr %283, align 8
+  %285 = getelementptr i8, ptr %283, i64 8
+  %286 = load i64, ptr %285, align 8
+  %287 = xor i64 %284, -1
+  %288 = add i64 %286, %287
+  %289 = load ptr, ptr %73, align 8
+  %290 = load ptr, ptr %76, align 8
+  %291 = load ptr, ptr %77, align 8
+  %292 = getelementptr inbounds i64, ptr %291, i64 %284
+  %293 = load ptr, ptr %78, align 8
+  %294 = getelementptr inbounds double, ptr %293, i64 %284
+  call fastcc void @combine(ptr noundef %277, ptr noundef %278, ptr noundef %289, ptr noundef %290, ptr noundef %292, ptr noundef %294, i64 noundef %288, i64 noundef %281) #11
+  %295 = load ptr, ptr %76, align 8
+  %296 = load i64, ptr %79, align 8
+  %297 = mul nsw i64 %296, %276
+  %298 = getelementptr inbounds double, ptr %295, i64 %297
+  %299 = load ptr, ptr %80, align 8
+  %300 = getelementptr inbounds double, ptr %299, i64 %276
+  %301 = load double, ptr %300, align 8
+  %302 = insertelement <8 x double> poison, double %301, i64 0
+  %303 = shufflevector <8 x double> %302, <8 x double> poison, <8 x i32> zeroinitializer
+  %304 = fmul <8 x double> %246, %303
+  %305 = fadd <8 x double> %221, %304
+  %306 = load ptr, ptr %74, align 8
+  %307 = load ptr, ptr %81, align 8
+  store <8 x double> %305, ptr %307, align 8
+  %308 = load i64, ptr %82, align 8
+  %309 = icmp sgt i64 %308, 0
+  br i1 %309, label %310, label %311
 
-311:                                              ; preds = %275
+310:                                              ; preds = %274
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %312
+  br label %311
 
-312:                                              ; preds = %275, %311
-  %313 = load ptr, ptr %9, align 8
-  %314 = load i64, ptr %313, align 8
-  %315 = load ptr, ptr %81, align 8
-  %316 = load ptr, ptr %83, align 8
-  %317 = load ptr, ptr %84, align 8
-  %318 = inttoptr i64 %314 to ptr
-  %319 = call i32 %318(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
-  %320 = zext i32 %319 to i64
-  %321 = or i64 %276, %320
-  %322 = add nuw nsw i64 %277, 1
-  %323 = icmp eq i64 %322, %272
-  br i1 %323, label %324, label %275, !llvm.loop !8
+311:                                              ; preds = %274, %310
+  %312 = load ptr, ptr %9, align 8
+  %313 = load i64, ptr %312, align 8
+  %314 = load ptr, ptr %81, align 8
+  %315 = load ptr, ptr %83, align 8
+  %316 = load ptr, ptr %84, align 8
+  %317 = inttoptr i64 %313 to ptr
+  %318 = call i32 %317(ptr noundef %314, ptr noundef %306, ptr noundef %315, ptr noundef %316, ptr noundef %298) #12
+  %319 = zext i32 %318 to i64
+  %320 = or i64 %275, %319
+  %321 = add nuw nsw i64 %276, 1
+  %322 = icmp eq i64 %321, %271
+  br i1 %322, label %323, label %274, !llvm.loop !8
 
-324:                                              ; preds = %312, %270
-  %325 = phi i64 [ 0, %270 ], [ %321, %312 ]
-  %326 = load ptr, ptr %85, align 8
-  %327 = load ptr, ptr %11, align 8
-  %328 = load ptr, ptr %9, align 8
-  %329 = getelementptr inbounds i8, ptr %328, i64 16
-  %330 = load i64, ptr %329, align 8
-  %331 = load ptr, ptr %86, align 8
-  %332 = getelementptr inbounds i64, ptr %331, i64 %272
-  %333 = load i64, ptr %332, align 8
-  %334 = getelementptr i8, ptr %332, i64 8
-  %335 = load i64, ptr %334, align 8
-  %336 = xor i64 %333, -1
-  %337 = add i64 %335, %336
-  %338 = load ptr, ptr %73, align 8
-  %339 = load ptr, ptr %87, align 8
-  %340 = load ptr, ptr %88, align 8
-  %341 = getelementptr inbounds i64, ptr %340, i64 %333
-  %342 = load ptr, ptr %89, align 8
-  %343 = getelementptr inbounds double, ptr %342, i64 %333
-  call fastcc void @combine(ptr noundef %326, ptr noundef %327, ptr noundef %338, ptr noundef %339, ptr noundef %341, ptr noundef %343, i64 noundef %337, i64 noundef %330) #11
-  br i1 %56, label %360, label %344
+323:                                              ; preds = %311, %269
+  %324 = phi i64 [ 0, %269 ], [ %320, %311 ]
+  %325 = load ptr, ptr %85, align 8
+  %326 = load ptr, ptr %11, align 8
+  %327 = load ptr, ptr %9, align 8
+  %328 = getelementptr inbounds i8, ptr %327, i64 16
+  %329 = load i64, ptr %328, align 8
+  %330 = load ptr, ptr %86, align 8
+  %331 = getelementptr inbounds i64, ptr %330, i64 %271
+  %332 = load i64, ptr %331, align 8
+  %333 = getelementptr i8, ptr %331, i64 8
+  %334 = load i64, ptr %333, align 8
+  %335 = xor i64 %332, -1
+  %336 = add i64 %334, %335
+  %337 = load ptr, ptr %73, align 8
+  %338 = load ptr, ptr %87, align 8
+  %339 = load ptr, ptr %88, align 8
+  %340 = getelementptr inbounds i64, ptr %339, i64 %332
+  %341 = load ptr, ptr %89, align 8
+  %342 = getelementptr inbounds double, ptr %341, i64 %332
+  call fastcc void @combine(ptr noundef %325, ptr noundef %326, ptr noundef %337, ptr noundef %338, ptr noundef %340, ptr noundef %342, i64 noundef %336, i64 noundef %329) #11
+  br i1 %56, label %359, label %343
 
-344:                                              ; preds = %324
-  %345 = load ptr, ptr %90, align 8
-  %346 = load ptr, ptr %91, align 8
-  store <8 x double> %246, ptr %346, align 8
-  %347 = load i64, ptr %92, align 8
-  %348 = icmp sgt i64 %347, 0
-  br i1 %348, label %349, label %350
+343:                                              ; preds = %323
+  %344 = load ptr, ptr %90, align 8
+  %345 = load ptr, ptr %91, align 8
+  store <8 x double> %244, ptr %345, align 8
+  %346 = load i64, ptr %92, align 8
+  %347 = icmp sgt i64 %346, 0
+  br i1 %347, label %348, label %349
 
-349:                                              ; preds = %344
+348:                                              ; preds = %343
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %350
+  br label %349
 
-350:                                              ; preds = %344, %349
-  %351 = load ptr, ptr %9, align 8
-  %352 = load i64, ptr %351, align 8
-  %353 = load ptr, ptr %91, align 8
-  %354 = load ptr, ptr %93, align 8
-  %355 = load ptr, ptr %94, align 8
-  %356 = inttoptr i64 %352 to ptr
-  %357 = call i32 %356(ptr noundef %353, ptr noundef %345, ptr noundef %354, ptr noundef %355, ptr noundef %59) #12
-  %358 = zext i32 %357 to i64
-  %359 = or i64 %325, %358
-  br label %360
+349:                                              ; preds = %343, %348
+  %350 = load ptr, ptr %9, align 8
+  %351 = load i64, ptr %350, align 8
+  %352 = load ptr, ptr %91, align 8
+  %353 = load ptr, ptr %93, align 8
+  %354 = load ptr, ptr %94, align 8
+  %355 = inttoptr i64 %351 to ptr
+  %356 = call i32 %355(ptr noundef %352, ptr noundef %344, ptr noundef %353, ptr noundef %354, ptr noundef %59) #12
+  %357 = zext i32 %356 to i64
+  %358 = or i64 %324, %357
+  br label %359
 
-360:                                              ; preds = %350, %324
-  %361 = phi i64 [ %359, %350 ], [ %325, %324 ]
-  br i1 %34, label %365, label %362
+359:                                              ; preds = %349, %323
+  %360 = phi i64 [ %358, %349 ], [ %324, %323 ]
+  br i1 %34, label %364, label %361
 
-362:                                              ; preds = %360
-  br i1 %95, label %363, label %538
+361:                                              ; preds = %359
+  br i1 %95, label %362, label %537
 
-363:                                              ; preds = %362
-  %364 = load ptr, ptr %96, align 8
-  br label %528
+362:                                              ; preds = %361
+  %363 = load ptr, ptr %96, align 8
+  br label %527
 
-365:                                              ; preds = %360
-  %366 = load ptr, ptr %9, align 8
-  %367 = load ptr, ptr %0, align 8
-  %368 = getelementptr inbounds i8, ptr %366, i64 24
-  %369 = load i64, ptr %368, align 8
-  %370 = getelementptr inbounds i8, ptr %367, i64 8
-  %371 = load i64, ptr %370, align 8
-  %372 = load ptr, ptr %97, align 8
-  %373 = load i64, ptr %98, align 8
-  %374 = getelementptr inbounds double, ptr %372, i64 %373
-  %375 = icmp sgt i64 %371, 0
-  br i1 %375, label %376, label %378
+364:                                              ; preds = %359
+  %365 = load ptr, ptr %9, align 8
+  %366 = load ptr, ptr %0, align 8
+  %367 = getelementptr inbounds i8, ptr %365, i64 24
+  %368 = load i64, ptr %367, align 8
+  %369 = getelementptr inbounds i8, ptr %366, i64 8
+  %370 = load i64, ptr %369, align 8
+  %371 = load ptr, ptr %97, align 8
+  %372 = load i64, ptr %98, align 8
+  %373 = getelementptr inbounds double, ptr %371, i64 %372
+  %374 = icmp sgt i64 %370, 0
+  br i1 %374, label %375, label %377
 
-376:                                              ; preds = %365
-  %377 = getelementptr inbounds i8, ptr %366, i64 32
-  br label %386
+375:                                              ; preds = %364
+  %376 = getelementptr inbounds i8, ptr %365, i64 32
+  br label %385
 
-378:                                              ; preds = %386, %365
-  %379 = icmp sgt i64 %369, 0
-  br i1 %379, label %380, label %412
+377:                                              ; preds = %385, %364
+  %378 = icmp sgt i64 %368, 0
+  br i1 %378, label %379, label %411
 
-380:                                              ; preds = %378
-  %381 = load ptr, ptr %11, align 8
-  %382 = load ptr, ptr %85, align 8
-  %383 = load ptr, ptr %100, align 8
-  %384 = load ptr, ptr %101, align 8
-  %385 = load ptr, ptr %97, align 8
-  br label %475
+379:                                              ; preds = %377
+  %380 = load ptr, ptr %11, align 8
+  %381 = load ptr, ptr %85, align 8
+  %382 = load ptr, ptr %100, align 8
+  %383 = load ptr, ptr %101, align 8
+  %384 = load ptr, ptr %97, align 8
+  br label %474
 
-386:                                              ; preds = %376, %386
-  %387 = phi i64 [ 0, %376 ], [ %410, %386 ]
-  %388 = load i64, ptr %367, align 8
-  %389 = load i64, ptr %377, align 8
-  %390 = load ptr, ptr %97, align 8
-  %391 = load i64, ptr %98, align 8
-  %392 = mul nsw i64 %391, %387
-  %393 = getelementptr inbounds double, ptr %390, i64 %392
-  %394 = load ptr, ptr %99, align 8
-  %395 = load ptr, ptr %86, align 8
-  %396 = getelementptr i64, ptr %395, i64 %388
-  %397 = getelementptr i8, ptr %396, i64 8
-  %398 = getelementptr i64, ptr %397, i64 %387
-  %399 = load i64, ptr %398, align 8
-  %400 = getelementptr i8, ptr %398, i64 8
-  %401 = load i64, ptr %400, align 8
-  %402 = xor i64 %399, -1
-  %403 = add i64 %401, %402
-  %404 = load ptr, ptr %73, align 8
-  %405 = load ptr, ptr %87, align 8
-  %406 = load ptr, ptr %88, align 8
-  %407 = getelementptr inbounds i64, ptr %406, i64 %399
-  %408 = load ptr, ptr %89, align 8
-  %409 = getelementptr inbounds double, ptr %408, i64 %399
-  call fastcc void @combine(ptr noundef %393, ptr noundef %394, ptr noundef %404, ptr noundef %405, ptr noundef %407, ptr noundef %409, i64 noundef %403, i64 noundef %389) #11
-  %410 = add nuw nsw i64 %387, 1
-  %411 = icmp eq i64 %410, %371
-  br i1 %411, label %378, label %386, !llvm.loop !9
+385:                                              ; preds = %375, %385
+  %386 = phi i64 [ 0, %375 ], [ %409, %385 ]
+  %387 = load i64, ptr %366, align 8
+  %388 = load i64, ptr %376, align 8
+  %389 = load ptr, ptr %97, align 8
+  %390 = load i64, ptr %98, align 8
+  %391 = mul nsw i64 %390, %386
+  %392 = getelementptr inbounds double, ptr %389, i64 %391
+  %393 = load ptr, ptr %99, align 8
+  %394 = load ptr, ptr %86, align 8
+  %395 = getelementptr i64, ptr %394, i64 %387
+  %396 = getelementptr i8, ptr %395, i64 8
+  %397 = getelementptr i64, ptr %396, i64 %386
+  %398 = load i64, ptr %397, align 8
+  %399 = getelementptr i8, ptr %397, i64 8
+  %400 = load i64, ptr %399, align 8
+  %401 = xor i64 %398, -1
+  %402 = add i64 %400, %401
+  %403 = load ptr, ptr %73, align 8
+  %404 = load ptr, ptr %87, align 8
+  %405 = load ptr, ptr %88, align 8
+  %406 = getelementptr inbounds i64, ptr %405, i64 %398
+  %407 = load ptr, ptr %89, align 8
+  %408 = getelementptr inbounds double, ptr %407, i64 %398
+  call fastcc void @combine(ptr noundef %392, ptr noundef %393, ptr noundef %403, ptr noundef %404, ptr noundef %406, ptr noundef %408, i64 noundef %402, i64 noundef %388) #11
+  %409 = add nuw nsw i64 %386, 1
+  %410 = icmp eq i64 %409, %370
+  br i1 %410, label %377, label %385, !llvm.loop !9
 
-412:                                              ; preds = %475, %378
-  %413 = phi <8 x double> [ zeroinitializer, %378 ], [ %508, %475 ]
-  %414 = phi <8 x double> [ zeroinitializer, %378 ], [ %506, %475 ]
-  %415 = load ptr, ptr %85, align 8
-  %416 = getelementptr inbounds i8, ptr %366, i64 8
-  %417 = load i64, ptr %416, align 8
-  %418 = add nsw i64 %417, -3
-  %419 = getelementptr i8, ptr %415, i64 64
-  %420 = getelementptr i8, ptr %415, i64 128
-  %421 = getelementptr i8, ptr %415, i64 192
-  %422 = icmp slt i64 %369, %418
-  br i1 %422, label %430, label %423
+411:                                              ; preds = %474, %377
+  %412 = phi <8 x double> [ zeroinitializer, %377 ], [ %507, %474 ]
+  %413 = phi <8 x double> [ zeroinitializer, %377 ], [ %505, %474 ]
+  %414 = load ptr, ptr %85, align 8
+  %415 = getelementptr inbounds i8, ptr %365, i64 8
+  %416 = load i64, ptr %415, align 8
+  %417 = add nsw i64 %416, -3
+  %418 = getelementptr i8, ptr %414, i64 64
+  %419 = getelementptr i8, ptr %414, i64 128
+  %420 = getelementptr i8, ptr %414, i64 192
+  %421 = icmp slt i64 %368, %417
+  br i1 %421, label %429, label %422
 
-423:                                              ; preds = %430, %412
-  %424 = phi <8 x double> [ zeroinitializer, %412 ], [ %440, %430 ]
-  %425 = phi <8 x double> [ zeroinitializer, %412 ], [ %445, %430 ]
-  %426 = phi <8 x double> [ zeroinitializer, %412 ], [ %450, %430 ]
-  %427 = phi <8 x double> [ zeroinitializer, %412 ], [ %455, %430 ]
-  %428 = phi i64 [ %369, %412 ], [ %456, %430 ]
-  %429 = icmp slt i64 %428, %417
-  br i1 %429, label %458, label %468
+422:                                              ; preds = %429, %411
+  %423 = phi <8 x double> [ zeroinitializer, %411 ], [ %439, %429 ]
+  %424 = phi <8 x double> [ zeroinitializer, %411 ], [ %444, %429 ]
+  %425 = phi <8 x double> [ zeroinitializer, %411 ], [ %449, %429 ]
+  %426 = phi <8 x double> [ zeroinitializer, %411 ], [ %454, %429 ]
+  %427 = phi i64 [ %368, %411 ], [ %455, %429 ]
+  %428 = icmp slt i64 %427, %416
+  br i1 %428, label %457, label %467
 
-430:                                              ; preds = %412, %430
-  %431 = phi i64 [ %456, %430 ], [ %369, %412 ]
-  %432 = phi <8 x double> [ %455, %430 ], [ zeroinitializer, %412 ]
-  %433 = phi <8 x double> [ %450, %430 ], [ zeroinitializer, %412 ]
-  %434 = phi <8 x double> [ %445, %430 ], [ zeroinitializer, %412 ]
-  %435 = phi <8 x double> [ %440, %430 ], [ zeroinitializer, %412 ]
-  %436 = shl nsw i64 %431, 6
-  %437 = getelementptr inbounds i8, ptr %415, i64 %436
-  %438 = load <8 x double>, ptr %437, align 8
-  %439 = fmul <8 x double> %438, zeroinitializer
-  %440 = fadd <8 x double> %435, %439
-  %441 = shl i64 %431, 6
-  %442 = getelementptr i8, ptr %419, i64 %441
-  %443 = load <8 x double>, ptr %442, align 8
-  %444 = fmul <8 x double> %443, zeroinitializer
-  %445 = fadd <8 x double> %434, %444
-  %446 = shl i64 %431, 6
-  %447 = getelementptr i8, ptr %420, i64 %446
-  %448 = load <8 x double>, ptr %447, align 8
-  %449 = fmul <8 x double> %448, zeroinitializer
-  %450 = fadd <8 x double> %433, %449
-  %451 = shl i64 %431, 6
-  %452 = getelementptr i8, ptr %421, i64 %451
-  %453 = load <8 x double>, ptr %452, align 8
-  %454 = fmul <8 x double> %453, zeroinitializer
-  %455 = fadd <8 x double> %432, %454
-  %456 = add nsw i64 %431, 4
-  %457 = icmp slt i64 %456, %418
-  br i1 %457, label %430, label %423, !llvm.loop !10
+429:                                              ; preds = %411, %429
+  %430 = phi i64 [ %455, %429 ], [ %368, %411 ]
+  %431 = phi <8 x double> [ %454, %429 ], [ zeroinitializer, %411 ]
+  %432 = phi <8 x double> [ %449, %429 ], [ zeroinitializer, %411 ]
+  %433 = phi <8 x double> [ %444, %429 ], [ zeroinitializer, %411 ]
+  %434 = phi <8 x double> [ %439, %429 ], [ zeroinitializer, %411 ]
+  %435 = shl nsw i64 %430, 6
+  %436 = getelementptr inbounds i8, ptr %414, i64 %435
+  %437 = load <8 x double>, ptr %436, align 8
+  %438 = fmul <8 x double> %437, zeroinitializer
+  %439 = fadd <8 x double> %434, %438
+  %440 = shl i64 %430, 6
+  %441 = getelementptr i8, ptr %418, i64 %440
+  %442 = load <8 x double>, ptr %441, align 8
+  %443 = fmul <8 x double> %442, zeroinitializer
+  %444 = fadd <8 x double> %433, %443
+  %445 = shl i64 %430, 6
+  %446 = getelementptr i8, ptr %419, i64 %445
+  %447 = load <8 x double>, ptr %446, align 8
+  %448 = fmul <8 x double> %447, zeroinitializer
+  %449 = fadd <8 x double> %432, %448
+  %450 = shl i64 %430, 6
+  %451 = getelementptr i8, ptr %420, i64 %450
+  %452 = load <8 x double>, ptr %451, align 8
+  %453 = fmul <8 x double> %452, zeroinitializer
+  %454 = fadd <8 x double> %431, %453
+  %455 = add nsw i64 %430, 4
+  %456 = icmp slt i64 %455, %417
+  br i1 %456, label %429, label %422, !llvm.loop !10
 
-458:                                              ; preds = %423, %458
-  %459 = phi i64 [ %466, %458 ], [ %428, %423 ]
-  %460 = phi <8 x double> [ %465, %458 ], [ %424, %423 ]
-  %461 = shl nsw i64 %459, 6
-  %462 = getelementptr inbounds i8, ptr %415, i64 %461
-  %463 = load <8 x double>, ptr %462, align 8
-  %464 = fmul <8 x double> %463, zeroinitializer
-  %465 = fadd <8 x double> %460, %464
-  %466 = add nsw i64 %459, 1
-  %467 = icmp eq i64 %466, %417
-  br i1 %467, label %468, label %458, !llvm.loop !11
+457:                                              ; preds = %422, %457
+  %458 = phi i64 [ %465, %457 ], [ %427, %422 ]
+  %459 = phi <8 x double> [ %464, %457 ], [ %423, %422 ]
+  %460 = shl nsw i64 %458, 6
+  %461 = getelementptr inbounds i8, ptr %414, i64 %460
+  %462 = load <8 x double>, ptr %461, align 8
+  %463 = fmul <8 x double> %462, zeroinitializer
+  %464 = fadd <8 x double> %459, %463
+  %465 = add nsw i64 %458, 1
+  %466 = icmp eq i64 %465, %416
+  br i1 %466, label %467, label %457, !llvm.loop !11
 
-468:                                              ; preds = %458, %423
-  %469 = phi <8 x double> [ %424, %423 ], [ %465, %458 ]
-  %470 = fadd <8 x double> %425, %469
-  %471 = fadd <8 x double> %426, %427
-  %472 = fadd <8 x double> %471, %470
-  %473 = fadd <8 x double> %414, %472
-  %474 = icmp eq i64 %371, 2
-  br i1 %474, label %511, label %522
+467:                                              ; preds = %457, %422
+  %468 = phi <8 x double> [ %423, %422 ], [ %464, %457 ]
+  %469 = fadd <8 x double> %424, %468
+  %470 = fadd <8 x double> %425, %426
+  %471 = fadd <8 x double> %470, %469
+  %472 = fadd <8 x double> %413, %471
+  %473 = icmp eq i64 %370, 2
+  br i1 %473, label %510, label %521
 
-475:                                              ; preds = %380, %475
-  %476 = phi <8 x double> [ zeroinitializer, %380 ], [ %506, %475 ]
-  %477 = phi <8 x double> [ zeroinitializer, %380 ], [ %508, %475 ]
-  %478 = phi i64 [ 0, %380 ], [ %509, %475 ]
-  %479 = shl nsw i64 %478, 6
-  %480 = getelementptr inbounds i8, ptr %381, i64 %479
-  %481 = load <8 x double>, ptr %480, align 8
-  %482 = getelementptr inbounds i8, ptr %382, i64 %479
-  %483 = load <8 x double>, ptr %482, align 8
-  %484 = getelementptr inbounds double, ptr %383, i64 %478
-  %485 = load double, ptr %484, align 8
-  %486 = insertelement <8 x double> poison, double %485, i64 0
-  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
-  %488 = getelementptr inbounds double, ptr %384, i64 %478
-  %489 = load double, ptr %488, align 8
-  %490 = insertelement <8 x double> poison, double %489, i64 0
-  %491 = shufflevector <8 x double> %490, <8 x double> poison, <8 x i32> zeroinitializer
-  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %481)
-  %493 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %483)
-  %494 = fcmp ogt <8 x double> %492, %493
-  %495 = select <8 x i1> %494, <8 x double> %492, <8 x double> %493
-  %496 = fmul <8 x double> %495, %491
-  %497 = fadd <8 x double> %487, %496
-  %498 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %497
-  %499 = getelementptr inbounds i8, ptr %385, i64 %479
-  %500 = load <8 x double>, ptr %499, align 8
-  %501 = fmul <8 x double> %500, %498
-  %502 = getelementptr inbounds i8, ptr %374, i64 %479
-  %503 = load <8 x double>, ptr %502, align 8
-  %504 = fmul <8 x double> %503, %498
-  %505 = fmul <8 x double> %501, %501
-  %506 = fadd <8 x double> %476, %505
-  %507 = fmul <8 x double> %504, %504
-  %508 = fadd <8 x double> %477, %507
-  %509 = add nuw nsw i64 %478, 1
-  %510 = icmp eq i64 %509, %369
-  br i1 %510, label %412, label %475, !llvm.loop !12
+474:                                              ; preds = %379, %474
+  %475 = phi <8 x double> [ zeroinitializer, %379 ], [ %505, %474 ]
+  %476 = phi <8 x double> [ zeroinitializer, %379 ], [ %507, %474 ]
+  %477 = phi i64 [ 0, %379 ], [ %508, %474 ]
+  %478 = shl nsw i64 %477, 6
+  %479 = getelementptr inbounds i8, ptr %380, i64 %478
+  %480 = load <8 x double>, ptr %479, align 8
+  %481 = getelementptr inbounds i8, ptr %381, i64 %478
+  %482 = load <8 x double>, ptr %481, align 8
+  %483 = getelementptr inbounds double, ptr %382, i64 %477
+  %484 = load double, ptr %483, align 8
+  %485 = insertelement <8 x double> poison, double %484, i64 0
+  %486 = shufflevector <8 x double> %485, <8 x double> poison, <8 x i32> zeroinitializer
+  %487 = getelementptr inbounds double, ptr %383, i64 %477
+  %488 = load double, ptr %487, align 8
+  %489 = insertelement <8 x double> poison, double %488, i64 0
+  %490 = shufflevector <8 x double> %489, <8 x double> poison, <8 x i32> zeroinitializer
+  %491 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %480)
+  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %482)
+  %493 = fcmp ogt <8 x double> %491, %492
+  %494 = select <8 x i1> %493, <8 x double> %491, <8 x double> %492
+  %495 = fmul <8 x double> %494, %490
+  %496 = fadd <8 x double> %486, %495
+  %497 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %496
+  %498 = getelementptr inbounds i8, ptr %384, i64 %478
+  %499 = load <8 x double>, ptr %498, align 8
+  %500 = fmul <8 x double> %499, %497
+  %501 = getelementptr inbounds i8, ptr %373, i64 %478
+  %502 = load <8 x double>, ptr %501, align 8
+  %503 = fmul <8 x double> %502, %497
+  %504 = fmul <8 x double> %500, %500
+  %505 = fadd <8 x double> %475, %504
+  %506 = fmul <8 x double> %503, %503
+  %507 = fadd <8 x double> %476, %506
+  %508 = add nuw nsw i64 %477, 1
+  %509 = icmp eq i64 %508, %368
+  br i1 %509, label %411, label %474, !llvm.loop !12
 
-511:                                              ; preds = %468
-  %512 = fmul <8 x double> %413, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %513 = fadd <8 x double> %512, %473
-  %514 = sitofp i64 %369 to double
-  %515 = insertelement <8 x double> poison, double %514, i64 0
-  %516 = shufflevector <8 x double> %515, <8 x double> poison, <8 x i32> zeroinitializer
-  %517 = fmul <8 x double> %516, %513
-  %518 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %517)
-  %519 = fdiv <8 x double> %473, %518
-  %520 = fcmp oeq <8 x double> %473, zeroinitializer
-  %521 = select <8 x i1> %520, <8 x double> zeroinitializer, <8 x double> %519
-  br label %538
+510:                                              ; preds = %467
+  %511 = fmul <8 x double> %412, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %512 = fadd <8 x double> %511, %472
+  %513 = sitofp i64 %368 to double
+  %514 = insertelement <8 x double> poison, double %513, i64 0
+  %515 = shufflevector <8 x double> %514, <8 x double> poison, <8 x i32> zeroinitializer
+  %516 = fmul <8 x double> %515, %512
+  %517 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %516)
+  %518 = fdiv <8 x double> %472, %517
+  %519 = fcmp oeq <8 x double> %472, zeroinitializer
+  %520 = select <8 x i1> %519, <8 x double> zeroinitializer, <8 x double> %518
+  br label %537
 
-522:                                              ; preds = %468
-  %523 = sitofp i64 %369 to double
-  %524 = insertelement <8 x double> poison, double %523, i64 0
-  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
-  %526 = fdiv <8 x double> %473, %525
-  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
-  br label %538
+521:                                              ; preds = %467
+  %522 = sitofp i64 %368 to double
+  %523 = insertelement <8 x double> poison, double %522, i64 0
+  %524 = shufflevector <8 x double> %523, <8 x double> poison, <8 x i32> zeroinitializer
+  %525 = fdiv <8 x double> %472, %524
+  %526 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %525)
+  br label %537
 
-528:                                              ; preds = %363, %528
-  %529 = phi <8 x double> [ zeroinitializer, %363 ], [ %535, %528 ]
-  %530 = phi i64 [ 0, %363 ], [ %536, %528 ]
-  %531 = shl nsw i64 %530, 6
-  %532 = getelementptr inbounds i8, ptr %364, i64 %531
-  %533 = load <8 x double>, ptr %532, align 8
-  %534 = fmul <8 x double> %533, zeroinitializer
-  %535 = fadd <8 x double> %529, %534
-  %536 = add nuw nsw i64 %530, 1
-  %537 = icmp eq i64 %536, %15
-  br i1 %537, label %538, label %528, !llvm.loop !13
+527:                                              ; preds = %362, %527
+  %528 = phi <8 x double> [ zeroinitializer, %362 ], [ %534, %527 ]
+  %529 = phi i64 [ 0, %362 ], [ %535, %527 ]
+  %530 = shl nsw i64 %529, 6
+  %531 = getelementptr inbounds i8, ptr %363, i64 %530
+  %532 = load <8 x double>, ptr %531, align 8
+  %533 = fmul <8 x double> %532, zeroinitializer
+  %534 = fadd <8 x double> %528, %533
+  %535 = add nuw nsw i64 %529, 1
+  %536 = icmp eq i64 %535, %15
+  br i1 %536, label %537, label %527, !llvm.loop !13
 
-538:                                              ; preds = %528, %362, %522, %511
-  %539 = phi <8 x double> [ %521, %511 ], [ %527, %522 ], [ zeroinitializer, %362 ], [ %535, %528 ]
-  %540 = fcmp uge <8 x double> %539, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %541 = trunc i64 %361 to i8
-  %542 = bitcast i8 %541 to <8 x i1>
-  %543 = select <8 x i1> %542, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %540
-  %544 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %545 = select <8 x i1> %544, <8 x i1> %219, <8 x i1> zeroinitializer
-  %546 = sext <8 x i1> %545 to <8 x i64>
-  br i1 %39, label %547, label %559
+537:                                              ; preds = %527, %361, %521, %510
+  %538 = phi <8 x double> [ %520, %510 ], [ %526, %521 ], [ zeroinitializer, %361 ], [ %534, %527 ]
+  %539 = fcmp uge <8 x double> %538, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %540 = trunc i64 %360 to i8
+  %541 = bitcast i8 %540 to <8 x i1>
+  %542 = select <8 x i1> %541, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %539
+  %543 = xor <8 x i1> %542, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %544 = select <8 x i1> %543, <8 x i1> %219, <8 x i1> zeroinitializer
+  %545 = sext <8 x i1> %544 to <8 x i64>
+  br i1 %39, label %546, label %558
 
-547:                                              ; preds = %538
-  %548 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %549 = select <8 x i1> %548, <8 x i1> %219, <8 x i1> zeroinitializer
-  %550 = bitcast <8 x i1> %549 to i8
-  %551 = icmp eq i8 %550, 0
-  br i1 %551, label %559, label %552
+546:                                              ; preds = %537
+  %547 = xor <8 x i1> %542, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %548 = select <8 x i1> %547, <8 x i1> %219, <8 x i1> zeroinitializer
+  %549 = bitcast <8 x i1> %548 to i8
+  %550 = icmp eq i8 %549, 0
+  br i1 %550, label %558, label %551
 
-552:                                              ; preds = %547
-  %553 = zext i8 %550 to i64
-  store <8 x double> %246, ptr %3, align 16
-  %554 = load ptr, ptr %102, align 8
-  %555 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %554, i64 noundef %553, i32 noundef %55) #11
-  %556 = trunc nuw i64 %555 to i8
-  %557 = bitcast i8 %556 to <8 x i1>
-  %558 = select <8 x i1> %557, <8 x i64> zeroinitializer, <8 x i64> %546
-  br label %559
+551:                                              ; preds = %546
+  %552 = zext i8 %549 to i64
+  store <8 x double> %244, ptr %3, align 16
+  %553 = load ptr, ptr %102, align 8
+  %554 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %553, i64 noundef %552, i32 noundef %55) #11
+  %555 = trunc nuw i64 %554 to i8
+  %556 = bitcast i8 %555 to <8 x i1>
+  %557 = select <8 x i1> %556, <8 x i64> zeroinitializer, <8 x i64> %545
+  br label %558
 
-559:                                              ; preds = %552, %547, %538
-  %560 = phi <8 x i64> [ %558, %552 ], [ %546, %547 ], [ %546, %538 ]
-  %561 = phi i64 [ %555, %552 ], [ 0, %547 ], [ 0, %538 ]
-  %562 = icmp ne <8 x i64> %560, zeroinitializer
-  %563 = bitcast <8 x i1> %562 to i8
-  %564 = icmp ne i8 %563, 0
-  %565 = select i1 %57, i1 %564, i1 false
-  br i1 %565, label %566, label %585
+558:                                              ; preds = %551, %546, %537
+  %559 = phi <8 x i64> [ %557, %551 ], [ %545, %546 ], [ %545, %537 ]
+  %560 = phi i64 [ %554, %551 ], [ 0, %546 ], [ 0, %537 ]
+  %561 = icmp ne <8 x i64> %559, zeroinitializer
+  %562 = bitcast <8 x i1> %561 to i8
+  %563 = icmp ne i8 %562, 0
+  %564 = select i1 %57, i1 %563, i1 false
+  br i1 %564, label %565, label %584
 
-566:                                              ; preds = %559
-  %567 = load ptr, ptr %103, align 8
-  %568 = load ptr, ptr %104, align 8
-  store <8 x double> %246, ptr %568, align 8
-  %569 = load i64, ptr %105, align 8
-  %570 = icmp sgt i64 %569, 0
-  br i1 %570, label %571, label %572
+565:                                              ; preds = %558
+  %566 = load ptr, ptr %103, align 8
+  %567 = load ptr, ptr %104, align 8
+  store <8 x double> %244, ptr %567, align 8
+  %568 = load i64, ptr %105, align 8
+  %569 = icmp sgt i64 %568, 0
+  br i1 %569, label %570, label %571
 
-571:                                              ; preds = %566
+570:                                              ; preds = %565
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %572
+  br label %571
 
-572:                                              ; preds = %566, %571
-  %573 = load ptr, ptr %9, align 8
-  %574 = load i64, ptr %573, align 8
-  %575 = load ptr, ptr %104, align 8
-  %576 = load ptr, ptr %106, align 8
-  %577 = load ptr, ptr %107, align 8
-  %578 = inttoptr i64 %574 to ptr
-  %579 = call i32 %578(ptr noundef %575, ptr noundef %567, ptr noundef %576, ptr noundef %577, ptr noundef %59) #12
-  %580 = zext i32 %579 to i64
-  %581 = or i64 %361, %580
-  %582 = trunc i64 %581 to i8
-  %583 = bitcast i8 %582 to <8 x i1>
-  %584 = select <8 x i1> %583, <8 x i64> zeroinitializer, <8 x i64> %560
-  br label %585
+571:                                              ; preds = %565, %570
+  %572 = load ptr, ptr %9, align 8
+  %573 = load i64, ptr %572, align 8
+  %574 = load ptr, ptr %104, align 8
+  %575 = load ptr, ptr %106, align 8
+  %576 = load ptr, ptr %107, align 8
+  %577 = inttoptr i64 %573 to ptr
+  %578 = call i32 %577(ptr noundef %574, ptr noundef %566, ptr noundef %575, ptr noundef %576, ptr noundef %59) #12
+  %579 = zext i32 %578 to i64
+  %580 = or i64 %360, %579
+  %581 = trunc i64 %580 to i8
+  %582 = bitcast i8 %581 to <8 x i1>
+  %583 = select <8 x i1> %582, <8 x i64> zeroinitializer, <8 x i64> %559
+  br label %584
 
-585:                                              ; preds = %572, %559
-  %586 = phi <8 x i64> [ %584, %572 ], [ %560, %559 ]
-  %587 = phi i64 [ %581, %572 ], [ %361, %559 ]
-  %588 = load ptr, ptr %108, align 8
-  %589 = load <8 x double>, ptr %588, align 8
-  %590 = load i64, ptr %16, align 8
-  %591 = add i64 %590, %109
-  %592 = sitofp i64 %591 to double
-  %593 = insertelement <8 x double> poison, double %592, i64 0
-  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
-  %595 = icmp slt <8 x i64> %560, zeroinitializer
-  %596 = select <8 x i1> %595, <8 x i64> %113, <8 x i64> zeroinitializer
-  %597 = bitcast <8 x i64> %596 to <8 x double>
-  %598 = fadd <8 x double> %594, %597
-  %599 = fadd <8 x double> %589, %598
-  store <8 x double> %599, ptr %588, align 8
-  br i1 %58, label %600, label %609
+584:                                              ; preds = %571, %558
+  %585 = phi <8 x i64> [ %583, %571 ], [ %559, %558 ]
+  %586 = phi i64 [ %580, %571 ], [ %360, %558 ]
+  %587 = load ptr, ptr %108, align 8
+  %588 = load <8 x double>, ptr %587, align 8
+  %589 = load i64, ptr %16, align 8
+  %590 = add i64 %589, %109
+  %591 = sitofp i64 %590 to double
+  %592 = insertelement <8 x double> poison, double %591, i64 0
+  %593 = shufflevector <8 x double> %592, <8 x double> poison, <8 x i32> zeroinitializer
+  %594 = icmp slt <8 x i64> %559, zeroinitializer
+  %595 = select <8 x i1> %594, <8 x i64> %113, <8 x i64> zeroinitializer
+  %596 = bitcast <8 x i64> %595 to <8 x double>
+  %597 = fadd <8 x double> %593, %596
+  %598 = fadd <8 x double> %588, %597
+  store <8 x double> %598, ptr %587, align 8
+  br i1 %58, label %599, label %608
 
-600:                                              ; preds = %585
-  %601 = icmp ne <8 x i64> %586, zeroinitializer
-  %602 = bitcast <8 x i1> %601 to i8
-  %603 = icmp eq i8 %602, 0
-  br i1 %603, label %609, label %604
+599:                                              ; preds = %584
+  %600 = icmp ne <8 x i64> %585, zeroinitializer
+  %601 = bitcast <8 x i1> %600 to i8
+  %602 = icmp eq i8 %601, 0
+  br i1 %602, label %608, label %603
 
-604:                                              ; preds = %600
-  %605 = zext i8 %602 to i64
-  %606 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
-  %607 = xor i64 %606, -1
-  %608 = and i64 %607, %605
-  br label %609
+603:                                              ; preds = %599
+  %604 = zext i8 %601 to i64
+  %605 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %606 = xor i64 %605, -1
+  %607 = and i64 %606, %604
+  br label %608
 
-609:                                              ; preds = %585, %600, %604
-  %610 = phi i64 [ %608, %604 ], [ 0, %600 ], [ 0, %585 ]
+608:                                              ; preds = %584, %599, %603
+  %609 = phi i64 [ %607, %603 ], [ 0, %599 ], [ 0, %584 ]
   store i64 0, ptr %7, align 8
-  %611 = load ptr, ptr %114, align 8
-  %612 = load <8 x double>, ptr %611, align 8
-  %613 = fcmp olt <8 x double> %612, %246
-  %614 = icmp ne <8 x i64> %586, zeroinitializer
-  %615 = select <8 x i1> %613, <8 x i1> %614, <8 x i1> zeroinitializer
-  %616 = bitcast <8 x i1> %615 to i8
-  %617 = zext i8 %616 to i64
-  %618 = or i64 %610, %617
-  %619 = icmp eq i64 %618, 0
-  br i1 %619, label %798, label %620
+  %610 = load ptr, ptr %114, align 8
+  %611 = load <8 x double>, ptr %610, align 8
+  %612 = fcmp olt <8 x double> %611, %244
+  %613 = icmp ne <8 x i64> %585, zeroinitializer
+  %614 = select <8 x i1> %612, <8 x i1> %613, <8 x i1> zeroinitializer
+  %615 = bitcast <8 x i1> %614 to i8
+  %616 = zext i8 %615 to i64
+  %617 = or i64 %609, %616
+  %618 = icmp eq i64 %617, 0
+  br i1 %618, label %797, label %619
 
-620:                                              ; preds = %609
-  %621 = load ptr, ptr %0, align 8
-  %622 = load ptr, ptr %9, align 8
-  %623 = getelementptr inbounds i8, ptr %622, i64 16
-  %624 = load i64, ptr %623, align 8
-  %625 = load i64, ptr %621, align 8
-  %626 = load i64, ptr %115, align 8
-  %627 = load ptr, ptr %87, align 8
-  %628 = mul nsw i64 %626, %625
-  %629 = getelementptr inbounds double, ptr %627, i64 %628
-  %630 = load ptr, ptr %116, align 8
-  %631 = add nsw i64 %625, 1
-  %632 = getelementptr inbounds i8, ptr %621, i64 16
-  %633 = load i64, ptr %632, align 8
-  %634 = icmp sgt i64 %633, 0
-  br i1 %634, label %635, label %637
+619:                                              ; preds = %608
+  %620 = load ptr, ptr %0, align 8
+  %621 = load ptr, ptr %9, align 8
+  %622 = getelementptr inbounds i8, ptr %621, i64 16
+  %623 = load i64, ptr %622, align 8
+  %624 = load i64, ptr %620, align 8
+  %625 = load i64, ptr %115, align 8
+  %626 = load ptr, ptr %87, align 8
+  %627 = mul nsw i64 %625, %624
+  %628 = getelementptr inbounds double, ptr %626, i64 %627
+  %629 = load ptr, ptr %116, align 8
+  %630 = add nsw i64 %624, 1
+  %631 = getelementptr inbounds i8, ptr %620, i64 16
+  %632 = load i64, ptr %631, align 8
+  %633 = icmp sgt i64 %632, 0
+  br i1 %633, label %634, label %636
 
-635:                                              ; preds = %620
-  %636 = getelementptr inbounds i8, ptr %621, i64 8
-  br label %648
+634:                                              ; preds = %619
+  %635 = getelementptr inbounds i8, ptr %620, i64 8
+  br label %647
 
-637:                                              ; preds = %683, %620
-  %638 = phi i64 [ 0, %620 ], [ %692, %683 ]
-  %639 = getelementptr inbounds i8, ptr %621, i64 16
-  %640 = load ptr, ptr %9, align 8
-  %641 = getelementptr inbounds i8, ptr %640, i64 8
-  %642 = load i64, ptr %641, align 8
-  %643 = icmp sgt i64 %642, 0
-  br i1 %643, label %644, label %697
+636:                                              ; preds = %682, %619
+  %637 = phi i64 [ 0, %619 ], [ %691, %682 ]
+  %638 = getelementptr inbounds i8, ptr %620, i64 16
+  %639 = load ptr, ptr %9, align 8
+  %640 = getelementptr inbounds i8, ptr %639, i64 8
+  %641 = load i64, ptr %640, align 8
+  %642 = icmp sgt i64 %641, 0
+  br i1 %642, label %643, label %696
 
-644:                                              ; preds = %637
-  %645 = getelementptr inbounds double, ptr %630, i64 %626
-  %646 = shl nsw i64 %626, 4
-  %647 = getelementptr inbounds i8, ptr %630, i64 %646
-  br label %704
+643:                                              ; preds = %636
+  %644 = getelementptr inbounds double, ptr %629, i64 %625
+  %645 = shl nsw i64 %625, 4
+  %646 = getelementptr inbounds i8, ptr %629, i64 %645
+  br label %703
 
-648:                                              ; preds = %635, %683
-  %649 = phi i64 [ 0, %635 ], [ %692, %683 ]
-  %650 = phi i64 [ %631, %635 ], [ %693, %683 ]
-  %651 = load i64, ptr %636, align 8
-  %652 = load ptr, ptr %117, align 8
-  %653 = load ptr, ptr %11, align 8
-  %654 = load ptr, ptr %86, align 8
+647:                                              ; preds = %634, %682
+  %648 = phi i64 [ 0, %634 ], [ %691, %682 ]
+  %649 = phi i64 [ %630, %634 ], [ %692, %682 ]
+  %650 = load i64, ptr %635, align 8
+  %651 = load ptr, ptr %117, align 8
+  %652 = load ptr, ptr %11, align 8
+  %653 = load ptr, ptr %86, align 8
+  %654 = getelementptr i64, ptr %653, i64 %649
   %655 = getelementptr i64, ptr %654, i64 %650
-  %656 = getelementptr i64, ptr %655, i64 %651
-  %657 = load i64, ptr %656, align 8
-  %658 = getelementptr i8, ptr %656, i64 8
-  %659 = load i64, ptr %658, align 8
-  %660 = xor i64 %657, -1
-  %661 = add i64 %659, %660
-  %662 = load ptr, ptr %73, align 8
-  %663 = load ptr, ptr %87, align 8
-  %664 = load ptr, ptr %88, align 8
-  %665 = getelementptr inbounds i64, ptr %664, i64 %657
-  %666 = load ptr, ptr %89, align 8
-  %667 = getelementptr inbounds double, ptr %666, i64 %657
-  call fastcc void @combine(ptr noundef %652, ptr noundef %653, ptr noundef %662, ptr noundef %663, ptr noundef %665, ptr noundef %667, i64 noundef %661, i64 noundef %624) #11
-  %668 = load ptr, ptr %87, align 8
-  %669 = mul nsw i64 %650, %626
-  %670 = getelementptr inbounds double, ptr %668, i64 %669
-  %671 = load ptr, ptr %118, align 8
-  %672 = getelementptr inbounds double, ptr %671, i64 %650
-  %673 = load double, ptr %672, align 8
-  %674 = insertelement <8 x double> poison, double %673, i64 0
-  %675 = shufflevector <8 x double> %674, <8 x double> poison, <8 x i32> zeroinitializer
-  %676 = fmul <8 x double> %247, %675
-  %677 = fadd <8 x double> %221, %676
-  %678 = load ptr, ptr %117, align 8
-  %679 = load ptr, ptr %119, align 8
-  store <8 x double> %677, ptr %679, align 8
-  %680 = load i64, ptr %120, align 8
-  %681 = icmp sgt i64 %680, 0
-  br i1 %681, label %682, label %683
+  %656 = load i64, ptr %655, align 8
+  %657 = getelementptr i8, ptr %655, i64 8
+  %658 = load i64, ptr %657, align 8
+  %659 = xor i64 %656, -1
+  %660 = add i64 %658, %659
+  %661 = load ptr, ptr %73, align 8
+  %662 = load ptr, ptr %87, align 8
+  %663 = load ptr, ptr %88, align 8
+  %664 = getelementptr inbounds i64, ptr %663, i64 %656
+  %665 = load ptr, ptr %89, align 8
+  %666 = getelementptr inbounds double, ptr %665, i64 %656
+  call fastcc void @combine(ptr noundef %651, ptr noundef %652, ptr noundef %661, ptr noundef %662, ptr noundef %664, ptr noundef %666, i64 noundef %660, i64 noundef %623) #11
+  %667 = load ptr, ptr %87, align 8
+  %668 = mul nsw i64 %649, %625
+  %669 = getelementptr inbounds double, ptr %667, i64 %668
+  %670 = load ptr, ptr %118, align 8
+  %671 = getelementptr inbounds double, ptr %670, i64 %649
+  %672 = load double, ptr %671, align 8
+  %673 = insertelement <8 x double> poison, double %672, i64 0
+  %674 = shufflevector <8 x double> %673, <8 x double> poison, <8 x i32> zeroinitializer
+  %675 = fmul <8 x double> %246, %674
+  %676 = fadd <8 x double> %221, %675
+  %677 = load ptr, ptr %117, align 8
+  %678 = load ptr, ptr %119, align 8
+  store <8 x double> %676, ptr %678, align 8
+  %679 = load i64, ptr %120, align 8
+  %680 = icmp sgt i64 %679, 0
+  br i1 %680, label %681, label %682
 
-682:                                              ; preds = %648
+681:                                              ; preds = %647
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %683
+  br label %682
 
-683:                                              ; preds = %648, %682
-  %684 = load ptr, ptr %9, align 8
-  %685 = load i64, ptr %684, align 8
-  %686 = load ptr, ptr %119, align 8
-  %687 = load ptr, ptr %121, align 8
-  %688 = load ptr, ptr %122, align 8
-  %689 = inttoptr i64 %685 to ptr
-  %690 = call i32 %689(ptr noundef %686, ptr noundef %678, ptr noundef %687, ptr noundef %688, ptr noundef %670) #12
-  %691 = sext i32 %690 to i64
-  %692 = or i64 %649, %691
-  %693 = add nsw i64 %650, 1
-  %694 = load i64, ptr %632, align 8
-  %695 = add nsw i64 %694, %631
-  %696 = icmp slt i64 %693, %695
-  br i1 %696, label %648, label %637, !llvm.loop !14
+682:                                              ; preds = %647, %681
+  %683 = load ptr, ptr %9, align 8
+  %684 = load i64, ptr %683, align 8
+  %685 = load ptr, ptr %119, align 8
+  %686 = load ptr, ptr %121, align 8
+  %687 = load ptr, ptr %122, align 8
+  %688 = inttoptr i64 %684 to ptr
+  %689 = call i32 %688(ptr noundef %685, ptr noundef %677, ptr noundef %686, ptr noundef %687, ptr noundef %669) #12
+  %690 = sext i32 %689 to i64
+  %691 = or i64 %648, %690
+  %692 = add nsw i64 %649, 1
+  %693 = load i64, ptr %631, align 8
+  %694 = add nsw i64 %693, %630
+  %695 = icmp slt i64 %692, %694
+  br i1 %695, label %647, label %636, !llvm.loop !14
 
-697:                                              ; preds = %704, %637
-  %698 = getelementptr inbounds i8, ptr %621, i64 8
-  %699 = load i64, ptr %698, align 8
-  %700 = load i64, ptr %639, align 8
-  %701 = getelementptr inbounds i8, ptr %621, i64 24
-  %702 = load i64, ptr %701, align 8
-  %703 = icmp sgt i64 %702, 3
-  br i1 %703, label %732, label %757
+696:                                              ; preds = %703, %636
+  %697 = getelementptr inbounds i8, ptr %620, i64 8
+  %698 = load i64, ptr %697, align 8
+  %699 = load i64, ptr %638, align 8
+  %700 = getelementptr inbounds i8, ptr %620, i64 24
+  %701 = load i64, ptr %700, align 8
+  %702 = icmp sgt i64 %701, 3
+  br i1 %702, label %731, label %756
 
-704:                                              ; preds = %644, %704
-  %705 = phi i64 [ 0, %644 ], [ %727, %704 ]
-  %706 = load ptr, ptr %85, align 8
-  %707 = shl nsw i64 %705, 6
-  %708 = getelementptr inbounds i8, ptr %706, i64 %707
-  %709 = load <8 x double>, ptr %708, align 8
-  %710 = load ptr, ptr %11, align 8
-  %711 = getelementptr inbounds i8, ptr %710, i64 %707
-  %712 = load <8 x double>, ptr %711, align 8
-  %713 = fsub <8 x double> %709, %712
-  %714 = load ptr, ptr %87, align 8
-  %715 = getelementptr inbounds i8, ptr %714, i64 %707
-  %716 = load <8 x double>, ptr %715, align 8
-  %717 = fmul <8 x double> %247, %716
-  %718 = fsub <8 x double> %717, %713
-  %719 = getelementptr inbounds i8, ptr %630, i64 %707
-  store <8 x double> %713, ptr %719, align 8
-  %720 = getelementptr inbounds i8, ptr %645, i64 %707
-  store <8 x double> %718, ptr %720, align 8
-  %721 = fsub <8 x double> %713, %718
-  %722 = getelementptr inbounds i8, ptr %629, i64 %707
-  %723 = load <8 x double>, ptr %722, align 8
-  %724 = fmul <8 x double> %247, %723
-  %725 = fsub <8 x double> %721, %724
-  %726 = getelementptr inbounds i8, ptr %647, i64 %707
-  store <8 x double> %725, ptr %726, align 8
-  %727 = add nuw nsw i64 %705, 1
-  %728 = load ptr, ptr %9, align 8
-  %729 = getelementptr inbounds i8, ptr %728, i64 8
-  %730 = load i64, ptr %729, align 8
-  %731 = icmp slt i64 %727, %730
-  br i1 %731, label %704, label %697, !llvm.loop !15
+703:                                              ; preds = %643, %703
+  %704 = phi i64 [ 0, %643 ], [ %726, %703 ]
+  %705 = load ptr, ptr %85, align 8
+  %706 = shl nsw i64 %704, 6
+  %707 = getelementptr inbounds i8, ptr %705, i64 %706
+  %708 = load <8 x double>, ptr %707, align 8
+  %709 = load ptr, ptr %11, align 8
+  %710 = getelementptr inbounds i8, ptr %709, i64 %706
+  %711 = load <8 x double>, ptr %710, align 8
+  %712 = fsub <8 x double> %708, %711
+  %713 = load ptr, ptr %87, align 8
+  %714 = getelementptr inbounds i8, ptr %713, i64 %706
+  %715 = load <8 x double>, ptr %714, align 8
+  %716 = fmul <8 x double> %246, %715
+  %717 = fsub <8 x double> %716, %712
+  %718 = getelementptr inbounds i8, ptr %629, i64 %706
+  store <8 x double> %712, ptr %718, align 8
+  %719 = getelementptr inbounds i8, ptr %644, i64 %706
+  store <8 x double> %717, ptr %719, align 8
+  %720 = fsub <8 x double> %712, %717
+  %721 = getelementptr inbounds i8, ptr %628, i64 %706
+  %722 = load <8 x double>, ptr %721, align 8
+  %723 = fmul <8 x double> %246, %722
+  %724 = fsub <8 x double> %720, %723
+  %725 = getelementptr inbounds i8, ptr %646, i64 %706
+  store <8 x double> %724, ptr %725, align 8
+  %726 = add nuw nsw i64 %704, 1
+  %727 = load ptr, ptr %9, align 8
+  %728 = getelementptr inbounds i8, ptr %727, i64 8
+  %729 = load i64, ptr %728, align 8
+  %730 = icmp slt i64 %726, %729
+  br i1 %730, label %703, label %696, !llvm.loop !15
 
-732:                                              ; preds = %697, %732
-  %733 = phi i64 [ %754, %732 ], [ 3, %697 ]
-  %734 = mul nsw i64 %733, %626
-  %735 = getelementptr inbounds double, ptr %630, i64 %734
-  %736 = load ptr, ptr %123, align 8
-  %737 = load ptr, ptr %86, align 8
-  %738 = getelementptr i64, ptr %737, i64 %631
+731:                                              ; preds = %696, %731
+  %732 = phi i64 [ %753, %731 ], [ 3, %696 ]
+  %733 = mul nsw i64 %732, %625
+  %734 = getelementptr inbounds double, ptr %629, i64 %733
+  %735 = load ptr, ptr %123, align 8
+  %736 = load ptr, ptr %86, align 8
+  %737 = getelementptr i64, ptr %736, i64 %630
+  %738 = getelementptr i64, ptr %737, i64 %698
   %739 = getelementptr i64, ptr %738, i64 %699
-  %740 = getelementptr i64, ptr %739, i64 %700
-  %741 = getelementptr i64, ptr %740, i64 %733
-  %742 = getelementptr i8, ptr %741, i64 -24
-  %743 = load i64, ptr %742, align 8
-  %744 = getelementptr i8, ptr %741, i64 -16
-  %745 = load i64, ptr %744, align 8
-  %746 = xor i64 %743, -1
-  %747 = add i64 %745, %746
-  %748 = load ptr, ptr %73, align 8
-  %749 = load ptr, ptr %87, align 8
-  %750 = load ptr, ptr %88, align 8
-  %751 = getelementptr inbounds i64, ptr %750, i64 %743
-  %752 = load ptr, ptr %89, align 8
-  %753 = getelementptr inbounds double, ptr %752, i64 %743
-  call fastcc void @combine(ptr noundef %735, ptr noundef %736, ptr noundef %748, ptr noundef %749, ptr noundef %751, ptr noundef %753, i64 noundef %747, i64 noundef %624) #11
-  %754 = add nuw nsw i64 %733, 1
-  %755 = load i64, ptr %701, align 8
-  %756 = icmp slt i64 %754, %755
-  br i1 %756, label %732, label %757, !llvm.loop !16
+  %740 = getelementptr i64, ptr %739, i64 %732
+  %741 = getelementptr i8, ptr %740, i64 -24
+  %742 = load i64, ptr %741, align 8
+  %743 = getelementptr i8, ptr %740, i64 -16
+  %744 = load i64, ptr %743, align 8
+  %745 = xor i64 %742, -1
+  %746 = add i64 %744, %745
+  %747 = load ptr, ptr %73, align 8
+  %748 = load ptr, ptr %87, align 8
+  %749 = load ptr, ptr %88, align 8
+  %750 = getelementptr inbounds i64, ptr %749, i64 %742
+  %751 = load ptr, ptr %89, align 8
+  %752 = getelementptr inbounds double, ptr %751, i64 %742
+  call fastcc void @combine(ptr noundef %734, ptr noundef %735, ptr noundef %747, ptr noundef %748, ptr noundef %750, ptr noundef %752, i64 noundef %746, i64 noundef %623) #11
+  %753 = add nuw nsw i64 %732, 1
+  %754 = load i64, ptr %700, align 8
+  %755 = icmp slt i64 %753, %754
+  br i1 %755, label %731, label %756, !llvm.loop !16
 
-757:                                              ; preds = %732, %697
-  %758 = and i64 %638, %618
-  %759 = load ptr, ptr %108, align 8
-  %760 = load <8 x double>, ptr %759, align 8
-  %761 = trunc nuw i64 %618 to i8
-  %762 = bitcast i8 %761 to <8 x i1>
-  %763 = load i64, ptr %124, align 8
-  %764 = sitofp i64 %763 to double
-  %765 = insertelement <8 x double> poison, double %764, i64 0
-  %766 = shufflevector <8 x double> %765, <8 x double> poison, <8 x i32> zeroinitializer
-  %767 = select <8 x i1> %762, <8 x double> %766, <8 x double> zeroinitializer
-  %768 = fadd <8 x double> %760, %767
-  store <8 x double> %768, ptr %759, align 8
-  %769 = icmp eq i64 %758, 0
-  br i1 %769, label %774, label %770
+756:                                              ; preds = %731, %696
+  %757 = and i64 %637, %617
+  %758 = load ptr, ptr %108, align 8
+  %759 = load <8 x double>, ptr %758, align 8
+  %760 = trunc nuw i64 %617 to i8
+  %761 = bitcast i8 %760 to <8 x i1>
+  %762 = load i64, ptr %124, align 8
+  %763 = sitofp i64 %762 to double
+  %764 = insertelement <8 x double> poison, double %763, i64 0
+  %765 = shufflevector <8 x double> %764, <8 x double> poison, <8 x i32> zeroinitializer
+  %766 = select <8 x i1> %761, <8 x double> %765, <8 x double> zeroinitializer
+  %767 = fadd <8 x double> %759, %766
+  store <8 x double> %767, ptr %758, align 8
+  %768 = icmp eq i64 %757, 0
+  br i1 %768, label %773, label %769
 
-770:                                              ; preds = %757
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %758, i64 noundef 3) #11
-  %771 = xor i64 %758, -1
-  %772 = and i64 %217, %771
-  store i64 %772, ptr %5, align 8
-  %773 = and i64 %610, %771
-  br label %774
+769:                                              ; preds = %756
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %757, i64 noundef 3) #11
+  %770 = xor i64 %757, -1
+  %771 = and i64 %217, %770
+  store i64 %771, ptr %5, align 8
+  %772 = and i64 %609, %770
+  br label %773
 
-774:                                              ; preds = %770, %757
-  %775 = phi i64 [ %773, %770 ], [ %610, %757 ]
-  %776 = phi i32 [ 1, %770 ], [ %188, %757 ]
-  store <8 x double> %246, ptr %3, align 16
-  %777 = icmp eq i64 %775, 0
-  br i1 %777, label %780, label %778
+773:                                              ; preds = %769, %756
+  %774 = phi i64 [ %772, %769 ], [ %609, %756 ]
+  %775 = phi i32 [ 1, %769 ], [ %188, %756 ]
+  store <8 x double> %244, ptr %3, align 16
+  %776 = icmp eq i64 %774, 0
+  br i1 %776, label %779, label %777
 
-778:                                              ; preds = %774
-  %779 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %775, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
-  br label %780
+777:                                              ; preds = %773
+  %778 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %774, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
+  br label %779
 
-780:                                              ; preds = %778, %774
-  %781 = phi i64 [ %779, %778 ], [ 0, %774 ]
-  %782 = load i64, ptr %7, align 8
-  %783 = or i64 %782, %638
-  %784 = xor i64 %783, -1
-  %785 = and i64 %618, %784
-  %786 = icmp eq i64 %781, 0
-  %787 = select i1 %786, ptr null, ptr %4
-  %788 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %3, ptr noundef %787) #11
-  %789 = or i64 %788, %561
-  %790 = or i64 %782, %758
-  %791 = or i64 %790, %789
-  %792 = trunc i64 %791 to i8
-  %793 = xor i8 %792, -1
-  %794 = bitcast i8 %793 to <8 x i1>
-  %795 = select <8 x i1> %794, <8 x i64> %586, <8 x i64> zeroinitializer
-  %796 = load <8 x double>, ptr %3, align 16
-  br i1 %786, label %798, label %797
+779:                                              ; preds = %777, %773
+  %780 = phi i64 [ %778, %777 ], [ 0, %773 ]
+  %781 = load i64, ptr %7, align 8
+  %782 = or i64 %781, %637
+  %783 = xor i64 %782, -1
+  %784 = and i64 %617, %783
+  %785 = icmp eq i64 %780, 0
+  %786 = select i1 %785, ptr null, ptr %4
+  %787 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %784, ptr noundef nonnull %3, ptr noundef %786) #11
+  %788 = or i64 %787, %560
+  %789 = or i64 %781, %757
+  %790 = or i64 %789, %788
+  %791 = trunc i64 %790 to i8
+  %792 = xor i8 %791, -1
+  %793 = bitcast i8 %792 to <8 x i1>
+  %794 = select <8 x i1> %793, <8 x i64> %585, <8 x i64> zeroinitializer
+  %795 = load <8 x double>, ptr %3, align 16
+  br i1 %785, label %797, label %796
 
-797:                                              ; preds = %780
-  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %781, ptr noundef nonnull %4) #11
-  br label %798
+796:                                              ; preds = %779
+  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %780, ptr noundef nonnull %4) #11
+  br label %797
 
-798:                                              ; preds = %780, %797, %609
-  %799 = phi <8 x double> [ %246, %609 ], [ %796, %780 ], [ %796, %797 ]
-  %800 = phi <8 x i64> [ %586, %609 ], [ %795, %780 ], [ %795, %797 ]
-  %801 = phi i64 [ %561, %609 ], [ %789, %780 ], [ %789, %797 ]
-  %802 = phi i32 [ %188, %609 ], [ %776, %780 ], [ %776, %797 ]
-  %803 = phi i64 [ 0, %609 ], [ %781, %780 ], [ %781, %797 ]
-  %804 = load ptr, ptr %114, align 8
-  %805 = load <8 x double>, ptr %804, align 8
-  %806 = fcmp oeq <8 x double> %805, %799
-  %807 = icmp ne <8 x i64> %800, zeroinitializer
-  %808 = select <8 x i1> %806, <8 x i1> %807, <8 x i1> zeroinitializer
-  %809 = bitcast <8 x i1> %808 to i8
-  %810 = icmp eq i8 %809, 0
-  br i1 %810, label %813, label %811
+797:                                              ; preds = %779, %796, %608
+  %798 = phi <8 x double> [ %244, %608 ], [ %795, %779 ], [ %795, %796 ]
+  %799 = phi <8 x i64> [ %585, %608 ], [ %794, %779 ], [ %794, %796 ]
+  %800 = phi i64 [ %560, %608 ], [ %788, %779 ], [ %788, %796 ]
+  %801 = phi i32 [ %188, %608 ], [ %775, %779 ], [ %775, %796 ]
+  %802 = phi i64 [ 0, %608 ], [ %780, %779 ], [ %780, %796 ]
+  %803 = load ptr, ptr %114, align 8
+  %804 = load <8 x double>, ptr %803, align 8
+  %805 = fcmp oeq <8 x double> %804, %798
+  %806 = icmp ne <8 x i64> %799, zeroinitializer
+  %807 = select <8 x i1> %805, <8 x i1> %806, <8 x i1> zeroinitializer
+  %808 = bitcast <8 x i1> %807 to i8
+  %809 = icmp eq i8 %808, 0
+  br i1 %809, label %812, label %810
 
-811:                                              ; preds = %798
-  %812 = zext i8 %809 to i64
-  br label %822
+810:                                              ; preds = %797
+  %811 = zext i8 %808 to i64
+  br label %821
 
-813:                                              ; preds = %822, %798
-  %814 = xor <8 x i64> %800, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %815 = select <8 x i1> %219, <8 x i64> %814, <8 x i64> zeroinitializer
-  %816 = load ptr, ptr %69, align 8
-  %817 = load <8 x double>, ptr %816, align 8
-  %818 = icmp slt <8 x i64> %800, zeroinitializer
-  %819 = select <8 x i1> %818, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %820 = bitcast <8 x i64> %819 to <8 x double>
-  %821 = fadd <8 x double> %817, %820
-  store <8 x double> %821, ptr %816, align 8
-  br i1 %34, label %832, label %956
+812:                                              ; preds = %821, %797
+  %813 = xor <8 x i64> %799, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %814 = select <8 x i1> %219, <8 x i64> %813, <8 x i64> zeroinitializer
+  %815 = load ptr, ptr %69, align 8
+  %816 = load <8 x double>, ptr %815, align 8
+  %817 = icmp slt <8 x i64> %799, zeroinitializer
+  %818 = select <8 x i1> %817, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %819 = bitcast <8 x i64> %818 to <8 x double>
+  %820 = fadd <8 x double> %816, %819
+  store <8 x double> %820, ptr %815, align 8
+  br i1 %34, label %831, label %955
 
-822:                                              ; preds = %811, %822
-  %823 = phi i64 [ %830, %822 ], [ %812, %811 ]
-  %824 = load ptr, ptr %125, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %824, i64 noundef %823) #11
-  %825 = load ptr, ptr %114, align 8
-  %826 = load <8 x double>, ptr %825, align 8
-  %827 = fcmp oeq <8 x double> %826, %799
-  %828 = bitcast <8 x i1> %827 to i8
-  %829 = zext i8 %828 to i64
-  %830 = and i64 %823, %829
-  %831 = icmp eq i64 %830, 0
-  br i1 %831, label %813, label %822, !llvm.loop !17
+821:                                              ; preds = %810, %821
+  %822 = phi i64 [ %829, %821 ], [ %811, %810 ]
+  %823 = load ptr, ptr %125, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %823, i64 noundef %822) #11
+  %824 = load ptr, ptr %114, align 8
+  %825 = load <8 x double>, ptr %824, align 8
+  %826 = fcmp oeq <8 x double> %825, %798
+  %827 = bitcast <8 x i1> %826 to i8
+  %828 = zext i8 %827 to i64
+  %829 = and i64 %822, %828
+  %830 = icmp eq i64 %829, 0
+  br i1 %830, label %812, label %821, !llvm.loop !17
 
-832:                                              ; preds = %813
-  %833 = load ptr, ptr %126, align 8
-  %834 = load <8 x double>, ptr %833, align 8
-  %835 = load ptr, ptr %127, align 8
-  %836 = load <8 x double>, ptr %835, align 8
-  %837 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %838 = bitcast <8 x double> %539 to <8 x i64>
-  %839 = select <8 x i1> %837, <8 x i64> %838, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %840 = load double, ptr %128, align 8
-  %841 = insertelement <8 x double> poison, double %840, i64 0
-  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
-  %843 = load double, ptr %129, align 8
-  %844 = fneg double %843
-  %845 = add <8 x i64> %839, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %846 = ashr <8 x i64> %845, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %847 = and <8 x i64> %845, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %848 = sub <8 x i64> %839, %847
-  %849 = bitcast <8 x i64> %848 to <8 x double>
-  %850 = fadd <8 x double> %849, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %851 = fadd <8 x double> %849, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %852 = fdiv <8 x double> %850, %851
-  %853 = fmul <8 x double> %852, %852
-  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %853, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %853, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %857 = call <8 x double> @llvm.fma.v8f64(<8 x double> %856, <8 x double> %853, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %858 = trunc nsw <8 x i64> %846 to <8 x i32>
-  %859 = sitofp <8 x i32> %858 to <8 x double>
-  %860 = fmul <8 x double> %852, %857
-  %861 = fadd <8 x double> %860, %859
-  %862 = insertelement <8 x double> poison, double %844, i64 0
-  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
-  %864 = fmul <8 x double> %861, %863
-  %865 = fcmp ogt <8 x double> %864, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %866 = bitcast <8 x double> %864 to <8 x i64>
-  %867 = select <8 x i1> %865, <8 x i64> %866, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %868 = bitcast <8 x i64> %867 to <8 x double>
-  %869 = fcmp olt <8 x double> %868, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %870 = bitcast <8 x i64> %867 to <8 x double>
-  %871 = select <8 x i1> %869, <8 x double> %870, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %872 = call <8 x double> @llvm.rint.v8f64(<8 x double> %871)
-  %873 = fsub <8 x double> %871, %872
-  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %873, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %873, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %873, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %873, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %873, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %881 = bitcast <8 x double> %880 to <8 x i64>
-  %882 = fptosi <8 x double> %872 to <8 x i32>
-  %883 = zext <8 x i32> %882 to <8 x i64>
-  %884 = shl <8 x i64> %883, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %885 = add <8 x i64> %884, %881
-  %886 = bitcast <8 x i64> %885 to <8 x double>
-  %887 = fmul <8 x double> %842, %886
-  %888 = load double, ptr %130, align 8
-  %889 = fcmp une double %888, 0.000000e+00
-  br i1 %889, label %890, label %935
+831:                                              ; preds = %812
+  %832 = load ptr, ptr %126, align 8
+  %833 = load <8 x double>, ptr %832, align 8
+  %834 = load ptr, ptr %127, align 8
+  %835 = load <8 x double>, ptr %834, align 8
+  %836 = fcmp ogt <8 x double> %538, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %837 = bitcast <8 x double> %538 to <8 x i64>
+  %838 = select <8 x i1> %836, <8 x i64> %837, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %839 = load double, ptr %128, align 8
+  %840 = insertelement <8 x double> poison, double %839, i64 0
+  %841 = shufflevector <8 x double> %840, <8 x double> poison, <8 x i32> zeroinitializer
+  %842 = load double, ptr %129, align 8
+  %843 = fneg double %842
+  %844 = add <8 x i64> %838, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %845 = ashr <8 x i64> %844, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %846 = and <8 x i64> %844, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %847 = sub <8 x i64> %838, %846
+  %848 = bitcast <8 x i64> %847 to <8 x double>
+  %849 = fadd <8 x double> %848, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %850 = fadd <8 x double> %848, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %851 = fdiv <8 x double> %849, %850
+  %852 = fmul <8 x double> %851, %851
+  %853 = call <8 x double> @llvm.fma.v8f64(<8 x double> %852, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> %852, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %852, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %852, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %857 = trunc nsw <8 x i64> %845 to <8 x i32>
+  %858 = sitofp <8 x i32> %857 to <8 x double>
+  %859 = fmul <8 x double> %851, %856
+  %860 = fadd <8 x double> %859, %858
+  %861 = insertelement <8 x double> poison, double %843, i64 0
+  %862 = shufflevector <8 x double> %861, <8 x double> poison, <8 x i32> zeroinitializer
+  %863 = fmul <8 x double> %860, %862
+  %864 = fcmp ogt <8 x double> %863, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %865 = bitcast <8 x double> %863 to <8 x i64>
+  %866 = select <8 x i1> %864, <8 x i64> %865, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %867 = bitcast <8 x i64> %866 to <8 x double>
+  %868 = fcmp olt <8 x double> %867, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %869 = bitcast <8 x i64> %866 to <8 x double>
+  %870 = select <8 x i1> %868, <8 x double> %869, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %871 = call <8 x double> @llvm.rint.v8f64(<8 x double> %870)
+  %872 = fsub <8 x double> %870, %871
+  %873 = call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %872, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %872, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %872, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %872, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %872, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %872, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %880 = bitcast <8 x double> %879 to <8 x i64>
+  %881 = fptosi <8 x double> %871 to <8 x i32>
+  %882 = zext <8 x i32> %881 to <8 x i64>
+  %883 = shl <8 x i64> %882, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %884 = add <8 x i64> %883, %880
+  %885 = bitcast <8 x i64> %884 to <8 x double>
+  %886 = fmul <8 x double> %841, %885
+  %887 = load double, ptr %130, align 8
+  %888 = fcmp une double %887, 0.000000e+00
+  br i1 %888, label %889, label %934
 
-890:                                              ; preds = %832
-  %891 = bitcast <8 x double> %834 to <8 x i64>
-  %892 = add <8 x i64> %891, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %893 = ashr <8 x i64> %892, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %894 = and <8 x i64> %892, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %895 = sub <8 x i64> %891, %894
-  %896 = bitcast <8 x i64> %895 to <8 x double>
-  %897 = fadd <8 x double> %896, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %898 = fadd <8 x double> %896, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %899 = fdiv <8 x double> %897, %898
-  %900 = fmul <8 x double> %899, %899
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %900, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %900, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %904 = call <8 x double> @llvm.fma.v8f64(<8 x double> %903, <8 x double> %900, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %905 = trunc nsw <8 x i64> %893 to <8 x i32>
-  %906 = sitofp <8 x i32> %905 to <8 x double>
-  %907 = fmul <8 x double> %899, %904
-  %908 = fadd <8 x double> %907, %906
-  %909 = insertelement <8 x double> poison, double %888, i64 0
-  %910 = shufflevector <8 x double> %909, <8 x double> poison, <8 x i32> zeroinitializer
-  %911 = fmul <8 x double> %910, %908
-  %912 = fcmp ogt <8 x double> %911, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %913 = bitcast <8 x double> %911 to <8 x i64>
-  %914 = select <8 x i1> %912, <8 x i64> %913, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %915 = bitcast <8 x i64> %914 to <8 x double>
-  %916 = fcmp olt <8 x double> %915, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %917 = bitcast <8 x i64> %914 to <8 x double>
-  %918 = select <8 x i1> %916, <8 x double> %917, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %919 = call <8 x double> @llvm.rint.v8f64(<8 x double> %918)
-  %920 = fsub <8 x double> %918, %919
-  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %920, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %920, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %920, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %920, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %920, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %920, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %928 = bitcast <8 x double> %927 to <8 x i64>
-  %929 = fptosi <8 x double> %919 to <8 x i32>
-  %930 = zext <8 x i32> %929 to <8 x i64>
-  %931 = shl <8 x i64> %930, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %932 = add <8 x i64> %931, %928
-  %933 = bitcast <8 x i64> %932 to <8 x double>
-  %934 = fmul <8 x double> %887, %933
-  br label %935
+889:                                              ; preds = %831
+  %890 = bitcast <8 x double> %833 to <8 x i64>
+  %891 = add <8 x i64> %890, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %892 = ashr <8 x i64> %891, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %893 = and <8 x i64> %891, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %894 = sub <8 x i64> %890, %893
+  %895 = bitcast <8 x i64> %894 to <8 x double>
+  %896 = fadd <8 x double> %895, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %897 = fadd <8 x double> %895, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %898 = fdiv <8 x double> %896, %897
+  %899 = fmul <8 x double> %898, %898
+  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %899, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %899, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %899, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %904 = trunc nsw <8 x i64> %892 to <8 x i32>
+  %905 = sitofp <8 x i32> %904 to <8 x double>
+  %906 = fmul <8 x double> %898, %903
+  %907 = fadd <8 x double> %906, %905
+  %908 = insertelement <8 x double> poison, double %887, i64 0
+  %909 = shufflevector <8 x double> %908, <8 x double> poison, <8 x i32> zeroinitializer
+  %910 = fmul <8 x double> %909, %907
+  %911 = fcmp ogt <8 x double> %910, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %912 = bitcast <8 x double> %910 to <8 x i64>
+  %913 = select <8 x i1> %911, <8 x i64> %912, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %914 = bitcast <8 x i64> %913 to <8 x double>
+  %915 = fcmp olt <8 x double> %914, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %916 = bitcast <8 x i64> %913 to <8 x double>
+  %917 = select <8 x i1> %915, <8 x double> %916, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %918 = call <8 x double> @llvm.rint.v8f64(<8 x double> %917)
+  %919 = fsub <8 x double> %917, %918
+  %920 = call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %919, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %919, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %919, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %919, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %919, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %919, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %927 = bitcast <8 x double> %926 to <8 x i64>
+  %928 = fptosi <8 x double> %918 to <8 x i32>
+  %929 = zext <8 x i32> %928 to <8 x i64>
+  %930 = shl <8 x i64> %929, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %931 = add <8 x i64> %930, %927
+  %932 = bitcast <8 x i64> %931 to <8 x double>
+  %933 = fmul <8 x double> %886, %932
+  br label %934
 
-935:                                              ; preds = %832, %890
-  %936 = phi <8 x double> [ %934, %890 ], [ %887, %832 ]
-  %937 = load double, ptr %131, align 8
-  %938 = insertelement <8 x double> poison, double %937, i64 0
-  %939 = shufflevector <8 x double> %938, <8 x double> poison, <8 x i32> zeroinitializer
-  %940 = fcmp ogt <8 x double> %936, %939
-  %941 = select <8 x i1> %940, <8 x double> %936, <8 x double> %939
-  %942 = fcmp olt <8 x double> %836, %941
-  %943 = select <8 x i1> %942, <8 x double> %836, <8 x double> %941
-  %944 = fmul <8 x double> %247, %943
-  %945 = fcmp ogt <8 x double> %539, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %946 = select <8 x i1> %945, <8 x i64> %838, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %947 = bitcast <8 x double> %834 to <8 x i64>
-  %948 = select <8 x i1> %818, <8 x i64> %946, <8 x i64> %947
-  store <8 x i64> %948, ptr %833, align 8
-  %949 = load ptr, ptr %127, align 8
-  %950 = load double, ptr %132, align 8
-  %951 = insertelement <8 x double> poison, double %950, i64 0
-  %952 = bitcast <8 x double> %951 to <8 x i64>
-  %953 = shufflevector <8 x i64> %952, <8 x i64> poison, <8 x i32> zeroinitializer
-  %954 = icmp slt <8 x i64> %815, zeroinitializer
-  %955 = select <8 x i1> %954, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %953
-  store <8 x i64> %955, ptr %949, align 8
-  br label %956
+934:                                              ; preds = %831, %889
+  %935 = phi <8 x double> [ %933, %889 ], [ %886, %831 ]
+  %936 = load double, ptr %131, align 8
+  %937 = insertelement <8 x double> poison, double %936, i64 0
+  %938 = shufflevector <8 x double> %937, <8 x double> poison, <8 x i32> zeroinitializer
+  %939 = fcmp ogt <8 x double> %935, %938
+  %940 = select <8 x i1> %939, <8 x double> %935, <8 x double> %938
+  %941 = fcmp olt <8 x double> %835, %940
+  %942 = select <8 x i1> %941, <8 x double> %835, <8 x double> %940
+  %943 = fmul <8 x double> %246, %942
+  %944 = fcmp ogt <8 x double> %538, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %945 = select <8 x i1> %944, <8 x i64> %837, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %946 = bitcast <8 x double> %833 to <8 x i64>
+  %947 = select <8 x i1> %817, <8 x i64> %945, <8 x i64> %946
+  store <8 x i64> %947, ptr %832, align 8
+  %948 = load ptr, ptr %127, align 8
+  %949 = load double, ptr %132, align 8
+  %950 = insertelement <8 x double> poison, double %949, i64 0
+  %951 = bitcast <8 x double> %950 to <8 x i64>
+  %952 = shufflevector <8 x i64> %951, <8 x i64> poison, <8 x i32> zeroinitializer
+  %953 = icmp slt <8 x i64> %814, zeroinitializer
+  %954 = select <8 x i1> %953, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %952
+  store <8 x i64> %954, ptr %948, align 8
+  br label %955
 
-956:                                              ; preds = %935, %813
-  %957 = phi <8 x double> [ %944, %935 ], [ %228, %813 ]
-  %958 = icmp ne <8 x i64> %815, zeroinitializer
-  %959 = bitcast <8 x i1> %958 to i8
-  %960 = icmp eq i8 %959, 0
-  br i1 %960, label %1054, label %961
+955:                                              ; preds = %934, %812
+  %956 = phi <8 x double> [ %943, %934 ], [ %228, %812 ]
+  %957 = icmp ne <8 x i64> %814, zeroinitializer
+  %958 = bitcast <8 x i1> %957 to i8
+  %959 = icmp eq i8 %958, 0
+  br i1 %959, label %1053, label %960
 
-961:                                              ; preds = %956
-  %962 = trunc i64 %587 to i8
-  %963 = bitcast i8 %962 to <8 x i1>
-  %964 = trunc nuw i64 %801 to i8
-  %965 = bitcast i8 %964 to <8 x i1>
-  %966 = load i64, ptr %7, align 8
-  %967 = trunc i64 %966 to i8
-  %968 = bitcast i8 %967 to <8 x i1>
-  %969 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %539)
-  %970 = fcmp one <8 x double> %969, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %971 = xor <8 x i1> %963, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %972 = select <8 x i1> %970, <8 x i1> %971, <8 x i1> zeroinitializer
-  %973 = or <8 x i1> %968, %965
-  %974 = xor <8 x i1> %973, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %975 = and <8 x i1> %972, %974
-  br i1 %34, label %976, label %1035
+960:                                              ; preds = %955
+  %961 = trunc i64 %586 to i8
+  %962 = bitcast i8 %961 to <8 x i1>
+  %963 = trunc nuw i64 %800 to i8
+  %964 = bitcast i8 %963 to <8 x i1>
+  %965 = load i64, ptr %7, align 8
+  %966 = trunc i64 %965 to i8
+  %967 = bitcast i8 %966 to <8 x i1>
+  %968 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %538)
+  %969 = fcmp one <8 x double> %968, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %970 = xor <8 x i1> %962, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %971 = select <8 x i1> %969, <8 x i1> %970, <8 x i1> zeroinitializer
+  %972 = or <8 x i1> %967, %964
+  %973 = xor <8 x i1> %972, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %974 = and <8 x i1> %971, %973
+  br i1 %34, label %975, label %1034
 
-976:                                              ; preds = %961
-  %977 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %978 = bitcast <8 x double> %539 to <8 x i64>
-  %979 = select <8 x i1> %977, <8 x i64> %978, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %980 = load double, ptr %133, align 8
-  %981 = insertelement <8 x double> poison, double %980, i64 0
-  %982 = shufflevector <8 x double> %981, <8 x double> poison, <8 x i32> zeroinitializer
-  %983 = load double, ptr %31, align 8
-  %984 = fneg double %983
-  %985 = add <8 x i64> %979, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %986 = ashr <8 x i64> %985, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %987 = and <8 x i64> %985, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %988 = sub <8 x i64> %979, %987
-  %989 = bitcast <8 x i64> %988 to <8 x double>
-  %990 = fadd <8 x double> %989, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %991 = fadd <8 x double> %989, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %992 = fdiv <8 x double> %990, %991
-  %993 = fmul <8 x double> %992, %992
-  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %993, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %993, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %997 = call <8 x double> @llvm.fma.v8f64(<8 x double> %996, <8 x double> %993, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %998 = trunc nsw <8 x i64> %986 to <8 x i32>
-  %999 = sitofp <8 x i32> %998 to <8 x double>
-  %1000 = fmul <8 x double> %992, %997
-  %1001 = fadd <8 x double> %1000, %999
-  %1002 = insertelement <8 x double> poison, double %984, i64 0
-  %1003 = shufflevector <8 x double> %1002, <8 x double> poison, <8 x i32> zeroinitializer
-  %1004 = fmul <8 x double> %1001, %1003
-  %1005 = fcmp ogt <8 x double> %1004, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1006 = bitcast <8 x double> %1004 to <8 x i64>
-  %1007 = select <8 x i1> %1005, <8 x i64> %1006, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1008 = bitcast <8 x i64> %1007 to <8 x double>
-  %1009 = fcmp olt <8 x double> %1008, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1010 = bitcast <8 x i64> %1007 to <8 x double>
-  %1011 = select <8 x i1> %1009, <8 x double> %1010, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1012 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1011)
-  %1013 = fsub <8 x double> %1011, %1012
-  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1013, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1013, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1013, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1013, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1013, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1013, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1021 = bitcast <8 x double> %1020 to <8 x i64>
-  %1022 = fptosi <8 x double> %1012 to <8 x i32>
-  %1023 = zext <8 x i32> %1022 to <8 x i64>
-  %1024 = shl <8 x i64> %1023, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1025 = add <8 x i64> %1024, %1021
-  %1026 = bitcast <8 x i64> %1025 to <8 x double>
-  %1027 = fmul <8 x double> %982, %1026
-  %1028 = load double, ptr %134, align 8
-  %1029 = insertelement <8 x double> poison, double %1028, i64 0
-  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
-  %1031 = fcmp ogt <8 x double> %1027, %1030
-  %1032 = select <8 x i1> %1031, <8 x double> %1027, <8 x double> %1030
-  %1033 = select <8 x i1> %975, <8 x double> %1032, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1034 = fmul <8 x double> %247, %1033
-  br label %1035
+975:                                              ; preds = %960
+  %976 = fcmp ogt <8 x double> %538, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %977 = bitcast <8 x double> %538 to <8 x i64>
+  %978 = select <8 x i1> %976, <8 x i64> %977, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %979 = load double, ptr %133, align 8
+  %980 = insertelement <8 x double> poison, double %979, i64 0
+  %981 = shufflevector <8 x double> %980, <8 x double> poison, <8 x i32> zeroinitializer
+  %982 = load double, ptr %31, align 8
+  %983 = fneg double %982
+  %984 = add <8 x i64> %978, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %985 = ashr <8 x i64> %984, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %986 = and <8 x i64> %984, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %987 = sub <8 x i64> %978, %986
+  %988 = bitcast <8 x i64> %987 to <8 x double>
+  %989 = fadd <8 x double> %988, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %990 = fadd <8 x double> %988, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %991 = fdiv <8 x double> %989, %990
+  %992 = fmul <8 x double> %991, %991
+  %993 = call <8 x double> @llvm.fma.v8f64(<8 x double> %992, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> %992, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %992, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %992, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %997 = trunc nsw <8 x i64> %985 to <8 x i32>
+  %998 = sitofp <8 x i32> %997 to <8 x double>
+  %999 = fmul <8 x double> %991, %996
+  %1000 = fadd <8 x double> %999, %998
+  %1001 = insertelement <8 x double> poison, double %983, i64 0
+  %1002 = shufflevector <8 x double> %1001, <8 x double> poison, <8 x i32> zeroinitializer
+  %1003 = fmul <8 x double> %1000, %1002
+  %1004 = fcmp ogt <8 x double> %1003, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1005 = bitcast <8 x double> %1003 to <8 x i64>
+  %1006 = select <8 x i1> %1004, <8 x i64> %1005, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1007 = bitcast <8 x i64> %1006 to <8 x double>
+  %1008 = fcmp olt <8 x double> %1007, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1009 = bitcast <8 x i64> %1006 to <8 x double>
+  %1010 = select <8 x i1> %1008, <8 x double> %1009, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1011 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1010)
+  %1012 = fsub <8 x double> %1010, %1011
+  %1013 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1012, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> %1012, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1012, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1012, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1012, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1012, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1012, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1020 = bitcast <8 x double> %1019 to <8 x i64>
+  %1021 = fptosi <8 x double> %1011 to <8 x i32>
+  %1022 = zext <8 x i32> %1021 to <8 x i64>
+  %1023 = shl <8 x i64> %1022, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1024 = add <8 x i64> %1023, %1020
+  %1025 = bitcast <8 x i64> %1024 to <8 x double>
+  %1026 = fmul <8 x double> %981, %1025
+  %1027 = load double, ptr %134, align 8
+  %1028 = insertelement <8 x double> poison, double %1027, i64 0
+  %1029 = shufflevector <8 x double> %1028, <8 x double> poison, <8 x i32> zeroinitializer
+  %1030 = fcmp ogt <8 x double> %1026, %1029
+  %1031 = select <8 x i1> %1030, <8 x double> %1026, <8 x double> %1029
+  %1032 = select <8 x i1> %974, <8 x double> %1031, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1033 = fmul <8 x double> %246, %1032
+  br label %1034
 
-1035:                                             ; preds = %961, %976
-  %1036 = phi <8 x double> [ %1034, %976 ], [ zeroinitializer, %961 ]
-  %1037 = or <8 x i1> %975, %968
-  %1038 = select <8 x i1> %1037, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1039 = icmp slt <8 x i64> %815, zeroinitializer
-  %1040 = select <8 x i1> %1039, <8 x double> %1036, <8 x double> %957
-  %1041 = load ptr, ptr %135, align 8
-  %1042 = select <8 x i1> %965, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1038
-  %1043 = load <8 x i64>, ptr %1041, align 8
-  %1044 = select <8 x i1> %1039, <8 x i64> %1042, <8 x i64> %1043
-  store <8 x i64> %1044, ptr %1041, align 8
-  %1045 = load ptr, ptr %135, align 8
-  %1046 = select <8 x i1> %963, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1038
-  %1047 = load <8 x i64>, ptr %1045, align 8
-  %1048 = select <8 x i1> %1039, <8 x i64> %1046, <8 x i64> %1047
-  store <8 x i64> %1048, ptr %1045, align 8
-  %1049 = load ptr, ptr %70, align 8
-  %1050 = load <8 x double>, ptr %1049, align 8
-  %1051 = select <8 x i1> %1039, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1052 = bitcast <8 x i64> %1051 to <8 x double>
-  %1053 = fadd <8 x double> %1050, %1052
-  store <8 x double> %1053, ptr %1049, align 8
-  br label %1054
+1034:                                             ; preds = %960, %975
+  %1035 = phi <8 x double> [ %1033, %975 ], [ zeroinitializer, %960 ]
+  %1036 = or <8 x i1> %974, %967
+  %1037 = select <8 x i1> %1036, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1038 = icmp slt <8 x i64> %814, zeroinitializer
+  %1039 = select <8 x i1> %1038, <8 x double> %1035, <8 x double> %956
+  %1040 = load ptr, ptr %135, align 8
+  %1041 = select <8 x i1> %964, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1037
+  %1042 = load <8 x i64>, ptr %1040, align 8
+  %1043 = select <8 x i1> %1038, <8 x i64> %1041, <8 x i64> %1042
+  store <8 x i64> %1043, ptr %1040, align 8
+  %1044 = load ptr, ptr %135, align 8
+  %1045 = select <8 x i1> %962, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1037
+  %1046 = load <8 x i64>, ptr %1044, align 8
+  %1047 = select <8 x i1> %1038, <8 x i64> %1045, <8 x i64> %1046
+  store <8 x i64> %1047, ptr %1044, align 8
+  %1048 = load ptr, ptr %70, align 8
+  %1049 = load <8 x double>, ptr %1048, align 8
+  %1050 = select <8 x i1> %1038, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1051 = bitcast <8 x i64> %1050 to <8 x double>
+  %1052 = fadd <8 x double> %1049, %1051
+  store <8 x double> %1052, ptr %1048, align 8
+  br label %1053
 
-1054:                                             ; preds = %1035, %956
-  %1055 = phi <8 x double> [ %957, %956 ], [ %1040, %1035 ]
-  %1056 = load ptr, ptr %66, align 8
-  store <8 x double> %1055, ptr %1056, align 8
-  %1057 = load ptr, ptr %53, align 8
-  %1058 = select <8 x i1> %818, <8 x double> %799, <8 x double> %221
-  store <8 x double> %1058, ptr %1057, align 8
-  br i1 %136, label %1061, label %1059
+1053:                                             ; preds = %1034, %955
+  %1054 = phi <8 x double> [ %956, %955 ], [ %1039, %1034 ]
+  %1055 = load ptr, ptr %66, align 8
+  store <8 x double> %1054, ptr %1055, align 8
+  %1056 = load ptr, ptr %53, align 8
+  %1057 = select <8 x i1> %817, <8 x double> %798, <8 x double> %221
+  store <8 x double> %1057, ptr %1056, align 8
+  br i1 %136, label %1060, label %1058
 
-1059:                                             ; preds = %1061, %1054
-  %1060 = icmp eq i64 %803, 0
-  br i1 %1060, label %1088, label %1079
+1058:                                             ; preds = %1060, %1053
+  %1059 = icmp eq i64 %802, 0
+  br i1 %1059, label %1087, label %1078
 
-1061:                                             ; preds = %1054, %1061
-  %1062 = phi i64 [ %1077, %1061 ], [ 0, %1054 ]
-  %1063 = load ptr, ptr %11, align 8
-  %1064 = load ptr, ptr %137, align 8
-  %1065 = shl nsw i64 %1062, 6
-  %1066 = getelementptr inbounds i8, ptr %1064, i64 %1065
-  %1067 = load <8 x i64>, ptr %1066, align 8
-  %1068 = getelementptr inbounds i8, ptr %1063, i64 %1065
-  %1069 = load <8 x i64>, ptr %1068, align 8
-  %1070 = select <8 x i1> %818, <8 x i64> %1067, <8 x i64> %1069
-  store <8 x i64> %1070, ptr %1068, align 8
-  %1071 = load ptr, ptr %44, align 8
-  %1072 = getelementptr inbounds i8, ptr %59, i64 %1065
-  %1073 = load <8 x i64>, ptr %1072, align 8
-  %1074 = getelementptr inbounds i8, ptr %1071, i64 %1065
-  %1075 = load <8 x i64>, ptr %1074, align 8
-  %1076 = select <8 x i1> %818, <8 x i64> %1073, <8 x i64> %1075
-  store <8 x i64> %1076, ptr %1074, align 8
-  %1077 = add nuw nsw i64 %1062, 1
-  %1078 = icmp eq i64 %1077, %15
-  br i1 %1078, label %1059, label %1061, !llvm.loop !18
+1060:                                             ; preds = %1053, %1060
+  %1061 = phi i64 [ %1076, %1060 ], [ 0, %1053 ]
+  %1062 = load ptr, ptr %11, align 8
+  %1063 = load ptr, ptr %137, align 8
+  %1064 = shl nsw i64 %1061, 6
+  %1065 = getelementptr inbounds i8, ptr %1063, i64 %1064
+  %1066 = load <8 x i64>, ptr %1065, align 8
+  %1067 = getelementptr inbounds i8, ptr %1062, i64 %1064
+  %1068 = load <8 x i64>, ptr %1067, align 8
+  %1069 = select <8 x i1> %817, <8 x i64> %1066, <8 x i64> %1068
+  store <8 x i64> %1069, ptr %1067, align 8
+  %1070 = load ptr, ptr %44, align 8
+  %1071 = getelementptr inbounds i8, ptr %59, i64 %1064
+  %1072 = load <8 x i64>, ptr %1071, align 8
+  %1073 = getelementptr inbounds i8, ptr %1070, i64 %1064
+  %1074 = load <8 x i64>, ptr %1073, align 8
+  %1075 = select <8 x i1> %817, <8 x i64> %1072, <8 x i64> %1074
+  store <8 x i64> %1075, ptr %1073, align 8
+  %1076 = add nuw nsw i64 %1061, 1
+  %1077 = icmp eq i64 %1076, %15
+  br i1 %1077, label %1058, label %1060, !llvm.loop !18
 
-1079:                                             ; preds = %1059
-  %1080 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %803, ptr noundef nonnull %6) #11
-  %1081 = icmp ne i32 %802, 0
-  %1082 = icmp ne i64 %1080, %803
-  %1083 = select i1 %1081, i1 true, i1 %1082
-  %1084 = zext i1 %1083 to i32
-  %1085 = trunc i64 %803 to i8
-  %1086 = bitcast i8 %1085 to <8 x i1>
-  %1087 = select <8 x i1> %1086, <8 x i64> zeroinitializer, <8 x i64> %800
-  br label %1088
+1078:                                             ; preds = %1058
+  %1079 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %802, ptr noundef nonnull %6) #11
+  %1080 = icmp ne i32 %801, 0
+  %1081 = icmp ne i64 %1079, %802
+  %1082 = select i1 %1080, i1 true, i1 %1081
+  %1083 = zext i1 %1082 to i32
+  %1084 = trunc i64 %802 to i8
+  %1085 = bitcast i8 %1084 to <8 x i1>
+  %1086 = select <8 x i1> %1085, <8 x i64> zeroinitializer, <8 x i64> %799
+  br label %1087
 
-1088:                                             ; preds = %1079, %1059
-  %1089 = phi <8 x i64> [ %1087, %1079 ], [ %800, %1059 ]
-  %1090 = phi i32 [ %1084, %1079 ], [ %802, %1059 ]
-  %1091 = phi i64 [ %1080, %1079 ], [ %189, %1059 ]
-  %1092 = load ptr, ptr %114, align 8
-  %1093 = load <8 x double>, ptr %1092, align 8
-  %1094 = fcmp oeq <8 x double> %1093, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1095 = icmp ne <8 x i64> %1089, zeroinitializer
-  %1096 = select <8 x i1> %1094, <8 x i1> %1095, <8 x i1> zeroinitializer
-  %1097 = bitcast <8 x i1> %1096 to i8
-  %1098 = icmp eq i8 %1097, 0
-  br i1 %1098, label %1101, label %1099
+1087:                                             ; preds = %1078, %1058
+  %1088 = phi <8 x i64> [ %1086, %1078 ], [ %799, %1058 ]
+  %1089 = phi i32 [ %1083, %1078 ], [ %801, %1058 ]
+  %1090 = phi i64 [ %1079, %1078 ], [ %189, %1058 ]
+  %1091 = load ptr, ptr %114, align 8
+  %1092 = load <8 x double>, ptr %1091, align 8
+  %1093 = fcmp oeq <8 x double> %1092, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1094 = icmp ne <8 x i64> %1088, zeroinitializer
+  %1095 = select <8 x i1> %1093, <8 x i1> %1094, <8 x i1> zeroinitializer
+  %1096 = bitcast <8 x i1> %1095 to i8
+  %1097 = icmp eq i8 %1096, 0
+  br i1 %1097, label %1100, label %1098
 
-1099:                                             ; preds = %1088
-  %1100 = zext i8 %1097 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1100, i64 noundef 0) #11
-  br label %1101
+1098:                                             ; preds = %1087
+  %1099 = zext i8 %1096 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1099, i64 noundef 0) #11
+  br label %1100
 
-1101:                                             ; preds = %1099, %1088
-  %1102 = phi i32 [ 1, %1099 ], [ %1090, %1088 ]
+1100:                                             ; preds = %1098, %1087
+  %1101 = phi i32 [ 1, %1098 ], [ %1089, %1087 ]
   br label %184
 
-1103:                                             ; preds = %187, %212, %180
-  %1104 = phi i64 [ 1, %180 ], [ 0, %212 ], [ 0, %187 ]
-  ret i64 %1104
+1102:                                             ; preds = %187, %212, %180
+  %1103 = phi i64 [ 1, %180 ], [ 0, %212 ], [ 0, %187 ]
+  ret i64 %1103
 }
 
 
