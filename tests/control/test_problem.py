@@ -357,6 +357,31 @@ def test_simulations_from_each_node_end_within_the_errors_of_an_unstable_motion(
     assert found.error.sum() < missed(0, -1) < 30 * found.error.sum()
 
 
+@pytest.mark.parametrize(("method", "tolerance"), [("radau", 1e-8), ("hermite-simpson", 1e-6)])
+def test_a_simulation_from_the_start_ends_within_ten_tolerances(method, tolerance):
+    found = optima.kelly(mesh=40, method=method)[0].solve(mesh_tol=tolerance)
+    system, _ = optima.cart_pole()
+    system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, dop853
+    nodes = found.at(found.mesh).states
+    off = np.abs(system.integrate(rtol=1e-12, atol=1e-13) - nodes) / np.abs(nodes).max(axis=0)
+    assert off.max() < 10 * tolerance
+    # The errors of intervals alone would have let it be 20 and 11 tolerances beside.
+    assert found.error.max() < 0.2 * tolerance
+
+
+def test_a_motion_that_is_unstable_for_long_has_the_mesh_of_its_intervals():
+    # x'' = 25 x - 5 x³ + F: in 20 s what is beside it by a rounding is anywhere.
+    x, v, F = me.dynamicsymbols("x v F")
+    system = optima.first_order([x], v, F + 25 * x - 5 * x**3)
+    ends = {"start": {x: 1.0, v: 0.0}, "end": {x: 0.3, v: 0.0}, "mesh_tol": 1e-4}
+    meshes = [
+        system.optimize_trajectory(sm.Integral(F**2 + x**2, T), duration, **ends).mesh
+        for duration in (2.0, 20.0)
+    ]
+    assert len(meshes[1]) < 60
+    assert len(meshes[0]) > 21  # in 2 s errors grow by 2e4, and 20 intervals are not enough
+
+
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint", "backward-euler"])
 def test_errors_of_intervals_fall_with_the_order_of_the_method(method):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()

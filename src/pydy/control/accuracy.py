@@ -310,7 +310,7 @@ def warn_of_chatter(found: Any) -> None:
         for bound, side in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
             # Strict complementarity: either the multiplier or the distance is the larger one.
             free &= np.abs(u - bound[at]) / size > side[at] * size / nlp.cost_size
-        free = np.convolve(free, np.ones(3), "same") > 0.0  # a point at a bound ends no arc
+        free = np.convolve(free, np.ones(3))[1:-1] > 0.0  # a point at a bound ends no arc
         edges = np.flatnonzero(np.diff(np.concatenate([[0], free, [0]])))
         largest = np.abs(u).max(initial=0.0)
         for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):

@@ -24,6 +24,7 @@ from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import (
     Moved,
+    carried_errors,
     checked_mesh,
     interval_errors,
     refuse_singular,
@@ -526,7 +527,15 @@ class OptimalControl(Search[OptimalTrajectory]):
         if solution.status in SOLVED:
             refuse_unsolvable(moved, made, solution.z, now.definition.constants)
         error = interval_errors(moved, made, solution.z, told)
-        return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
+        found = OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
+        found._sizes = told
+        return found
+
+    def _carried(self, found: OptimalTrajectory, tolerance: float) -> np.ndarray:
+        """Return by which intervals a simulation misses the nodes; see `carried_errors`."""
+        moved = Moved(self._now.driven.compiled("rates"), self._now.plan)
+        made, z = found._transcription, found.solution.z
+        return carried_errors(moved, made, z, found._sizes, tolerance)
 
 
 def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:

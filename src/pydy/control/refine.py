@@ -18,7 +18,16 @@ from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Kernel
 from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import LARGEST_ORDER, MOST_PARTS, MOST_STEPS, SURE, TOLERANCE, UNEVEN
+from pydy.control.tuning import (
+    CARRIED,
+    LARGEST_ORDER,
+    MOST_PARTS,
+    MOST_STEPS,
+    STEP,
+    SURE,
+    TOLERANCE,
+    UNEVEN,
+)
 from pydy.solvers.tableaus import tableau_of
 
 
@@ -38,24 +47,67 @@ def interval_errors(
     `sizes` (n,) are how large each state is at least; errors below `enough` need not be known
     better.
     """
+    return _largest(_missed(moved, made, z, sizes, enough)[0])
+
+
+def _missed(
+    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, enough: float = 0.0
+) -> tuple[np.ndarray, np.ndarray, int]:
+    """Return by how much motions miss the next node (M, n), in which sizes, and in which steps."""
     states, _, _, duration = made.split(z)
     M = made.intervals
     first, last = states[:, :M].T, states[:, 1 : M + 1].T
     scale = or_one(np.maximum(np.abs(states[:, : M + 1]).max(axis=1), sizes))
-    error, before, steps = np.zeros(M), None, 1
-    while steps <= MOST_STEPS:
+    missed, before, steps = np.zeros((M, len(states))), None, 1
+    while True:
         ends = _integrated(moved, made, z, first, duration, steps)
-        error = _largest(ends - last, scale)
+        missed = (ends - last) / scale
         if before is not None:
-            change = _largest(ends - before, scale)
+            error, change = _largest(missed), _largest((ends - before) / scale)
             if ((change <= SURE * error) | (error + change <= enough)).all():
                 break
+        if 2 * steps > MOST_STEPS:
+            break
         before, steps = ends, 2 * steps
-    return error
+    return missed, scale, steps
 
 
-def _largest(difference: np.ndarray, scale: np.ndarray) -> np.ndarray:
-    found: np.ndarray = np.abs(difference / scale).max(axis=1, initial=0.0)
+def carried_errors(
+    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, tolerance: float
+) -> np.ndarray:
+    """Return intervals' errors, of which `CARRIED` tolerances are allowed on the way, shape (M,).
+
+    Where a simulation from the start on misses a node by more than that, they are the intervals'
+    shares in it, times their number. Errors go on along the motion as its flow takes them, which is
+    found by differences. They are zero where errors would have to be below what the search leaves
+    of the equations, as along a motion that is unstable for long.
+    """
+    states, _, _, duration = made.split(z)
+    M, n = made.intervals, made.problem.states
+    missed, scale, steps = _missed(moved, made, z, sizes, tolerance / M)
+    ends = states[:, 1 : M + 1].T / scale + missed
+    flow, far = np.empty((M, n, n)), np.zeros((M + 1, n))
+    for i, change in enumerate(np.diag(STEP * scale)):
+        beside = _integrated(moved, made, z, states[:, :M].T + change, duration, steps)
+        flow[:, :, i] = (beside / scale - ends) / STEP
+    with np.errstate(all="ignore"):
+        for k in range(M):
+            far[k + 1] = flow[k] @ far[k] + missed[k]
+        k, i = divmod(int(np.abs(far[1:]).argmax()), n)
+        share = CARRIED * tolerance / np.abs(far[k + 1, i])
+        if not TOLERANCE / tolerance < share < 1.0:  # or not a number
+            return np.zeros(M)
+    found, row = np.zeros(M), np.eye(n)[i]
+    for j in range(k, -1, -1):
+        found[j], row = abs(row @ missed[j]), row @ flow[j]
+    order = np.argsort(-found)  # what is left without the largest ones may be enough
+    enough = found.sum() - np.cumsum(found[order]) <= CARRIED * tolerance
+    found[order[enough.argmax() + 1 :]] = 0.0
+    return found * M / CARRIED
+
+
+def _largest(difference: np.ndarray) -> np.ndarray:
+    found: np.ndarray = np.abs(difference).max(axis=1, initial=0.0)
     return np.where(np.isfinite(found), found, np.inf)
 
 

@@ -67,6 +67,8 @@ class OptimalTrajectory(Trajectory):
         `barrier`.
     """
 
+    _sizes: np.ndarray  # (n,), how large each state is by the guess
+
     def __init__(
         self,
         now: Any,

@@ -34,6 +34,10 @@ UNCERTAIN = 0.1
 """The share of an objective that its error may be without a warning: not one digit is certain
 then."""
 
+CARRIED = 10
+"""How many tolerances of a mesh a simulation from the start on may be beside a node: errors of ten
+intervals that all count in full, of the hundreds that stable motions have."""
+
 MOST_STEPS = 64
 """Steps of order 8 in an interval, at most: where these are not enough, as with a jump of a signal
 inside, the error of the interval is large itself."""
