@@ -19,6 +19,7 @@ sys.path.insert(0, str(HERE))
 
 import generated  # noqa: E402 - beside this file
 import illustrate  # noqa: E402
+import try_it  # noqa: E402
 
 project = "pydy"
 author = "the pydy authors"
@@ -97,3 +98,4 @@ def setup(app: Any) -> None:
     app.connect("env-before-read-docs", illustrate.start)
     app.connect("source-read", illustrate.illustrate)
     app.connect("doctree-resolved", shorten_citations)
+    app.connect("build-finished", try_it.finish)
