@@ -219,3 +219,14 @@ def test_a_control_that_chatters_on_a_singular_arc_is_warned_of():
 def test_controls_that_jump_do_not_chatter(method):
     speed_limit(method=method).solve()
     fuel(method=method, mesh=7).solve()
+
+
+@pytest.mark.parametrize("method", ["midpoint", "backward-euler"])
+@pytest.mark.parametrize("mesh", [1, 2])
+def test_one_or_two_points_of_a_control_are_no_arc(method, mesh):
+    system, (_, v, F) = optima.double_integrator()
+    cost, bounds = sm.Integral(F, T), {F: (0.0, 2.0)}
+    found = system.optimize_trajectory(
+        cost, 1.0, end={v: 1.0}, bounds=bounds, method=method, mesh=mesh
+    )
+    assert found.objective == pytest.approx(1.0, rel=1e-6)
