@@ -92,6 +92,9 @@ CLEAR = 8.0
 oscillates by that once in between changes by up to 2π of it on the way. Nor does a state move so
 many times as fast between the stages of a step as at the fastest of them."""
 
+STEPS_MEMORY = 2**27
+"""Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""
+
 LEAST_TOLERANCE = 1e-300
 """In place of an absolute tolerance of zero: 0 / 0 would be no error."""
 

@@ -42,7 +42,9 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
-from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE
+from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
+
+_STEPS = 2**13  # numbers of kept steps between two visits in Python
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
@@ -124,7 +126,7 @@ class Workspace:
         self.keeps = options.dense_output or options.recorded is not None
         if self.keeps:
             width = 2 + n * (1 + (3 if method == IMPLICIT else 0))
-            room = 4 + 2**13 // width  # between two visits in Python
+            room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
         self.twins: list[Workspace] = []  # what `Twin` has reserved, while no other has it
@@ -196,8 +198,7 @@ class Workspace:
         words, rows = self.steps
         self._aside.append(rows[: words[at.KEPT]].copy())
         words[at.KEPT] = 0
-        # 400 000 steps of a model with 20 states are so many bytes: a run keeps no more.
-        if self.options.recorded is None and len(self._aside) * rows.nbytes > 2**27:
+        if self.options.recorded is None and len(self._aside) * rows.nbytes > STEPS_MEMORY:
             self._aside, words[at.ROOM] = [], 0
 
     def kept_steps(self) -> np.ndarray | None:
