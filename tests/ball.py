@@ -6,6 +6,7 @@ import sympy.physics.mechanics as me
 
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 __all__ = ["bouncing_ball"]
 
@@ -14,8 +15,7 @@ def bouncing_ball(reset=None, **numbers):
     """A ball above a floor of height d, thrown upwards, with restitution e; and its bounce."""
     q, u = me.dynamicsymbols("q, u")
     m, g = sm.symbols("m, g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", q * frame.y)
     point.set_vel(frame, u * frame.y)
     kane = me.KanesMethod(

@@ -12,7 +12,7 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics import LinearPathway, LinearSpring, TorqueActuator
 from sympy.physics.mechanics.loads import gravity
 
-from zoo import Model, T, _numbers
+from zoo import Model, T, _numbers, inertial_frame
 
 N_AXES = "xyz"
 
@@ -45,8 +45,7 @@ def _kane(frame, q, u, bodies, loads, kd=None, **options):
 
 
 def _ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     return frame, origin, sm.Symbol("g")
 
 

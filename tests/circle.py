@@ -6,13 +6,13 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 
 def on_a_circle(angle, speed):
     """A particle on a circle of one metre, whose y and v follow from x and u."""
     x, y, u, v = me.dynamicsymbols("x y u v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bob = me.Particle("bob", origin.locatenew("P", x * frame.x + y * frame.y), sm.Symbol("m"))
     place = {x: np.cos(angle), y: np.sin(angle)}
     equations = Definition(

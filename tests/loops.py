@@ -13,6 +13,7 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 GRAVITY = sm.Symbol("g")
 
@@ -34,15 +35,9 @@ def _closed(name, **shape):
     return system
 
 
-def _ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    return frame, origin
-
-
 def _chain(axes, arms):
     """Uniform rods of unit mass, each turning about an axis of the one before it."""
-    frame, point = _ground()
+    frame, point = inertial_frame()
     inertial, origin = frame, point
     q = list(me.dynamicsymbols(f"q1:{len(axes) + 1}"))
     u = list(me.dynamicsymbols(f"u1:{len(axes) + 1}"))
@@ -90,7 +85,7 @@ def parallelogram(rate=6.0, crank=1, base=2, angle=np.pi / 3):
 
 def spatial_four_bar(rate=3.0, lengths=(1.0, 1.5), twist=0.5, angle=0.9):
     """Bennett's linkage: four revolutes in space, whose five rows have rank two."""
-    frame, point = _ground()
+    frame, point = inertial_frame()
     inertial, origin = frame, point
     q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
     twists = (twist, float(np.arcsin(lengths[1] / lengths[0] * np.sin(twist))))
@@ -122,7 +117,7 @@ def spatial_four_bar(rate=3.0, lengths=(1.0, 1.5), twist=0.5, angle=0.9):
 
 def three_cranks(rate=6.0, crank=1, base=1, angle=np.pi / 3):
     """A coupler on three parallel cranks: four rows of rank three."""
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = list(me.dynamicsymbols("q1:5")), list(me.dynamicsymbols("u1:5"))
     tips, bodies = [], []
     for k in range(4):
@@ -164,7 +159,7 @@ def kite(rate=4.0, angle=1.0):
 
 def even_slider_crank(rate=6.0, angle=0.7):
     """Crank and rod of one length: with the slider at the crank's bearing both turn on it alone."""
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
     bodies, point = [], origin
     for k in range(2):
@@ -185,7 +180,7 @@ def even_slider_crank(rate=6.0, angle=0.7):
 
 def engine(crank=0.05, rod=0.2):
     """Crank and rod of an engine, of SI size, with the gas force F on the piston and a torque T."""
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q1 q2"), me.dynamicsymbols("u1 u2")
     turning, swinging = me.ReferenceFrame("C"), me.ReferenceFrame("R")
     turning.orient_axis(frame, frame.z, q[0])
@@ -206,7 +201,7 @@ def engine(crank=0.05, rod=0.2):
 
 def sarrus(rate=2.0, angle=0.6, unit=1):
     """Sarrus' linkage: two chains of three hinges lift a plate, six rows of rank five."""
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = list(me.dynamicsymbols("q1:7")), list(me.dynamicsymbols("u1:7"))
     bodies, middles, plates = [], [], []
     for chain, (axis, arm) in enumerate(("xz", "zx")):
@@ -248,7 +243,7 @@ def schatz(unit=1.0, last=True):
     The five rows that are kept lose rank at positions in which all together have theirs. The last
     link is the ground: a body of its own, or none, so that its speed moves no mass.
     """
-    inertial, point = _ground()
+    inertial, point = inertial_frame()
     origin, frame, bodies = point, inertial, []
     q, u = list(me.dynamicsymbols("q1:7")), list(me.dynamicsymbols("u1:7"))
     for k, (a, d, twist) in enumerate(zip(*SCHATZ.values(), strict=True)):
@@ -277,7 +272,7 @@ def peaucellier(rate=0.3, angle=2.6):
     Seven bars: a crank of length 1 about (-1, 0), two arms of length 3 about the origin, and a
     rhombus of sides 3/2. Where it folds into a line, it may change over to another motion.
     """
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = list(me.dynamicsymbols("q1:8")), list(me.dynamicsymbols("u1:8"))
     bodies = []
 
@@ -313,7 +308,7 @@ def scissor_lift(stages, angle=0.6, configuration=None):
 
     Three rows for each stage, one of them redundant if its bars are crossed, all but two if not.
     """
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     q, u = (
         list(me.dynamicsymbols(f"q:{2 * stages + 1}")),
         list(me.dynamicsymbols(f"u:{2 * stages + 1}")),

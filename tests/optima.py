@@ -21,6 +21,8 @@ from pydy.mechanics import Definition
 sys.path.append(str(Path(__file__).parent.parent / "benchmarks"))
 from harness import standing
 
+from zoo import inertial_frame
+
 T = me.dynamicsymbols._t
 TF = sm.Symbol("tf")
 
@@ -35,8 +37,7 @@ SOLVERS = [installed("cyipopt"), installed("pounce")]  # beside IPOPT
 
 def first_order(coordinates, speed, force, mass=1, kinematics=None, constants=None):
     """Return a System of some coordinates and one particle with a speed along x."""
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
+    ground = me.ReferenceFrame("N")
     point = me.Point("P")
     point.set_vel(ground, speed * ground.x)
     definition = Definition(
@@ -110,8 +111,7 @@ def cart_pole():
     """Return Kelly's cart-pole with q1, q2 (from hanging), u1, u2 and the force F."""
     q1, q2, u1, u2, F = me.dynamicsymbols("q1 q2 u1 u2 F")
     m1, m2, l, g = sm.symbols("m1 m2 l g")
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
+    ground, rest = inertial_frame()
     cart = rest.locatenew("C", q1 * ground.x)
     cart.set_vel(ground, u1 * ground.x)
     rod = me.ReferenceFrame("A")

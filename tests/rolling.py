@@ -3,13 +3,12 @@
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from zoo import Model, T, _numbers
+from zoo import Model, T, _numbers, inertial_frame
 
 
 def ball_on_a_turntable():
     """Its inertia is written in axes that turn with it, where products of equal terms cancel."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     x, y, table = me.dynamicsymbols("x y Omega")
     q, w, v = (list(me.dynamicsymbols(f"{name}1:4")) for name in "qwv")
     slip, forces = list(me.dynamicsymbols("s1:4")), list(me.dynamicsymbols("R1:4"))

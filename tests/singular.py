@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 __all__ = ["Singular", "bead", "bricard", "defined_windows", "n_four_bar", "slider_crank"]
 
@@ -87,8 +88,7 @@ def chain_of_windows(n):
     q = me.dynamicsymbols(f"a:{n + 1} b:{n}")
     u = me.dynamicsymbols(f"ua:{n + 1} ub:{n}")
     m, l, g = sm.symbols("m l g", positive=True)
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies, tops = [], []
     for k in range(n + 1):
         foot = origin.locatenew(f"F{k}", k * l * frame.x)
@@ -151,8 +151,7 @@ def n_four_bar(windows, speed=1.0):
 def _slider_crank():
     a, b, s, ua, ub, v = me.dynamicsymbols("a b s ua ub v")
     m, r, l, g = sm.symbols("m r l g", positive=True)
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     crank, pin = _rod(frame, "crank", origin, a, ua, r, m)
     coupler, end = _rod(frame, "coupler", pin, b, ub, l, m)
     piston = origin.locatenew("P", s * frame.x)
@@ -193,8 +192,7 @@ def _bricard(rows):
     """Six rods along a cube's edges, the last one fixed, and a hinge at each corner."""
     q, u = me.dynamicsymbols("q1:6"), me.dynamicsymbols("u1:6")
     m, l, g = sm.symbols("m l g", positive=True)
-    ground, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(ground, 0)
+    ground, origin = inertial_frame()
     # Directions of the rods in the cube, and of the hinges where they begin.
     edges = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (-1, 0, 0), (0, 1, 0), (0, 0, -1)]
     hinges = [tuple(np.cross(edges[k - 1], edges[k])) for k in range(6)]

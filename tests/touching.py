@@ -7,12 +7,12 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 x, y, a = me.dynamicsymbols("x y a")
 vx, vy, w = me.dynamicsymbols("v_x v_y w")
 m, g, mu, r, k, J, e, slope = sm.symbols("m g mu r k J e slope")
-N, O = me.ReferenceFrame("N"), me.Point("O")
-O.set_vel(N, 0)
+N, O = inertial_frame()
 TIGHT = {"rtol": 1e-12, "atol": 1e-13}
 
 

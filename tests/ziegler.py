@@ -5,6 +5,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 __all__ = ["zieglers_pendulum"]
 
@@ -13,8 +14,7 @@ def zieglers_pendulum(damping):
     """Two bars with a force along the second, as published: masses 2 m and m, equal springs."""
     q1, q2, u1, u2 = me.dynamicsymbols("q1 q2 u1 u2")
     P, c = sm.symbols("P c")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     A, B = (N.orientnew(name, "Axis", (q, N.z)) for name, q in (("A", q1), ("B", q2)))
     knee = O.locatenew("K", A.x)
     end = knee.locatenew("E", B.x)

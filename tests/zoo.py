@@ -17,6 +17,13 @@ from sympy.physics.mechanics import models as sympy_models
 T = me.dynamicsymbols._t
 
 
+def inertial_frame():
+    """A frame and a point that rests in it."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    return frame, origin
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A KanesMethod with numbers for its constants and specifieds, and what is known about it."""

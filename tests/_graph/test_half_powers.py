@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 X, V = me.dynamicsymbols("x v")
@@ -17,8 +18,7 @@ HALF = sm.Rational(1, 2)
 
 def mass(force, place=0.0, **more):
     """A mass above a floor that pushes it."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", X * frame.y)
     point.set_vel(frame, V * frame.y)
     definition = Definition(
@@ -44,8 +44,7 @@ FORCES = [
 def test_a_contact_at_touch_has_the_derivative_zero(generator):
     n = len(FORCES)
     x, v = me.dynamicsymbols(f"x:{n}"), me.dynamicsymbols(f"v:{n}")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     masses, loads = [], []
     for k, force in enumerate(FORCES):
         point = origin.locatenew(f"P{k}", x[k] * frame.y)

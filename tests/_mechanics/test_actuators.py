@@ -17,13 +17,12 @@ from pydy._errors import PyDyUserWarning
 from pydy._mechanics.reader import read_loads
 from pydy.mechanics import Definition
 from pydy.system import System
-from zoo import Model, T, _numbers
+from zoo import Model, T, _numbers, inertial_frame
 
 
 def _arm():
     """A rod about a vertical axis; returns what a test needs to pull at it."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q u")
     arm = me.ReferenceFrame("A")
     arm.orient_axis(frame, frame.z, q)

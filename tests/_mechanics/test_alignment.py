@@ -19,6 +19,7 @@ from pydy._graph.lower import lower
 from pydy._mechanics.form import moving
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 
 def accelerations_at(formed, x, values):
@@ -66,8 +67,7 @@ def chain(joints, *, set_velocities=False, last=None, plain=False):
     and by the hinge's axis there. In a plain one bodies are described in their own axes alone, so
     that they may be referred to other points of their hinges.
     """
-    ground, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(ground, 0)
+    ground, origin = inertial_frame()
     n = len(joints)
     q, u = list(me.dynamicsymbols(f"q:{n}")), list(me.dynamicsymbols(f"u:{n}"))
     above, joint, bodies, loads = ground, origin, [], []

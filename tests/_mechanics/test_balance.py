@@ -6,6 +6,7 @@ import sympy.physics.mechanics as me
 
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import has_momenta_of, is_potential_of
+from zoo import inertial_frame
 
 M, G, L = sm.symbols("m g l", positive=True)
 
@@ -13,8 +14,7 @@ M, G, L = sm.symbols("m g l", positive=True)
 def bead(holonomic=()):
     """A particle in the plane, free or on a circle."""
     q, u = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", q[0] * frame.x + q[1] * frame.y)
     place.set_vel(frame, u[0] * frame.x + u[1] * frame.y)
     options = {"q_ind": q, "u_ind": u}

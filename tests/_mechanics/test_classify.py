@@ -5,6 +5,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.kane import equations_of_kane
+from zoo import inertial_frame
 
 Q, U = me.dynamicsymbols("x y a"), me.dynamicsymbols("u v w")
 L = sm.symbols("l", positive=True)
@@ -15,8 +16,7 @@ SKATE = U[0] * sm.sin(Q[2]) - U[1] * sm.cos(Q[2])
 
 def classified(holonomic, velocity):
     """A blade in the plane: it has a place and a direction."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     blade = frame.orientnew("B", "axis", (Q[2], frame.z))
     blade.set_ang_vel(frame, U[2] * frame.z)
     place = origin.locatenew("P", Q[0] * frame.x + Q[1] * frame.y)

@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 from pydy._errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 TOLD = "The kinematic equations do not fit the velocities"
@@ -106,8 +107,7 @@ def test_a_wheel_that_rolls_along_a_line_needs_no_angle():
 def silent(place, speed):
     """Make a System of a particle with one coordinate; nothing may be told."""
     x, u = me.dynamicsymbols("x u")
-    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(fixed, 0)
+    fixed, origin = inertial_frame()
     point = origin.locatenew("P", place(x) * fixed.x)
     point.set_vel(fixed, speed(x, u) * fixed.x)
     bodies = [me.Particle("p", point, 1)]
@@ -158,8 +158,7 @@ def test_orientations_by_cosines_are_left_alone():
 def test_a_velocity_on_one_branch_of_a_constraint_is_left_alone():
     x, y, u, v = me.dynamicsymbols("x y u v")
     length = sm.Symbol("l")
-    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(fixed, 0)
+    fixed, origin = inertial_frame()
     bob = origin.locatenew("P", x * fixed.x + y * fixed.y)
     bob.set_vel(fixed, u * fixed.x + x * u / sm.sqrt(length**2 - x**2) * fixed.y)
     with warnings.catch_warnings():
@@ -176,8 +175,7 @@ def test_a_velocity_on_one_branch_of_a_constraint_is_left_alone():
 def arm(speed, second=None, method=Definition, **more):
     """Two hinges in a row; the outer link's velocities are set in `second`."""
     q, u = me.dynamicsymbols("q1:3"), [speed(k) for k in range(2)]
-    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(fixed, 0)
+    fixed, origin = inertial_frame()
     bodies, base, frame = [], origin, fixed
     for k, rate in enumerate([u[0], u[1] if second is None else second]):
         link = me.ReferenceFrame(f"L{k}")
@@ -241,8 +239,7 @@ def test_a_moving_base_takes_no_speed_from_what_hangs_on_it():
 def carried(first, second):
     """Two masses in space, the second placed from the first; their velocities as given."""
     q, u = me.dynamicsymbols("x1 x2 y2"), me.dynamicsymbols("u1:4")
-    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(fixed, 0)
+    fixed, origin = inertial_frame()
     one = origin.locatenew("P1", q[0] * fixed.x)
     two = one.locatenew("P2", q[1] * fixed.x + q[2] * fixed.y)
     one.set_vel(fixed, first(u) * fixed.x)

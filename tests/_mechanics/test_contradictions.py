@@ -9,12 +9,11 @@ from cases import close
 from oracle import Oracle
 from pydy._mechanics.reader import Tree
 from pydy.system import System
-from zoo import Model, T, _numbers
+from zoo import Model, T, _numbers, inertial_frame
 
 
 def ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     return frame, origin, list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
 
 

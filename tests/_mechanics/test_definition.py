@@ -13,6 +13,7 @@ from cases import close
 from pydy.errors import SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 x, y, vx, vy = me.dynamicsymbols("x y vx vy")
@@ -328,8 +329,7 @@ def test_a_load_at_a_point_that_nothing_places_is_named():
 
 
 def test_a_definition_without_speeds_is_named():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     still = Definition(frame, [], bodies=[me.Particle("p", origin, 1)])
     with pytest.raises(ValueError, match="has no speeds: nothing in it can move"):
         System(still)
@@ -367,8 +367,7 @@ def test_gimbal_lock_of_the_mass_matrix_is_told_from_a_mechanism_without_inertia
 
 def wrapped(function):
     """A bead on a curve in the plane, as one particle on a place and as a constrained one."""
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     free = O.locatenew("P", x * N.x + y * N.y)
     bound = O.locatenew("P", x * N.x + function * N.y)
     pull = 3 * N.x - 2 * N.y

@@ -11,7 +11,7 @@ from pydy._mechanics.generic import GenericStates
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows
-from zoo import T
+from zoo import T, inertial_frame
 
 UNITS = [1e-9, 1e-4, 1.0, 1e5, 1e9]
 
@@ -19,8 +19,7 @@ UNITS = [1e-9, 1e-4, 1.0, 1e5, 1e9]
 def carriage(metre):
     """A carriage that a crank of given motion drives, and a particle that is free."""
     x, y, a, u, v, w = me.dynamicsymbols("x y a u v w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     rows = [x - metre * sm.sin(a), a - sm.sin(T)]
     body = me.Particle("carriage", place, 1)
@@ -38,8 +37,7 @@ def test_no_unit_makes_a_constraint_redundant(metre):
 def yoke(metre):
     """Two cranks of which one drives a slide in two directions, the other in one."""
     x, y, a, b = me.dynamicsymbols("x y a b")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     bodies = [me.Particle("slide", place, 1.0)]
     for angle in (a, b):
@@ -78,8 +76,7 @@ def test_a_yoke_moves_alike_in_all_units(metre):
 
 def four_bar(metre, *, symbols):
     """Three rods and the ground, of symbols or numbers, and a row that follows from the others."""
-    frame, place = me.ReferenceFrame("N"), me.Point("O")
-    place.set_vel(frame, 0)
+    frame, place = inertial_frame()
     origin, bodies = place, []
     sizes = [metre * size for size in (1.0, 2.5, 1.9, 2.2)]
     named = sm.symbols("l0:4") if symbols else sizes
@@ -121,8 +118,7 @@ def test_a_four_bar_moves_alike_at_any_length(symbols):
 def platform(metre, *, given):
     """A plate in a plane on three legs of given lengths, where it stands, and the legs' forces."""
     q, legs = me.dynamicsymbols("x y a"), me.dynamicsymbols("l0:3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     turned = frame.orientnew("B", "Axis", (q[2], frame.z))
     centre = origin.locatenew("G", q[0] * frame.x + q[1] * frame.y)
     feet = metre * np.array([[-1.2, 0.0], [0.4, 0.0], [1.3, 0.0]])
@@ -198,8 +194,7 @@ def test_what_is_within_its_bound_is_no_pivot():
 def test_consistent_states_are_found_in_any_units(metre, part):
     """Where a slide must move by metres, an angle alone does not close the loop."""
     x, a, u, w = me.dynamicsymbols("x a u w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     turned = frame.orientnew("B", "Axis", (a, frame.z))
     bodies = [
@@ -216,8 +211,7 @@ def test_the_search_begins_near_a_configuration_in_any_units(metre):
     """Of lengths in nanometres angles told how far to go, of angles and quaternions those in km."""
     x, a, *e = me.dynamicsymbols("x a e0:4")
     u, w, *spin = me.dynamicsymbols("u w w0:3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     rod, ball = frame.orientnew("R", "Axis", (a, frame.z)), me.ReferenceFrame("B")
     ball.orient_quaternion(frame, e)
@@ -249,8 +243,7 @@ def test_the_search_begins_near_a_configuration_in_any_units(metre):
 def cranks(metre, gear):
     """Two cranks that a rod joins, whose square is all that the row holds, and a gear beside."""
     q = me.dynamicsymbols("q0:3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     first, second, wheel = (frame.orientnew(f"A{k}", "Axis", (q[k], frame.z)) for k in range(3))
     end = origin.locatenew("P", 1.1 * metre * first.y)
     other = origin.locatenew("Q", 2.7 * metre * frame.x + 1.6 * metre * second.y)
@@ -281,8 +274,7 @@ def test_a_row_of_numbers_and_one_of_squares_are_not_compared(metre, gear):
 @pytest.mark.parametrize("metre", [1e-8, 1.0, 1e8])
 def test_what_sympy_leaves_of_axes_that_are_parallel_is_told_by_its_digits(metre):
     q = me.dynamicsymbols("q0:3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     axis = -0.02 * frame.x + 0.85 * frame.y + 0.25 * frame.z
     link = frame.orientnew("A", "Axis", (q[0], axis))
     along = -0.02 * link.x + 0.85 * link.y + 0.25 * link.z
@@ -302,8 +294,7 @@ def test_what_sympy_leaves_of_axes_that_are_parallel_is_told_by_its_digits(metre
 
 def test_of_rows_that_contradict_each_other_the_unit_does_not_tell_which_are_named():
     x, y = me.dynamicsymbols("x y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     rows = [x, x - 1e-3, 1e-9 * (sm.cos(y) - 3.0)]
     made = Definition(
@@ -343,8 +334,7 @@ def test_a_constraint_that_holds_for_positive_values_only_is_not_lost():
     """√(x²) = x is nothing on one side; on the other the point stands still."""
     x, y = me.dynamicsymbols("x y")
     m, g = sm.symbols("m g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
     row = (sm.sqrt(x**2) - x) * y.diff()

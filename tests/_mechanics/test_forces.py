@@ -16,7 +16,7 @@ from oracle import Oracle
 from pydy._mechanics.reader import check_bodies
 from pydy.mechanics import Definition
 from pydy.system import System
-from zoo import T
+from zoo import T, inertial_frame
 
 
 def model_of(name):
@@ -199,8 +199,7 @@ def test_the_pins_of_a_four_bar_follow_one_another():
 def test_a_string_pulls_as_the_pendulums_closed_form_says():
     x, y, u, v = me.dynamicsymbols("x y u v")
     m, g, length = sm.symbols("m g l")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     kane = me.KanesMethod(
         frame,
@@ -263,8 +262,7 @@ def test_noncontributing_forces_in_the_loads_are_what_is_computed():
 def bead(held):
     """A bead on a level wire, lifted by a given push; the wire's force has an auxiliary speed."""
     x, y, u, v, lift, push, force = me.dynamicsymbols("x y u v lift push force")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + (y * frame.y if held else 0))
     place.set_vel(frame, u * frame.x + ((v if held else 0) + lift) * frame.y)
     more = {"u_dependent": [v], "velocity_constraints": [v]} if held else {}
@@ -307,8 +305,7 @@ DECIMALS = [
 @pytest.mark.parametrize(("place", "offset"), DECIMALS)
 def test_a_load_at_decimal_offsets_is_counted(place, offset):
     q, u = me.dynamicsymbols("q u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     turned = frame.orientnew("B", "Axis", (q, frame.z))
     centre = origin.locatenew("C", place[0] * turned.x + place[1] * turned.y)
     point = centre.locatenew("a", offset[0] * turned.x + offset[1] * turned.y)
@@ -330,8 +327,7 @@ def test_a_load_at_decimal_offsets_is_counted(place, offset):
 def two_carriages():
     """Two carriages on one rail, the first with a motor to the ground and a spring to a wall."""
     x, y, a, v, w, s = me.dynamicsymbols("x y a v w s")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies = []
     for name, place in (("first", x), ("second", y)):
         centre = origin.locatenew(f"{name} centre", place * frame.x)
@@ -383,8 +379,7 @@ def test_a_load_on_the_ground_is_counted_where_the_ground_is_listed():
 def test_a_load_on_the_ground_is_none_of_a_body_that_is_welded_to_it():
     # A motor's torque on the ground and a force at a point of it ask for its frame twice.
     q, u = me.dynamicsymbols("q u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     wheel = frame.orientnew("A", "Axis", (q, frame.z))
     post = frame.orientnew("B", "Axis", (0, frame.z))
     hub, foot = origin.locatenew("hub", 3 * frame.y), origin.locatenew("foot", 0 * frame.x)
@@ -463,8 +458,7 @@ def test_a_load_on_a_body_turned_by_a_quaternion_is_counted():
 
 def test_a_load_belongs_to_the_nearest_of_two_bodies_welded_together():
     x, u = me.dynamicsymbols("x u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     base = origin.locatenew("base", x * frame.x)
     top = base.locatenew("top", 0.3 * frame.y)
     spot = top.locatenew("spot", 0.2 * frame.x)

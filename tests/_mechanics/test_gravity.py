@@ -6,14 +6,14 @@ import sympy.physics.mechanics as me
 
 from pydy._mechanics.form import moving
 from pydy._mechanics.kane import multibody_of_kane
+from zoo import inertial_frame
 
 m, other, g = sm.symbols("m other g")
 
 
 def two_particles(weights, place=None):
     """Two particles that slide along x and y, with forces along z; at one point if `place` is 0."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
     first = origin.locatenew("A", q[0] * frame.x)
     second = first if place == 0 else first.locatenew("B", q[1] * frame.y)
@@ -46,8 +46,7 @@ def test_a_force_at_a_point_with_two_bodies_is_the_weight_of_one():
 
 
 def test_weights_that_are_numbers_may_be_rounded():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q:3"), me.dynamicsymbols("u:3")
     bodies, loads, point = [], [], origin
     for k, mass in enumerate((0.1, 0.7, 1.3)):

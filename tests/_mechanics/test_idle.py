@@ -11,7 +11,7 @@ from pydy._mechanics.form import without_idle
 from pydy.mechanics import Definition
 from pydy.system import System
 from rolling import ball_on_a_turntable
-from zoo import Model, T, _numbers
+from zoo import Model, T, _numbers, inertial_frame
 
 
 def test_what_cancels_is_left_out_and_what_contributes_is_not():
@@ -67,8 +67,7 @@ def test_the_forces_in_a_rolling_contact_are_outputs_whatever_the_source(equatio
 
 def hinge_between_rods():
     """Two rods; the hinge's velocity is written in the axes of either, so that angles add up."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = list(me.dynamicsymbols("q1:3")), list(me.dynamicsymbols("u1:3"))
     slip, force = me.dynamicsymbols("s F")
     m, n, l, g = sm.symbols("m n l g")
@@ -112,8 +111,7 @@ def test_a_force_that_cancels_by_an_identity_of_angles_is_noncontributing(equati
 def along_a_direction(kind, load=None):
     """A particle that moves along a direction at a given angle, pushed along it."""
     x, v, angle, F = me.dynamicsymbols("x v angle F")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     direction = sm.cos(angle) * frame.x + sm.sin(angle) * frame.y
     point = origin.locatenew("P", x * direction)
     point.set_vel(frame, v * direction)

@@ -9,14 +9,14 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph, input_nodes
 from pydy.mechanics import Definition, Implicit
+from zoo import inertial_frame
 
 X, V, Z, Y = me.dynamicsymbols("x, v, z, y")
 K = sm.Symbol("k")
 
 
 def free():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", X * frame.x)
     return Definition(frame, [X], [V], bodies=[me.Particle("P", place, 1)])
 

@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 
 from cases import close
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 
@@ -347,8 +348,7 @@ def two_links(*, lagrangian=None, spring=False):
     q = me.dynamicsymbols("q1:3")
     u = [a.diff(T) for a in q]
     m, length, g, k = sm.symbols("m l g k")
-    ground, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(ground, 0)
+    ground, origin = inertial_frame()
     first, second = (
         ground.orientnew(n, "Axis", (a, ground.z)) for n, a in zip("AB", q, strict=True)
     )

@@ -12,6 +12,7 @@ import sympy.physics.mechanics as me
 from cases import close
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 
@@ -20,18 +21,12 @@ def _speeds(q):
     return [me.dynamicsymbols(f"u_{c.name}") for c in q]
 
 
-def _ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    return frame, origin
-
-
 def spherical_pendulum():
     q = theta, phi = me.dynamicsymbols("theta phi")
     m, l, g = sm.symbols("m l g")
     kinetic = m * l**2 * (theta.diff(T) ** 2 + sm.sin(theta) ** 2 * phi.diff(T) ** 2) / 2
     lagrange = me.LagrangesMethod(kinetic + m * g * l * sm.cos(theta), q)
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     turned, tilted = me.ReferenceFrame("A"), me.ReferenceFrame("B")
     turned.orient_axis(frame, frame.z, phi)
     tilted.orient_axis(turned, turned.x, theta)
@@ -48,7 +43,7 @@ def shaken_pendulum():
     x, y = reach * sm.sin(theta), height - reach * sm.cos(theta)
     kinetic = m * (x.diff(T) ** 2 + y.diff(T) ** 2) / 2
     lagrange = me.LagrangesMethod(kinetic - m * g * y, [theta])
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     rod = me.ReferenceFrame("R")
     rod.orient_axis(frame, frame.z, theta)
     bob = origin.locatenew("P", height * frame.y - reach * rod.y)
@@ -63,7 +58,7 @@ def heavy_top():
     spin = psi.diff(T) + phi.diff(T) * sm.cos(theta)
     tilting = theta.diff(T) ** 2 + phi.diff(T) ** 2 * sm.sin(theta) ** 2
     energy = across * tilting / 2 + along * spin**2 / 2 - m * g * l * sm.cos(theta)
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     top = me.ReferenceFrame("B")
     top.orient_body_fixed(frame, q, "zxz")
     written = [top.ang_vel_in(frame).dot(axis) for axis in top]
@@ -88,7 +83,7 @@ def masses_on_rods():
     kinetic = m * (x.diff(T) ** 2 + y.diff(T) ** 2) + n * (a.diff(T) ** 2 + b.diff(T) ** 2)
     rods = [x**2 + y**2 - l**2, (a - x) ** 2 + (b - y) ** 2 - l**2]
     lagrange = me.LagrangesMethod(kinetic / 2 - g * (m * y + n * b), q, hol_coneqs=rods)
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     ends = [
         origin.locatenew(name, i * frame.x + j * frame.y)
         for name, i, j in (("P", x, y), ("Q", a, b))
@@ -125,7 +120,7 @@ def skate():
         frame=frame,
         nonhol_coneqs=[slip],
     )
-    ground, origin = _ground()
+    ground, origin = inertial_frame()
     body = me.ReferenceFrame("S")
     body.orient_axis(ground, ground.z, turn)
     edge = origin.locatenew("E", x * ground.x + y * ground.y)
@@ -151,7 +146,7 @@ def rail():
     track = y - sm.sin(c * x) - c * T
     slip = y.diff(T) * sm.cos(turn) - x.diff(T) * sm.sin(turn)
     lagrange = me.LagrangesMethod(kinetic, q, hol_coneqs=[track], nonhol_coneqs=[slip])
-    frame, origin = _ground()
+    frame, origin = inertial_frame()
     body = me.ReferenceFrame("S")
     body.orient_axis(frame, frame.z, turn)
     centre = origin.locatenew("G", x * frame.x + y * frame.y)

@@ -9,6 +9,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 
@@ -44,8 +45,7 @@ class LaterKane(me.KanesMethod):
 
 
 def particle():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     x, y, z = me.dynamicsymbols("x y z")
     point = origin.locatenew("P", x * frame.x + y * frame.y + z * frame.z)
     return frame, (x, y, z), me.Particle("p", point, 2.0), [(point, -9.0 * frame.y)]

@@ -11,12 +11,12 @@ from pydy._graph.lower import lower
 from pydy._mechanics.form import moving
 from pydy._mechanics.inertia import lumped
 from pydy._mechanics.kane import multibody_of_kane
+from zoo import inertial_frame
 
 
 def arm(places, axes="zx", inertias=None):
     """Bodies on hinges, the axes named, in turn; places of the joints in the frames before."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     n = len(places)
     q, u = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"u:{n}")
     above, joint, bodies, loads = frame, origin, [], []
@@ -93,8 +93,7 @@ def test_where_on_its_axis_a_joint_is_costs_nothing():
 
 def test_a_pivot_that_vanishes_is_seen_though_the_body_before_holds_the_mass():
     # A bob at the centre of its own hinge moves nothing: M is singular.
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
     one, two = frame.orientnew("A", "axis", (q[0], frame.z)), me.ReferenceFrame("B")
     two.orient_axis(one, one.x, q[1])

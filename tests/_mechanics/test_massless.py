@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 Q = me.dynamicsymbols("q1:4")
@@ -21,8 +22,7 @@ def model(method, places, row, count):
     q, u = Q[:count], U[:count]
     if method == "lagrange":
         u = [a.diff(T) for a in q]
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies, loads = [], []
     for k, (place, mass) in enumerate(zip(places, (M1, M2), strict=False)):
         point = origin.locatenew(f"P{k}", place[0] * frame.x + place[1] * frame.y)
@@ -109,8 +109,7 @@ def test_constraints_carry_what_is_massless(name, method, masses):
 @pytest.mark.parametrize("masses", PAIRS)
 def test_constraints_carry_what_is_massless_beside_many_masses(masses):
     q, u = me.dynamicsymbols("q1:16"), me.dynamicsymbols("u1:16")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     names, bodies, loads = sm.symbols("m1:16"), [], []
     for k, (a, b) in enumerate(zip(q, u, strict=True)):
         along = frame.y if k == 1 else frame.x
@@ -133,8 +132,7 @@ def test_constraints_carry_what_is_massless_beside_many_masses(masses):
 
 def test_an_oscillator_through_a_massless_coordinate_moves_as_in_closed_form():
     spring, push = sm.symbols("k F")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", (0.1 * A + 0.3 * B) * frame.x)
     point.set_vel(frame, (0.1 * U[0] + 0.3 * U[1]) * frame.x)
     force = push - spring * (0.1 * A + 0.3 * B)

@@ -12,6 +12,7 @@ from pydy._mechanics.multipliers import Constraints, accelerations_of_held, solv
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 A, D, M, J, G = sm.symbols("a d m J g")
@@ -25,8 +26,7 @@ def quick_return(source):
     Constraints are lengths and angles, and one coordinate among their coefficients is a length.
     """
     (th, ph, r, ps), (u, w, v, z) = Q, U
-    ground, o = me.ReferenceFrame("N"), me.Point("O")
-    o.set_vel(ground, 0)
+    ground, o = inertial_frame()
     crank, arm, gear = (
         ground.orientnew(name, "Axis", (angle, ground.z))
         for name, angle in (("C", th), ("A", ph), ("D", ps))

@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 import loops
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 M, L, B, F = sm.symbols("m l b f")
@@ -18,8 +19,7 @@ def truss(sag, front, metre=1.0, kilogram=1.0):
     """Two bars of half-span 1 hold a particle at a sag; another particle is free."""
     x, y, a, b, vx, vy, va, vb = me.dynamicsymbols("x y a b vx vy va vb")
     q, u = [x, y, a, b], [vx, vy, va, vb]
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     held = origin.locatenew("P", x * frame.x + y * frame.y)
     free = origin.locatenew("R", a * frame.x + b * frame.y)
     rows = [sm.sqrt((x + side * L) ** 2 + y**2) - B for side in (1, -1)]
@@ -127,8 +127,7 @@ def test_three_cranks_nearly_in_line_turn_as_one_body(rate, angle):
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 def test_one_of_two_motions_may_move_no_mass_of_its_own(metre):
     x, y, u, w = me.dynamicsymbols("x y u w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", (x + y) * frame.x)
     point.set_vel(frame, (u + w) * frame.x)
     definition = Definition(

@@ -10,6 +10,7 @@ from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import _Search, find_potential
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
+from zoo import inertial_frame
 
 Q, U = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
 M, K, L, G, C = sm.symbols("m k l g c", positive=True)
@@ -18,8 +19,7 @@ M, K, L, G, C = sm.symbols("m k l g c", positive=True)
 @pytest.fixture
 def plane():
     """A frame, its origin, and a particle that moves in its plane."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", Q[0] * frame.x + Q[1] * frame.y)
     place.set_vel(frame, U[0] * frame.x + U[1] * frame.y)
     return frame, origin, place
@@ -120,8 +120,7 @@ def test_a_force_on_one_side_alone_whose_work_depends_on_the_path_is_named(plane
 
 def test_a_floor_below_a_limb_has_the_energy_of_its_depth():
     (q, p), (u, v) = Q, U
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     one = frame.orientnew("A", "Axis", (q, frame.z))
     two = frame.orientnew("B", "Axis", (p, frame.z))
     foot = origin.locatenew("K", one.x).locatenew("F", two.x)
@@ -186,8 +185,7 @@ def test_energies_are_compared_where_the_constraints_hold():
 
     An orientation by a quaternion of another length than one is as wrong.
     """
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", Q[0] * frame.x + Q[1] * frame.y)
     place.set_vel(frame, U[0] * frame.x + U[1] * Q[0] / Q[1] * frame.y)
     definition = Definition(
@@ -203,8 +201,7 @@ def test_energies_are_compared_where_the_constraints_hold():
 def test_a_spring_between_decimal_places_has_that_of_its_length():
     """Its length's square and its pull are rounded in different ways."""
     q, u = me.dynamicsymbols("q u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     turned = frame.orientnew("B", "Axis", (q, frame.z))
     turned.set_ang_vel(frame, u * frame.z)
     place = origin.locatenew("P", 1.863 * turned.x - 0.69 * turned.y + 0.1 * turned.z)
@@ -254,8 +251,7 @@ def test_a_constant_force_on_what_a_quaternion_turns_has_that_of_its_place():
 
 def two_pins(loads, mixed=0):
     """Equations of two rods in a row; the second speed holds the first rate, times `mixed`."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     first, second = (me.ReferenceFrame(name) for name in "AB")
     first.orient_axis(frame, Q[0], frame.z)
     second.orient_axis(first, Q[1], first.z)
@@ -333,8 +329,7 @@ def test_a_force_is_opposite_to_its_negative_up_to_rounding(plane):
 def test_any_law_of_a_distance_with_an_integral_has_that(pull, energy):
     """Along coordinates SymPy takes minutes for these, and finds none."""
     q = me.dynamicsymbols("q:6")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     ends = [
         origin.locatenew(name, sum(c * axis for c, axis in zip(own, frame, strict=True)))
         for name, own in (("A", q[:3]), ("B", q[3:]))
@@ -388,8 +383,7 @@ def test_weights_ask_for_no_second_point(plane, monkeypatch):
 
 def test_a_spring_between_bodies_with_quaternions_has_that_of_its_length():
     """Lengths are none where a quaternion's is not one: the spring was not seen to be one."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u, rates, bodies, ends, rows = [], [], [], [], [], []
     for k in range(2):
         own, e = me.ReferenceFrame(f"B{k}"), me.dynamicsymbols(f"e{k}_0:4")
@@ -454,8 +448,7 @@ def test_a_spring_around_pegs_has_that_of_its_whole_length(power):
 def test_rates_are_looked_at_once_for_all_loads(monkeypatch):
     """Torques that align two bodies have very many terms; each took new derivatives of all q'."""
     q, u = me.dynamicsymbols("q1:7"), me.dynamicsymbols("u1:7")
-    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(fixed, 0)
+    fixed, origin = inertial_frame()
     frames, rates, bodies = [], [], []
     for k in (0, 3):
         frame = me.ReferenceFrame(f"B{k}")
@@ -508,8 +501,7 @@ def test_an_energy_may_be_infinite_at_a_switch_but_not_jump_there(plane, force, 
 
 def test_an_anchor_that_was_given_no_velocity_stands_still_where_it_is_placed():
     """Its spring's work was handed to SymPy, which integrated it for minutes."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     q, u = me.dynamicsymbols("q1:7"), me.dynamicsymbols("u1:7")
     turned = frame.orientnew("A", "Body", q[3:], "ZXZ")
     centre = origin.locatenew("P", q[0] * frame.x + q[1] * frame.y + q[2] * frame.z)
@@ -533,8 +525,7 @@ def test_what_residuals_give_from_speeds_has_no_potential():
     # The law of drag D + c D³ = v: D is no constant force.
     x, v, drag = me.dynamicsymbols("x v D")
     k, c = sm.symbols("k c")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     body, pull = me.Particle("p", place, 1), (place, (-k * x - drag) * frame.x)
     definition = Definition(frame, [x], [v], bodies=[body], loads=[pull])

@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy._mechanics.rates import solve_rates
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 X, Y, Z, H = Q = me.dynamicsymbols("x, y, z, h")
 RATES = [s.diff() for s in Q]
@@ -15,8 +16,7 @@ SPEEDS = me.dynamicsymbols("u1:5")
 
 
 def plane(equations, method):
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     centre = origin.locatenew("P", X * frame.x + Y * frame.y + Z * frame.z)
     turned = frame.orientnew("A", "Axis", (H, frame.z))
     body = me.RigidBody("b", centre, turned, 2, (me.inertia(turned, 1, 1, 3), centre))

@@ -9,6 +9,7 @@ from graphs import form
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._mechanics.reader import Tree, check_bodies, read_loads
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 
@@ -154,8 +155,7 @@ def test_an_inertia_that_is_not_symmetric_is_named(equations):
 
 def test_a_body_that_is_given_twice_is_named():
     q = me.dynamicsymbols("q")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", q * frame.x)
     point.set_vel(frame, q.diff(T) * frame.x)
     body, other = (me.Particle("p", point, sm.Symbol("m")) for _ in range(2))

@@ -11,6 +11,7 @@ import sympy.physics.mechanics as me
 
 from pydy._graph.interpret import run
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 M, G, L, R = sm.symbols("m g l r")
@@ -24,8 +25,7 @@ def on_a_turntable(chosen):
     """
     x, ph, a, b, c = q = me.dynamicsymbols("x ph a b c")
     v, w, ua, ub, uc = u = me.dynamicsymbols("v w ua ub uc")
-    ground, o = me.ReferenceFrame("N"), me.Point("O")
-    o.set_vel(ground, 0)
+    ground, o = inertial_frame()
     table, swung, upper, fore = (me.ReferenceFrame(name) for name in "TSUF")
     for frame, base, angle, axis, rate in (
         (table, ground, ph, "z", w),

@@ -13,6 +13,7 @@ from pydy.export.javascript import javascript_module
 from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 LOAD = """async (text) => {
     const place = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
@@ -257,8 +258,7 @@ def test_what_residuals_give_is_not_kept_where_other_values_are_given(tmp_path, 
 
 def test_a_start_far_from_the_constraints_is_refused_as_in_python(tmp_path, loaded):
     x, y = me.dynamicsymbols("x y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     definition = Definition(
         frame, [x, y], bodies=[me.Particle("b", place, 1)], loads=[(place, -9 * frame.y)],

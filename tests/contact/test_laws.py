@@ -18,10 +18,10 @@ from pydy.contact import (
     stribeck,
 )
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 x, v = me.dynamicsymbols("x v")
-N, O = me.ReferenceFrame("N"), me.Point("O")
-O.set_vel(N, 0)
+N, O = inertial_frame()
 P = O.locatenew("P", x * N.x)
 m = sm.Symbol("m")
 

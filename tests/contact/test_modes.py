@@ -13,6 +13,7 @@ from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
 from touching import J, N, a, block, falling_body, m, mu, slope, vx, y
+from zoo import inertial_frame
 
 
 def test_a_linear_model_of_one_mode():
@@ -102,8 +103,7 @@ def test_another_run_prepares_nothing_again(monkeypatch):
 def test_a_gap_that_is_lowest_far_away_many_times_is_seen_to_close_later():
     # Where it turns is not looked at while it is far from zero.
     q, u = me.dynamicsymbols("q u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     tip = origin.locatenew("P", sm.sin(q) * frame.x - sm.cos(q) * frame.y)
     tip.set_vel(frame, u * (sm.cos(q) * frame.x + sm.sin(q) * frame.y))
     body = me.Particle("P", tip, 1)
@@ -124,8 +124,7 @@ def test_a_gap_that_is_lowest_far_away_many_times_is_seen_to_close_later():
 def sliding(gap, along, mu=0.3):
     """A mass that falls on what a gap is measured from, with friction along some axis."""
     x, y, z, *u = me.dynamicsymbols("x y z u v w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y + z * frame.z)
     place.set_vel(frame, u[0] * frame.x + u[1] * frame.y + u[2] * frame.z)
     body = me.Particle("P", place, 1)

@@ -13,6 +13,7 @@ from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from touching import J, N, O, a, ball, e, falling_body, k, m, mu, slope, vx, vy, w, x, y
+from zoo import inertial_frame
 
 a0 = sm.Symbol("a0")
 
@@ -133,8 +134,7 @@ def test_contacts_of_another_system_are_named():
 def test_modes_whose_constraints_name_no_dependents_say_what_to_call():
     """The message named `sensitivities`, which no argument of the search gives."""
     x, y, u, v = me.dynamicsymbols("x y u v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     place.set_vel(frame, u * frame.x + v * frame.y)
     block = Definition(

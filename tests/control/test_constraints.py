@@ -11,20 +11,15 @@ from pydy import System
 from pydy.control import OptimalControl
 from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 END = 1.2
-
-
-def ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    return frame, origin
 
 
 def pendulum():
     """A bob of 1 kg at 1 m, pushed sideways, by its angle."""
     q, u, F = me.dynamicsymbols("q u F")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     rod = me.ReferenceFrame("A")
     rod.orient_axis(frame, q, frame.z)
     rod.set_ang_vel(frame, u * frame.z)
@@ -37,7 +32,7 @@ def pendulum():
 def pendulum_in_a_plane(constraints=1):
     """The same in x and y, with its length as a constraint."""
     x, y, v, w, F = me.dynamicsymbols("x y v w F")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     bob.set_vel(frame, v * frame.x + w * frame.y)
     rows = [x**2 + y**2 - 1, 3 * (x**2 + y**2) - 3]
@@ -97,7 +92,7 @@ def test_slack_velocities_vanish_with_the_errors():
 def vehicle(minimal):
     """A skate that is pushed along and turned: Chaplygin's sleigh with its mass over the blade."""
     x, y, angle, v, w, turn, push, torque = me.dynamicsymbols("x y angle v w turn push torque")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     body = me.ReferenceFrame("B")
     body.orient_axis(frame, angle, frame.z)
     body.set_ang_vel(frame, turn * frame.z)
@@ -271,7 +266,7 @@ def test_dependent_states_follow_and_phases_join_by_every_method(method):
 
 def test_a_constraint_that_a_control_moves_is_refused():
     x, y, v, w, F = me.dynamicsymbols("x y v w F")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     bob.set_vel(frame, v * frame.x + w * frame.y)
     bodies = [me.Particle("b", bob, 1)]
@@ -306,7 +301,7 @@ def test_a_guess_follows_from_the_constraints(method):
 
 def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines():
     x, y, z, F = me.dynamicsymbols("x y z F")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     bodies, u = [], me.dynamicsymbols("u1:4")
     for name, q, axis in (("a", x, frame.x), ("b", y, frame.y), ("c", z, frame.z)):
         point = origin.locatenew(name, q * axis)
@@ -364,7 +359,7 @@ def test_a_swing_up_in_cartesian_coordinates_by_every_method():
 def rod_of_cosines(**options):
     """A point on a circle by its direction (c, s), whose length the kinematics keep."""
     c, s, w, F = me.dynamicsymbols("c s w F")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", c * frame.x + s * frame.y)
     along = -s * frame.x + c * frame.y
     place.set_vel(frame, w * along)
@@ -395,7 +390,7 @@ def test_units_of_lengths_beside_angles_do_not_change_the_search(method):
     found = []
     for unit, mass, second in ((1, 1, 1), (1e-9, 1e9, 1), (1e9, 1e-9, 1), (1e9, 1, 1e6)):
         a, b, c, u, w, z, torque = me.dynamicsymbols("a b c u w z torque")
-        frame, origin = ground()
+        frame, origin = inertial_frame()
         crank, rod = me.ReferenceFrame("A"), me.ReferenceFrame("B")
         for body, angle, speed in ((crank, a, u), (rod, b, w)):
             body.orient_axis(frame, angle, frame.z)

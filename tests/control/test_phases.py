@@ -12,6 +12,7 @@ from pydy.control import OptimalControl
 from pydy.errors import OptimizationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
+from zoo import inertial_frame
 
 
 def moved(mass, speed, distance):
@@ -131,8 +132,7 @@ def test_a_mesh_of_phases_that_is_too_coarse_is_warned_of(monkeypatch):
 def rod(place=(0.0, -1.0), constrained=True):
     """A bob of 1 kg pushed sideways, at the end of a rod of 1 m or free."""
     x, y, v, w, F = me.dynamicsymbols("x y v w F")
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
+    ground, rest = inertial_frame()
     bob = rest.locatenew("P", x * ground.x + y * ground.y)
     bob.set_vel(ground, v * ground.x + w * ground.y)
     rows = [x**2 + y**2 - 1] if constrained else []

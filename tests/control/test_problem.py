@@ -28,6 +28,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import dop853
+from zoo import inertial_frame
 
 
 @pytest.fixture
@@ -178,8 +179,7 @@ def test_phases_share_a_duration_that_samples_depend_on():
 def test_constraints_move_with_samples_under_a_free_duration():
     # A bead whose speed along x the samples give, by a force of constraint.
     x, y, v, w, F, given = me.dynamicsymbols("x y v w F given")
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
+    ground, rest = inertial_frame()
     bead = rest.locatenew("P", x * ground.x + y * ground.y)
     bead.set_vel(ground, v * ground.x + w * ground.y)
     definition = Definition(
@@ -1038,8 +1038,7 @@ def test_a_guess_that_is_level_in_its_middle_gives_no_speed_a_size_of_rounding(m
 def test_a_direction_whose_rate_cancels_asks_for_no_control():
     """Opty's users push a mass along a direction that turns; neither it nor its rate acts."""
     x, v, angle, F = me.dynamicsymbols("x v angle F")
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
+    ground, rest = inertial_frame()
     direction = sm.cos(angle) * ground.x + sm.sin(angle) * ground.y
     point = rest.locatenew("P", x * direction)
     point.set_vel(ground, v * direction)
@@ -1070,8 +1069,7 @@ def test_what_bends_in_the_objective_is_named_where_a_search_fails(mass):
 def test_a_mass_that_the_objective_drives_to_nothing_is_named(unit):
     x, v, F = me.dynamicsymbols("x v F")
     m = sm.Symbol("m")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x)
     body = me.Particle("P", point, m)
     definition = Definition(frame, [x], [v], bodies=[body], loads=[(point, F * frame.x)])

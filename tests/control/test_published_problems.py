@@ -22,15 +22,10 @@ from pydy import System
 from pydy.control import OptimalControl
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 WORSE = 1e-3
 """What is allowed above a published objective."""
-
-
-def plane():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    return frame, origin
 
 
 def test_a_delay_equation():
@@ -90,7 +85,7 @@ def test_a_pendulum_as_a_differential_algebraic_equation():
     # Betts 10.103: the bob of a rod of 1 m falls from the side; a force u across the rod brings
     # it to rest below in 3 s. The force in the rod, its algebraic variable, is a constraint's here.
     x, y, v, w, u = me.dynamicsymbols("x y v w u")
-    frame, origin = plane()
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     bob.set_vel(frame, v * frame.x + w * frame.y)
     loads = [(bob, u * (y * frame.x - x * frame.y) - 9.81 * frame.y)]
@@ -180,7 +175,7 @@ def test_a_crane_moves_its_load():
     # `plot_crane_moving_a_load.py`: a trolley of 1 kg, 10 kg on a rod of 5 m, ±20 N, 15 m in the
     # least time, neither to leave the way. 149 steps of 39.559487 ms.
     x, q, v, u, F = me.dynamicsymbols("x q v u F")
-    frame, origin = plane()
+    frame, origin = inertial_frame()
     rod = me.ReferenceFrame("A")
     rod.orient_axis(frame, q, frame.z)
     rod.set_ang_vel(frame, u * frame.z)
@@ -208,7 +203,7 @@ def test_two_links_on_a_cart_swing_up():
     # `plot_two_link_pendulum_on_a_cart.py`: ±50 N, ±5 m, in the least time.
     # 299 steps of 9.780434 ms.
     q, u, F = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4"), me.dynamicsymbols("F")
-    frame, origin = plane()
+    frame, origin = inertial_frame()
     end = origin.locatenew("cart", q[0] * frame.x)
     end.set_vel(frame, u[0] * frame.x)
     bodies, loads = [me.Particle("cart", end, 1)], [(end, F * frame.x)]
@@ -279,7 +274,7 @@ def car():
     x, y, yaw, steer, v, w, yawing, steering, torque, force = me.dynamicsymbols(
         "x y yaw steer v w yawing steering torque force"
     )
-    frame, origin = plane()
+    frame, origin = inertial_frame()
     body, axle = me.ReferenceFrame("A"), me.ReferenceFrame("B")
     body.orient_axis(frame, yaw, frame.z)
     axle.orient_axis(body, steer, body.z)
@@ -460,7 +455,7 @@ def test_a_drone_tumbles_on_its_way():
     # is a constraint. It divides the time into 300 steps.
     place, turned, forces = (me.dynamicsymbols(names) for names in ("x y z", "e0:4", "F1:5"))
     along, rates = (me.dynamicsymbols(names) for names in ("vx vy vz", "first wx wy wz"))
-    frame, origin = plane()
+    frame, origin = inertial_frame()
     body = me.ReferenceFrame("B")
     body.orient_quaternion(frame, turned)
     centre = origin.locatenew(

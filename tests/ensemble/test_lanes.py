@@ -27,6 +27,7 @@ from pydy.solvers.outcome import (
     TOO_MANY_STEPS,
 )
 from pydy.system import System
+from zoo import inertial_frame
 
 
 def one_by_one(system, method, values, m, **options):
@@ -203,8 +204,7 @@ def bead():
     """A particle in x and y on a circle, pushed along x."""
     x, y, u, v = me.dynamicsymbols("x y u v")
     m, g, length = sm.symbols("m g length")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     place.set_vel(frame, u * frame.x + v * frame.y)
     push = me.dynamicsymbols("push") * frame.x

@@ -9,6 +9,7 @@ from _mechanics.test_nearly_singular import truss
 from exported_models import ball, hostile, pendulum
 from pydy import System
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 casadi = pytest.importorskip("casadi")
 
@@ -114,8 +115,7 @@ def test_expressions_of_users_with_conditions(tmp_path):
 
 def test_redundant_constraints_are_refused(tmp_path):
     x, y, q, vx, vy, u = me.dynamicsymbols("x y q vx vy u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     rows = [x - sm.sin(q), y + sm.cos(q), x**2 + y**2 - 1]
     made = [

@@ -31,6 +31,7 @@ from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
 from pydy.mechanics import Definition
 from pydy.solvers import Event
+from zoo import inertial_frame
 
 VERSIONS = ("3.0", "2.0")
 KINDS = ("CoSimulation", "ModelExchange")
@@ -437,8 +438,7 @@ def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkey
 def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path, hasty):
     """A contact in a loop that is closed without dependent speeds: what C has no function for."""
     x, y = me.dynamicsymbols("x y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     contact = (sm.Max(-x, 0) ** sm.Rational(3, 2) - sm.Min(x, 0) - 0.1 * sm.sign(x)) * frame.x
     system = System(

@@ -18,6 +18,7 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
 from touching import ball, e, y
+from zoo import inertial_frame
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
 X = np.array([0.1, 0.4, -0.3, 0.2, 1.0, 0.5])
@@ -263,8 +264,7 @@ def test_after_a_terminal_event_states_are_nan_and_the_last_is_that_of_the_event
 @pytest.mark.filterwarnings("ignore:.*accumulate")
 def test_where_events_accumulate_the_last_state_is_that_of_one_alone(library):
     y, v = me.dynamicsymbols("y v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     ball = origin.locatenew("P", y * frame.y)
     definition = Definition(frame, [y], [v], bodies=[me.Particle("b", ball, 1)],
                             loads=[(ball, -sm.Symbol("g") * frame.y)])  # fmt: skip
@@ -291,8 +291,7 @@ def test_a_sample_that_fails_is_nan_among_others(library):
 def test_a_sample_whose_dependent_conditions_fail_is_nan_among_others(library):
     x, y, v, w = me.dynamicsymbols("x y v w")
     g, length = sm.symbols("g l")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     definition = Definition(
         frame, [x, y], [v, w], bodies=[me.Particle("b", bob, 1)], loads=[(bob, -g * frame.y)],
@@ -437,8 +436,7 @@ def test_a_missing_library_is_named(monkeypatch):
 def test_what_residuals_give_is_no_longer_that_of_before(library):
     x, v, z = me.dynamicsymbols("x v z")
     k, c = sm.symbols("k c")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     definition = Definition(frame, [x], [v], bodies=[me.Particle("b", place, 1)],
                             loads=[(place, -k * z * frame.x)])  # fmt: skip

@@ -14,7 +14,7 @@ from cases import close, system_of
 from pydy import viz
 from pydy.solvers import Event
 from pydy.system import System
-from zoo import T
+from zoo import T, inertial_frame
 
 GENERATORS = ["llvm", "lambdify"]
 LAMBDA = sm.Symbol("lambda0")
@@ -24,8 +24,7 @@ def string_pendulum(**options):
     """A bob on a string of length 2 that holds no push, and its tension as an output."""
     x, y, u, v = me.dynamicsymbols("x y u v")
     m, g = sm.symbols("m g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     kane = me.KanesMethod(
         frame,

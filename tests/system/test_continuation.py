@@ -14,6 +14,7 @@ from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from ziegler import zieglers_pendulum
+from zoo import inertial_frame
 
 
 def in_a_potential(force):
@@ -109,8 +110,7 @@ def test_zieglers_pendulum_flutters_at_the_published_force(damping, force, accur
 def test_an_oscillation_begins_beside_one_that_is_not_damped():
     x, y, u, v = me.dynamicsymbols("x y u v")
     c = sm.Symbol("c")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", x * N.x + y * N.y)
     loads = [(P, -(4 * x + c * u) * N.x - 9 * y * N.y)]
     system = System(Definition(N, [x, y], [u, v], bodies=[me.Particle("p", P, 1)], loads=loads))
@@ -200,8 +200,7 @@ def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second
     """
     x, y = me.dynamicsymbols("x y")
     force = sm.Symbol("F")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     stiffness, free = 10.0 / second**2, 1.25 * metre
     loads = [(place, -force * frame.y - 0.3 / second * place.vel(frame))]
@@ -232,8 +231,7 @@ def test_accelerations_that_follow_from_constraints_tell_no_size(metre, distance
     What rounding left of the accelerations along the two constraints made steps along the branch
     of 1e12 m, and points that were on neither.
     """
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     m, R, l, g, k = sm.symbols("m R l g k")
     x, y, z, ux, uy, uz = me.dynamicsymbols("x y z ux uy uz")
     P = O.locatenew("P", x * N.x + y * N.y + z * N.z)

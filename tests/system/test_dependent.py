@@ -15,6 +15,7 @@ from pydy._names import name_of
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 SOLVABLE = ["disc", "disc_contact", "sleigh", "skate", "fourbar", "track", "track_reversed", "gyro"]
 SOLVABLE += ["lifted"]
@@ -280,8 +281,7 @@ def test_a_speed_that_the_user_gave_is_kept(unit):
 @pytest.mark.parametrize("metre", [1.0, 1e-3, 1e-6, 1e-9, 1e9])
 def test_an_area_and_a_length_are_solved_in_any_unit(metre, how):
     """A bead on a sphere and a plane: in nanometres the sphere was missed by a thousandth."""
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     R, l = sm.symbols("R l")
     x, y, z, ux, uy, uz = me.dynamicsymbols("x y z ux uy uz")
     bead = me.Particle("p", O.locatenew("P", x * N.x + y * N.y + z * N.z), sm.Integer(1))
@@ -308,8 +308,7 @@ def test_searches_begin_at_zero_in_any_unit(metre):
     """SciPy steps by 1e-8 from zero: beside 1e9 metres this was rounding."""
     x, y, angle = me.dynamicsymbols("x y theta")
     m, a, b = sm.symbols("m a b")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
     made = Definition(
@@ -326,8 +325,7 @@ def test_searches_begin_at_zero_in_any_unit(metre):
 
 def test_constraints_whose_derivatives_are_not_finite_are_named():
     x, y = me.dynamicsymbols("x y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
     made = Definition(

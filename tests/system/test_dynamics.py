@@ -17,6 +17,7 @@ from pydy._mechanics import inverse
 from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 OWN = (
@@ -260,8 +261,7 @@ def test_gravity_that_no_load_tells_is_asked_for():
 def test_a_weight_in_numbers_beside_other_forces_in_one_vector_is_not_taken_for_none(apart):
     x, y, u, v = me.dynamicsymbols("x y u v")
     c = sm.Symbol("c")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies, loads = [], []
     for k, (place, speed, mass) in enumerate([(x, u, 2.0), (y, v, 3.0)]):
         point = origin.locatenew(f"P{k}", place * frame.y)
@@ -285,8 +285,7 @@ M, G, K, RHO, L, M0, M1 = sm.symbols("m g k rho L m0 m1")
 
 def falling(mass, forces, beside="itself"):
     """A particle with forces, each a pair of components, at its place or at one that coincides."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", X * frame.x + Y * frame.y)
     again = origin.locatenew("Q", X * frame.x + Y * frame.y)
     where = {"itself": point, "joined": point.locatenew("Q", 0), "again": again}[beside]
@@ -344,8 +343,7 @@ def test_what_may_be_a_weight_or_another_load_is_asked_for(mass, forces):
 
 
 def test_a_weight_that_is_at_no_mass_centre_is_asked_for():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     points = [origin.locatenew(n, s * frame.y) for n, s in (("A", X), ("B", Y))]
     bodies = [me.Particle(p.name, p, m) for p, m in zip(points, (M0, M1), strict=True)]
     together = origin.locatenew("C", (M0 * X + M1 * Y) / (M0 + M1) * frame.y)
@@ -371,8 +369,7 @@ def test_places_of_weights_are_compared_in_one_go(monkeypatch):
 
 def test_a_lagrangian_has_inverse_dynamics_too():
     theta, x = me.dynamicsymbols("theta x")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     arm = frame.orientnew("A", "Axis", (theta, frame.z))
     cart = origin.locatenew("C", x * frame.x)
     cart.set_vel(frame, x.diff(T) * frame.x)
@@ -444,8 +441,7 @@ def test_what_a_place_or_gravity_holds_must_be_known():
 
 def test_a_motion_of_which_the_equations_hold_derivatives_alone_has_a_place():
     t, (q, u, f) = me.dynamicsymbols._t, me.dynamicsymbols("q u f")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     base = O.locatenew("base", f * N.x)
     base.set_vel(N, f.diff(t) * N.x)
     A = N.orientnew("A", "Axis", [q, N.z])
@@ -480,8 +476,7 @@ def test_vectors_that_are_none_are_named():
 
 def test_a_place_is_known_by_the_name_that_a_definition_gives_it():
     q = me.dynamicsymbols("q")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     arm = frame.orientnew("A", "Axis", (q, frame.z))
     tip = origin.locatenew("tip", 2 * arm.x)
     bob = me.Particle("bob", origin.locatenew("C", arm.x), 1.0)
@@ -533,8 +528,7 @@ def test_forces_take_fewer_operations_than_accelerations():
 
 def test_forces_that_hold_weights_take_half_of_the_operations_of_those_that_move_masses():
     # Links on hinges at odd angles, where the axes that frames are given in suit no hinge.
-    frame, point = me.ReferenceFrame("N"), me.Point("O")
-    point.set_vel(frame, 0)
+    frame, point = inertial_frame()
     N, angles, bodies, loads = frame, me.dynamicsymbols("q:3"), [], []
     for k, angle in enumerate(angles):
         skew = frame.orientnew(f"S{k}", "Axis", (0.4 + k, frame.x + 2 * frame.y - frame.z))

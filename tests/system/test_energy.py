@@ -14,6 +14,7 @@ from cases import close, system_of
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
+from zoo import inertial_frame
 
 TIMES = np.linspace(0.0, 1.0, 5)
 TIGHT = {"rtol": 1e-11, "atol": 1e-11, "mxstep": 5000}
@@ -240,8 +241,7 @@ def test_springs_between_two_bodies_that_both_move():
     q = me.dynamicsymbols("x1 y1 x2 y2")
     u = me.dynamicsymbols("u1 v1 u2 v2")
     k, free, m = sm.symbols("k l m")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     points = []
     for i in (0, 2):
         points.append(origin.locatenew(f"P{i}", q[i] * frame.x + q[i + 1] * frame.y))
@@ -379,8 +379,7 @@ def test_a_trajectory_knows_its_energy():
 def carried(**options):
     """A mass on a carriage that is moved by y(t): the equations hold y'' alone."""
     x, v, y = me.dynamicsymbols("x v y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     end = origin.locatenew("P", (x + y) * frame.x)
     body = me.Particle("A", end, 2)
     loads = [(end, 3 * frame.x)]
@@ -412,8 +411,7 @@ def test_rates_of_a_prescribed_motion_that_are_not_given_are_asked_for():
 
 def test_a_motion_that_moves_nothing_else_counts_in_the_energy():
     x, v, y = me.dynamicsymbols("x v y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     places = {"A": x * frame.x, "B": y * frame.y}
     bodies = [me.Particle(name, origin.locatenew(name, s), 2) for name, s in places.items()]
     system = System(Definition(frame, [x], [v], bodies=bodies), initial_conditions={v: 0.2})
@@ -471,8 +469,7 @@ TIME = me.dynamicsymbols._t
 )
 def test_the_weight_of_a_mass_that_changes_has_the_potential_of_that_mass(mass, g):
     x, u = me.dynamicsymbols("x u")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     place.set_vel(frame, u * frame.x)
     bodies, loads = [me.Particle("b", place, mass)], [(place, -mass * g * frame.x)]

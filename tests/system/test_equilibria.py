@@ -16,6 +16,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from zoo import inertial_frame
 
 
 @pytest.fixture
@@ -114,8 +115,7 @@ def test_a_coordinate_may_move_steadily():
 def test_a_motion_that_depends_on_a_coordinate_is_not_steady_while_it_moves(metre, tilt):
     """A pendulum that a torque turns round: steadily about a vertical axis, and about no other."""
     q, u, torque = me.dynamicsymbols("q u T")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     rod = N.orientnew("R", "Axis", (q, N.z))
     bob = O.locatenew("B", -0.5 * metre * rod.y)
     weight = -9.81 * metre * (np.sin(tilt) * N.y + np.cos(tilt) * N.z)
@@ -142,8 +142,7 @@ TIME = me.dynamicsymbols._t
 def pushed(load=0, **more):
     """A mass on a spring, x'' = F + load - 3 x."""
     x, v, force = me.dynamicsymbols("x v F")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     loads = [(place, (force + load - 3 * x) * frame.x)]
     bodies = [me.Particle("b", place, 1)]
@@ -278,8 +277,7 @@ def test_a_small_column_is_not_a_free_direction():
 
 
 def chaplygin_sleigh():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     x, y, angle = me.dynamicsymbols("x y theta")
     along, turn, across = me.dynamicsymbols("u omega v")
     m, inertia, a = sm.symbols("m I a")
@@ -319,8 +317,7 @@ def test_what_no_equation_tells_of_stays_and_is_named_by_itself(heading):
 def test_a_combination_that_is_free_is_named_beside_what_is_free_alone():
     q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
     m, k = sm.symbols("m k")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     ends = [origin.locatenew(f"P{i}", s * frame.x) for i, s in enumerate(q)]
     bodies = [me.Particle(f"p{i}", end, m) for i, end in enumerate(ends)]
     pull = k * (q[1] - 2 * q[0])  # of a lever
@@ -339,8 +336,7 @@ def hanging_chain():
     count = 5
     q, u = me.dynamicsymbols(f"q:{count}"), me.dynamicsymbols(f"u:{count}")
     m, length, g, width = constants = sm.symbols("m l g d")
-    ground, start = me.ReferenceFrame("N"), me.Point("O")
-    start.set_vel(ground, 0)
+    ground, start = inertial_frame()
     joint, bodies, loads = start, [], []
     for k, (angle, rate) in enumerate(zip(q, u, strict=True)):
         link = me.ReferenceFrame(f"A{k}")
@@ -418,8 +414,7 @@ def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
     assert found.free == ("q0",)
     (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
     k, m, g = sm.symbols("k m g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     held, falls = origin.locatenew("P", x * frame.x), origin.locatenew("Q", y * frame.x)
     bodies = [me.Particle("a", held, m), me.Particle("b", falls, m)]
     loads = [(held, -k * x * frame.x), (falls, m * g * frame.x)]
@@ -436,8 +431,7 @@ def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
     """All weight is the constraints': of the accelerations nothing but rounding is left."""
     x, y = me.dynamicsymbols("x y")
     mass, g, rod, half = sm.symbols("m g l d")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
     bob, loads = me.Particle("bob", point, mass), [(point, -mass * g * frame.y)]
@@ -462,8 +456,7 @@ def test_an_angle_without_inertia_is_judged_in_no_unit(metre):
     """Below 1e-10 any height was an equilibrium; beyond 1e13 the deflection x seemed to be free."""
     x, y, angle = me.dynamicsymbols("x y theta")
     m, g, k, length = sm.symbols("m g k l")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", x * frame.x + y * frame.y)
     bob.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
     held = [x - length * sm.sin(angle), y + length * sm.cos(angle)]

@@ -12,6 +12,7 @@ from pydy import System
 from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
+from zoo import inertial_frame
 
 GENERATORS = ["llvm", "lambdify"]
 A = sm.Symbol("a")
@@ -273,8 +274,7 @@ def test_a_table_with_its_labels_in_another_order_is_refused():
 def cloud(n):
     """Particles on a line that 1/q pushes away from a wall; each reciprocal is an output."""
     q, m = me.dynamicsymbols(f"q:{n}"), sm.Symbol("m")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     places = [O.locatenew(f"P{k}", s * N.x) for k, s in enumerate(q)]
     bodies = [me.Particle(f"b{k}", place, m) for k, place in enumerate(places)]
     loads = [(place, N.x / s) for place, s in zip(places, q, strict=True)]

@@ -17,6 +17,7 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
 from touching import N, ball, block, e, mu, vx, x, y
+from zoo import inertial_frame
 
 TIMES = np.linspace(0.0, 10.0, num=101)
 BOTH = pytest.mark.parametrize("method", ["shooting", "collocation"])
@@ -154,8 +155,7 @@ def test_what_the_data_leave_undetermined_is_named(oscillator, method):
 def test_a_mass_that_no_sample_depends_on_is_named(method):
     """Bodies that fall from rest fall alike: rounding is no effect of a mass."""
     y, a, b = me.dynamicsymbols("y a b")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     rods = [frame.orientnew(n, "Axis", (q, frame.z)) for n, q in (("A", a), ("B", b))]
     points = [origin.locatenew("P0", y * frame.y)]
     points += [points[0].locatenew("P1", rods[0].x / 2)]
@@ -280,8 +280,7 @@ def test_a_fit_holds_the_initial_conditions_that_are_not_solved_for(method):
     """Beside a string's length its bob's x may be a parameter, where y was solved for."""
     (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
     l, m, g = sm.symbols("l m g")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", x * N.x + y * N.y)
     bob = Definition(
         N,

@@ -17,6 +17,7 @@ from pydy.control import OptimalControl
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 X, Y, V, W, E = me.dynamicsymbols("x, y, v, w, E")
@@ -30,8 +31,7 @@ DISTANCE = sm.sqrt((X - NEAR[0]) ** 2 + (Y - NEAR[1]) ** 2)
 
 def point(loads=(), constraints=()):
     """A particle in a plane."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", X * frame.x + Y * frame.y)
     place.set_vel(frame, V * frame.x + W * frame.y)
     forces = [(place, f[0] * frame.x + f[1] * frame.y) for f in loads]
@@ -169,8 +169,7 @@ def test_a_wheel_touches_a_rail_where_the_ivp_test_set_says():
     speeds = me.dynamicsymbols("v_x, v_y, v_z, v_theta, v_phi")
     unknowns = me.dynamicsymbols("psi_r, xi_r, psi_l, xi_l")
     x, y, z, theta, phi = places
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     axle = frame.orientnew("A", "body", (theta, phi, 0), "yzx")
     centre = origin.locatenew("C", x * frame.x + y * frame.y + z * frame.z)
     inertia = me.inertia(axle, 1, 1, 1)
@@ -534,8 +533,7 @@ def test_linear_models_hold_the_forces_slope():
 def test_positions_and_constraints_hold_no_force():
     with pytest.raises(ValueError, match=r"constraint holds D\(t\), whose residuals hold speeds"):
         System(definition([(-D, 0)], [X**2 + Y**2 - R**2 + D]), implicit=DRAG)
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     body = me.Particle("P", origin.locatenew("P", (X + D) * frame.x), 1)
     with pytest.raises(ValueError, match=r"position, velocity .* holds D\(t\), whose residuals"):
         System(Definition(frame, [X], [V], bodies=[body]), implicit=DRAG)
@@ -559,8 +557,7 @@ def rooted(solved, held, **options):
     z, c = me.dynamicsymbols("z"), sm.Symbol("c")
     root = 2 / sm.sqrt(3) * sm.sinh(sm.asinh(3 * sm.sqrt(3) / 2 * (held + c)) / 3)
     force = z if solved else root
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", X * frame.x)
     push = me.dynamicsymbols("F") - K * X - force / 2
     moved = Definition(
@@ -640,8 +637,7 @@ def test_constraints_with_unknowns_move_coordinates_as_those_with_the_formula(me
     root = 2 / sm.sqrt(3) * sm.sinh(sm.asinh(3 * sm.sqrt(3) / 2 * X) / 3)
     found = []
     for height in (z, root):
-        frame, origin = me.ReferenceFrame("N"), me.Point("O")
-        origin.set_vel(frame, 0)
+        frame, origin = inertial_frame()
         place = origin.locatenew("P", X * frame.x + Y / 1000 * frame.y)
         place.set_vel(frame, V * frame.x + W / 1000 * frame.y)
         bead = Definition(

@@ -10,13 +10,13 @@ from cases import system_of
 from pydy import System
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo import inertial_frame
 
 
 def spatial_arm():
     """Two bodies on hinges that are not parallel, with products of inertia, and a spring."""
     q, u = me.dynamicsymbols("q1:3"), me.dynamicsymbols("u1:3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     one = frame.orientnew("A", "Axis", (q[0], frame.z))
     two = one.orientnew("B", "Axis", (q[1], one.x))
     first = origin.locatenew("C1", 0.3 * one.x + 0.1 * one.y)
@@ -89,8 +89,7 @@ def test_base_parameters_give_the_same_forces():
 def test_a_pendulum_tells_three_parameters():
     """Two first moments and one inertia, which the mass adds to: seven of ten are not told."""
     q = me.dynamicsymbols("q")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     own = frame.orientnew("A", "Axis", (q, frame.z))
     rod = me.RigidBody("rod", origin.locatenew("C", own.x), own, 2.0)
     rod.inertia = me.inertia(own, 0, 1, 1), rod.masscenter
@@ -106,8 +105,7 @@ def test_base_parameters_are_the_same_in_any_unit_of_length(second):
     """A hand on a slider: forces in its direction, and torques."""
     l, g, ma, mb, i = sm.symbols("l g m_a m_b i")
     q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     slider = origin.locatenew("S", q[2] * frame.x)
     one = frame.orientnew("A", "Axis", (q[0], frame.z))
     two = one.orientnew("B", "Axis", (q[1], one.x))
@@ -164,8 +162,7 @@ def test_what_is_not_linear_or_not_whole_is_told():
 def towed():
     """A bob on which a constant force acts that its mass is not in, beside one without."""
     x, y = me.dynamicsymbols("x y")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bobs = [
         me.Particle(f"bob{k}", origin.locatenew(f"P{k}", s * frame.x), 2.0)
         for k, s in enumerate((x, y))

@@ -7,7 +7,6 @@ from sympy.physics.mechanics import (
     KanesMethod,
     Particle,
     Point,
-    ReferenceFrame,
     dynamicsymbols,
 )
 
@@ -15,6 +14,7 @@ import zoo
 from cases import system_of
 from pydy.errors import PyDyUserWarning
 from pydy.system import System
+from zoo import inertial_frame
 
 LINKS = 7
 
@@ -24,8 +24,7 @@ def system():
     """A chain whose first link is braked by c |u|^e, and a free mass: no force depends on it."""
     q, u = dynamicsymbols(f"q:{LINKS + 1}"), dynamicsymbols(f"u:{LINKS + 1}")
     m, g, length, c, e = sm.symbols("m g l c e")
-    frame, place = ReferenceFrame("N"), Point("O")
-    place.set_vel(frame, 0)
+    frame, place = inertial_frame()
     free = Point("F")
     free.set_vel(frame, u[-1] * frame.x)
     bodies, loads = [Particle("F", free, m)], [(free, m * g * frame.x)]

@@ -10,6 +10,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 X, V, Z = me.dynamicsymbols("x v z")
@@ -18,8 +19,7 @@ K, A, B = sm.symbols("K a b")
 
 def carried(motion, damper=False):
     """A mass on a spring to the ground, at x in a frame that moves by z: (x + z)" = -(x + z)."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", (X if damper else X + Z) * frame.x)
     place.set_vel(frame, (V if damper else V + Z.diff(T)) * frame.x)
     force = -K * (V - Z.diff(T)) if damper else -K * (X + Z)

@@ -18,6 +18,7 @@ from pydy.solvers import Event
 from pydy.solvers.kept import is_near
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from singular import bricard, n_four_bar, slider_crank
+from zoo import inertial_frame
 
 ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
 
@@ -259,8 +260,7 @@ UNITS += [(second, metre) for second in (1e-9, 1e9) for metre in (1e-9, 1e9)]
 def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre):
     """Tolerances below rounding errors explain none of it; beside the motion it is nothing."""
     x, y, u, v = me.dynamicsymbols("x y u v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies = []
     for name, place, speed in (("held", x, u), ("free", y, v)):
         point = origin.locatenew(name, place * frame.x)

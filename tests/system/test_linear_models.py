@@ -19,6 +19,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from singular import slider_crank
+from zoo import inertial_frame
 
 
 @cache
@@ -337,8 +338,7 @@ def test_angles_and_lengths_are_chosen_alike_in_any_units():
     for metre in (1e-6, 1.0, 1e9):
         a, b, x, u, w, v = me.dynamicsymbols("a b x u w v")
         l, m = sm.symbols("l m")
-        frame, origin = me.ReferenceFrame("N"), me.Point("O")
-        origin.set_vel(frame, 0)
+        frame, origin = inertial_frame()
         ends = [origin.locatenew("A", l * sm.cos(a) * frame.x + l * sm.sin(a) * frame.y)]
         ends.append(ends[0].locatenew("B", l * sm.cos(b) * frame.x + l * sm.sin(b) * frame.y))
         ends.append(origin.locatenew("C", x * frame.y))
@@ -381,8 +381,7 @@ def test_feedback_is_differentiated_where_a_state_is_zero_but_for_rounding(start
 @pytest.mark.parametrize("function", [False, True])
 def test_what_is_not_finite_is_an_error_and_no_warning_of_numpy(constraints, function):
     p, q, force = me.dynamicsymbols("p q F")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", p * N.x + q * N.y)
     row = {kind: [of(p, q)] for kind, of in constraints.items()}
     load = (P, (force + 1 / p) * N.x + N.y / q)

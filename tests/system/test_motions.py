@@ -10,6 +10,7 @@ from cases import close
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.system import System
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 Z = me.dynamicsymbols("z")
@@ -161,8 +162,7 @@ F1, F2, F3 = FORCES = me.dynamicsymbols("f1:4")
 def pushed():
     """Three masses, each with a force of its own."""
     x, v = me.dynamicsymbols("x1:4"), me.dynamicsymbols("v1:4")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies, loads = [], []
     for k in range(3):
         point = origin.locatenew(f"P{k}", x[k] * frame.x)

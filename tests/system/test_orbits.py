@@ -13,6 +13,7 @@ from pydy.errors import AnalysisInterrupted, PeriodicOrbitError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
+from zoo import inertial_frame
 
 t = me.dynamicsymbols._t
 
@@ -77,8 +78,7 @@ def test_multipliers_are_exact_where_the_orbit_is_an_equilibrium():
 def test_an_orbit_of_a_constrained_system_is_found_in_the_states_that_are_not_solved_for():
     """A driven bob on a string, which passes the lowest point, where x does not follow from y."""
     (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", x * N.x + y * N.y)
     push = sm.cos(2 * t) - v / 2
     bob = Definition(
@@ -110,8 +110,7 @@ def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
 
 def test_a_pendulum_that_turns_over_repeats_where_an_event_sets_it_back():
     q, u = me.dynamicsymbols("q u")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     rod = N.orientnew("R", "Axis", (q, N.z))
     bob = O.locatenew("B", -rod.y / 2)
     loads = [(bob, -9.81 * N.y), (rod, (5 - 0.4 * u) * N.z)]
@@ -271,8 +270,7 @@ def test_a_first_flight_that_runs_away_sets_no_sizes(metre, second):
 def truss(length, mass, time):
     """A particle between two springs, that hangs: it moves up and down, and not to a side."""
     x, y = me.dynamicsymbols("x y")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", x * N.x + y * N.y)
     loads = [(P, -0.1 * mass * length / time**2 * N.y)]
     for side in (-length, length):
@@ -308,8 +306,7 @@ def test_a_state_that_nothing_moves_has_a_size_in_any_units(units):
 def rod_and_carriage(metre):
     """A carriage on a spring, on which a rod is hinged that turns as it is driven."""
     x, q, u, w = me.dynamicsymbols("x q u w")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     hinge = O.locatenew("H", x * N.x)
     rod = N.orientnew("R", "Axis", (q, N.z))
     tip = hinge.locatenew("T", metre * rod.x)
@@ -357,8 +354,7 @@ def test_what_does_not_fit_is_named(call, message):
 
 def test_where_constraints_leave_nothing_to_search_for_it_says_so():
     x, v = me.dynamicsymbols("x v")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     slider = me.Particle("slider", O.locatenew("P", x * N.x), 1)
     driven = Definition(N, [x], [v], bodies=[slider], holonomic_constraints=[x - sm.sin(t)])
     system = System(driven)
@@ -418,8 +414,7 @@ def test_an_orbit_across_a_jump_of_the_load_warns_of_its_multipliers():
 
 def test_a_period_that_the_forcing_does_not_have_is_named():
     x, v = me.dynamicsymbols("x v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x)
     force = -x - x**3 - v / 10 + sm.cos(me.dynamicsymbols._t)
     bodies, loads = [me.Particle("b", place, 1)], [(place, force * frame.x)]

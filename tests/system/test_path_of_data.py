@@ -17,6 +17,7 @@ import pydy
 from pydy.contact import Contacts, Unilateral
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 PACKAGE = f"{Path(pydy.__file__).parent}/"
 
@@ -66,8 +67,7 @@ def kane():
     """A pendulum, before its equations are derived."""
     q, u = me.dynamicsymbols("q u")
     m, g, l = sm.symbols("m g l")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     rod = frame.orientnew("A", "Axis", (q, frame.z))
     rod.set_ang_vel(frame, u * frame.z)
     bob = origin.locatenew("P", -l * rod.y)

@@ -18,6 +18,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 andrews = definitions("andrews", before="mechanism = derive()")
 ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
@@ -342,8 +343,7 @@ def test_a_redundant_constraint_is_held_and_named_once():
 
 def test_of_many_redundant_constraints_two_are_named():
     q, p, u, v = (me.dynamicsymbols(f"{name}:6") for name in "qpuv")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     bodies = []
     for k, (x, y, vx, vy) in enumerate(zip(q, p, u, v, strict=True)):
         point = origin.locatenew(f"P{k}", x * frame.x + y * frame.y)
@@ -460,8 +460,7 @@ def test_constraints_that_jump_end_a_projected_motion():
 @pytest.mark.parametrize("mass", [1.7, 2.0, 3.0])
 def test_coordinates_that_are_held_at_zero_need_not_be_zero_to_the_last_bit(angle, mass):
     # A block on a wedge that is held at the origin: corrections along the slope are felt there.
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     q, u = me.dynamicsymbols("x y X Y"), me.dynamicsymbols("v_x v_y V_x V_y")
     P, W = O.locatenew("P", q[0] * N.x + q[1] * N.y), O.locatenew("W", q[2] * N.x + q[3] * N.y)
     P.set_vel(N, u[0] * N.x + u[1] * N.y)

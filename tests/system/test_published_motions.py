@@ -9,21 +9,16 @@ import sympy.physics.mechanics as me
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
-
-
-def ground():
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    return frame, origin
 
 
 @pytest.mark.parametrize("solver", ["dop853", "vern9", "radau"])
 def test_a_pendulum_from_the_horizontal_ends_where_the_iftomm_library_says(solver):
     # A01, the simple pendulum, https://www.iftomm-multibody.org/benchmark/: the place after 10 s.
     angle, rate = me.dynamicsymbols("a ua")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     bob = origin.locatenew("P", sm.cos(angle) * frame.x + sm.sin(angle) * frame.y)
     made = Definition(
         frame,
@@ -64,7 +59,7 @@ def test_the_car_axis_ends_where_the_ivp_test_set_says(solver):
     mass = sm.Rational(1, 100) ** 2 * 10 / 2
     bump = sm.sin(10 * T) / 10
     across = sm.sqrt(1 - bump**2)
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     wheel = origin.locatenew("B", across * frame.x + bump * frame.y)
     ends = [
         origin.locatenew(name, x * frame.x + y * frame.y)
@@ -121,7 +116,7 @@ def test_the_heavy_top_of_bruls_and_cardona_moves_as_its_own_equations_say(solve
     # O. Brüls and A. Cardona, "On the use of Lie group time integrators in multibody dynamics",
     # J. Comput. Nonlinear Dynam. 5 (2010) 031002, section 5: a fast top, by a quaternion.
     e, u = me.dynamicsymbols("e0:4"), me.dynamicsymbols("u1:4")
-    frame, origin = ground()
+    frame, origin = inertial_frame()
     body = frame.orientnew("B", "Quaternion", e)
     spin = sum(w * axis for w, axis in zip(u, body, strict=True))
     body.set_ang_vel(frame, spin)

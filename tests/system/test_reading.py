@@ -11,6 +11,7 @@ from cases import system_of
 from pydy import System
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
 MODELS = {**zoo.MODELS, **{n: MECHANISMS[n] for n in ("camera", "gimbals", "coupler", "wheel")}}
@@ -18,8 +19,7 @@ MODELS = {**zoo.MODELS, **{n: MECHANISMS[n] for n in ("camera", "gimbals", "coup
 
 def arm(count, axes="zzzzzz", prefix="l"):
     """An arm of links with lengths l, mass centres at lc and inertias I about them."""
-    frame, point = me.ReferenceFrame("N"), me.Point("O")
-    point.set_vel(frame, 0)
+    frame, point = inertial_frame()
     base = frame
     q, u = me.dynamicsymbols(f"q1:{count + 1}"), me.dynamicsymbols(f"u1:{count + 1}")
     m, g, inertias = sm.symbols(f"m1:{count + 1}"), sm.Symbol("g"), sm.symbols(f"I1:{count + 1}")
@@ -107,8 +107,7 @@ def test_body_rates_of_euler_angles_are_what_is_computed(seed):
     rng = np.random.default_rng(seed)
     q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
     m, g, l, i1, i2, i3 = sm.symbols("m g l i1 i2 i3")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     order = str(rng.choice(["123", "132", "231", "312", "321", "121", "232", "313", "323"]))
     body = frame.orientnew("B", "Body", q, order)
     w = body.ang_vel_in(frame)
@@ -133,8 +132,7 @@ def test_spherical_coordinates_are_what_is_computed(along):
     q, u = me.dynamicsymbols("r theta phi"), me.dynamicsymbols("v1:4")
     m, g, k = sm.symbols("m g k")
     r, theta, phi = q
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     across = sm.sin(theta) * (sm.cos(phi) * frame.x + sm.sin(phi) * frame.y)
     point = origin.locatenew("P", r * (across + sm.cos(theta) * frame.z))
     sizes = (1, r, r * sm.sin(theta)) if along == "components" else (1, 1 / sm.cos(theta), r**2)
@@ -179,8 +177,7 @@ def test_names_are_not_those_of_constants():
 def test_one_name_is_of_one_angle():
     """Those of z − n and m + n + z are spelled alike."""
     z, m, n = q = me.dynamicsymbols("z m n")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", z * frame.x + m * frame.y + n * frame.z)
     loads = [(point, sm.cos(z - n) * frame.x + sm.cos(m + n + z) * frame.y)]
     definition = Definition(frame, q, bodies=[me.Particle("bob", point, 2)], loads=loads)
@@ -201,8 +198,7 @@ def test_written_out_nothing_is_named():
 
 def test_differences_of_angles_and_other_coordinates_have_names():
     x, y = me.dynamicsymbols("alpha beta")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     one = frame.orientnew("A", "Axis", (x, frame.z))
     two = frame.orientnew("B", "Axis", (y, frame.z))
     elbow = origin.locatenew("E", 2 * one.x)
@@ -239,8 +235,7 @@ def test_notebooks_show_latex_and_fold_many_names():
 def test_functions_of_other_kinds_stand_for_themselves():
     x, v = me.dynamicsymbols("x v")
     k, m, a = sm.symbols("k m a")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x)
     force = -k * x / sm.sqrt(x**2 + a**2) - sm.Max(x, 0) + sm.Piecewise((1, x < a), (k, True))
     made = System(

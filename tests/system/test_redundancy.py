@@ -13,6 +13,7 @@ from pydy._mechanics import dependents
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 TIMES = np.linspace(0.0, 0.4, num=21)
 
@@ -56,7 +57,7 @@ def test_a_lift_that_was_taken_for_bars_on_each_other_is_refused_with_the_remedy
 
 
 def test_redundant_constraints_that_contradict_each_other_in_a_length_are_named():
-    frame, origin = loops._ground()
+    frame, origin = inertial_frame()
     q, p, u, v = me.dynamicsymbols("q p u v")
     l = sm.Symbol("l")
     bodies = [
@@ -76,7 +77,7 @@ LENGTHS = sm.symbols("a b c")
 
 def pair(rows, constants=(), **options):
     """Two particles on a line."""
-    frame, origin = loops._ground()
+    frame, origin = inertial_frame()
     q, p, u, v = me.dynamicsymbols("q p u v")
     bodies = [
         me.Particle(name, origin.locatenew(name, s * frame.x), 1)
@@ -168,7 +169,7 @@ def test_long_rows_hold_up_to_their_rounding():
     ],
 )
 def test_a_configuration_is_of_numbers_for_what_is_known(configuration, message):
-    frame, origin = loops._ground()
+    frame, origin = inertial_frame()
     x = me.dynamicsymbols("x")
     body = me.Particle("P", origin.locatenew("P", x * frame.x), 1)
     with pytest.raises((TypeError, ValueError), match=message):

@@ -12,12 +12,12 @@ from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 
 def bob():
     """A pendulum in Cartesian coordinates, let go beside its pivot: it swings over x = -1/2."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     x, y, vx, vy = me.dynamicsymbols("x y vx vy")
     m, g, l = sm.symbols("m g l")
     end = origin.locatenew("P", x * frame.x + y * frame.y)

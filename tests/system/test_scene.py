@@ -18,6 +18,7 @@ from sympy.physics.mechanics import (
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.viz import Arrow, Box, Sphere, Visual
+from zoo import inertial_frame
 
 q, u, F = dynamicsymbols("q, u, F")
 
@@ -53,8 +54,7 @@ def test_gravity_may_pull_along_any_axis():
 @pytest.mark.parametrize("mass", [sm.Symbol("m"), 0.5])
 def test_gravity_may_be_a_number(mass):
     y, v = dynamicsymbols("y, v")
-    N, O = ReferenceFrame("N"), Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", y * N.y)
     P.set_vel(N, v * N.y)
     thrust = sm.Symbol("F")
@@ -65,8 +65,7 @@ def test_gravity_may_be_a_number(mass):
 
 def hanging(axis, weight, energy=None):
     """A pendulum by Lagrange's method that hangs along an axis, whose weight no load tells."""
-    N, O = ReferenceFrame("N"), Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     l, m = sm.Symbol("l"), sm.Symbol("m")
     down, aside = -{"x": N.x, "y": N.y, "z": N.z}[axis], {"x": N.y, "y": N.z, "z": N.x}[axis]
     P = O.locatenew("P", l * (sm.cos(q) * down + sm.sin(q) * aside))

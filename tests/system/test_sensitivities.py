@@ -19,6 +19,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run.integration import Integration
+from zoo import inertial_frame
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -76,8 +77,7 @@ def test_fixed_steps_carry_sensitivities():
 def test_a_pendulum_follows_elliptic_functions():
     q, u = me.dynamicsymbols("q, u")
     m, length, g = sm.symbols("m, l, g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     arm = frame.orientnew("A", "Axis", (q, frame.z))
     arm.set_ang_vel(frame, u * frame.z)
     bob = origin.locatenew("P", -length * arm.y)
@@ -585,8 +585,7 @@ SLIDING = me.dynamicsymbols("x", 1)
 
 def pushed(force):
     """A unit mass that is thrown against a force, which turns it back at 1.5 s or so."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", X * frame.x)
     bodies, loads = [me.Particle("b", place, 1)], [(place, force * frame.x)]
     system = System(Definition(frame, [X], bodies=bodies, loads=loads), ode_solver="dop853")

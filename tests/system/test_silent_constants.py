@@ -14,6 +14,7 @@ from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
+from zoo import inertial_frame
 
 Q, U = me.dynamicsymbols("q u")
 E, G, H, K, M = sm.symbols("e g h k m")
@@ -24,8 +25,7 @@ BOUNCE = Event(Q, direction=-1, reset={U: -E * U}, name="bounce")
 
 def particle(force, place, rate=U):
     """A particle at some place in q, and what acts on it."""
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", sum(p * a for p, a in zip(place, frame, strict=True)))
     load = point, sum(p * a for p, a in zip(force, frame, strict=True))
     return System(
@@ -168,8 +168,7 @@ def test_a_spring_has_an_energy_whatever_the_speed_is_a_multiple_of(law, rate):
 
 def test_springs_on_two_coordinates_have_an_energy_where_speeds_are_sums():
     (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     system = System(
         Definition(

@@ -12,6 +12,7 @@ from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.solvers.outcome import LEFT_CONSTRAINTS
 from pydy.system import System
+from zoo import inertial_frame
 
 TIMES = np.linspace(0.0, 0.1, 3)
 
@@ -230,8 +231,7 @@ def test_a_bicycle_that_stands_upright_to_rounding_is_not_told_of(unit):
 @pytest.mark.parametrize("far", [0.0, 1e9])
 def test_a_coordinate_of_another_row_does_not_hide_that_one_is_off(far, unit):
     x, y, z = me.dynamicsymbols("x y z")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     place = O.locatenew("P", x * N.x + y * N.y + z * N.z)
     definition = Definition(
         N, [x, y, z], bodies=[me.Particle("P", place, 1)], holonomic_constraints=[x - 2 * y]
@@ -247,8 +247,7 @@ def test_a_coordinate_of_another_row_does_not_hide_that_one_is_off(far, unit):
 def test_of_many_rows_that_do_not_hold_two_are_shown():
     n = 40
     q, p = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"p:{n}")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     bodies = [
         me.Particle(f"P{k}", O.locatenew(f"P{k}", a * N.x + b * N.y), 1)
         for k, (a, b) in enumerate(zip(q, p, strict=True))
@@ -306,8 +305,7 @@ def test_a_constraint_of_constants_alone_of_a_called_method_is_refused():
 def on_a_line(configuration, velocity, w=1.0):
     """A particle in a plane whose constraints are given as rows of x, y, and of u, v."""
     x, y, u, v = me.dynamicsymbols("x y u v")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     point = origin.locatenew("P", x * frame.x + y * frame.y)
     point.set_vel(frame, u * frame.x + v * frame.y)
     method = me.KanesMethod(

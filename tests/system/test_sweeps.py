@@ -19,6 +19,7 @@ from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from ziegler import zieglers_pendulum
+from zoo import inertial_frame
 
 MOVING = ["x", "theta_R", "theta_F"]
 
@@ -413,8 +414,7 @@ def test_a_branch_that_rests_on_the_axis_is_left_where_it_becomes_unstable(count
     """
     x, y = me.dynamicsymbols("x y")
     p = sm.Symbol("p")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     force = ((1 - p) * x + 2 * y.diff()) * frame.x + (y - 2 * x.diff()) * frame.y
     system = System(

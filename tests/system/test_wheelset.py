@@ -8,6 +8,7 @@ from sympy import cos, sin, sqrt
 
 from pydy import System
 from pydy.mechanics import Definition, Implicit
+from zoo import inertial_frame
 
 # Cones on rails of circular profile, at 30 m/s on a straight track. The creep forces depend on the
 # normal forces, and these on them. B. Simeon, C. Führer, P. Rentrop, "Introduction to differential-
@@ -100,8 +101,7 @@ class Wheel:
 
 
 def wheelset(**options):
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
+    frame, origin = inertial_frame()
     axle, _ = turned(THETA)
     body = frame.orientnew("yawed", "Axis", (THETA, frame.y))
     body = body.orientnew("axle", "Axis", (PHI, body.z))

@@ -200,6 +200,11 @@ def test_a_film_begins_with_the_picture(scene, tmp_path):
     assert frame.max() == 1.0
 
 
+def test_frames_must_follow_each_other(scene, tmp_path):
+    with pytest.raises(ValueError, match=r"`fps` must be from 0\.001 to 1000"):
+        scene.save(tmp_path / "a.gif", fps=0)
+
+
 def test_what_ffmpeg_says_is_in_the_message(scene, tmp_path, monkeypatch):
     from matplotlib.animation import FFMpegWriter
 

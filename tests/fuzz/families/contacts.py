@@ -10,8 +10,6 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import (
     Particle,
-    Point,
-    ReferenceFrame,
     RigidBody,
     dynamicsymbols,
     inertia,
@@ -36,6 +34,7 @@ from pydy.contact import (
 )
 from pydy.mechanics import Definition
 from pydy.system import System
+from zoo import inertial_frame
 
 
 @cache
@@ -43,8 +42,7 @@ def _block() -> SimpleNamespace:
     """A block above a floor, and its contacts."""
     x, y, v, w = dynamicsymbols("x, y, v, w")
     m, g, mu = sm.symbols("m, g, mu")
-    N, O = ReferenceFrame("N"), Point("O")
-    O.set_vel(N, 0)
+    N, O = inertial_frame()
     P = O.locatenew("P", x * N.x + y * N.y)
     P.set_vel(N, v * N.x + w * N.y)
     block = Definition(
