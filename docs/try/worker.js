@@ -157,7 +157,7 @@ function texts(...list) {
 // The second argument is added to `sys.path`.
 const [args_sizes_get, args_get] = texts("/usr/local/bin/python.wasm", "/lib");
 const [environ_sizes_get, environ_get] = texts("HOME=/home", "TMPDIR=/tmp", "MPLBACKEND=agg",
-  "PYTHONTZPATH=", "PYTHONDONTWRITEBYTECODE=1");
+  "PYTHONTZPATH=", "PYTHONDONTWRITEBYTECODE=1", "PYDY_CACHE_DIR=off");
 
 const calls = {
   args_sizes_get, args_get, environ_sizes_get, environ_get,

@@ -108,6 +108,12 @@ def test_an_error_is_shown_and_the_next_cell_runs(page):
     assert "session.py" not in "\n".join(error["traceback"])
 
 
+def test_compiled_code_is_kept_nowhere(page):
+    # Large programs are, elsewhere: in a folder that a package finds, which is not there.
+    page.evaluate(RUN_CELL, "from pydy import _cache_folder\n'kept in', _cache_folder.folder()")
+    until(page, f"{OUTPUTS}.includes(\"('kept in', None)\")")
+
+
 def test_names_are_completed(page):
     page.evaluate(RUN_CELL, "import numpy as np")
     kernel = "jupyterapp.shell.currentWidget.sessionContext.session.kernel"
