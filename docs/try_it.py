@@ -82,7 +82,8 @@ def write_pages(folder: Path) -> None:
         settings["exposeAppInBrowser"] = True  # for tests/browser/test_try_it.py
         settings["disabledExtensions"] = [
             "@jupyter-notebook/notebook-extension:tab-icon",  # icons of a server that is not there
-            "@jupyterlite/application-extension:service-worker-manager",  # files that Python wrote
+            # It hands files between a kernel and the notebook; all fetches would pass through it.
+            "@jupyterlite/application-extension:service-worker-manager",
         ]
         config = {"jupyter-lite-schema-version": 0, "jupyter-config-data": settings}
         (project / "jupyter-lite.json").write_text(json.dumps(config), encoding="utf-8")

@@ -2,7 +2,7 @@
 // loads it: a container of module federation, written by hand because it has one module.
 "use strict";
 {
-  const folder = new URL("../../../", document.currentScript.src); // of worker.js
+  const folder = new URL("../../", document.currentScript.src); // of worker.js
   const STOPPED = "Python starts again with the next cell, without what the cells above defined.";
   const startWorker = () => new Worker(new URL("worker.js", folder));
   let first = startWorker(); // Python starts while the notebook is drawn

