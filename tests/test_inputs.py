@@ -165,3 +165,10 @@ def test_curves_beyond_the_range_of_floats_are_refused(values):
     assert np.isfinite(
         SampledInput(times, np.divide(values, 100.0), "pchip")(np.linspace(0, 3))
     ).all()
+
+
+def test_times_that_rounding_moves_off_the_ends_are_covered_however_far_they_are_from_zero():
+    for start in (0.0, 1.7e9, -1e15):
+        samples = SampledInput(start + np.array([0.0, 1.0, 2.0]), [0.0, 1.0, 0.0])
+        assert samples.covers(np.nextafter(samples.times[[0, -1]], [-np.inf, np.inf]))
+        assert not samples.covers(samples.times[-1:] + max(1.0, 1e-12 * abs(start)))

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import ascending, choice, real_array
+from pydy._rank import ROUNDED
 
 __all__ = ["SampledInput"]
 
 _INTERPOLATIONS = ("linear", "previous", "pchip")
-_SLACK = 1e-9  # of the time that samples span: rounding of times that were computed
+_SLACK = 1e-9  # of the time that samples span: times may have been added up
 
 
 class SampledInput:
@@ -171,7 +172,7 @@ class SampledInput:
     def covers(self, t: np.ndarray) -> bool:
         """Return whether all times lie within the samples, up to rounding."""
         start, end = self._knots[0], self._knots[-1]
-        slack = _SLACK * (end - start)
+        slack = max(_SLACK * (end - start), ROUNDED * max(abs(start), abs(end)))
         return not (np.any(t < start - slack) or np.any(t > end + slack))
 
     def __repr__(self) -> str:

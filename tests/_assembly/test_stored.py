@@ -10,7 +10,7 @@ import sympy as sm
 import zoo
 from graphs import P, T, X, program_of
 from pydy._assembly import model
-from pydy._assembly.system import assemble_form
+from pydy._assembly.system import Form, assemble_form
 from pydy._graph import passes
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
@@ -79,9 +79,8 @@ def assembly():
     constants = sorted(pendulum.constants, key=sm.default_sort_key)
     specifieds = sorted(pendulum.specifieds, key=sm.default_sort_key)
     t = sm.physics.mechanics.dynamicsymbols._t
-    return assemble_form(
-        list(forcing), q, u, constants, specifieds, matrix, [known[c.diff(t)] for c in q], (), t
-    )
+    rates = [known[c.diff(t)] for c in q]
+    return assemble_form(Form(list(forcing), q, u, constants, specifieds, t, matrix, rates))
 
 
 def test_a_program_does_not_depend_on_which_others_were_made_before():
@@ -96,7 +95,7 @@ def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
     """It may be another function today than when the Program was stored."""
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(model, "_WORTH_STORING", 0)
-    assembly = assemble_form([X[0] * P[0]], [X[0]], [], P, [], None, None, [], T)
+    assembly = assemble_form(Form([X[0] * P[0]], [X[0]], [], P, [], T))
 
     def made():
         calls.append(True)

@@ -19,8 +19,6 @@ from pydy._mechanics.generic import evaluator_of, generic_inputs
 from pydy._mechanics.multipliers import Constraints, accelerations, accelerations_of_held
 from pydy._rank import DEPENDENT, HALF, ROUNDED
 
-_TRIALS = 3
-
 
 def stabilised(assembly: Assembly, gain: float) -> Assembly:
     """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0."""
@@ -93,7 +91,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
         cells = dense_jacobian(graph, nodes, by)
         blocks.append((name, (len(nodes), len(by)), cells))
     blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
-    inputs = generic_inputs(assembly.sizes, _TRIALS + len(holonomic))
+    inputs = generic_inputs(assembly.sizes, 3 + len(holonomic))
     parts = evaluator_of(graph, blocks)(*inputs)
     if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=HALF, atol=ROUNDED):
         raise ValueError(

@@ -36,7 +36,6 @@ _INTERPRETED = 64
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300
 _T = TypeVar("_T", bound="Program | Tangent")
-_VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
 
 
 LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -317,7 +316,7 @@ class CompiledModel:
             changed = change(self.assembly.fork())
             other = CompiledModel(self.layout, changed, self.backend, self.solver, self.definition)
         self._variants[key] = other
-        while len(self._variants) > _VARIANTS:
+        while len(self._variants) > 8:  # the latest are kept
             del self._variants[next(iter(self._variants))]
         return other
 

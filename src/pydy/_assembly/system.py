@@ -19,42 +19,44 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 
 
+@dataclass(frozen=True, eq=False)
+class Form:
+    """Equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
+
+    right_hand_side: Sequence[Any]
+    coordinates: Sequence[Any]
+    speeds: Sequence[Any]
+    constants: Sequence[Any]
+    specifieds: Sequence[Any]
+    time: Any
+    mass_matrix: Any = None
+    coordinate_derivatives: Sequence[Any] | None = None
+    outputs: Sequence[Any] = ()
+
+
 @collector_paused()
-def assemble_form(
-    right_hand_side: Sequence[Any],
-    coordinates: Sequence[Any],
-    speeds: Sequence[Any],
-    constants: Sequence[Any],
-    specifieds: Sequence[Any],
-    mass_matrix: Any,
-    coordinate_derivatives: Sequence[Any] | None,
-    outputs: Sequence[Any],
-    time: Any,
-    *,
-    external: bool = False,
-    passes: Passes | None = None,
-) -> Assembly:
-    """Assemble equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
-    graph = Graph()
-    states = [*coordinates, *speeds]
-    atoms = input_nodes(graph, p=constants, t=[time], r=specifieds, x=states)
+def assemble_form(form: Form, *, external: bool = False, passes: Passes | None = None) -> Assembly:
+    """Assemble equations in one of the forms."""
+    graph, time = Graph(), form.time
+    states = [*form.coordinates, *form.speeds]
+    atoms = input_nodes(graph, p=form.constants, t=[time], r=form.specifieds, x=states)
     read = SymPyReader(graph, atoms, "the right-hand side")
     first: list[int] = []
-    if coordinate_derivatives is not None:
+    if form.coordinate_derivatives is not None:
         read.what = "`coordinate_derivatives`"
-        first = read.all(coordinate_derivatives)
-        for symbol, node in zip(coordinates, first, strict=True):
+        first = read.all(form.coordinate_derivatives)
+        for symbol, node in zip(form.coordinates, first, strict=True):
             read.define(symbol.diff(time), node)
         read.what = "the right-hand side"
-    forcing = read.all(right_hand_side)
+    forcing = read.all(form.right_hand_side)
     matrix: list[int] = []
-    sizes = (len(states), len(specifieds), len(constants))
+    sizes = (len(states), len(form.specifieds), len(form.constants))
     n = len(forcing)
-    if mass_matrix is None:
+    if form.mass_matrix is None:
         rates = opened = forcing
     else:
         read.what = "`mass_matrix`"
-        matrix = read.all(mass_matrix)
+        matrix = read.all(form.mass_matrix)
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
         rates = [*first, *graph.solve(rows, [forcing], "lu", judged=True)[0]]
         opened = [*first, *(graph.input("a", k) for k in range(n))]
@@ -64,7 +66,7 @@ def assemble_form(
         own = SymPyReader(graph, dict(read.atoms), read.what)
         for symbol, node in zip(states, derivatives, strict=True):
             own.define(symbol.diff(time), node)
-        values = own.all(outputs)
+        values = own.all(form.outputs)
         return {"rates": derivatives, "ordinary": values, "outputs": values}
 
     return Assembly(

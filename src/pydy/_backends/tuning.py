@@ -8,10 +8,6 @@ unless it says otherwise. What depends on the processor is in `pydy._backends.ll
 # no gain.
 TEMPORARY = 5
 
-# Angles whose sines and cosines are taken with one look at their sizes: 84 stores instead of 140
-# for five links.
-TOGETHER = 8
-
 # Operations from which code does not fit the processor's cache for it, and those for one result of
 # models that do little but the same for each: 300 masses in half the time where LLVM looks for
 # them, in 3 to 5 times the compile time. With AVX2, 100 masses in 0.83 of the time where all eight

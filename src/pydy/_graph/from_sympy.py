@@ -27,10 +27,6 @@ from pydy._graph.rewrite import again, rebuild, transplanted
 Handler = Callable[[Graph, Any, list[int]], int]
 
 
-def _same(op: str) -> Handler:
-    return lambda graph, expr, args: graph.call(op, *args)
-
-
 def _reciprocal(op: str) -> Handler:
     return lambda graph, expr, args: graph.powi(graph.call(op, *args), -1)
 
@@ -236,7 +232,7 @@ def _handler(kind: type) -> Handler | None:
     handler = HANDLERS.get(kind)
     if handler is None and issubclass(kind, sm.Basic) and not issubclass(kind, AppliedUndef):
         name = named_in_sympy(kind.__name__)
-        return None if name is None else _same(name)
+        return None if name is None else lambda graph, expr, args: graph.call(name, *args)
     return handler
 
 

@@ -53,7 +53,7 @@ def accelerations_of_held(
     """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
     first, heavy = held.rows[: held.rank], graph.boolean(True)
     eliminated = _Elimination(graph, matrix)
-    if eliminated.work <= _work_of_dense(GUARDED_UP_TO):
+    if eliminated.work <= sum(map(_work_of_pivot, range(GUARDED_UP_TO))):
         free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
         for k, pivot in enumerate(eliminated.pivots):
             heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
@@ -299,10 +299,6 @@ def _order_of(cells: Sequence[dict[int, int]]) -> tuple[list[int], int]:
 
 def _work_of_pivot(beside: int) -> int:
     return beside * (beside + 3) // 2
-
-
-def _work_of_dense(n: int) -> int:
-    return sum(_work_of_pivot(k) for k in range(n))
 
 
 def solved_soundly(

@@ -35,7 +35,7 @@ from pydy._names import name_of
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.values import sweep, variables
+from pydy._system.values import Sweep, variables
 
 
 def _states(
@@ -343,16 +343,14 @@ class Dynamics(Setup):
         def look(state: At) -> None:
             _warn_of_rest(state, kernel(state.model).program, left)
 
-        out = sweep(
-            now,
+        out = Sweep(
             kernel,
             lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
-            (x, t, r, p),
-            by=by,
+            by,
             more=at[2].shape[-1],
             look=look if equations.constrained else None,
             solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
-        )
+        ).at(now, x, t, r, p)
         return out.reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
 
     def inverse_dynamics(

@@ -94,27 +94,19 @@ class _Fit:
             self.options.setdefault("constraints", "project")
         self.order = definition.states
         self.free = [s for s in (*equations.coordinates, *equations.speeds) if s not in tied]
-        self.shared: list[tuple[str, Any]] = []
-        start: list[float] = []
-        for key in keys:
-            kind, place = located(definition, key, "parameters")
-            self.shared.append((kind, definition.places[kind].symbols[place]))
-            start.append(self.now.value(kind, place))
+        found = [located(definition, key, "parameters") for key in keys]
+        self.shared = [(kind, definition.places[kind].symbols[place]) for kind, place in found]
+        start = [self.now.value(kind, place) for kind, place in found]
         refuse_twice([symbol for _, symbol in self.shared], "parameters")
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []
         self.initial = [self._initial(d) for d in self.data]
         self.constants = [self._others("constants", d) for d in self.data]
         self.specifieds = [self._others("specifieds", d) for d in self.data]
-        for k, d in enumerate(self.data):
+        for d, initial in zip(self.data, self.initial, strict=True):
             self.columns.append(len(self.names))
-            for symbol in d.unknown:
-                if any(symbol == other for _, other in self.shared):
-                    raise ValueError(
-                        f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
-                    )
-                self.names.append(f"{unique_names([symbol])[0]} of {d.label}")
-                start.append(self.initial[k][symbol])
+            self.names += [f"{unique_names([symbol])[0]} of {d.label}" for symbol in d.unknown]
+            start += [initial[symbol] for symbol in d.unknown]
         self.count = len(self.names)  # of parameters proper
         if not self.count:
             raise ValueError("`parameters` must name at least one constant or state.")
@@ -131,6 +123,10 @@ class _Fit:
         """Return the values of a trial that are no parameters, by their symbols."""
         places, label = self.now.definition.places[argument], f"{argument} of {d.label}"
         parameters = {symbol for _, symbol in self.shared}
+        for symbol in parameters.intersection(d.unknown):
+            raise ValueError(
+                f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
+            )
         merged: dict[Any, Any] = {}
         for what, owner in ((argument, self.system), (label, d.trial)):
             given = check_mapping(what, getattr(owner, argument))

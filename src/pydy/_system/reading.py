@@ -73,7 +73,8 @@ class EquationsOfMotion:
         for name, matrix in parts:
             for i in range(matrix.rows):
                 for j in range(matrix.cols):
-                    if matrix[i, j] != 0 and not (name == "M" and j < i and _even(matrix, i, j)):
+                    again = name == "M" and j < i and matrix[i, j] == matrix[j, i]
+                    if matrix[i, j] != 0 and not again:
                         place = f"{i + 1}{j + 1}" if matrix.cols > 1 else f"{i + 1}"
                         lines.append(f"{name}{place} = {_plain(matrix[i, j])}")
         lines += [f"{symbol} = {_plain(meaning)}" for symbol, meaning in self.names.items()]
@@ -102,10 +103,6 @@ class EquationsOfMotion:
             f"<pre>{parts[0]}</pre><details><summary>{title}</summary><pre>{parts[1]}</pre>"
             "</details>"
         )
-
-
-def _even(matrix: Any, i: int, j: int) -> bool:
-    return bool(matrix[i, j] == matrix[j, i])
 
 
 def _plain(expression: Any) -> str:

@@ -137,7 +137,7 @@ def evaluate_block(
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
         look = partial(warn_of_left_out, blocks=blocks)
-    return sweep(now, kernel, names, given, by=wrt or (), look=look)
+    return Sweep(kernel, names, wrt or (), look=look).at(now, *given)
 
 
 def evaluate_product(
@@ -170,7 +170,7 @@ def evaluate_product(
         slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
-    out = sweep(now, kernel, names, given, by=by, vectors=vectors)
+    out = Sweep(kernel, names, by, vectors).at(now, *given)
     return out[..., 0] if squeeze else out
 
 
@@ -195,56 +195,54 @@ def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
     raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
 
 
-def sweep(
-    now: Snapshot,
-    kernel: Callable[[CompiledModel], Kernel],
-    names: Callable[[], Sequence[str]],
-    given: tuple[Any, Any, Any, Any],
-    *,
-    by: Sequence[tuple[str, int]] = (),
-    vectors: np.ndarray | None = None,
-    more: int = 0,
-    look: Callable[[At], None] | None = None,
-    solve: bool = False,
-) -> np.ndarray:
-    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations.
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """A Kernel to evaluate, with the defaults of the evaluations."""
 
-    Further inputs are `vectors`, after r, or `more` columns of x, after the states.
-    """
-    (x, t, r, p), model, definition = given, now.model, now.definition
-    n = len(definition.states)
-    wide, instants, single = samples(now.x_with(x), t, lambda: now.x, now.times, n + more)
-    states = wide[:, :n]
-    if r is None or callable(r) or isinstance(r, Mapping):
-        plan = now.plan_with(r)
-        plan.check_times(instants, "times" if t is None else "t")
-        rows = plan.rows
-        perturbed = any(group == "r" for group, _ in by)
-        model = driven(model, definition, plan, perturbed=perturbed)
-    else:
-        numbers = specified_rows(r, instants, len(definition.specifieds))
+    kernel: Callable[[CompiledModel], Kernel]
+    names: Callable[[], Sequence[str]]  # of its outputs, for messages
+    by: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
+    vectors: np.ndarray | None = None  # further inputs after r
+    more: int = 0  # further columns of x, after the states
+    look: Callable[[At], None] | None = None  # at the states first
+    solve: bool = False  # whether implicit coordinates are solved for, although x is given
 
-        def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
-            return numbers
+    def at(self, now: Snapshot, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+        """Evaluate it at a user's x, t, r and p."""
+        model, definition = now.model, now.definition
+        n = len(definition.states)
+        wide, instants, single = samples(now.x_with(x), t, lambda: now.x, now.times, n + self.more)
+        states = wide[:, :n]
+        if r is None or callable(r) or isinstance(r, Mapping):
+            plan = now.plan_with(r)
+            plan.check_times(instants, "times" if t is None else "t")
+            rows = plan.rows
+            perturbed = any(group == "r" for group, _ in self.by)
+            model = driven(model, definition, plan, perturbed=perturbed)
+        else:
+            numbers = specified_rows(r, instants, len(definition.specifieds))
 
-    at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
-    at = at.with_unknowns(None if solve else x, rows)
-    if at.x is not states:
-        wide = np.hstack([at.x, wide[:, n:]])
-    if look is not None:
-        look(at)
-    made = kernel(model)
-    try:
-        out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
-    except SingularMatrixError as error:
-        k = int((at.x == error.state).all(axis=1).argmax())
-        explain(error, lambda t, x: at.some([k]))
-        raise
-    out = out.reshape(len(out), *made.program.blocks[0].shape)
-    if not np.isfinite(out).all():
-        warn_not_finite(out, at, names())
-    result: np.ndarray = out[0] if single else out
-    return result
+            def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
+                return numbers
+
+        at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
+        at = at.with_unknowns(None if self.solve else x, rows)
+        if at.x is not states:
+            wide = np.hstack([at.x, wide[:, n:]])
+        if self.look is not None:
+            self.look(at)
+        made, vectors = self.kernel(model), self.vectors
+        try:
+            out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
+        except SingularMatrixError as error:
+            k = int((at.x == error.state).all(axis=1).argmax())
+            explain(error, lambda t, x: at.some([k]))
+            raise
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
+        if not np.isfinite(out).all():
+            warn_not_finite(out, at, self.names())
+        result: np.ndarray = out[0] if single else out
+        return result
 
 
 class Evaluation(Setup):
@@ -343,7 +341,7 @@ class Evaluation(Setup):
         """
         now = self._now(constants=p)
         names = partial(now.definition.row_names, "energy")
-        values = sweep(now, now.energies.kernel, names, (x, t, r, p))
+        values = Sweep(now.energies.kernel, names).at(now, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

@@ -15,7 +15,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
-from pydy._assembly.system import assemble_form
+from pydy._assembly.system import Form, assemble_form
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
 from pydy._graph.switches import Passes
@@ -160,9 +160,8 @@ def generate_ode_function(
         return made
     passes = Passes() if flag(generator_options.get("cse", True), "`cse`") else Passes.none()
     external = callable(solver)
-    assembly = assemble_form(
-        force, q, u, p, r, matrix, first, values, time, external=external, passes=passes
-    )
+    form = Form(force, q, u, p, r, time, matrix, first, values)
+    assembly = assemble_form(form, external=external, passes=passes)
     return make_function(
         RightHandSide(
             CompiledModel(

@@ -6,8 +6,6 @@ with contacts that open, close, stick and slide at exact times: gaps, `Unilatera
 that sticks, `Stick`. `Roll` and `Clearance` make these of a geometry.
 """
 
-from __future__ import annotations
-
 from pydy.contact.compliant import CompliantContact
 from pydy.contact.conditions import Stick, Unilateral
 from pydy.contact.contacts import Contacts

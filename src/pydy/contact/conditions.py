@@ -12,7 +12,6 @@ from sympy.physics.mechanics import Point, Vector
 
 from pydy._checks import listed, shown
 from pydy.contact.laws import _axes, _expressions
-from pydy.contact.tuning import CONTACTS
 
 
 class Unilateral:
@@ -215,8 +214,8 @@ def paired(contacts: Any) -> tuple[Contact, ...]:
         raise ValueError(
             f"`contacts` must have different names, got {twice[0]!r} twice. Give them `name=`."
         )
-    if len(found) > CONTACTS:
-        raise ValueError(f"`contacts` may be up to {CONTACTS}, got {len(found)}.")
+    if len(found) > 8:  # up to 4⁸ combinations of modes are tried
+        raise ValueError(f"`contacts` may be up to 8, got {len(found)}.")
     return tuple(found)
 
 

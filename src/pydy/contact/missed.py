@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
 
+from pydy._interpolation import evenly
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
@@ -33,7 +34,7 @@ def missed(
     if part.dense is not None:  # not more steps than are kept
         starts, few = part.dense.starts, np.linspace(part.times[0], end, CHECKED)
         if len(starts) > CHECKED:  # states between steps take these again
-            few = starts[np.linspace(0, len(starts) - 1, CHECKED).astype(int)]
+            few = starts[evenly(len(starts), CHECKED)]
         few = few[few < end]
         rows.insert(1, part.dense(few)[:, : run.n])
     few, states = np.concatenate([part.times[known], few, [end]]), np.concatenate(rows)
@@ -41,25 +42,9 @@ def missed(
     least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):
-        looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
-        own = run.modes[i]
-        if own == OPEN and least[places[symbols[i, "gap"]]] >= 0.0:
+        if run.modes[i] == OPEN and least[places[symbols[i, "gap"]]] >= 0.0:
             continue
-        if c.unilateral is None:
-            looked.append((symbols[i, "normal"], SLACK * run.sizes[i], "", "`normal`"))
-        if own in SLIDES:
-            slack = run.unresolved(i) * run.sizes[i]
-            kind = "turns" if i in resting else ""
-            looked.append((symbols[i, "power"], slack, kind, "power of friction"))
-        if own == STICKS:
-            slack = 2.0 * SLACK * run.sizes[i] ** 2
-            looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
-        if c.unilateral is not None and own == OPEN:
-            looked.append((symbols[i, "gap"], float(np.max(run.atol)), "", "gap"))
-        elif c.unilateral is not None:
-            slack = SLACK * run.sizes[i]
-            looked.append((symbols[i, "normal"], slack, "opens", "normal force"))
-        for symbol, slack, kind, words in looked:
+        for symbol, slack, kind, words in _limits(run, i, i in resting):
             place = places[symbol]
             values = table[:, place] * (-1.0 if words[:5] == "power" else 1.0)
             allowed = SLACK * np.abs(values).max(initial=0.0) + slack
@@ -93,3 +78,19 @@ def missed(
                 + remedy,
             )  # fmt: skip
     return broken
+
+
+def _limits(run: Any, i: int, resting: bool) -> Iterator[tuple[Any, float, str, str]]:
+    """Yield symbols that must not be negative in a contact's mode, by which slack, and as what."""
+    c, own, symbols, size = run.contacts[i], run.modes[i], run.kept.symbols, run.sizes[i]
+    if c.unilateral is None:
+        yield symbols[i, "normal"], SLACK * size, "", "`normal`"
+    if own in SLIDES:
+        kind = "turns" if resting else ""
+        yield symbols[i, "power"], run.unresolved(i) * size, kind, "power of friction"
+    if own == STICKS:
+        yield margin_symbol(c), 2.0 * SLACK * size**2, "slips", "margin of friction, squared,"
+    if c.unilateral is not None and own == OPEN:
+        yield symbols[i, "gap"], float(np.max(run.atol)), "", "gap"
+    elif c.unilateral is not None:
+        yield symbols[i, "normal"], SLACK * size, "opens", "normal force"

@@ -41,18 +41,7 @@ from pydy.contact.modes import Compiled
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
-from pydy.contact.tuning import (
-    BEGUN,
-    ERRORS,
-    FIRST,
-    INSTANT,
-    RESOLUTION,
-    RESOLVED,
-    SETTLING,
-    SLACK,
-    STALLED,
-    WITHIN,
-)
+from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
 from pydy.solvers.options import Options, read_options
 from pydy.solvers.outcome import TERMINATED
 from pydy.solvers.solver import Solver, dop853, radau
@@ -404,7 +393,8 @@ class Run:
                 state.rising -= touching
             transitions += 1
             instants = instants + 1 if here else 0
-            if instants > INSTANT or transitions > STALLED:
+            # Several contacts may take several transitions each at one instant.
+            if instants > 64 or transitions > 100_000:
                 raise self.fail(
                     state.t, state.x,
                     "Chattering: the contacts change their modes again and again without an end.",
@@ -430,8 +420,7 @@ class Run:
         kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
                  for what, i in kinds]  # fmt: skip
         later = self.times > state.t
-        here = self.times == state.t
-        self.states[here] = state.x
+        self.states[self.times == state.t] = state.x
         if self.carried is None and not later.any():
             return True, []
         now = replace(
@@ -508,7 +497,8 @@ class Run:
         at_once = leaps(solution, p.free, self.rows.tangent)
         several = solution.modes.count(STARTING) > 1
         if (at_once or several) and "step" not in options:
-            options["first_step"] = FIRST * self.resolution(state.t)
+            # From there a dozen steps that grow as they may lead to any other size.
+            options["first_step"] = 16.0 * self.resolution(state.t)
             if at_once or self.carried is not None:
                 options["atol"] = RESOLVED**2 * self.atol
                 return dop853
@@ -560,7 +550,7 @@ class Run:
         """Remove rounding errors of closed gaps and sticking speeds by Newton's method."""
         owners = self.rows.owners_of(held)
         normals = list(owners)
-        for _ in range(SETTLING):
+        for _ in range(3):  # the second changes the last digits, if any
             p = self.numbers(state.t, state.x)
             rest = p.gap[list(owners.values())]
             if not rest.any() and not p.speed[list(held)].any():

@@ -3,8 +3,6 @@
 `OptimalControl` states a problem, and `System.optimize_trajectory` solves one in a single call.
 """
 
-from __future__ import annotations
-
 from pydy.control.phases import PhasedTrajectory, Phases
 from pydy.control.problem import OptimalControl
 from pydy.control.result import OptimalTrajectory

@@ -11,7 +11,6 @@ import numpy as np
 from pydy._checks import Places, check_mapping, number, positive, real_array, shown
 from pydy._rank import DIGITS, least_step
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import MOST_CLOSING_STEPS
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
@@ -144,7 +143,7 @@ def follow_constraints(
         at, data = piece.at[:, [k]], np.ascontiguousarray(every[:, [k]])
         X = z[at]
         X[states, 0] += shift
-        for _ in range(MOST_CLOSING_STEPS):
+        for _ in range(8):  # Newton's method doubles the digits; what is far stays as it is
             J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, piece.constants)[:, 0]
             left, by = f("rows", X, data, piece.constants)[:count, 0], J[:count]
             if not (np.isfinite(left).all() and np.isfinite(by).all()):

@@ -59,13 +59,11 @@ from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
 from pydy.control.schemes import Scheme, scheme_of
 from pydy.control.transcription import Problem, Transcription, metric_of, sizes_of
 from pydy.control.tuning import (
-    FEWEST_INTERVALS,
     FIT_ORDER,
     LEAST_FIT_ERROR,
     MOST_CORRECTIONS,
     MOST_REFINEMENTS,
     PROXIMAL,
-    SHARE_OF_NOISE,
     STEADY,
     STILL,
 )
@@ -184,9 +182,7 @@ class Identification:
         if given is not None:
             return [checked_mesh(given)] * len(self.experiments)
         points = 2 if self.noise else 1
-        counts = [
-            max(FEWEST_INTERVALS, -(-points * len(e.times) // FIT_ORDER)) for e in self.experiments
-        ]
+        counts = [max(10, -(-points * len(e.times) // FIT_ORDER)) for e in self.experiments]
         return [np.linspace(0.0, 1.0, num=count + 1) for count in counts]
 
     def solve(
@@ -253,7 +249,8 @@ class Identification:
         ]
         noise = float(sum((r**2).sum() for r, _ in rows))
         size = float(sum((y**2).sum() for _, y in rows))
-        return SHARE_OF_NOISE * np.sqrt(min(noise / size, 1.0)) if size > 0.0 else SHARE_OF_NOISE
+        # The mesh adds the square of a hundredth to the residuals.
+        return 0.01 * np.sqrt(min(noise / size, 1.0)) if size > 0.0 else 0.01
 
     def _found(self, joined: _Joined, nlp: Nlp, residuals: Nlp, solution: Solution) -> Identified:
         z = joined.at_bounds(nlp, solution)

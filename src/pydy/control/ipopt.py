@@ -15,7 +15,7 @@ from __future__ import annotations
 import ctypes
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
 from dataclasses import dataclass
@@ -32,8 +32,6 @@ from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy.control.nlp import SIGNATURES
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
-
-_INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
 
 STATUS = {
     0: "solved",
@@ -101,25 +99,6 @@ class Solution:
     status: int  # a key of `STATUS`
     history: tuple[Iteration, ...]
     interrupted: BaseException | None  # what stopped it: Ctrl-C, or the end of memory
-
-    @classmethod
-    def of(
-        cls, nlp: Any, y: Any, multipliers: Any, below: Any, above: Any, objective: float,
-        status: int, history: Sequence[Iteration],
-        interrupted: BaseException | None,
-    ) -> Solution:  # fmt: skip
-        """Return a solver's result, which is in scaled units, as a Solution."""
-        return cls(
-            # IPOPT widens bounds by 1e-8, without which some searches come to no end.
-            z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
-            multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
-            below=below * nlp.cost_size / nlp.sizes,
-            above=above * nlp.cost_size / nlp.sizes,
-            objective=objective * nlp.cost_size,
-            status=status,
-            history=tuple(history),
-            interrupted=interrupted,
-        )
 
     def seeds(self, nlp: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the multipliers of rows and lower and upper bounds in a program's own units."""
@@ -221,6 +200,24 @@ class Watched:
         self.nlp, self._watch, self._interrupts = nlp, watch, interrupts
         self.history: list[Iteration] = []
         self.raised: list[BaseException] = []
+        self.stopped: BaseException | None = None  # what the Solution is to tell
+
+    def solution(
+        self, y: Any, multipliers: Any, below: Any, above: Any, objective: float, status: int
+    ) -> Solution:
+        """Return a solver's result, which is in scaled units, as a Solution."""
+        nlp = self.nlp
+        return Solution(
+            # IPOPT widens bounds by 1e-8, without which some searches come to no end.
+            z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
+            multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
+            below=below * nlp.cost_size / nlp.sizes,
+            above=above * nlp.cost_size / nlp.sizes,
+            objective=objective * nlp.cost_size,
+            status=status,
+            history=tuple(self.history),
+            interrupted=self.stopped,
+        )
 
     def guarded(
         self, _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
@@ -272,8 +269,8 @@ def _view(address: int, size: int, kind: Any = c_double) -> np.ndarray:
 def program_bounds(nlp: Any) -> list[np.ndarray]:
     """Return the bounds of unknowns and rows, in units of their own: low, high, low, high."""
     low, high = nlp.row_bounds
-    return [
-        np.clip(np.ascontiguousarray(value), -_INFINITE, _INFINITE)
+    return [  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
+        np.clip(np.ascontiguousarray(value), -2e19, 2e19)
         for value in (nlp.lower / nlp.sizes, nlp.upper / nlp.sizes, low / nlp.row_sizes,
                       high / nlp.row_sizes)
     ]  # fmt: skip
@@ -327,7 +324,7 @@ def solve(
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         if warm is not None:
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
-        status, interrupted = None, None
+        status = None
         try:
             with interrupts, _kept(watched.raised, watched.guarded):
                 status = lib.IpoptSolve(
@@ -340,13 +337,10 @@ def solve(
         except (KeyboardInterrupt, MemoryError) as stop:
             if status is None:
                 raise
-            interrupted = stop
+            watched.stopped = stop
     finally:
         lib.FreeIpoptProblem(problem)
-    return Solution.of(
-        nlp, y, multipliers, below, above, float(objective[0]), status, watched.history,
-        interrupted,
-    )  # fmt: skip
+    return watched.solution(y, multipliers, below, above, float(objective[0]), status)
 
 
 def option_values(name: Any, value: Any) -> list[Any]:

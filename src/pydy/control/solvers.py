@@ -120,7 +120,6 @@ def _by_package(
         {} if warm is None else dict(zip(("lagrange", "zl", "zu"), warm.seeds(nlp), strict=True))
     )
     told: Any = None
-    interrupted: BaseException | None = None
     try:
         with interrupts:
             y, told = problem.solve(np.array(z / nlp.sizes), **start)
@@ -129,15 +128,15 @@ def _by_package(
     except (KeyboardInterrupt, MemoryError) as stop:
         if told is None:  # the second in the solver's own code
             raise
-        interrupted = stop
+        program.stopped = stop
     except RuntimeError as error:  # POUNCE reads options as late as this
         if "OPTION" not in str(error):
             raise
         raise ValueError(f"`options` has what {module} does not take: {error}") from error
-    return Solution.of(
-        nlp, y, told["mult_g"], told["mult_x_L"], told["mult_x_U"], float(told["obj_val"]),
-        int(told["status"]), program.history, interrupted,
-    )  # fmt: skip
+    of_bounds = told["mult_x_L"], told["mult_x_U"]
+    return program.solution(
+        y, told["mult_g"], *of_bounds, float(told["obj_val"]), int(told["status"])
+    )
 
 
 def _add_option(problem: Any, module: str, name: Any, value: Any) -> None:

@@ -18,7 +18,7 @@ from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece, pieces_at
 from pydy.control.schemes import Points, Scheme, Slots
-from pydy.control.tuning import NARROW, TOLERANCE, WIDE
+from pydy.control.tuning import TOLERANCE, WIDE
 
 Compiled = TypeVar("Compiled")
 
@@ -576,7 +576,7 @@ def sizes_of(
     states, first, finite = made.split(z)[0], np.zeros_like(z), np.isfinite
     nodes = states[:, ~made.places[1]]
     low, high, far = nodes.min(axis=1), nodes.max(axis=1), np.abs(nodes).max(axis=1)
-    narrow = (low < high) & (high - low < NARROW * far)
+    narrow = (low < high) & (high - low < 1e-3 * far)
     shift = np.where(narrow, 0.5 * (low + high), 0.0)
     made.split(first)[0][:, ~made.places[1]] = shift[:, None]
     known = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]

@@ -58,13 +58,6 @@ FIT_ORDER = 5
 """Radau points of an interval of a fit: errors fall with the ninth power of its length, so that
 the few intervals of a smooth motion reach the accuracy of an integration."""
 
-FEWEST_INTERVALS = 10
-"""Intervals of a fit to begin with, at least; else there are as many points as samples, which see
-all that the samples do."""
-
-SHARE_OF_NOISE = 0.01
-"""The error of a fit's mesh beside its residuals: it adds the square of this share to them."""
-
 LEAST_FIT_ERROR = 1e-10
 """An interval's relative error that is small enough without noise too, as for the integrations of
 a fit: hundreds of intervals add up to a few of their tolerances of 1e-9."""
@@ -86,9 +79,6 @@ are no longer active are left slowly."""
 PLOTTED = 8
 """Points of a plotted curve in each interval."""
 
-NARROW = 1e-3
-"""A state that moves by less than this share of its distance from zero is measured from there."""
-
 WIDE = 1e6
 """Bounds that are as many times wider than what guess, ends and equations tell are no sizes: where
 an unknown is a millionth of its unit, `TOLERANCE` leaves 1e-8 of the objective and 1e-4 of it."""
@@ -100,10 +90,6 @@ it. Their rates would be the unit of all, in which `TOLERANCE` is 1e-6 at most."
 LEAST_MESH_TOL = 1.5e-14
 """The least `mesh_tol`: 64 units of rounding. The integration of an interval with up to 64 steps
 leaves as much, on any mesh, which would be divided for ever."""
-
-MOST_CLOSING_STEPS = 8
-"""Steps of Newton's method that put a place of a guess on the constraints, at most. They double the
-digits; what is not there by then is far from any configuration and stays as it is."""
 
 KEPT = 16
 """Functions of points that a model keeps for further problems: a problem has at most five, of its

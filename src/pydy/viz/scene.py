@@ -353,9 +353,8 @@ class Scene:
         motion = self._motion_of(trajectory, states, symbols, (constants, specifieds), wanted)
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         rows = sampled(motion.times, step)
-        columns = recorded(self.series, trajectory if states is None else None)
         given = columns_of(series, own, motion.times)
-        columns.update(given)
+        columns = recorded(self.series, trajectory if states is None else None) | given
         if states is None:  # with its own instants: a pickle does not know what is between others
             again |= {"trajectory": trajectory, "series": given}
         formulas = tuple((k, e) for k, e in self.series.items() if k not in columns)

@@ -34,12 +34,10 @@ TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
 # Progress.counts
 STARTED, STEPS, REJECTED, EVALUATIONS, JACOBIANS, FACTORISATIONS = range(6)
 NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
-# Constraints.words
+# Constraints.words; SCRATCH, TANGENTS: addresses of the tables of these; POSITIONS, MOTIONS: ranks
+# of ∂h/∂q and ∂v/∂u, where rows may be more; JUDGED: whether a step may be rejected where it ends.
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
-SCRATCH = 8  # the address of the table of `Projection`
-TANGENTS = 9  # the address of the table of `Tangents`
-POSITIONS, MOTIONS = 10, 11  # the ranks of ∂h/∂q and ∂v/∂u, where rows may be more
-JUDGED = 12  # whether a step may be rejected for where it ends
+SCRATCH, TANGENTS, POSITIONS, MOTIONS, JUDGED = range(8, 13)
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it; LATEST is how near it was at the latest projection.
 RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
