@@ -369,6 +369,22 @@ def test_a_simulation_from_the_start_ends_within_ten_tolerances(method, toleranc
     assert found.error.max() < 0.2 * tolerance
 
 
+def test_a_finer_mesh_that_is_in_vain_leaves_what_was_within_the_tolerance(monkeypatch):
+    problem, _ = optima.kelly(mesh=40)
+    solved, errors = problem._solved, []
+
+    def once_more(*given):
+        if errors and errors[-1] < 1e-8:
+            raise OptimizationError("no step", None)
+        found, phases = solved(*given)
+        errors.append(found.error.max())
+        return found, phases
+
+    monkeypatch.setattr(problem, "_solved", once_more)
+    assert problem.solve(mesh_tol=1e-8).error.max() == errors[-1]
+    assert len(errors) == 2
+
+
 def test_a_motion_that_is_unstable_for_long_has_the_mesh_of_its_intervals():
     # x'' = 25 x - 5 x³ + F: in 20 s what is beside it by a rounding is anywhere.
     x, v, F = me.dynamicsymbols("x v F")

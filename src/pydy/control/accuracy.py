@@ -106,7 +106,6 @@ def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
     """
     worst = max(float(phase.error.max()) for phase in phases)
     total = float(sum(phase.error.sum() for phase in phases))
-    uncertain = [phase for phase in phases if not _objective(phase, UNCERTAIN, objective)[2]]
     if not worst < 1.0:
         what = (
             f"a motion that begins at a node with these controls misses the next one by {worst:.2g}"
@@ -117,7 +116,7 @@ def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
             f"the errors of its intervals add up to {total:.2g} times the size of a state, which "
             "is how far a simulation with these controls may end from the solution"
         )
-    elif uncertain:
+    elif uncertain := [p for p in phases if not _objective(p, UNCERTAIN, objective)[2]]:
         off, ends = np.abs(uncertain[0].objective_error), uncertain[0].mesh
         k = int(off.argmax())
         what = (

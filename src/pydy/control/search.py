@@ -119,15 +119,22 @@ class Search(Generic[Found]):
             def watch(iteration: Iteration) -> None:
                 told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
 
-            most = np.inf
+            most, met = np.inf, None  # the latest solution with errors within the tolerance
             for count in range(1, MOST_REFINEMENTS + 1):
-                found, phases = self._solved(meshes, guesses, search, watch)
+                try:
+                    found, phases = self._solved(meshes, guesses, search, watch)
+                except OptimizationError:
+                    if met is None:
+                        raise
+                    found, phases = met
+                    break
                 if tolerance is None:
                     warn_where_coarse(phases, found.objective)
                     break
                 errors = [relative_errors(phase, tolerance, found.objective) for phase in phases]
-                met = max(float(error.max()) for error in errors) <= tolerance
-                if met:
+                own = max(float(error.max()) for error in errors) <= tolerance
+                if own:
+                    met = found, phases
                     pairs = zip(self._problems, phases, strict=True)
                     errors = [problem._carried(phase, tolerance) for problem, phase in pairs]
                     if max(float(error.max()) for error in errors) <= tolerance:
@@ -136,13 +143,15 @@ class Search(Generic[Found]):
                 if most == np.inf and all(np.median(phase.error) < 1.0 for phase in phases):
                     most = sum(map(most_intervals, meshes, orders, repeat(tolerance)))
                 nodes = [
-                    () if met else jumps(phase._transcription, phase.solution.z, error, tolerance)
+                    () if own else jumps(phase._transcription, phase.solution.z, error, tolerance)
                     for phase, error in zip(phases, errors, strict=True)
                 ]
                 finer = [*map(refined, meshes, errors, repeat(tolerance), orders, nodes)]
                 if count == MOST_REFINEMENTS or sum(map(len, finer)) > most:
-                    if not met:
+                    if met is None:
                         warn_of_refinements(count - 1, phases, tolerance)
+                    else:
+                        found, phases = met
                     break
                 guesses, meshes = phases, finer
         for phase in phases:
