@@ -227,7 +227,13 @@ def bead():
 def linkage(make, **given):
     made, start = make(**given)
     times = np.linspace(0.0, 2.0, num=41)
-    return System(made, constants={"g": 9.81}, initial_conditions=start, times=times)
+    system = System(made, constants={"g": 9.81}, initial_conditions=start, times=times)
+    system.set_dependent_initial_conditions()
+    return system
+
+
+# Of redundant rows, some of them in space, and past positions where the rank falls.
+LINKAGES = ("bricard", "parallelogram", "spatial_four_bar", "even_slider_crank", "sarrus")
 
 
 @pytest.mark.in_parts
@@ -245,7 +251,8 @@ def linkage(make, **given):
 def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, options):
     gravities = np.geomspace(1.0, 400.0, num=12)
     options = options | {"constraints": "project"}
-    for system in (linkage(loops.bricard), linkage(loops.parallelogram), bead()):
+    made = [linkage(getattr(loops, name)) for name in LINKAGES]
+    for system in (*made, bead()):
         if system.specifieds_symbols:
             t = np.linspace(0.0, 3.0, num=9)
             push = SampledInput(t, 9.0 * np.cos(3.0 * t), interpolation="pchip")

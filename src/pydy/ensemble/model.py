@@ -25,7 +25,7 @@ from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
-    from pydy.solvers.run.lanes import LanesAlone, LanesWatched
+    from pydy.solvers.run.lanes import LanesHeld, LanesWatched
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -354,21 +354,21 @@ class Batch:
         if not model.in_lanes:
             return self._one_by_one(times, states)
         x = self.x
-        alone: LanesAlone | None = None  # for what lanes do one after another
+        beside: LanesHeld | None = None
         if model.options.constraints is not None:
-            x, alone = self._on_constraints(times)
+            x, beside = self._on_constraints(times)
         elif model.options.events is not None:
-            alone = self._watched(times)
+            beside = self._watched(times)
         counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
-            times, model.options, states, self.stopped, controlled, alone,
+            times, model.options, states, self.stopped, controlled, beside,
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})
-        if alone is not None:
-            results.told["nearness"] = alone.nearness()
-            ended = alone.ended(counts["status"], states[:, :, -1:])
-            results.stretches, results.records = alone.stretches(ended), alone.records()
+        if beside is not None:
+            results.told["nearness"] = beside.nearness()
+            ended = beside.ended(counts["status"], states[:, :, -1:])
+            results.stretches, results.records = beside.stretches(ended), beside.records()
             lost = np.flatnonzero(~ended)
             if lost.size:  # why, the solver of single trajectories tells
                 results.take(lost, self.some(lost)._one_by_one(times))
@@ -381,13 +381,13 @@ class Batch:
         one, samples = self._single(0, times, None), (self.x, self.r, self.p, self.model.sampled)
         return LanesWatched(one, samples, times, partial(_kernel, lanes=LANES), self.logs)
 
-    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, LanesAlone]:
+    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, LanesHeld]:
         """Return the states in which motions begin, and how they are held on constraints.
 
         NaN where a motion cannot begin: the solver of single trajectories tells why.
         """
         from pydy._errors import IntegrationError
-        from pydy.solvers.run.lanes import LanesAlone
+        from pydy.solvers.run.lanes import LanesHeld
 
         x, seen, one = np.full_like(self.x, np.nan), [], None
         for k in range(len(x)):
@@ -395,8 +395,9 @@ class Batch:
             with suppress(IntegrationError):
                 x[k] = one.begin(np.ascontiguousarray(self.x[k]))
             seen.append(one.seen.copy())
-        assert one is not None
-        return x, LanesAlone(one, np.array(seen))
+        wanted = self.model.options.constraints
+        assert wanted is not None
+        return x, LanesHeld(wanted, _kernel(wanted.kernel.program, LANES), np.array(seen))
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""

@@ -20,7 +20,8 @@ INLINE void copy_in(const Numbers *values, int64_t row, double *buffer, int64_t 
 /* Compute what kernels need of the constants of all lanes. */
 INLINE void prepare(const LaneProblem *p)
 {
-    ((Prepare *)p->words.at[LANES_PREPARE])(p->p.at, p->c.at);
+    for (int64_t k = 0; k < p->prepared.size; k++)
+        ((Prepare *)p->prepared.at[2 * k])(p->p.at, (double *)p->prepared.at[2 * k + 1]);
 }
 
 #endif

@@ -20,12 +20,12 @@ int64_t project_columns(const Run *run, double t, double *x, const double *from)
     const int64_t code = ((Project *)tangents->words.at[OF_STATE])(run, t, x, from);
     if (code != 0)
         return code;
-    const Held held = held_by(run), *s = &held;
+    const Held held = held_by(run, 1), *s = &held;
     const int64_t width = tangents->words.at[COUNT];
     const double *residuals = tangents->values.at;
     double *columns = x + run->problem.words.at[STATES] / (1 + width);
     /* what the projection of the state left there is of its last iteration */
-    set_identity(s->scratch->factor.at, s->u);
+    set_identity(s->scratch->factor.at, s->u, 1);
     set_factor(s);
     if (s->h > 0) {
         if (move(run, tangents, x) < 0)

@@ -115,7 +115,11 @@ typedef int64_t Word;
 
 INLINE Word as_word(Real x) { Word k; LIBRARY(memcpy)(&k, &x, 8); return k; }
 INLINE Real as_real(Word k) { Real x; LIBRARY(memcpy)(&x, &k, 8); return x; }
+INLINE int64_t bits(Flags f) { return f; }
+INLINE Flags flags(int64_t which) { return (int)which; }
 #endif
+
+#define EVERY (((int64_t)1 << W) - 1) /* the bits of all lanes */
 
 /* Item i of a vector: W numbers. */
 INLINE Real item(const double *p, int64_t i)

@@ -14,6 +14,9 @@
     for (int64_t left_ = (which), lane; left_ != 0 && (lane = __builtin_ctzll(left_), 1); \
         left_ &= left_ - 1)
 
+typedef int64_t ProjectLanes(
+    const LaneRun *run, const double *t, double *x, const double *from, int64_t which);
+
 #define OF(field) item(l->field.at, 0)
 #define SET(field, which, value) put(l->field.at, 0, where(which, (Real)(value), OF(field)))
 #define ADD(field, value) put(l->field.at, 0, OF(field) + (value))
@@ -26,12 +29,13 @@ INLINE const Run *alone_in(const LaneRun *run, int64_t lane)
     return (const Run *)run->alone.runs.at[lane];
 }
 
-INLINE double *seen_in(const LaneRun *run, int64_t lane)
+/* What the projection notes, in all lanes. */
+INLINE double *seen_by(const LaneRun *run)
 {
-    return alone_in(run, lane)->constraints.values.at + run->alone.words.at[ALONE_SEEN];
+    return run->constraints.values.at + run->constraints.values.size - W * run->queue.seen.columns;
 }
 
-/* Give the run of a lane the inputs of a sample, and what was seen of it at its start. */
+/* Give the run of a lane the inputs of a sample, and no events yet. */
 INLINE void take_alone(const LaneRun *run, int64_t sample, int64_t lane)
 {
     const Alone *g = &run->alone;
@@ -45,9 +49,6 @@ INLINE void take_alone(const LaneRun *run, int64_t sample, int64_t lane)
         const int64_t *row = g->prepared.at + k * g->prepared.columns;
         ((Prepare *)row[0])(p->at + sample * p->columns, (double *)row[1 + lane]);
     }
-    SERIAL
-    for (int64_t i = 0; i < g->seen.columns; i++)
-        seen_in(run, lane)[i] = g->seen.at[sample * g->seen.columns + i];
     for (int64_t k = 0; k < w->words.at[EVENTS]; k++) {
         w->sides.at[k * W + lane] = (double)w->began.at[sample * w->began.columns + k];
         for (int64_t i = 0; i < CROWD; i++)
@@ -89,11 +90,7 @@ INLINE int log_is_full(const LaneRun *run)
 /* Note what a sample's run ends with. */
 INLINE void leave_alone(const LaneRun *run, int64_t sample, int64_t lane)
 {
-    const Numbers *seen = &run->alone.seen;
     const LaneWatch *w = &run->lane_watch;
-    SERIAL
-    for (int64_t i = 0; i < seen->columns; i++)
-        seen->at[sample * seen->columns + i] = seen_in(run, lane)[i];
     for (int64_t k = 0; k < w->words.at[EVENTS]; k++) {
         w->began.at[sample * w->began.columns + k] = (int64_t)w->sides.at[k * W + lane];
         for (int64_t i = 2 * k; i < 2 * k + 2; i++)
@@ -106,22 +103,8 @@ INLINE void leave_alone(const LaneRun *run, int64_t sample, int64_t lane)
    tells whether steps end there. */
 APART int64_t hold_lanes(const LaneRun *run, const double *times, double *x, int64_t which, int ends)
 {
-    double *state = run->alone.state.at;
-    const int64_t n = run->lane_problem.words.at[STATES];
-    int64_t missed = 0;
-    FOR_LANES(which) {
-        const Run *own = alone_in(run, lane);
-        double *from = own->memory.x.at;
-        SERIAL
-        for (int64_t i = 0; i < n; i++)
-            state[i] = x[i * W + lane], from[i] = run->memory.x.at[i * W + lane];
-        if (((Project *)own->constraints.words.at[PROJECT])(own, times[lane], state, ends ? from : 0) != 0)
-            missed |= (int64_t)1 << lane;
-        SERIAL
-        for (int64_t i = 0; i < n; i++)
-            x[i * W + lane] = state[i];
-    }
-    return missed;
+    ProjectLanes *project = (ProjectLanes *)run->constraints.words.at[PROJECT];
+    return project(run, times, x, ends ? run->memory.x.at : 0, which);
 }
 
 /* -- samples come and go ---------------------------------------------------------------------- */
@@ -172,6 +155,9 @@ APART void retire(const LaneRun *run, int64_t which, int64_t status)
         counts[LANES_EVALUATIONS] = (int64_t)l->evaluations.at[lane];
         counts[LANES_STATUS] = status < 0 ? (int64_t)l->reason.at[lane] : status;
         q->reached.at[sample] = l->time.at[lane];
+        SERIAL
+        for (int64_t i = 0; i < q->seen.columns; i++)
+            q->seen.at[sample * q->seen.columns + i] = seen_by(run)[i * W + lane];
         if (run->alone.runs.size > 0)
             leave_alone(run, sample, lane);
         l->samples.at[lane] = LANES_VACANT;
@@ -196,6 +182,7 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             copy_in(&q->x, sample, m->x.at, lane);
             copy_in(&q->r, sample, p->r.at, lane);
             copy_in(&q->p, sample, p->p.at, lane);
+            copy_in(&q->seen, sample, seen_by(run), lane);
             if (run->alone.runs.size > 0)
                 take_alone(run, sample, lane);
             l->time.at[lane] = q->times.at[0];
@@ -219,8 +206,6 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             l->due.at[lane] = INF, l->samples.at[lane] = LANES_RESTING;
         }
     prepare(p);
-    for (int64_t k = 0; k < run->lane_watch.prepared.size; k++)
-        ((Prepare *)run->lane_watch.prepared.at[2 * k])(p->p.at, (double *)run->lane_watch.prepared.at[2 * k + 1]);
     return fresh;
 }
 
@@ -528,7 +513,7 @@ APART int64_t write_within(const LaneRun *run, const Stepper *s, int64_t within,
         if (left == 0)
             break;
         interpolate(s, (OF(due) - t) / size, trial);
-        if (run->alone.seen.columns > 0)
+        if (run->constraints.words.at[ACTIVE] == 1)
             missed |= hold_lanes(run, l->due.at, trial, left, 0);
         write_outputs(run, trial, left & ~missed);
     }
@@ -550,7 +535,7 @@ int64_t step_lanes(const LaneRun *run)
     const double last = q->times.at[q->times.size - 2], largest = q->numbers.at[LANES_LARGEST];
     const double limit = (double)q->state.at[LANES_LIMIT], *control = run->method.control.at;
     const int adaptive = shape[ESTIMATES] > 0, reuse = shape[END_IN_ESTIMATE] == 1;
-    const int held = run->alone.seen.columns > 0, again = held || !reuse;
+    const int held = run->constraints.words.at[ACTIVE] == 1, again = held || !reuse;
     const int watched = run->lane_watch.words.at[EVENTS] > 0;
     double *slopes = m->stages.at + shape[STAGES] * m->x.size, reached[W], theta[W];
     int64_t working = 0, acted = 0, stopped = 0, calls = 0, codes[W];

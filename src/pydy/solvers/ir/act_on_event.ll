@@ -1,4 +1,4 @@
-; sources 488743c0d8d891b49c4740644673c2bd2ad50a270c3e9b85f27299dc8861dcc6
+; sources d4c2d43956383e5b2a464a64d1359e6c9c51b321e5bacf0b6658df7581bb629e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

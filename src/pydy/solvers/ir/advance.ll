@@ -1,4 +1,4 @@
-; sources 172ea638079fa10b048e50f4abe718050fefd33cd0aeb3aab75f6e8759e55cc1
+; sources 9fa991a2517b3919e14040f4f67b8695e47220f546e266bed9a7998a396a5c4c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

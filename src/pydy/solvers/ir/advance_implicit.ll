@@ -1,4 +1,4 @@
-; sources 88649fc0fa5c4784a0351e5398efbfcea86b6b28c15e2517992973b9a4322476
+; sources a39e03bbed7f224b68ed082df06b8ce13f2794b94d41d1b6f0e1bfb8032cc142
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

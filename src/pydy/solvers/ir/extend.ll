@@ -1,4 +1,4 @@
-; sources 447cb747ebe711dd023a934d863d4736c7aa09d67365bfdeb820b6d699996f77
+; sources 88e4028e718f8f7983890f61c2a5f626d08c631428097f31511ef71377df2e9d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

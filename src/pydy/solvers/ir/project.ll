@@ -1,781 +1,770 @@
-; sources d4f4c7dcd485c6f337799926af057738069fd155e01b51071b3d74cd62b022dd
+; sources ca41666c1db33fcb01d98278196095a9842f77b8b35efed69f4ecc2b53824e0e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
-define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2, ptr noundef readonly %3) #0 {
+define range(i64 0, 7) i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2, ptr noundef readonly %3) #0 {
   %5 = alloca %struct.Held, align 8
-  tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
-  %6 = getelementptr inbounds i8, ptr %0, i64 648
+  %6 = getelementptr inbounds i8, ptr %0, i64 600
   %7 = load ptr, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %7, i64 64
-  %9 = load i64, ptr %8, align 8, !noalias !3
-  %10 = inttoptr i64 %9 to ptr
-  store ptr %10, ptr %5, align 8, !alias.scope !3
-  %11 = getelementptr inbounds i8, ptr %5, i64 8
-  %12 = getelementptr inbounds i8, ptr %7, i64 16
-  %13 = load i64, ptr %12, align 8, !noalias !3
-  store i64 %13, ptr %11, align 8, !alias.scope !3
-  %14 = getelementptr inbounds i8, ptr %5, i64 16
-  %15 = getelementptr inbounds i8, ptr %7, i64 24
-  %16 = load i64, ptr %15, align 8, !noalias !3
-  store i64 %16, ptr %14, align 8, !alias.scope !3
-  %17 = getelementptr inbounds i8, ptr %5, i64 24
-  %18 = getelementptr inbounds i8, ptr %7, i64 32
-  %19 = load i64, ptr %18, align 8, !noalias !3
-  store i64 %19, ptr %17, align 8, !alias.scope !3
-  %20 = getelementptr inbounds i8, ptr %5, i64 32
-  %21 = getelementptr inbounds i8, ptr %7, i64 40
-  %22 = load i64, ptr %21, align 8, !noalias !3
-  store i64 %22, ptr %20, align 8, !alias.scope !3
-  %23 = getelementptr inbounds i8, ptr %5, i64 40
-  %24 = getelementptr inbounds i8, ptr %7, i64 48
-  %25 = load i64, ptr %24, align 8, !noalias !3
-  store i64 %25, ptr %23, align 8, !alias.scope !3
-  %26 = getelementptr inbounds i8, ptr %5, i64 48
-  %27 = getelementptr inbounds i8, ptr %7, i64 80
-  %28 = load i64, ptr %27, align 8, !noalias !3
-  store i64 %28, ptr %26, align 8, !alias.scope !3
-  %29 = getelementptr inbounds i8, ptr %5, i64 56
-  %30 = getelementptr inbounds i8, ptr %7, i64 88
-  %31 = load i64, ptr %30, align 8, !noalias !3
-  store i64 %31, ptr %29, align 8, !alias.scope !3
-  %32 = getelementptr inbounds i8, ptr %5, i64 64
-  %33 = getelementptr inbounds i8, ptr %0, i64 696
-  %34 = load ptr, ptr %33, align 8, !noalias !3
-  store ptr %34, ptr %32, align 8, !alias.scope !3
-  %35 = getelementptr inbounds i8, ptr %5, i64 72
-  store ptr null, ptr %35, align 8, !alias.scope !3
-  %36 = getelementptr inbounds i8, ptr %5, i64 80
-  store ptr null, ptr %36, align 8, !alias.scope !3
-  %37 = getelementptr inbounds i8, ptr %5, i64 88
-  store ptr null, ptr %37, align 8, !alias.scope !3
-  %38 = getelementptr inbounds i8, ptr %5, i64 96
-  store ptr null, ptr %38, align 8, !alias.scope !3
-  %39 = getelementptr inbounds i8, ptr %5, i64 104
-  store ptr null, ptr %39, align 8, !alias.scope !3
-  %40 = getelementptr inbounds i8, ptr %5, i64 112
-  store ptr null, ptr %40, align 8, !alias.scope !3
-  %41 = getelementptr inbounds double, ptr %34, i64 %13
-  %42 = getelementptr inbounds double, ptr %41, i64 %16
-  store ptr %42, ptr %35, align 8, !alias.scope !3
-  %43 = mul nsw i64 %19, %13
-  %44 = getelementptr inbounds double, ptr %42, i64 %43
-  store ptr %44, ptr %36, align 8, !alias.scope !3
-  %45 = mul nsw i64 %22, %19
-  %46 = getelementptr inbounds double, ptr %44, i64 %45
-  store ptr %46, ptr %37, align 8, !alias.scope !3
-  %47 = mul nsw i64 %22, %16
-  %48 = getelementptr inbounds double, ptr %46, i64 %47
-  store ptr %48, ptr %38, align 8, !alias.scope !3
-  %49 = mul i64 %22, %22
-  %50 = mul i64 %49, %25
-  %51 = getelementptr inbounds double, ptr %48, i64 %50
-  store ptr %51, ptr %39, align 8, !alias.scope !3
-  %52 = getelementptr inbounds double, ptr %51, i64 %13
-  store ptr %52, ptr %40, align 8, !alias.scope !3
-  %53 = getelementptr inbounds i8, ptr %7, i64 96
-  %54 = load i64, ptr %53, align 8
-  %55 = icmp eq i64 %54, 0
-  %56 = select i1 %55, ptr null, ptr %3
-  %57 = getelementptr inbounds i8, ptr %0, i64 144
-  %58 = getelementptr inbounds i8, ptr %0, i64 168
-  %59 = load ptr, ptr %58, align 8
-  store double %1, ptr %59, align 8
-  %60 = getelementptr inbounds i8, ptr %0, i64 248
-  %61 = load i64, ptr %60, align 8
-  %62 = icmp sgt i64 %61, 0
-  br i1 %62, label %63, label %64
+  %8 = getelementptr inbounds i8, ptr %7, i64 88
+  %9 = load i64, ptr %8, align 8
+  %10 = add nsw i64 %9, 1
+  store i64 %10, ptr %8, align 8
+  tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
+  %11 = getelementptr inbounds i8, ptr %0, i64 648
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %12, i64 64
+  %14 = load i64, ptr %13, align 8, !noalias !3
+  %15 = inttoptr i64 %14 to ptr
+  store ptr %15, ptr %5, align 8, !alias.scope !3
+  %16 = getelementptr inbounds i8, ptr %5, i64 8
+  %17 = getelementptr inbounds i8, ptr %12, i64 16
+  %18 = load i64, ptr %17, align 8, !noalias !3
+  store i64 %18, ptr %16, align 8, !alias.scope !3
+  %19 = getelementptr inbounds i8, ptr %5, i64 16
+  %20 = getelementptr inbounds i8, ptr %12, i64 24
+  %21 = load i64, ptr %20, align 8, !noalias !3
+  store i64 %21, ptr %19, align 8, !alias.scope !3
+  %22 = getelementptr inbounds i8, ptr %5, i64 24
+  %23 = getelementptr inbounds i8, ptr %12, i64 32
+  %24 = load i64, ptr %23, align 8, !noalias !3
+  store i64 %24, ptr %22, align 8, !alias.scope !3
+  %25 = getelementptr inbounds i8, ptr %5, i64 32
+  %26 = getelementptr inbounds i8, ptr %12, i64 40
+  %27 = load i64, ptr %26, align 8, !noalias !3
+  store i64 %27, ptr %25, align 8, !alias.scope !3
+  %28 = getelementptr inbounds i8, ptr %5, i64 40
+  %29 = getelementptr inbounds i8, ptr %12, i64 48
+  %30 = load i64, ptr %29, align 8, !noalias !3
+  store i64 %30, ptr %28, align 8, !alias.scope !3
+  %31 = getelementptr inbounds i8, ptr %5, i64 48
+  %32 = getelementptr inbounds i8, ptr %12, i64 80
+  %33 = load i64, ptr %32, align 8, !noalias !3
+  store i64 %33, ptr %31, align 8, !alias.scope !3
+  %34 = getelementptr inbounds i8, ptr %5, i64 56
+  %35 = getelementptr inbounds i8, ptr %12, i64 88
+  %36 = load i64, ptr %35, align 8, !noalias !3
+  store i64 %36, ptr %34, align 8, !alias.scope !3
+  %37 = getelementptr inbounds i8, ptr %5, i64 64
+  store i64 1, ptr %37, align 8, !alias.scope !3
+  %38 = getelementptr inbounds i8, ptr %5, i64 72
+  %39 = getelementptr inbounds i8, ptr %0, i64 696
+  %40 = load ptr, ptr %39, align 8, !noalias !3
+  store ptr %40, ptr %38, align 8, !alias.scope !3
+  %41 = getelementptr inbounds i8, ptr %5, i64 80
+  store ptr null, ptr %41, align 8, !alias.scope !3
+  %42 = getelementptr inbounds i8, ptr %5, i64 88
+  store ptr null, ptr %42, align 8, !alias.scope !3
+  %43 = getelementptr inbounds i8, ptr %5, i64 96
+  store ptr null, ptr %43, align 8, !alias.scope !3
+  %44 = getelementptr inbounds i8, ptr %5, i64 104
+  store ptr null, ptr %44, align 8, !alias.scope !3
+  %45 = getelementptr inbounds i8, ptr %5, i64 112
+  store ptr null, ptr %45, align 8, !alias.scope !3
+  %46 = getelementptr inbounds i8, ptr %5, i64 120
+  store ptr null, ptr %46, align 8, !alias.scope !3
+  %47 = getelementptr double, ptr %40, i64 %18
+  %48 = getelementptr double, ptr %47, i64 %21
+  store ptr %48, ptr %41, align 8, !alias.scope !3
+  %49 = mul nsw i64 %24, %18
+  %50 = getelementptr inbounds double, ptr %48, i64 %49
+  store ptr %50, ptr %42, align 8, !alias.scope !3
+  %51 = mul nsw i64 %27, %24
+  %52 = getelementptr inbounds double, ptr %50, i64 %51
+  store ptr %52, ptr %43, align 8, !alias.scope !3
+  %53 = mul nsw i64 %27, %21
+  %54 = getelementptr inbounds double, ptr %52, i64 %53
+  store ptr %54, ptr %44, align 8, !alias.scope !3
+  %55 = mul i64 %27, %27
+  %56 = mul i64 %55, %30
+  %57 = getelementptr inbounds double, ptr %54, i64 %56
+  store ptr %57, ptr %45, align 8, !alias.scope !3
+  %58 = getelementptr inbounds double, ptr %57, i64 %18
+  store ptr %58, ptr %46, align 8, !alias.scope !3
+  %59 = getelementptr inbounds i8, ptr %12, i64 96
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp eq i64 %60, 0
+  %62 = select i1 %61, ptr null, ptr %3
+  %63 = getelementptr inbounds i8, ptr %0, i64 144
+  %64 = getelementptr inbounds i8, ptr %0, i64 168
+  %65 = load ptr, ptr %64, align 8
+  store double %1, ptr %65, align 8
+  %66 = getelementptr inbounds i8, ptr %0, i64 248
+  %67 = load i64, ptr %66, align 8
+  %68 = icmp sgt i64 %67, 0
+  br i1 %68, label %69, label %70
 
-63:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef nonnull %57) #7
-  br label %64
+69:                                               ; preds = %4
+  tail call fastcc void @sample(ptr noundef nonnull %63) #7
+  br label %70
 
-64:                                               ; preds = %4, %63
-  %65 = getelementptr inbounds i8, ptr %0, i64 600
-  %66 = load ptr, ptr %65, align 8
-  %67 = getelementptr inbounds i8, ptr %66, i64 88
-  %68 = load i64, ptr %67, align 8
-  %69 = add nsw i64 %68, 1
-  store i64 %69, ptr %67, align 8
-  %70 = load ptr, ptr %5, align 8
-  %71 = load ptr, ptr %70, align 8
-  %72 = load i64, ptr %20, align 8
-  %73 = icmp sgt i64 %72, 0
-  br i1 %73, label %74, label %88
+70:                                               ; preds = %4, %69
+  %71 = load ptr, ptr %5, align 8
+  %72 = load ptr, ptr %71, align 8
+  %73 = load i64, ptr %25, align 8
+  %74 = icmp sgt i64 %73, 0
+  br i1 %74, label %75, label %89
 
-74:                                               ; preds = %64, %78
-  %75 = phi i64 [ %79, %78 ], [ 0, %64 ]
-  %76 = mul nuw nsw i64 %75, %72
-  %77 = getelementptr double, ptr %71, i64 %76
-  br label %81
+75:                                               ; preds = %70, %79
+  %76 = phi i64 [ %80, %79 ], [ 0, %70 ]
+  %77 = mul nuw nsw i64 %76, %73
+  %78 = getelementptr double, ptr %72, i64 %77
+  br label %82
 
-78:                                               ; preds = %81
-  %79 = add nuw nsw i64 %75, 1
-  %80 = icmp eq i64 %79, %72
-  br i1 %80, label %88, label %74, !llvm.loop !6
+79:                                               ; preds = %82
+  %80 = add nuw nsw i64 %76, 1
+  %81 = icmp eq i64 %80, %73
+  br i1 %81, label %89, label %75, !llvm.loop !6
 
-81:                                               ; preds = %74, %81
-  %82 = phi i64 [ 0, %74 ], [ %86, %81 ]
-  %83 = icmp eq i64 %75, %82
-  %84 = select i1 %83, double 1.000000e+00, double 0.000000e+00
-  %85 = getelementptr double, ptr %77, i64 %82
-  store double %84, ptr %85, align 8
-  %86 = add nuw nsw i64 %82, 1
-  %87 = icmp eq i64 %86, %72
-  br i1 %87, label %78, label %81, !llvm.loop !9
+82:                                               ; preds = %75, %82
+  %83 = phi i64 [ 0, %75 ], [ %87, %82 ]
+  %84 = icmp eq i64 %76, %83
+  %85 = select i1 %84, double 1.000000e+00, double 0.000000e+00
+  %86 = getelementptr double, ptr %78, i64 %83
+  store double %85, ptr %86, align 8
+  %87 = add nuw nsw i64 %83, 1
+  %88 = icmp eq i64 %87, %73
+  br i1 %88, label %79, label %82, !llvm.loop !9
 
-88:                                               ; preds = %78, %64
-  %89 = load ptr, ptr %5, align 8
-  %90 = getelementptr inbounds i8, ptr %89, i64 264
-  %91 = load ptr, ptr %90, align 8
-  %92 = load i64, ptr %11, align 8
-  %93 = icmp sgt i64 %92, 0
-  br i1 %93, label %134, label %94
+89:                                               ; preds = %79, %70
+  %90 = load i64, ptr %37, align 8
+  %91 = load ptr, ptr %5, align 8
+  %92 = getelementptr inbounds i8, ptr %91, i64 240
+  %93 = load ptr, ptr %92, align 8
+  %94 = load i64, ptr %16, align 8
+  %95 = icmp sgt i64 %94, 0
+  br i1 %95, label %141, label %96
 
-94:                                               ; preds = %134, %88
-  %95 = getelementptr inbounds i8, ptr %0, i64 168
-  %96 = getelementptr inbounds i8, ptr %0, i64 192
-  %97 = getelementptr inbounds i8, ptr %0, i64 672
-  %98 = load ptr, ptr %32, align 8
-  %99 = load ptr, ptr %6, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 8
-  %101 = load i64, ptr %100, align 8
-  %102 = load ptr, ptr %95, align 8
-  %103 = load ptr, ptr %96, align 8
-  %104 = load ptr, ptr %97, align 8
-  %105 = inttoptr i64 %101 to ptr
-  %106 = tail call i32 %105(ptr noundef %102, ptr noundef %2, ptr noundef %103, ptr noundef %104, ptr noundef %98) #8
-  %107 = icmp slt i32 %106, 0
-  br i1 %107, label %315, label %108
+96:                                               ; preds = %141, %89
+  %97 = getelementptr inbounds i8, ptr %0, i64 168
+  %98 = getelementptr inbounds i8, ptr %0, i64 192
+  %99 = getelementptr inbounds i8, ptr %0, i64 672
+  %100 = load ptr, ptr %38, align 8
+  %101 = load i64, ptr %37, align 8
+  %102 = load ptr, ptr %11, align 8
+  %103 = getelementptr inbounds i8, ptr %102, i64 8
+  %104 = load i64, ptr %103, align 8
+  %105 = load ptr, ptr %97, align 8
+  %106 = load ptr, ptr %98, align 8
+  %107 = load ptr, ptr %99, align 8
+  %108 = inttoptr i64 %104 to ptr
+  %109 = tail call i32 %108(ptr noundef %105, ptr noundef %2, ptr noundef %106, ptr noundef %107, ptr noundef %100) #8
+  %110 = icmp slt i32 %109, 0
+  br i1 %110, label %324, label %111
 
-108:                                              ; preds = %94
-  %109 = load i64, ptr %11, align 8
-  %110 = icmp sgt i64 %109, 0
-  %111 = load ptr, ptr %32, align 8
-  %112 = load i64, ptr %26, align 8
-  %113 = icmp eq i64 %112, %109
-  %114 = load ptr, ptr %5, align 8
-  %115 = getelementptr inbounds i8, ptr %114, i64 240
-  %116 = load ptr, ptr %39, align 8
-  %117 = icmp eq ptr %56, null
-  %118 = icmp slt i64 %28, %109
-  %119 = icmp slt i64 %109, 1
-  %120 = icmp sgt i64 %19, 0
-  %121 = getelementptr inbounds i8, ptr %0, i64 552
-  %122 = getelementptr inbounds i8, ptr %0, i64 528
-  %123 = select i1 %118, double 1.000000e-05, double 0x3CE0000000000000
-  %124 = add nsw i64 %72, %19
-  %125 = sitofp i64 %124 to double
-  %126 = icmp eq i64 %25, 1
-  %127 = getelementptr inbounds i8, ptr %89, i64 8
-  %128 = getelementptr inbounds i8, ptr %89, i64 16
-  %129 = getelementptr inbounds i8, ptr %89, i64 24
-  %130 = getelementptr inbounds i8, ptr %89, i64 32
-  %131 = getelementptr inbounds i8, ptr %89, i64 40
-  %132 = getelementptr inbounds i8, ptr %89, i64 144
-  %133 = icmp sgt i64 %109, 0
-  br label %150
+111:                                              ; preds = %96
+  %112 = icmp eq i64 %33, %94
+  %113 = load i64, ptr %16, align 8
+  %114 = icmp sgt i64 %113, 0
+  %115 = load ptr, ptr %38, align 8
+  %116 = load ptr, ptr %45, align 8
+  %117 = load ptr, ptr %5, align 8
+  %118 = getelementptr inbounds i8, ptr %117, i64 216
+  %119 = icmp ne ptr %62, null
+  %120 = load i64, ptr %22, align 8
+  %121 = load ptr, ptr %41, align 8
+  %122 = load i64, ptr %31, align 8
+  %123 = icmp slt i64 %122, %113
+  %124 = icmp sgt i64 %113, 0
+  %125 = icmp sgt i64 %120, 0
+  %126 = getelementptr inbounds i8, ptr %0, i64 552
+  %127 = getelementptr inbounds i8, ptr %0, i64 528
+  %128 = select i1 %123, double 1.000000e-05, double 0x3CE0000000000000
+  %129 = load ptr, ptr %45, align 8
+  %130 = load i64, ptr %25, align 8
+  %131 = add nsw i64 %130, %120
+  %132 = sitofp i64 %131 to double
+  %133 = icmp eq i64 %30, 1
+  %134 = getelementptr inbounds i8, ptr %91, i64 8
+  %135 = getelementptr inbounds i8, ptr %91, i64 16
+  %136 = getelementptr inbounds i8, ptr %91, i64 24
+  %137 = getelementptr inbounds i8, ptr %91, i64 32
+  %138 = getelementptr inbounds i8, ptr %91, i64 40
+  %139 = getelementptr inbounds i8, ptr %91, i64 144
+  %140 = icmp sgt i64 %113, 0
+  br label %157
 
-134:                                              ; preds = %88, %134
-  %135 = phi i64 [ %137, %134 ], [ 0, %88 ]
-  %136 = getelementptr inbounds double, ptr %91, i64 %135
-  store double 0.000000e+00, ptr %136, align 8
-  %137 = add nuw nsw i64 %135, 1
-  %138 = icmp eq i64 %137, %92
-  br i1 %138, label %94, label %134, !llvm.loop !10
+141:                                              ; preds = %89, %141
+  %142 = phi i64 [ %144, %141 ], [ 0, %89 ]
+  %143 = getelementptr inbounds double, ptr %93, i64 %142
+  store double 0.000000e+00, ptr %143, align 8
+  %144 = add nuw nsw i64 %142, 1
+  %145 = icmp eq i64 %144, %94
+  br i1 %145, label %96, label %141, !llvm.loop !10
 
-139:                                              ; preds = %310
-  %140 = add nuw nsw i32 %153, 1
-  %141 = load ptr, ptr %6, align 8
-  %142 = getelementptr inbounds i8, ptr %141, i64 8
-  %143 = load i64, ptr %142, align 8
-  %144 = load ptr, ptr %95, align 8
-  %145 = load ptr, ptr %96, align 8
-  %146 = load ptr, ptr %97, align 8
-  %147 = inttoptr i64 %143 to ptr
-  %148 = tail call i32 %147(ptr noundef %144, ptr noundef %2, ptr noundef %145, ptr noundef %146, ptr noundef %98) #8
-  %149 = icmp slt i32 %148, 0
-  br i1 %149, label %315, label %150, !llvm.loop !11
+146:                                              ; preds = %321
+  %147 = add nuw nsw i32 %161, 1
+  %148 = load ptr, ptr %11, align 8
+  %149 = getelementptr inbounds i8, ptr %148, i64 8
+  %150 = load i64, ptr %149, align 8
+  %151 = load ptr, ptr %97, align 8
+  %152 = load ptr, ptr %98, align 8
+  %153 = load ptr, ptr %99, align 8
+  %154 = inttoptr i64 %150 to ptr
+  %155 = tail call i32 %154(ptr noundef %151, ptr noundef %2, ptr noundef %152, ptr noundef %153, ptr noundef %100) #8
+  %156 = icmp slt i32 %155, 0
+  br i1 %156, label %324, label %157, !llvm.loop !11
 
-150:                                              ; preds = %108, %139
-  %151 = phi i64 [ undef, %108 ], [ %314, %139 ]
-  %152 = phi double [ 0x7FF0000000000000, %108 ], [ %313, %139 ]
-  %153 = phi i32 [ 0, %108 ], [ %140, %139 ]
-  %154 = phi double [ 0.000000e+00, %108 ], [ %311, %139 ]
-  br i1 %110, label %155, label %192
+157:                                              ; preds = %111, %146
+  %158 = phi i64 [ undef, %111 ], [ %323, %146 ]
+  %159 = phi i64 [ 0, %111 ], [ %273, %146 ]
+  %160 = phi double [ 0x7FF0000000000000, %111 ], [ %322, %146 ]
+  %161 = phi i32 [ 0, %111 ], [ %147, %146 ]
+  %162 = phi double [ 0.000000e+00, %111 ], [ %259, %146 ]
+  %163 = phi i64 [ %101, %111 ], [ %271, %146 ]
+  %164 = icmp eq i32 %161, 0
+  %165 = select i1 %164, i1 true, i1 %112
+  br i1 %114, label %176, label %166
 
-155:                                              ; preds = %150
-  %156 = icmp eq i32 %153, 0
-  %157 = select i1 %156, i1 true, i1 %113
-  br label %162
+166:                                              ; preds = %197, %157
+  %167 = phi double [ 0.000000e+00, %157 ], [ %202, %197 ]
+  %168 = phi i32 [ 1, %157 ], [ %204, %197 ]
+  %169 = xor i32 %168, -1
+  %170 = sext i32 %169 to i64
+  %171 = and i64 %163, %170
+  %172 = or i64 %171, %159
+  %173 = and i1 %119, %164
+  %174 = and i1 %124, %173
+  %175 = select i1 %173, double 0.000000e+00, double %162
+  br i1 %174, label %207, label %258
 
-158:                                              ; preds = %188
-  %159 = add nuw nsw i64 %165, 1
-  %160 = icmp slt i64 %159, %109
-  %161 = icmp eq i64 %159, %109
-  br i1 %161, label %192, label %162, !llvm.loop !12
-
-162:                                              ; preds = %155, %158
-  %163 = phi i1 [ %110, %155 ], [ %160, %158 ]
-  %164 = phi i64 [ %151, %155 ], [ %191, %158 ]
-  %165 = phi i64 [ 0, %155 ], [ %159, %158 ]
-  %166 = phi double [ 0.000000e+00, %155 ], [ %189, %158 ]
-  %167 = getelementptr inbounds double, ptr %111, i64 %165
-  %168 = load double, ptr %167, align 8
-  %169 = tail call double @llvm.fabs.f64(double %168)
-  %170 = fcmp une double %168, 0.000000e+00
-  br i1 %170, label %171, label %188
-
-171:                                              ; preds = %162
-  br i1 %157, label %177, label %172
-
-172:                                              ; preds = %171
-  %173 = load ptr, ptr %115, align 8
-  %174 = getelementptr inbounds double, ptr %173, i64 %165
-  %175 = load double, ptr %174, align 8
-  %176 = fcmp ogt double %175, 0.000000e+00
-  br i1 %176, label %177, label %188
-
-177:                                              ; preds = %172, %171
-  %178 = getelementptr inbounds double, ptr %116, i64 %165
-  %179 = load double, ptr %178, align 8
-  %180 = getelementptr inbounds double, ptr %91, i64 %165
+176:                                              ; preds = %157, %197
+  %177 = phi i64 [ %205, %197 ], [ 0, %157 ]
+  %178 = phi i32 [ %204, %197 ], [ 1, %157 ]
+  %179 = phi double [ %202, %197 ], [ 0.000000e+00, %157 ]
+  %180 = getelementptr inbounds double, ptr %115, i64 %177
   %181 = load double, ptr %180, align 8
-  %182 = fcmp ogt double %179, %181
-  %183 = select i1 %182, double %179, double %181
-  %184 = fmul double %183, 0x3CB0000000000000
-  %185 = fdiv double %169, %184
-  %186 = fcmp ogt double %185, %166
-  %187 = select i1 %186, double %185, double %166
-  br label %188
+  %182 = tail call double @llvm.fabs.f64(double %181)
+  %183 = getelementptr inbounds double, ptr %116, i64 %177
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr inbounds double, ptr %93, i64 %177
+  %186 = load double, ptr %185, align 8
+  %187 = fcmp ogt double %184, %186
+  %188 = select i1 %187, double %184, double %186
+  %189 = fmul double %188, 0x3CB0000000000000
+  %190 = fcmp une double %181, 0.000000e+00
+  br i1 %165, label %197, label %191
 
-188:                                              ; preds = %177, %172, %162
-  %189 = phi double [ %187, %177 ], [ %166, %172 ], [ %166, %162 ]
-  %190 = fcmp ueq double %169, 0x7FF0000000000000
-  %191 = select i1 %190, i64 6, i64 %164
-  br i1 %190, label %192, label %158
+191:                                              ; preds = %176
+  %192 = load ptr, ptr %118, align 8
+  %193 = getelementptr inbounds double, ptr %192, i64 %177
+  %194 = load double, ptr %193, align 8
+  %195 = fcmp ogt double %194, 0.000000e+00
+  %196 = and i1 %190, %195
+  br label %197
 
-192:                                              ; preds = %158, %188, %150
-  %193 = phi i1 [ %110, %150 ], [ %160, %158 ], [ %163, %188 ]
-  %194 = phi double [ 0.000000e+00, %150 ], [ %189, %188 ], [ %189, %158 ]
-  %195 = phi i64 [ %151, %150 ], [ %191, %188 ], [ %191, %158 ]
-  br i1 %193, label %310, label %196
+197:                                              ; preds = %191, %176
+  %198 = phi i1 [ %190, %176 ], [ %196, %191 ]
+  %199 = fdiv double %182, %189
+  %200 = fcmp ogt double %199, %179
+  %201 = select i1 %198, i1 %200, i1 false
+  %202 = select i1 %201, double %199, double %179
+  %203 = fcmp one double %182, 0x7FF0000000000000
+  %204 = select i1 %203, i32 %178, i32 0
+  %205 = add nuw nsw i64 %177, 1
+  %206 = icmp eq i64 %205, %113
+  br i1 %206, label %166, label %176, !llvm.loop !12
 
-196:                                              ; preds = %192
-  %197 = icmp ne i32 %153, 0
-  %198 = or i1 %117, %197
-  %199 = or i1 %198, %119
-  %200 = select i1 %198, double %154, double 0.000000e+00
-  br i1 %199, label %254, label %201
+207:                                              ; preds = %166, %215
+  %208 = phi double [ %231, %215 ], [ 0.000000e+00, %166 ]
+  %209 = phi i64 [ %232, %215 ], [ 0, %166 ]
+  br i1 %125, label %210, label %215
 
-201:                                              ; preds = %196, %249
-  %202 = phi ptr [ %252, %249 ], [ %42, %196 ]
-  %203 = phi double [ %250, %249 ], [ 0.000000e+00, %196 ]
-  %204 = phi i64 [ %251, %249 ], [ 0, %196 ]
-  br i1 %120, label %205, label %208
+210:                                              ; preds = %207
+  %211 = mul nuw nsw i64 %209, %120
+  %212 = getelementptr double, ptr %121, i64 %211
+  %213 = load ptr, ptr %126, align 8
+  %214 = load ptr, ptr %127, align 8
+  br label %234
 
-205:                                              ; preds = %201
-  %206 = load ptr, ptr %121, align 8
-  %207 = load ptr, ptr %122, align 8
-  br label %211
+215:                                              ; preds = %234, %207
+  %216 = phi double [ 0.000000e+00, %207 ], [ %255, %234 ]
+  %217 = getelementptr inbounds double, ptr %129, i64 %209
+  %218 = load double, ptr %217, align 8
+  %219 = fmul double %128, %218
+  %220 = fmul double %216, %132
+  %221 = tail call double @llvm.sqrt.f64(double %220)
+  %222 = fmul double %221, 3.000000e+00
+  %223 = fadd double %219, %222
+  %224 = fcmp ule double %216, 0.000000e+00
+  %225 = getelementptr inbounds double, ptr %115, i64 %209
+  %226 = load double, ptr %225, align 8
+  %227 = tail call double @llvm.fabs.f64(double %226)
+  %228 = fdiv double %227, %223
+  %229 = fcmp ogt double %228, %208
+  %230 = select i1 %229, double %228, double %208
+  %231 = select i1 %224, double %208, double %230
+  %232 = add nuw nsw i64 %209, 1
+  %233 = icmp eq i64 %232, %113
+  br i1 %233, label %258, label %207, !llvm.loop !13
 
-208:                                              ; preds = %211, %201
-  %209 = phi double [ 0.000000e+00, %201 ], [ %232, %211 ]
-  %210 = fcmp ogt double %209, 0.000000e+00
-  br i1 %210, label %235, label %249
-
-211:                                              ; preds = %205, %211
-  %212 = phi i64 [ 0, %205 ], [ %233, %211 ]
-  %213 = phi double [ 0.000000e+00, %205 ], [ %232, %211 ]
-  %214 = getelementptr inbounds double, ptr %202, i64 %212
-  %215 = load double, ptr %214, align 8
-  %216 = getelementptr inbounds double, ptr %56, i64 %212
-  %217 = load double, ptr %216, align 8
-  %218 = getelementptr inbounds double, ptr %2, i64 %212
-  %219 = load double, ptr %218, align 8
-  %220 = getelementptr inbounds double, ptr %206, i64 %212
-  %221 = load double, ptr %220, align 8
-  %222 = getelementptr inbounds double, ptr %207, i64 %212
-  %223 = load double, ptr %222, align 8
-  %224 = tail call double @llvm.fabs.f64(double %217)
-  %225 = tail call double @llvm.fabs.f64(double %219)
-  %226 = fcmp ogt double %224, %225
-  %227 = select i1 %226, double %224, double %225
-  %228 = fmul double %227, %223
-  %229 = fadd double %221, %228
-  %230 = fmul double %215, %229
-  %231 = fmul double %230, %230
-  %232 = fadd double %213, %231
-  %233 = add nuw nsw i64 %212, 1
-  %234 = icmp eq i64 %233, %19
-  br i1 %234, label %208, label %211, !llvm.loop !13
-
-235:                                              ; preds = %208
-  %236 = getelementptr inbounds double, ptr %51, i64 %204
-  %237 = load double, ptr %236, align 8
-  %238 = fmul double %209, %125
-  %239 = tail call double @llvm.sqrt.f64(double %238)
-  %240 = fmul double %239, 3.000000e+00
-  %241 = fmul double %123, %237
-  %242 = fadd double %240, %241
-  %243 = getelementptr inbounds double, ptr %98, i64 %204
+234:                                              ; preds = %210, %234
+  %235 = phi double [ 0.000000e+00, %210 ], [ %255, %234 ]
+  %236 = phi i64 [ 0, %210 ], [ %256, %234 ]
+  %237 = getelementptr double, ptr %212, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = getelementptr inbounds double, ptr %2, i64 %236
+  %240 = load double, ptr %239, align 8
+  %241 = getelementptr inbounds double, ptr %62, i64 %236
+  %242 = load double, ptr %241, align 8
+  %243 = getelementptr inbounds double, ptr %213, i64 %236
   %244 = load double, ptr %243, align 8
-  %245 = tail call double @llvm.fabs.f64(double %244)
-  %246 = fdiv double %245, %242
-  %247 = fcmp ogt double %246, %203
-  %248 = select i1 %247, double %246, double %203
-  br label %249
+  %245 = getelementptr inbounds double, ptr %214, i64 %236
+  %246 = load double, ptr %245, align 8
+  %247 = tail call double @llvm.fabs.f64(double %242)
+  %248 = tail call double @llvm.fabs.f64(double %240)
+  %249 = fcmp ogt double %247, %248
+  %250 = select i1 %249, double %247, double %248
+  %251 = fmul double %250, %246
+  %252 = fadd double %244, %251
+  %253 = fmul double %238, %252
+  %254 = fmul double %253, %253
+  %255 = fadd double %235, %254
+  %256 = add nuw nsw i64 %236, 1
+  %257 = icmp eq i64 %256, %120
+  br i1 %257, label %215, label %234, !llvm.loop !14
 
-249:                                              ; preds = %235, %208
-  %250 = phi double [ %248, %235 ], [ %203, %208 ]
-  %251 = add nuw nsw i64 %204, 1
-  %252 = getelementptr inbounds double, ptr %202, i64 %19
-  %253 = icmp eq i64 %251, %109
-  br i1 %253, label %254, label %201, !llvm.loop !14
+258:                                              ; preds = %215, %166
+  %259 = phi double [ %175, %166 ], [ %231, %215 ]
+  %260 = fcmp ole double %167, 1.000000e+00
+  %261 = fmul double %160, 5.000000e-01
+  %262 = fcmp oge double %167, %261
+  %263 = fcmp ole double %167, 8.000000e+00
+  %264 = and i1 %262, %263
+  %265 = or i1 %260, %264
+  %266 = zext i1 %265 to i64
+  %267 = or i64 %172, %266
+  %268 = xor i64 %267, -1
+  %269 = and i64 %163, %268
+  %270 = icmp eq i32 %161, 9
+  %271 = select i1 %270, i64 0, i64 %269
+  %272 = select i1 %270, i64 %269, i64 0
+  %273 = or i64 %272, %172
+  store i64 %271, ptr %37, align 8
+  %274 = icmp eq i64 %271, 0
+  br i1 %274, label %321, label %275
 
-254:                                              ; preds = %249, %196
-  %255 = phi double [ %200, %196 ], [ %250, %249 ]
-  %256 = fcmp ugt double %194, 1.000000e+00
-  br i1 %256, label %257, label %310
+275:                                              ; preds = %258
+  br i1 %133, label %276, label %294
 
-257:                                              ; preds = %254
-  %258 = fmul double %152, 5.000000e-01
-  %259 = fcmp oge double %194, %258
-  %260 = fcmp ole double %194, 8.000000e+00
-  %261 = and i1 %259, %260
-  br i1 %261, label %310, label %262
-
-262:                                              ; preds = %257
-  %263 = icmp eq i32 %153, 9
-  br i1 %263, label %310, label %264
-
-264:                                              ; preds = %262
-  br i1 %126, label %265, label %283
-
-265:                                              ; preds = %264
-  %266 = load i64, ptr %127, align 8
-  %267 = load i64, ptr %128, align 8
-  %268 = mul nsw i64 %267, %266
-  %269 = icmp sgt i64 %268, 0
-  br i1 %269, label %270, label %281
-
-270:                                              ; preds = %265, %270
-  %271 = phi i64 [ %276, %270 ], [ 0, %265 ]
-  %272 = getelementptr inbounds double, ptr %48, i64 %271
-  %273 = load double, ptr %272, align 8
-  %274 = load ptr, ptr %89, align 8
-  %275 = getelementptr inbounds double, ptr %274, i64 %271
-  store double %273, ptr %275, align 8
-  %276 = add nuw nsw i64 %271, 1
-  %277 = load i64, ptr %127, align 8
-  %278 = load i64, ptr %128, align 8
+276:                                              ; preds = %275
+  %277 = load i64, ptr %134, align 8
+  %278 = load i64, ptr %135, align 8
   %279 = mul nsw i64 %278, %277
-  %280 = icmp slt i64 %276, %279
-  br i1 %280, label %270, label %281, !llvm.loop !15
+  %280 = icmp sgt i64 %279, 0
+  br i1 %280, label %281, label %292
 
-281:                                              ; preds = %270, %265
-  %282 = load ptr, ptr %89, align 8
-  tail call fastcc void @factorise(ptr noundef %282, i64 noundef %72) #7
-  br label %283
+281:                                              ; preds = %276, %281
+  %282 = phi i64 [ %287, %281 ], [ 0, %276 ]
+  %283 = getelementptr inbounds double, ptr %54, i64 %282
+  %284 = load double, ptr %283, align 8
+  %285 = load ptr, ptr %91, align 8
+  %286 = getelementptr inbounds double, ptr %285, i64 %282
+  store double %284, ptr %286, align 8
+  %287 = add nuw nsw i64 %282, 1
+  %288 = load i64, ptr %134, align 8
+  %289 = load i64, ptr %135, align 8
+  %290 = mul nsw i64 %289, %288
+  %291 = icmp slt i64 %287, %290
+  br i1 %291, label %281, label %292, !llvm.loop !15
 
-283:                                              ; preds = %264, %281
-  %284 = load i64, ptr %130, align 8
-  %285 = load i64, ptr %131, align 8
-  %286 = mul nsw i64 %285, %284
-  %287 = icmp sgt i64 %286, 0
-  br i1 %287, label %288, label %299
+292:                                              ; preds = %281, %276
+  %293 = load ptr, ptr %91, align 8
+  tail call fastcc void @factorise(ptr noundef %293, i64 noundef %73) #7
+  br label %294
 
-288:                                              ; preds = %283, %288
-  %289 = phi i64 [ %294, %288 ], [ 0, %283 ]
-  %290 = getelementptr inbounds double, ptr %44, i64 %289
-  %291 = load double, ptr %290, align 8
-  %292 = load ptr, ptr %129, align 8
-  %293 = getelementptr inbounds double, ptr %292, i64 %289
-  store double %291, ptr %293, align 8
-  %294 = add nuw nsw i64 %289, 1
-  %295 = load i64, ptr %130, align 8
-  %296 = load i64, ptr %131, align 8
+294:                                              ; preds = %275, %292
+  %295 = load i64, ptr %137, align 8
+  %296 = load i64, ptr %138, align 8
   %297 = mul nsw i64 %296, %295
-  %298 = icmp slt i64 %294, %297
-  br i1 %298, label %288, label %299, !llvm.loop !15
+  %298 = icmp sgt i64 %297, 0
+  br i1 %298, label %299, label %310
 
-299:                                              ; preds = %288, %283
-  %300 = load ptr, ptr %132, align 8
-  br i1 %133, label %301, label %309
+299:                                              ; preds = %294, %299
+  %300 = phi i64 [ %305, %299 ], [ 0, %294 ]
+  %301 = getelementptr inbounds double, ptr %50, i64 %300
+  %302 = load double, ptr %301, align 8
+  %303 = load ptr, ptr %136, align 8
+  %304 = getelementptr inbounds double, ptr %303, i64 %300
+  store double %302, ptr %304, align 8
+  %305 = add nuw nsw i64 %300, 1
+  %306 = load i64, ptr %137, align 8
+  %307 = load i64, ptr %138, align 8
+  %308 = mul nsw i64 %307, %306
+  %309 = icmp slt i64 %305, %308
+  br i1 %309, label %299, label %310, !llvm.loop !15
 
-301:                                              ; preds = %299, %301
-  %302 = phi i64 [ %307, %301 ], [ 0, %299 ]
-  %303 = getelementptr inbounds double, ptr %98, i64 %302
-  %304 = load double, ptr %303, align 8
-  %305 = fneg double %304
-  %306 = getelementptr inbounds double, ptr %300, i64 %302
-  store double %305, ptr %306, align 8
-  %307 = add nuw nsw i64 %302, 1
-  %308 = icmp eq i64 %307, %109
-  br i1 %308, label %309, label %301, !llvm.loop !16
+310:                                              ; preds = %299, %294
+  %311 = load ptr, ptr %139, align 8
+  br i1 %140, label %312, label %320
 
-309:                                              ; preds = %301, %299
+312:                                              ; preds = %310, %312
+  %313 = phi i64 [ %318, %312 ], [ 0, %310 ]
+  %314 = getelementptr inbounds double, ptr %100, i64 %313
+  %315 = load double, ptr %314, align 8
+  %316 = fneg double %315
+  %317 = getelementptr inbounds double, ptr %311, i64 %313
+  store double %316, ptr %317, align 8
+  %318 = add nuw nsw i64 %313, 1
+  %319 = icmp eq i64 %318, %113
+  br i1 %319, label %320, label %312, !llvm.loop !16
+
+320:                                              ; preds = %312, %310
   call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %2) #7
-  br label %310
+  br label %321
 
-310:                                              ; preds = %309, %262, %257, %254, %192
-  %311 = phi double [ %154, %192 ], [ %255, %257 ], [ %255, %262 ], [ %255, %309 ], [ %255, %254 ]
-  %312 = phi i1 [ false, %192 ], [ false, %257 ], [ false, %262 ], [ true, %309 ], [ false, %254 ]
-  %313 = phi double [ %152, %192 ], [ %152, %257 ], [ %152, %262 ], [ %194, %309 ], [ %152, %254 ]
-  %314 = phi i64 [ %195, %192 ], [ 0, %257 ], [ 6, %262 ], [ %195, %309 ], [ 0, %254 ]
-  br i1 %312, label %139, label %315
+321:                                              ; preds = %320, %258
+  %322 = phi double [ %167, %320 ], [ %160, %258 ]
+  %323 = phi i64 [ %158, %320 ], [ %273, %258 ]
+  br i1 %274, label %324, label %146
 
-315:                                              ; preds = %310, %139, %94
-  %316 = phi double [ 0.000000e+00, %94 ], [ %311, %139 ], [ %311, %310 ]
-  %317 = phi i64 [ 6, %94 ], [ %314, %310 ], [ 6, %139 ]
-  %318 = icmp eq i64 %317, 0
-  br i1 %318, label %319, label %328
+324:                                              ; preds = %321, %146, %96
+  %325 = phi double [ 0.000000e+00, %96 ], [ %259, %146 ], [ %259, %321 ]
+  %326 = phi i64 [ %90, %96 ], [ %323, %321 ], [ %90, %146 ]
+  %327 = load i64, ptr %19, align 8
+  %328 = icmp eq i64 %327, 0
+  %329 = icmp eq i64 %326, 1
+  %330 = select i1 %328, i1 true, i1 %329
+  br i1 %330, label %337, label %331
 
-319:                                              ; preds = %315
-  %320 = load i64, ptr %14, align 8
-  %321 = icmp eq i64 %320, 0
-  br i1 %321, label %328, label %322
+331:                                              ; preds = %324
+  %332 = icmp sgt i64 %327, 0
+  br i1 %332, label %333, label %341
 
-322:                                              ; preds = %319
-  %323 = icmp sgt i64 %320, 0
-  br i1 %323, label %324, label %331
+333:                                              ; preds = %331
+  %334 = load ptr, ptr %38, align 8
+  %335 = load i64, ptr %16, align 8
+  %336 = getelementptr double, ptr %334, i64 %335
+  br label %348
 
-324:                                              ; preds = %322
-  %325 = load ptr, ptr %32, align 8
-  %326 = load i64, ptr %11, align 8
-  %327 = getelementptr double, ptr %325, i64 %326
-  br label %338
+337:                                              ; preds = %324
+  %338 = fcmp ogt double %325, 1.000000e+00
+  %339 = zext i1 %338 to i64
+  %340 = or i64 %326, %339
+  br label %589
 
-328:                                              ; preds = %319, %315
-  %329 = fcmp ogt double %316, 1.000000e+00
-  %330 = select i1 %329, i64 6, i64 %317
-  br label %562
+341:                                              ; preds = %348, %331
+  %342 = phi double [ 0.000000e+00, %331 ], [ %354, %348 ]
+  %343 = load i64, ptr %25, align 8
+  %344 = mul nsw i64 %343, %327
+  %345 = icmp sgt i64 %344, 0
+  br i1 %345, label %346, label %357
 
-331:                                              ; preds = %338, %322
-  %332 = phi double [ 0.000000e+00, %322 ], [ %344, %338 ]
-  %333 = load i64, ptr %20, align 8
-  %334 = mul nsw i64 %333, %320
-  %335 = icmp sgt i64 %334, 0
-  br i1 %335, label %336, label %347
+346:                                              ; preds = %341
+  %347 = load ptr, ptr %43, align 8
+  br label %365
 
-336:                                              ; preds = %331
-  %337 = load ptr, ptr %37, align 8
-  br label %350
+348:                                              ; preds = %333, %348
+  %349 = phi i64 [ 0, %333 ], [ %355, %348 ]
+  %350 = phi double [ 0.000000e+00, %333 ], [ %354, %348 ]
+  %351 = getelementptr double, ptr %336, i64 %349
+  %352 = load double, ptr %351, align 8
+  %353 = fmul double %352, 0.000000e+00
+  %354 = fadd double %350, %353
+  %355 = add nuw nsw i64 %349, 1
+  %356 = icmp eq i64 %355, %327
+  br i1 %356, label %341, label %348, !llvm.loop !17
 
-338:                                              ; preds = %324, %338
-  %339 = phi i64 [ 0, %324 ], [ %345, %338 ]
-  %340 = phi double [ 0.000000e+00, %324 ], [ %344, %338 ]
-  %341 = getelementptr double, ptr %327, i64 %339
-  %342 = load double, ptr %341, align 8
-  %343 = fmul double %342, 0.000000e+00
-  %344 = fadd double %340, %343
-  %345 = add nuw nsw i64 %339, 1
-  %346 = icmp eq i64 %345, %320
-  br i1 %346, label %331, label %338, !llvm.loop !17
+357:                                              ; preds = %365, %341
+  %358 = phi double [ %342, %341 ], [ %371, %365 ]
+  %359 = fcmp une double %358, 0.000000e+00
+  %360 = zext i1 %359 to i64
+  %361 = or i64 %326, %360
+  %362 = and i64 %361, 1
+  %363 = xor i64 %362, 1
+  store i64 %363, ptr %37, align 8
+  %364 = icmp eq ptr %62, null
+  br i1 %364, label %449, label %374
 
-347:                                              ; preds = %350, %331
-  %348 = phi double [ %332, %331 ], [ %356, %350 ]
-  %349 = fcmp une double %348, 0.000000e+00
-  br i1 %349, label %562, label %359
+365:                                              ; preds = %346, %365
+  %366 = phi i64 [ 0, %346 ], [ %372, %365 ]
+  %367 = phi double [ %342, %346 ], [ %371, %365 ]
+  %368 = getelementptr inbounds double, ptr %347, i64 %366
+  %369 = load double, ptr %368, align 8
+  %370 = fmul double %369, 0.000000e+00
+  %371 = fadd double %367, %370
+  %372 = add nuw nsw i64 %366, 1
+  %373 = icmp eq i64 %372, %344
+  br i1 %373, label %357, label %365, !llvm.loop !18
 
-350:                                              ; preds = %336, %350
-  %351 = phi i64 [ 0, %336 ], [ %357, %350 ]
-  %352 = phi double [ %332, %336 ], [ %356, %350 ]
-  %353 = getelementptr inbounds double, ptr %337, i64 %351
-  %354 = load double, ptr %353, align 8
-  %355 = fmul double %354, 0.000000e+00
-  %356 = fadd double %352, %355
-  %357 = add nuw nsw i64 %351, 1
-  %358 = icmp eq i64 %357, %334
-  br i1 %358, label %347, label %350, !llvm.loop !18
+374:                                              ; preds = %357
+  %375 = load i64, ptr %22, align 8
+  %376 = load ptr, ptr %38, align 8
+  %377 = load i64, ptr %16, align 8
+  %378 = getelementptr inbounds double, ptr %376, i64 %377
+  %379 = load ptr, ptr %43, align 8
+  %380 = icmp sgt i64 %327, 0
+  br i1 %380, label %381, label %445
 
-359:                                              ; preds = %347
-  %360 = icmp eq ptr %56, null
-  br i1 %360, label %438, label %361
+381:                                              ; preds = %374
+  %382 = load i64, ptr %34, align 8
+  %383 = icmp slt i64 %382, %327
+  %384 = icmp sgt i64 %343, 0
+  %385 = getelementptr inbounds i8, ptr %0, i64 552
+  %386 = getelementptr inbounds i8, ptr %0, i64 528
+  %387 = select i1 %383, double 1.000000e-05, double 0x3CE0000000000000
+  %388 = add nsw i64 %375, %343
+  %389 = sitofp i64 %388 to double
+  br label %390
 
-361:                                              ; preds = %359
-  %362 = load i64, ptr %17, align 8
-  %363 = load ptr, ptr %32, align 8
-  %364 = load i64, ptr %11, align 8
-  %365 = getelementptr inbounds double, ptr %363, i64 %364
-  %366 = icmp sgt i64 %320, 0
-  br i1 %366, label %367, label %434
+390:                                              ; preds = %381, %398
+  %391 = phi double [ 0.000000e+00, %381 ], [ %413, %398 ]
+  %392 = phi i64 [ 0, %381 ], [ %414, %398 ]
+  br i1 %384, label %393, label %398
 
-367:                                              ; preds = %361
-  %368 = load i64, ptr %29, align 8
-  %369 = icmp slt i64 %368, %320
-  %370 = load ptr, ptr %37, align 8
-  %371 = icmp sgt i64 %333, 0
-  %372 = getelementptr inbounds i8, ptr %0, i64 552
-  %373 = getelementptr inbounds i8, ptr %0, i64 528
-  %374 = select i1 %369, double 1.000000e-05, double 0x3CE0000000000000
-  %375 = add nsw i64 %362, %333
-  %376 = sitofp i64 %375 to double
-  br label %377
+393:                                              ; preds = %390
+  %394 = mul nuw nsw i64 %392, %343
+  %395 = getelementptr double, ptr %379, i64 %394
+  %396 = load ptr, ptr %385, align 8
+  %397 = load ptr, ptr %386, align 8
+  br label %416
 
-377:                                              ; preds = %367, %429
-  %378 = phi ptr [ %370, %367 ], [ %432, %429 ]
-  %379 = phi double [ 0.000000e+00, %367 ], [ %430, %429 ]
-  %380 = phi i64 [ 0, %367 ], [ %431, %429 ]
-  br i1 %371, label %381, label %384
+398:                                              ; preds = %416, %390
+  %399 = phi double [ 0.000000e+00, %390 ], [ %442, %416 ]
+  %400 = phi double [ 0.000000e+00, %390 ], [ %439, %416 ]
+  %401 = fmul double %387, %399
+  %402 = fmul double %400, %389
+  %403 = tail call double @llvm.sqrt.f64(double %402)
+  %404 = fmul double %403, 3.000000e+00
+  %405 = fadd double %401, %404
+  %406 = fcmp ule double %400, 0.000000e+00
+  %407 = getelementptr inbounds double, ptr %378, i64 %392
+  %408 = load double, ptr %407, align 8
+  %409 = tail call double @llvm.fabs.f64(double %408)
+  %410 = fdiv double %409, %405
+  %411 = fcmp ogt double %410, %391
+  %412 = select i1 %411, double %410, double %391
+  %413 = select i1 %406, double %391, double %412
+  %414 = add nuw nsw i64 %392, 1
+  %415 = icmp eq i64 %414, %327
+  br i1 %415, label %445, label %390, !llvm.loop !13
 
-381:                                              ; preds = %377
-  %382 = load ptr, ptr %372, align 8
-  %383 = load ptr, ptr %373, align 8
-  br label %388
-
-384:                                              ; preds = %388, %377
-  %385 = phi double [ 0.000000e+00, %377 ], [ %411, %388 ]
-  %386 = phi double [ 0.000000e+00, %377 ], [ %414, %388 ]
-  %387 = fcmp ogt double %385, 0.000000e+00
-  br i1 %387, label %417, label %429
-
-388:                                              ; preds = %381, %388
-  %389 = phi i64 [ 0, %381 ], [ %415, %388 ]
-  %390 = phi double [ 0.000000e+00, %381 ], [ %414, %388 ]
-  %391 = phi double [ 0.000000e+00, %381 ], [ %411, %388 ]
-  %392 = getelementptr inbounds double, ptr %378, i64 %389
-  %393 = load double, ptr %392, align 8
-  %394 = add nsw i64 %389, %362
-  %395 = getelementptr inbounds double, ptr %56, i64 %394
-  %396 = load double, ptr %395, align 8
-  %397 = getelementptr inbounds double, ptr %2, i64 %394
-  %398 = load double, ptr %397, align 8
-  %399 = getelementptr inbounds double, ptr %382, i64 %394
-  %400 = load double, ptr %399, align 8
-  %401 = getelementptr inbounds double, ptr %383, i64 %394
-  %402 = load double, ptr %401, align 8
-  %403 = tail call double @llvm.fabs.f64(double %396)
-  %404 = tail call double @llvm.fabs.f64(double %398)
-  %405 = fcmp ogt double %403, %404
-  %406 = select i1 %405, double %403, double %404
-  %407 = fmul double %406, %402
-  %408 = fadd double %400, %407
-  %409 = fmul double %393, %408
-  %410 = fmul double %409, %409
-  %411 = fadd double %391, %410
-  %412 = fmul double %393, %398
-  %413 = tail call double @llvm.fabs.f64(double %412)
-  %414 = fadd double %390, %413
-  %415 = add nuw nsw i64 %389, 1
-  %416 = icmp eq i64 %415, %333
-  br i1 %416, label %384, label %388, !llvm.loop !13
-
-417:                                              ; preds = %384
-  %418 = fmul double %385, %376
-  %419 = tail call double @llvm.sqrt.f64(double %418)
-  %420 = fmul double %419, 3.000000e+00
-  %421 = fmul double %374, %386
-  %422 = fadd double %421, %420
-  %423 = getelementptr inbounds double, ptr %365, i64 %380
+416:                                              ; preds = %393, %416
+  %417 = phi double [ 0.000000e+00, %393 ], [ %439, %416 ]
+  %418 = phi i64 [ 0, %393 ], [ %443, %416 ]
+  %419 = phi double [ 0.000000e+00, %393 ], [ %442, %416 ]
+  %420 = getelementptr double, ptr %395, i64 %418
+  %421 = load double, ptr %420, align 8
+  %422 = add nsw i64 %418, %375
+  %423 = getelementptr inbounds double, ptr %2, i64 %422
   %424 = load double, ptr %423, align 8
-  %425 = tail call double @llvm.fabs.f64(double %424)
-  %426 = fdiv double %425, %422
-  %427 = fcmp ogt double %426, %379
-  %428 = select i1 %427, double %426, double %379
-  br label %429
+  %425 = getelementptr inbounds double, ptr %62, i64 %422
+  %426 = load double, ptr %425, align 8
+  %427 = getelementptr inbounds double, ptr %396, i64 %422
+  %428 = load double, ptr %427, align 8
+  %429 = getelementptr inbounds double, ptr %397, i64 %422
+  %430 = load double, ptr %429, align 8
+  %431 = tail call double @llvm.fabs.f64(double %426)
+  %432 = tail call double @llvm.fabs.f64(double %424)
+  %433 = fcmp ogt double %431, %432
+  %434 = select i1 %433, double %431, double %432
+  %435 = fmul double %434, %430
+  %436 = fadd double %428, %435
+  %437 = fmul double %421, %436
+  %438 = fmul double %437, %437
+  %439 = fadd double %417, %438
+  %440 = fmul double %421, %424
+  %441 = tail call double @llvm.fabs.f64(double %440)
+  %442 = fadd double %419, %441
+  %443 = add nuw nsw i64 %418, 1
+  %444 = icmp eq i64 %443, %343
+  br i1 %444, label %398, label %416, !llvm.loop !14
 
-429:                                              ; preds = %417, %384
-  %430 = phi double [ %428, %417 ], [ %379, %384 ]
-  %431 = add nuw nsw i64 %380, 1
-  %432 = getelementptr inbounds double, ptr %378, i64 %333
-  %433 = icmp eq i64 %431, %320
-  br i1 %433, label %434, label %377, !llvm.loop !14
+445:                                              ; preds = %398, %374
+  %446 = phi double [ 0.000000e+00, %374 ], [ %413, %398 ]
+  %447 = fcmp ogt double %446, %325
+  %448 = select i1 %447, double %446, double %325
+  br label %449
 
-434:                                              ; preds = %429, %361
-  %435 = phi double [ 0.000000e+00, %361 ], [ %430, %429 ]
-  %436 = fcmp ogt double %435, %316
-  %437 = select i1 %436, double %435, double %316
-  br label %438
+449:                                              ; preds = %445, %357
+  %450 = phi double [ %325, %357 ], [ %448, %445 ]
+  %451 = load i64, ptr %28, align 8
+  %452 = icmp eq i64 %451, 1
+  br i1 %452, label %453, label %477
 
-438:                                              ; preds = %434, %359
-  %439 = phi double [ %316, %359 ], [ %437, %434 ]
-  %440 = load i64, ptr %23, align 8
-  %441 = icmp eq i64 %440, 1
-  br i1 %441, label %442, label %466
-
-442:                                              ; preds = %438
-  %443 = load ptr, ptr %38, align 8
-  %444 = load ptr, ptr %5, align 8
-  %445 = getelementptr inbounds i8, ptr %444, i64 8
-  %446 = getelementptr inbounds i8, ptr %444, i64 16
-  %447 = load i64, ptr %445, align 8
-  %448 = load i64, ptr %446, align 8
-  %449 = mul nsw i64 %448, %447
-  %450 = icmp sgt i64 %449, 0
-  br i1 %450, label %451, label %462
-
-451:                                              ; preds = %442, %451
-  %452 = phi i64 [ %457, %451 ], [ 0, %442 ]
-  %453 = getelementptr inbounds double, ptr %443, i64 %452
-  %454 = load double, ptr %453, align 8
-  %455 = load ptr, ptr %444, align 8
-  %456 = getelementptr inbounds double, ptr %455, i64 %452
-  store double %454, ptr %456, align 8
-  %457 = add nuw nsw i64 %452, 1
-  %458 = load i64, ptr %445, align 8
-  %459 = load i64, ptr %446, align 8
+453:                                              ; preds = %449
+  %454 = load ptr, ptr %44, align 8
+  %455 = load ptr, ptr %5, align 8
+  %456 = getelementptr inbounds i8, ptr %455, i64 8
+  %457 = getelementptr inbounds i8, ptr %455, i64 16
+  %458 = load i64, ptr %456, align 8
+  %459 = load i64, ptr %457, align 8
   %460 = mul nsw i64 %459, %458
-  %461 = icmp slt i64 %457, %460
-  br i1 %461, label %451, label %462, !llvm.loop !15
+  %461 = icmp sgt i64 %460, 0
+  br i1 %461, label %462, label %473
 
-462:                                              ; preds = %451, %442
-  %463 = load ptr, ptr %5, align 8
-  %464 = load ptr, ptr %463, align 8
-  %465 = load i64, ptr %20, align 8
-  tail call fastcc void @factorise(ptr noundef %464, i64 noundef %465) #7
-  br label %466
+462:                                              ; preds = %453, %462
+  %463 = phi i64 [ %468, %462 ], [ 0, %453 ]
+  %464 = getelementptr inbounds double, ptr %454, i64 %463
+  %465 = load double, ptr %464, align 8
+  %466 = load ptr, ptr %455, align 8
+  %467 = getelementptr inbounds double, ptr %466, i64 %463
+  store double %465, ptr %467, align 8
+  %468 = add nuw nsw i64 %463, 1
+  %469 = load i64, ptr %456, align 8
+  %470 = load i64, ptr %457, align 8
+  %471 = mul nsw i64 %470, %469
+  %472 = icmp slt i64 %468, %471
+  br i1 %472, label %462, label %473, !llvm.loop !15
 
-466:                                              ; preds = %438, %462
-  %467 = load ptr, ptr %32, align 8
-  %468 = load i64, ptr %11, align 8
-  %469 = getelementptr inbounds double, ptr %467, i64 %468
-  %470 = load i64, ptr %14, align 8
-  %471 = load ptr, ptr %5, align 8
-  %472 = getelementptr inbounds i8, ptr %471, i64 144
-  %473 = load ptr, ptr %472, align 8
-  %474 = icmp sgt i64 %470, 0
-  br i1 %474, label %475, label %483
+473:                                              ; preds = %462, %453
+  %474 = load ptr, ptr %5, align 8
+  %475 = load ptr, ptr %474, align 8
+  %476 = load i64, ptr %25, align 8
+  tail call fastcc void @factorise(ptr noundef %475, i64 noundef %476) #7
+  br label %477
 
-475:                                              ; preds = %466, %475
-  %476 = phi i64 [ %481, %475 ], [ 0, %466 ]
-  %477 = getelementptr inbounds double, ptr %469, i64 %476
-  %478 = load double, ptr %477, align 8
-  %479 = fneg double %478
-  %480 = getelementptr inbounds double, ptr %473, i64 %476
-  store double %479, ptr %480, align 8
-  %481 = add nuw nsw i64 %476, 1
-  %482 = icmp eq i64 %481, %470
-  br i1 %482, label %483, label %475, !llvm.loop !16
+477:                                              ; preds = %449, %473
+  %478 = load ptr, ptr %38, align 8
+  %479 = load i64, ptr %16, align 8
+  %480 = getelementptr inbounds double, ptr %478, i64 %479
+  %481 = load i64, ptr %19, align 8
+  %482 = load ptr, ptr %5, align 8
+  %483 = getelementptr inbounds i8, ptr %482, i64 144
+  %484 = load ptr, ptr %483, align 8
+  %485 = icmp sgt i64 %481, 0
+  br i1 %485, label %486, label %494
 
-483:                                              ; preds = %475, %466
+486:                                              ; preds = %477, %486
+  %487 = phi i64 [ %492, %486 ], [ 0, %477 ]
+  %488 = getelementptr inbounds double, ptr %480, i64 %487
+  %489 = load double, ptr %488, align 8
+  %490 = fneg double %489
+  %491 = getelementptr inbounds double, ptr %484, i64 %487
+  store double %490, ptr %491, align 8
+  %492 = add nuw nsw i64 %487, 1
+  %493 = icmp eq i64 %492, %481
+  br i1 %493, label %494, label %486, !llvm.loop !16
+
+494:                                              ; preds = %486, %477
   call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %2) #7
-  %484 = load ptr, ptr %57, align 8
-  %485 = getelementptr inbounds i8, ptr %484, i64 8
-  %486 = load i64, ptr %485, align 8
-  %487 = load ptr, ptr %5, align 8
-  %488 = getelementptr inbounds i8, ptr %487, i64 216
-  %489 = load ptr, ptr %488, align 8
-  %490 = getelementptr inbounds i8, ptr %487, i64 240
-  %491 = load ptr, ptr %490, align 8
-  %492 = load ptr, ptr %40, align 8
-  %493 = getelementptr inbounds i8, ptr %492, i64 32
-  %494 = getelementptr inbounds double, ptr %493, i64 %486
-  %495 = load i64, ptr %14, align 8
-  %496 = icmp sgt i64 %495, 0
-  br i1 %496, label %504, label %499
+  %495 = load ptr, ptr %63, align 8
+  %496 = getelementptr inbounds i8, ptr %495, i64 8
+  %497 = load i64, ptr %496, align 8
+  %498 = load ptr, ptr %46, align 8
+  %499 = load i64, ptr %37, align 8
+  %500 = trunc i64 %499 to i32
+  %501 = load i64, ptr %19, align 8
+  %502 = icmp sgt i64 %501, 0
+  br i1 %502, label %503, label %510
 
-497:                                              ; preds = %522
-  %498 = sitofp i64 %524 to double
-  br label %499
+503:                                              ; preds = %494
+  %504 = load ptr, ptr %5, align 8
+  %505 = getelementptr inbounds i8, ptr %504, i64 216
+  %506 = getelementptr double, ptr %498, i64 %497
+  %507 = getelementptr i8, ptr %506, i64 32
+  %508 = getelementptr inbounds i8, ptr %504, i64 192
+  %509 = icmp eq i32 %500, 0
+  br label %550
 
-499:                                              ; preds = %497, %483
-  %500 = phi double [ 1.000000e+00, %483 ], [ %523, %497 ]
-  %501 = phi double [ 0.000000e+00, %483 ], [ %498, %497 ]
-  %502 = load double, ptr %492, align 8
-  %503 = fcmp olt double %502, %501
-  br i1 %503, label %527, label %529
-
-504:                                              ; preds = %483, %522
-  %505 = phi i64 [ %525, %522 ], [ 0, %483 ]
-  %506 = phi i64 [ %524, %522 ], [ 0, %483 ]
-  %507 = phi double [ %523, %522 ], [ 1.000000e+00, %483 ]
-  %508 = getelementptr inbounds double, ptr %489, i64 %505
-  %509 = load double, ptr %508, align 8
-  %510 = getelementptr inbounds double, ptr %494, i64 %505
-  %511 = load double, ptr %510, align 8
-  %512 = fcmp ogt double %509, %511
-  %513 = select i1 %512, double %509, double %511
-  store double %513, ptr %510, align 8
-  %514 = getelementptr inbounds double, ptr %491, i64 %505
+510:                                              ; preds = %550, %494
+  %511 = phi double [ 0.000000e+00, %494 ], [ %567, %550 ]
+  %512 = phi double [ 1.000000e+00, %494 ], [ %571, %550 ]
+  %513 = load double, ptr %498, align 8
+  %514 = getelementptr inbounds i8, ptr %498, i64 16
   %515 = load double, ptr %514, align 8
-  %516 = fcmp ogt double %515, 0.000000e+00
-  br i1 %516, label %517, label %522
+  %516 = fcmp ule double %511, %513
+  %517 = and i32 %500, 1
+  %518 = icmp eq i32 %517, 0
+  %519 = select i1 %516, i1 true, i1 %518
+  %520 = select i1 %519, double %513, double %511
+  store double %520, ptr %498, align 8
+  %521 = getelementptr inbounds i8, ptr %498, i64 8
+  %522 = load double, ptr %521, align 8
+  %523 = select i1 %519, double %522, double 1.000000e+00
+  %524 = fcmp uge double %511, %513
+  %525 = select i1 %524, double %512, double 0.000000e+00
+  %526 = fcmp olt double %525, %515
+  %527 = select i1 %526, double %525, double %515
+  %528 = icmp eq i32 %500, 0
+  %529 = select i1 %528, double %515, double %525
+  store double %529, ptr %514, align 8
+  %530 = fcmp oge double %527, 5.000000e-02
+  %531 = fmul double %450, %527
+  %532 = fmul double %531, 5.000000e-02
+  %533 = fcmp ogt double %532, 1.000000e+00
+  %534 = or i1 %530, %533
+  %535 = load i64, ptr %37, align 8
+  %536 = fcmp ogt double %450, 1.000000e+00
+  %537 = and i1 %536, %534
+  %538 = and i64 %535, 1
+  %539 = select i1 %537, i64 %538, i64 0
+  %540 = xor i64 %539, %535
+  %541 = trunc i64 %540 to i32
+  %542 = fcmp olt double %525, %523
+  %543 = and i32 %541, 1
+  %544 = fcmp ogt double %523, 1.000000e-05
+  %545 = and i1 %544, %542
+  %546 = select i1 %545, i32 %543, i32 0
+  %547 = icmp eq i32 %546, 0
+  %548 = select i1 %547, double %523, double %525
+  store double %548, ptr %521, align 8
+  %549 = icmp eq i32 %546, 0
+  br i1 %549, label %587, label %574
 
-517:                                              ; preds = %504
-  %518 = add nsw i64 %506, 1
-  %519 = fdiv double %515, %513
-  %520 = fcmp olt double %519, %507
-  %521 = select i1 %520, double %519, double %507
-  br label %522
-
-522:                                              ; preds = %517, %504
-  %523 = phi double [ %521, %517 ], [ %507, %504 ]
-  %524 = phi i64 [ %518, %517 ], [ %506, %504 ]
-  %525 = add nuw nsw i64 %505, 1
-  %526 = icmp eq i64 %525, %495
-  br i1 %526, label %497, label %504, !llvm.loop !19
-
-527:                                              ; preds = %499
-  store double %501, ptr %492, align 8
-  %528 = getelementptr inbounds i8, ptr %492, i64 8
-  store double 1.000000e+00, ptr %528, align 8
-  br label %532
-
-529:                                              ; preds = %499
-  %530 = fcmp ogt double %502, %501
-  br i1 %530, label %531, label %532
-
-531:                                              ; preds = %529
-  br label %532
-
-532:                                              ; preds = %531, %529, %527
-  %533 = phi double [ %500, %527 ], [ 0.000000e+00, %531 ], [ %500, %529 ]
-  %534 = getelementptr inbounds i8, ptr %492, i64 16
-  %535 = load double, ptr %534, align 8
-  %536 = fcmp olt double %533, %535
-  %537 = select i1 %536, double %533, double %535
-  store double %533, ptr %534, align 8
-  %538 = fcmp ogt double %439, 1.000000e+00
-  br i1 %538, label %539, label %545
-
-539:                                              ; preds = %532
-  %540 = fcmp ult double %537, 5.000000e-02
-  br i1 %540, label %541, label %562
-
-541:                                              ; preds = %539
-  %542 = fmul double %439, %537
-  %543 = fmul double %542, 5.000000e-02
-  %544 = fcmp ogt double %543, 1.000000e+00
-  br i1 %544, label %562, label %545
-
-545:                                              ; preds = %541, %532
-  %546 = getelementptr inbounds i8, ptr %492, i64 8
-  %547 = load double, ptr %546, align 8
-  %548 = fcmp olt double %533, %547
-  %549 = fcmp ogt double %547, 1.000000e-05
-  %550 = and i1 %548, %549
-  br i1 %550, label %551, label %562
-
-551:                                              ; preds = %545
-  store double %533, ptr %546, align 8
-  %552 = getelementptr inbounds i8, ptr %492, i64 24
-  store double %1, ptr %552, align 8
-  %553 = getelementptr inbounds i8, ptr %492, i64 32
-  %554 = icmp sgt i64 %486, 0
-  br i1 %554, label %555, label %562
-
-555:                                              ; preds = %551, %555
-  %556 = phi i64 [ %560, %555 ], [ 0, %551 ]
-  %557 = getelementptr inbounds double, ptr %2, i64 %556
+550:                                              ; preds = %503, %550
+  %551 = phi double [ 1.000000e+00, %503 ], [ %571, %550 ]
+  %552 = phi double [ 0.000000e+00, %503 ], [ %567, %550 ]
+  %553 = phi i64 [ 0, %503 ], [ %572, %550 ]
+  %554 = load ptr, ptr %505, align 8
+  %555 = getelementptr inbounds double, ptr %554, i64 %553
+  %556 = load double, ptr %555, align 8
+  %557 = getelementptr double, ptr %507, i64 %553
   %558 = load double, ptr %557, align 8
-  %559 = getelementptr inbounds double, ptr %553, i64 %556
-  store double %558, ptr %559, align 8
-  %560 = add nuw nsw i64 %556, 1
-  %561 = icmp eq i64 %560, %486
-  br i1 %561, label %562, label %555, !llvm.loop !20
+  %559 = load ptr, ptr %508, align 8
+  %560 = getelementptr inbounds double, ptr %559, i64 %553
+  %561 = load double, ptr %560, align 8
+  %562 = fcmp ogt double %561, %558
+  %563 = select i1 %562, double %561, double %558
+  %564 = select i1 %509, double %558, double %563
+  store double %564, ptr %557, align 8
+  %565 = fcmp ule double %556, 0.000000e+00
+  %566 = fadd double %552, 1.000000e+00
+  %567 = select i1 %565, double %552, double %566
+  %568 = fdiv double %556, %563
+  %569 = fcmp olt double %568, %551
+  %570 = select i1 %569, double %568, double %551
+  %571 = select i1 %565, double %551, double %570
+  %572 = add nuw nsw i64 %553, 1
+  %573 = icmp eq i64 %572, %501
+  br i1 %573, label %510, label %550, !llvm.loop !19
 
-562:                                              ; preds = %555, %551, %545, %541, %539, %347, %328
-  %563 = phi i64 [ %330, %328 ], [ 6, %347 ], [ 6, %541 ], [ 6, %539 ], [ 0, %545 ], [ 0, %551 ], [ 0, %555 ]
-  ret i64 %563
+574:                                              ; preds = %510
+  %575 = getelementptr inbounds i8, ptr %498, i64 24
+  store double %1, ptr %575, align 8
+  %576 = getelementptr inbounds i8, ptr %498, i64 32
+  %577 = icmp sgt i64 %497, 0
+  br i1 %577, label %578, label %587
+
+578:                                              ; preds = %574, %578
+  %579 = phi i64 [ %585, %578 ], [ 0, %574 ]
+  %580 = getelementptr inbounds double, ptr %2, i64 %579
+  %581 = load double, ptr %580, align 8
+  %582 = getelementptr inbounds double, ptr %576, i64 %579
+  %583 = load double, ptr %582, align 8
+  %584 = select i1 %547, double %583, double %581
+  store double %584, ptr %582, align 8
+  %585 = add nuw nsw i64 %579, 1
+  %586 = icmp eq i64 %585, %497
+  br i1 %586, label %587, label %578, !llvm.loop !20
+
+587:                                              ; preds = %578, %574, %510
+  %588 = or i64 %539, %361
+  br label %589
+
+589:                                              ; preds = %337, %587
+  %590 = phi i64 [ %340, %337 ], [ %588, %587 ]
+  %591 = icmp eq i64 %590, 0
+  %592 = select i1 %591, i64 0, i64 6
+  ret i64 %592
 }
 
 
 
 define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1) unnamed_addr #2 {
   %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr inbounds i8, ptr %0, i64 88
+  %4 = getelementptr inbounds i8, ptr %0, i64 96
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i8, ptr %3, i64 96
   %7 = getelementptr inbounds i8, ptr %3, i64 104
@@ -810,38 +799,44 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   tail call fastcc void @divide_rows(ptr noundef %25, i64 noundef %27, ptr noundef %28, i64 noundef %30) #7
   %31 = getelementptr inbounds i8, ptr %0, i64 56
   %32 = load i64, ptr %31, align 8
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3, i64 noundef %32) #7
-  %33 = load ptr, ptr %3, align 8
-  %34 = load i64, ptr %29, align 8
-  %35 = getelementptr inbounds i8, ptr %3, i64 120
-  %36 = load ptr, ptr %35, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %33, i64 noundef %34, ptr noundef %36) #7
-  %37 = load i64, ptr %29, align 8
-  %38 = icmp sgt i64 %37, 0
-  br i1 %38, label %39, label %41
+  %33 = getelementptr inbounds i8, ptr %0, i64 64
+  %34 = load i64, ptr %33, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3, i64 noundef %32, i64 noundef %34) #7
+  %35 = load ptr, ptr %3, align 8
+  %36 = load i64, ptr %29, align 8
+  %37 = getelementptr inbounds i8, ptr %3, i64 120
+  %38 = load ptr, ptr %37, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %35, i64 noundef %36, ptr noundef %38) #7
+  %39 = load i64, ptr %29, align 8
+  %40 = icmp sgt i64 %39, 0
+  br i1 %40, label %41, label %43
 
-39:                                               ; preds = %24
-  %40 = getelementptr inbounds i8, ptr %0, i64 24
-  br label %42
+41:                                               ; preds = %24
+  %42 = getelementptr inbounds i8, ptr %0, i64 24
+  br label %44
 
-41:                                               ; preds = %42, %24
+43:                                               ; preds = %44, %24
   ret void
 
-42:                                               ; preds = %39, %42
-  %43 = phi i64 [ 0, %39 ], [ %52, %42 ]
-  %44 = load ptr, ptr %35, align 8
-  %45 = getelementptr inbounds double, ptr %44, i64 %43
-  %46 = load double, ptr %45, align 8
-  %47 = load i64, ptr %40, align 8
-  %48 = getelementptr double, ptr %1, i64 %47
-  %49 = getelementptr double, ptr %48, i64 %43
-  %50 = load double, ptr %49, align 8
-  %51 = fadd double %46, %50
-  store double %51, ptr %49, align 8
-  %52 = add nuw nsw i64 %43, 1
-  %53 = load i64, ptr %29, align 8
-  %54 = icmp slt i64 %52, %53
-  br i1 %54, label %42, label %41, !llvm.loop !21
+44:                                               ; preds = %41, %44
+  %45 = phi i64 [ 0, %41 ], [ %58, %44 ]
+  %46 = load i64, ptr %42, align 8
+  %47 = getelementptr double, ptr %1, i64 %46
+  %48 = getelementptr double, ptr %47, i64 %45
+  %49 = load double, ptr %48, align 8
+  %50 = load i64, ptr %33, align 8
+  %51 = load ptr, ptr %37, align 8
+  %52 = getelementptr inbounds double, ptr %51, i64 %45
+  %53 = load double, ptr %52, align 8
+  %54 = fadd double %49, %53
+  %55 = and i64 %50, 4294967295
+  %56 = icmp eq i64 %55, 0
+  %57 = select i1 %56, double %49, double %54
+  store double %57, ptr %48, align 8
+  %58 = add nuw nsw i64 %45, 1
+  %59 = load i64, ptr %29, align 8
+  %60 = icmp slt i64 %58, %59
+  br i1 %60, label %44, label %43, !llvm.loop !21
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
@@ -952,36 +947,36 @@ declare double @llvm.fabs.f64(double) #3
 
 define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef %1) unnamed_addr #2 {
   %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr inbounds i8, ptr %0, i64 72
+  %4 = getelementptr inbounds i8, ptr %3, i64 120
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %3, i64 48
-  %7 = getelementptr inbounds i8, ptr %3, i64 56
-  %8 = getelementptr inbounds i8, ptr %3, i64 64
-  %9 = load i64, ptr %7, align 8
-  %10 = load i64, ptr %8, align 8
-  %11 = mul nsw i64 %10, %9
-  %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %13, label %24
+  %6 = getelementptr inbounds i8, ptr %0, i64 80
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %3, i64 48
+  %9 = getelementptr inbounds i8, ptr %3, i64 56
+  %10 = getelementptr inbounds i8, ptr %3, i64 64
+  %11 = load i64, ptr %9, align 8
+  %12 = load i64, ptr %10, align 8
+  %13 = mul nsw i64 %12, %11
+  %14 = icmp sgt i64 %13, 0
+  br i1 %14, label %15, label %26
 
-13:                                               ; preds = %2, %13
-  %14 = phi i64 [ %19, %13 ], [ 0, %2 ]
-  %15 = getelementptr inbounds double, ptr %5, i64 %14
-  %16 = load double, ptr %15, align 8
-  %17 = load ptr, ptr %6, align 8
-  %18 = getelementptr inbounds double, ptr %17, i64 %14
-  store double %16, ptr %18, align 8
-  %19 = add nuw nsw i64 %14, 1
-  %20 = load i64, ptr %7, align 8
-  %21 = load i64, ptr %8, align 8
-  %22 = mul nsw i64 %21, %20
-  %23 = icmp slt i64 %19, %22
-  br i1 %23, label %13, label %24, !llvm.loop !15
+15:                                               ; preds = %2, %15
+  %16 = phi i64 [ %21, %15 ], [ 0, %2 ]
+  %17 = getelementptr inbounds double, ptr %7, i64 %16
+  %18 = load double, ptr %17, align 8
+  %19 = load ptr, ptr %8, align 8
+  %20 = getelementptr inbounds double, ptr %19, i64 %16
+  store double %18, ptr %20, align 8
+  %21 = add nuw nsw i64 %16, 1
+  %22 = load i64, ptr %9, align 8
+  %23 = load i64, ptr %10, align 8
+  %24 = mul nsw i64 %23, %22
+  %25 = icmp slt i64 %21, %24
+  br i1 %25, label %15, label %26, !llvm.loop !15
 
-24:                                               ; preds = %13, %2
-  %25 = getelementptr inbounds i8, ptr %3, i64 24
-  %26 = load ptr, ptr %6, align 8
+26:                                               ; preds = %15, %2
+  tail call fastcc void @set_rows(ptr noundef nonnull %0) #7
   %27 = getelementptr inbounds i8, ptr %3, i64 72
-  tail call fastcc void @set_rows(ptr noundef nonnull %25, ptr noundef %26, ptr noundef nonnull %27) #7
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 8
   %30 = load i64, ptr %29, align 8
@@ -991,17 +986,17 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   tail call fastcc void @divide_rows(ptr noundef %28, i64 noundef %30, ptr noundef %31, i64 noundef %33) #7
   %34 = getelementptr inbounds i8, ptr %0, i64 48
   %35 = load i64, ptr %34, align 8
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %27, ptr noundef nonnull %3, i64 noundef %35) #7
-  %36 = getelementptr inbounds i8, ptr %3, i64 120
-  %37 = load ptr, ptr %36, align 8
+  %36 = getelementptr inbounds i8, ptr %0, i64 64
+  %37 = load i64, ptr %36, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %27, ptr noundef nonnull %3, i64 noundef %35, i64 noundef %37) #7
   %38 = load i64, ptr %32, align 8
   %39 = icmp sgt i64 %38, 0
   br i1 %39, label %40, label %49
 
-40:                                               ; preds = %24, %40
-  %41 = phi i64 [ %47, %40 ], [ 0, %24 ]
-  %42 = phi double [ %46, %40 ], [ 0.000000e+00, %24 ]
-  %43 = getelementptr inbounds double, ptr %37, i64 %41
+40:                                               ; preds = %26, %40
+  %41 = phi i64 [ %47, %40 ], [ 0, %26 ]
+  %42 = phi double [ %46, %40 ], [ 0.000000e+00, %26 ]
+  %43 = getelementptr inbounds double, ptr %5, i64 %41
   %44 = load double, ptr %43, align 8
   %45 = fmul double %44, %44
   %46 = fadd double %42, %45
@@ -1009,571 +1004,614 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %48 = icmp eq i64 %47, %38
   br i1 %48, label %49, label %40, !llvm.loop !24
 
-49:                                               ; preds = %40, %24
-  %50 = phi double [ 0.000000e+00, %24 ], [ %46, %40 ]
+49:                                               ; preds = %40, %26
+  %50 = phi double [ 0.000000e+00, %26 ], [ %46, %40 ]
   %51 = tail call double @llvm.sqrt.f64(double %50)
   %52 = load i64, ptr %29, align 8
   %53 = icmp sgt i64 %52, 0
   br i1 %53, label %54, label %57
 
 54:                                               ; preds = %49
-  %55 = getelementptr inbounds i8, ptr %3, i64 264
-  %56 = getelementptr inbounds i8, ptr %3, i64 216
-  br label %64
+  %55 = getelementptr inbounds i8, ptr %3, i64 240
+  %56 = getelementptr inbounds i8, ptr %3, i64 192
+  br label %66
 
-57:                                               ; preds = %75, %49
+57:                                               ; preds = %66, %49
   %58 = load ptr, ptr %3, align 8
   %59 = load i64, ptr %32, align 8
-  %60 = load ptr, ptr %36, align 8
+  %60 = load ptr, ptr %4, align 8
   tail call fastcc void @divide_transposed(ptr noundef %58, i64 noundef %59, ptr noundef %60) #7
   %61 = getelementptr inbounds i8, ptr %0, i64 24
   %62 = load i64, ptr %61, align 8
   %63 = icmp sgt i64 %62, 0
-  br i1 %63, label %79, label %85
+  br i1 %63, label %64, label %80
 
-64:                                               ; preds = %54, %75
-  %65 = phi i64 [ 0, %54 ], [ %76, %75 ]
-  %66 = load ptr, ptr %55, align 8
-  %67 = getelementptr inbounds double, ptr %66, i64 %65
-  %68 = load double, ptr %67, align 8
-  %69 = fcmp oeq double %68, 0.000000e+00
-  br i1 %69, label %70, label %75
+64:                                               ; preds = %57
+  %65 = getelementptr inbounds i8, ptr %3, i64 24
+  br label %87
 
-70:                                               ; preds = %64
-  %71 = load ptr, ptr %56, align 8
-  %72 = getelementptr inbounds double, ptr %71, i64 %65
-  %73 = load double, ptr %72, align 8
-  %74 = fmul double %51, %73
-  store double %74, ptr %67, align 8
-  br label %75
+66:                                               ; preds = %54, %66
+  %67 = phi i64 [ 0, %54 ], [ %77, %66 ]
+  %68 = load ptr, ptr %55, align 8
+  %69 = getelementptr inbounds double, ptr %68, i64 %67
+  %70 = load double, ptr %69, align 8
+  %71 = fcmp une double %70, 0.000000e+00
+  %72 = load ptr, ptr %56, align 8
+  %73 = getelementptr inbounds double, ptr %72, i64 %67
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %51, %74
+  %76 = select i1 %71, double %70, double %75
+  store double %76, ptr %69, align 8
+  %77 = add nuw nsw i64 %67, 1
+  %78 = load i64, ptr %29, align 8
+  %79 = icmp slt i64 %77, %78
+  br i1 %79, label %66, label %57, !llvm.loop !25
 
-75:                                               ; preds = %64, %70
-  %76 = add nuw nsw i64 %65, 1
-  %77 = load i64, ptr %29, align 8
-  %78 = icmp slt i64 %76, %77
-  br i1 %78, label %64, label %57, !llvm.loop !25
+80:                                               ; preds = %97, %57
+  %81 = getelementptr inbounds i8, ptr %0, i64 24
+  %82 = load i64, ptr %29, align 8
+  %83 = icmp sgt i64 %82, 0
+  br i1 %83, label %84, label %119
 
-79:                                               ; preds = %57, %92
-  %80 = phi i64 [ %93, %92 ], [ 0, %57 ]
-  %81 = load i64, ptr %32, align 8
-  %82 = icmp sgt i64 %81, 0
-  br i1 %82, label %83, label %92
+84:                                               ; preds = %80
+  %85 = getelementptr inbounds i8, ptr %3, i64 144
+  %86 = load ptr, ptr %85, align 8
+  br label %125
 
-83:                                               ; preds = %79
-  %84 = getelementptr inbounds double, ptr %1, i64 %80
-  br label %96
+87:                                               ; preds = %64, %97
+  %88 = phi i64 [ 0, %64 ], [ %103, %97 ]
+  %89 = getelementptr inbounds double, ptr %1, i64 %88
+  %90 = load double, ptr %89, align 8
+  %91 = load i64, ptr %32, align 8
+  %92 = icmp sgt i64 %91, 0
+  br i1 %92, label %93, label %97
 
-85:                                               ; preds = %92, %57
-  %86 = getelementptr inbounds i8, ptr %0, i64 24
-  %87 = load i64, ptr %29, align 8
-  %88 = icmp sgt i64 %87, 0
-  br i1 %88, label %89, label %140
+93:                                               ; preds = %87
+  %94 = load ptr, ptr %65, align 8
+  %95 = mul nuw nsw i64 %91, %88
+  %96 = getelementptr double, ptr %94, i64 %95
+  br label %106
 
-89:                                               ; preds = %85
-  %90 = getelementptr inbounds i8, ptr %3, i64 144
-  %91 = load ptr, ptr %90, align 8
-  br label %115
+97:                                               ; preds = %106, %87
+  %98 = phi double [ %90, %87 ], [ %114, %106 ]
+  %99 = load i64, ptr %36, align 8
+  %100 = and i64 %99, 4294967295
+  %101 = icmp eq i64 %100, 0
+  %102 = select i1 %101, double %90, double %98
+  store double %102, ptr %89, align 8
+  %103 = add nuw nsw i64 %88, 1
+  %104 = load i64, ptr %61, align 8
+  %105 = icmp slt i64 %103, %104
+  br i1 %105, label %87, label %80, !llvm.loop !26
 
-92:                                               ; preds = %96, %79
-  %93 = add nuw nsw i64 %80, 1
-  %94 = load i64, ptr %61, align 8
-  %95 = icmp slt i64 %93, %94
-  br i1 %95, label %79, label %85, !llvm.loop !26
+106:                                              ; preds = %93, %106
+  %107 = phi i64 [ 0, %93 ], [ %115, %106 ]
+  %108 = phi double [ %90, %93 ], [ %114, %106 ]
+  %109 = getelementptr double, ptr %96, i64 %107
+  %110 = load double, ptr %109, align 8
+  %111 = getelementptr inbounds double, ptr %5, i64 %107
+  %112 = load double, ptr %111, align 8
+  %113 = fmul double %110, %112
+  %114 = fadd double %108, %113
+  %115 = add nuw nsw i64 %107, 1
+  %116 = icmp eq i64 %115, %91
+  br i1 %116, label %97, label %106, !llvm.loop !27
 
-96:                                               ; preds = %83, %96
-  %97 = phi i64 [ %81, %83 ], [ %111, %96 ]
-  %98 = phi i64 [ 0, %83 ], [ %110, %96 ]
-  %99 = load ptr, ptr %25, align 8
-  %100 = mul nsw i64 %97, %80
-  %101 = getelementptr double, ptr %99, i64 %100
-  %102 = getelementptr double, ptr %101, i64 %98
-  %103 = load double, ptr %102, align 8
-  %104 = load ptr, ptr %36, align 8
-  %105 = getelementptr inbounds double, ptr %104, i64 %98
-  %106 = load double, ptr %105, align 8
-  %107 = fmul double %103, %106
-  %108 = load double, ptr %84, align 8
-  %109 = fadd double %108, %107
-  store double %109, ptr %84, align 8
-  %110 = add nuw nsw i64 %98, 1
-  %111 = load i64, ptr %32, align 8
-  %112 = icmp slt i64 %110, %111
-  br i1 %112, label %96, label %92, !llvm.loop !27
+117:                                              ; preds = %125
+  %118 = fcmp ule double %132, 0.000000e+00
+  br label %119
 
-113:                                              ; preds = %115
-  %114 = fcmp ogt double %122, 0.000000e+00
-  br i1 %114, label %125, label %140
+119:                                              ; preds = %117, %80
+  %120 = phi i1 [ true, %80 ], [ %118, %117 ]
+  %121 = load i64, ptr %36, align 8
+  %122 = and i64 %121, 1
+  %123 = icmp eq i64 %122, 0
+  %124 = select i1 %120, i1 true, i1 %123
+  br i1 %124, label %149, label %135
 
-115:                                              ; preds = %89, %115
-  %116 = phi i64 [ 0, %89 ], [ %123, %115 ]
-  %117 = phi double [ 0.000000e+00, %89 ], [ %122, %115 ]
-  %118 = getelementptr inbounds double, ptr %91, i64 %116
-  %119 = load double, ptr %118, align 8
-  %120 = tail call double @llvm.fabs.f64(double %119)
-  %121 = fcmp ogt double %120, %117
-  %122 = select i1 %121, double %120, double %117
-  %123 = add nuw nsw i64 %116, 1
-  %124 = icmp eq i64 %123, %87
-  br i1 %124, label %113, label %115, !llvm.loop !28
+125:                                              ; preds = %84, %125
+  %126 = phi i64 [ 0, %84 ], [ %133, %125 ]
+  %127 = phi double [ 0.000000e+00, %84 ], [ %132, %125 ]
+  %128 = getelementptr inbounds double, ptr %86, i64 %126
+  %129 = load double, ptr %128, align 8
+  %130 = tail call double @llvm.fabs.f64(double %129)
+  %131 = fcmp ogt double %130, %127
+  %132 = select i1 %131, double %130, double %127
+  %133 = add nuw nsw i64 %126, 1
+  %134 = icmp eq i64 %133, %82
+  br i1 %134, label %117, label %125, !llvm.loop !28
 
-125:                                              ; preds = %113
-  %126 = load i64, ptr %34, align 8
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3, i64 noundef %126) #7
-  %127 = load i64, ptr %86, align 8
-  %128 = icmp sgt i64 %127, 0
-  br i1 %128, label %129, label %140
+135:                                              ; preds = %119
+  %136 = load i64, ptr %34, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %8, ptr noundef nonnull %3, i64 noundef %136, i64 noundef %122) #7
+  %137 = load i64, ptr %81, align 8
+  %138 = icmp sgt i64 %137, 0
+  br i1 %138, label %139, label %149
 
-129:                                              ; preds = %125, %129
-  %130 = phi i64 [ %137, %129 ], [ 0, %125 ]
-  %131 = load ptr, ptr %36, align 8
-  %132 = getelementptr inbounds double, ptr %131, i64 %130
-  %133 = load double, ptr %132, align 8
-  %134 = getelementptr inbounds double, ptr %1, i64 %130
-  %135 = load double, ptr %134, align 8
-  %136 = fadd double %133, %135
-  store double %136, ptr %134, align 8
-  %137 = add nuw nsw i64 %130, 1
-  %138 = load i64, ptr %86, align 8
-  %139 = icmp slt i64 %137, %138
-  br i1 %139, label %129, label %140, !llvm.loop !29
+139:                                              ; preds = %135, %139
+  %140 = phi i64 [ %146, %139 ], [ 0, %135 ]
+  %141 = getelementptr inbounds double, ptr %1, i64 %140
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr inbounds double, ptr %5, i64 %140
+  %144 = load double, ptr %143, align 8
+  %145 = fadd double %142, %144
+  store double %145, ptr %141, align 8
+  %146 = add nuw nsw i64 %140, 1
+  %147 = load i64, ptr %81, align 8
+  %148 = icmp slt i64 %146, %147
+  br i1 %148, label %139, label %149, !llvm.loop !29
 
-140:                                              ; preds = %129, %85, %125, %113
+149:                                              ; preds = %139, %135, %119
   ret void
 }
 
-define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef readonly %2) unnamed_addr #2 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %2, i64 8
-  %9 = load i64, ptr %8, align 8
-  %10 = icmp sgt i64 %9, 0
-  br i1 %10, label %11, label %23
+define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 8
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %16
 
-11:                                               ; preds = %3
-  %12 = icmp sgt i64 %7, 0
-  %13 = icmp sgt i64 %5, 0
-  %14 = sitofp i64 %5 to double
-  %15 = fmul double %14, 4.000000e+00
-  %16 = fmul double %15, 0x3CB0000000000000
-  br label %17
+5:                                                ; preds = %1
+  %6 = load ptr, ptr %0, align 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 32
+  %8 = getelementptr inbounds i8, ptr %0, i64 24
+  %9 = getelementptr inbounds i8, ptr %6, i64 48
+  %10 = getelementptr inbounds i8, ptr %6, i64 24
+  %11 = getelementptr inbounds i8, ptr %6, i64 72
+  br label %12
 
-17:                                               ; preds = %11, %29
-  %18 = phi i64 [ 0, %11 ], [ %30, %29 ]
-  br i1 %12, label %19, label %29
+12:                                               ; preds = %5, %28
+  %13 = phi i64 [ 0, %5 ], [ %29, %28 ]
+  %14 = load i64, ptr %7, align 8
+  %15 = icmp sgt i64 %14, 0
+  br i1 %15, label %17, label %28
 
-19:                                               ; preds = %17
-  %20 = mul nsw i64 %18, %5
-  %21 = getelementptr double, ptr %1, i64 %20
-  %22 = mul nuw nsw i64 %18, %7
-  br label %24
-
-23:                                               ; preds = %29, %3
+16:                                               ; preds = %28, %1
   ret void
 
-24:                                               ; preds = %19, %33
-  %25 = phi i64 [ 0, %19 ], [ %43, %33 ]
-  br i1 %13, label %26, label %33
+17:                                               ; preds = %12, %32
+  %18 = phi i64 [ %47, %32 ], [ %14, %12 ]
+  %19 = phi i64 [ %46, %32 ], [ 0, %12 ]
+  %20 = load i64, ptr %8, align 8
+  %21 = icmp sgt i64 %20, 0
+  br i1 %21, label %22, label %32
 
-26:                                               ; preds = %24
-  %27 = load ptr, ptr %0, align 8
-  %28 = getelementptr double, ptr %27, i64 %25
-  br label %45
+22:                                               ; preds = %17
+  %23 = load ptr, ptr %9, align 8
+  %24 = mul nuw nsw i64 %20, %13
+  %25 = getelementptr double, ptr %23, i64 %24
+  %26 = load ptr, ptr %10, align 8
+  %27 = getelementptr double, ptr %26, i64 %19
+  br label %49
 
-29:                                               ; preds = %33, %17
-  %30 = add nuw nsw i64 %18, 1
-  %31 = load i64, ptr %8, align 8
-  %32 = icmp slt i64 %30, %31
-  br i1 %32, label %17, label %23, !llvm.loop !30
+28:                                               ; preds = %32, %12
+  %29 = add nuw nsw i64 %13, 1
+  %30 = load i64, ptr %2, align 8
+  %31 = icmp slt i64 %29, %30
+  br i1 %31, label %12, label %16, !llvm.loop !30
 
-33:                                               ; preds = %45, %24
-  %34 = phi double [ 0.000000e+00, %24 ], [ %55, %45 ]
-  %35 = phi double [ 0.000000e+00, %24 ], [ %57, %45 ]
-  %36 = tail call double @llvm.fabs.f64(double %34)
-  %37 = fmul double %16, %35
-  %38 = fcmp ole double %36, %37
-  %39 = select i1 %38, double 0.000000e+00, double %34
-  %40 = load ptr, ptr %2, align 8
-  %41 = getelementptr double, ptr %40, i64 %22
-  %42 = getelementptr double, ptr %41, i64 %25
-  store double %39, ptr %42, align 8
-  %43 = add nuw nsw i64 %25, 1
-  %44 = icmp eq i64 %43, %7
-  br i1 %44, label %29, label %24, !llvm.loop !31
+32:                                               ; preds = %49, %17
+  %33 = phi double [ 0.000000e+00, %17 ], [ %59, %49 ]
+  %34 = phi double [ 0.000000e+00, %17 ], [ %61, %49 ]
+  %35 = tail call double @llvm.fabs.f64(double %33)
+  %36 = sitofp i64 %20 to double
+  %37 = fmul double %36, 4.000000e+00
+  %38 = fmul double %37, 0x3CB0000000000000
+  %39 = fmul double %34, %38
+  %40 = fcmp ugt double %35, %39
+  %41 = load ptr, ptr %11, align 8
+  %42 = mul nsw i64 %18, %13
+  %43 = select i1 %40, double %33, double 0.000000e+00
+  %44 = getelementptr double, ptr %41, i64 %42
+  %45 = getelementptr double, ptr %44, i64 %19
+  store double %43, ptr %45, align 8
+  %46 = add nuw nsw i64 %19, 1
+  %47 = load i64, ptr %7, align 8
+  %48 = icmp slt i64 %46, %47
+  br i1 %48, label %17, label %28, !llvm.loop !31
 
-45:                                               ; preds = %26, %45
-  %46 = phi i64 [ 0, %26 ], [ %58, %45 ]
-  %47 = phi double [ 0.000000e+00, %26 ], [ %57, %45 ]
-  %48 = phi double [ 0.000000e+00, %26 ], [ %55, %45 ]
-  %49 = getelementptr double, ptr %21, i64 %46
-  %50 = load double, ptr %49, align 8
-  %51 = mul nuw nsw i64 %46, %7
-  %52 = getelementptr double, ptr %28, i64 %51
-  %53 = load double, ptr %52, align 8
-  %54 = fmul double %50, %53
-  %55 = fadd double %48, %54
-  %56 = tail call double @llvm.fabs.f64(double %54)
-  %57 = fadd double %47, %56
-  %58 = add nuw nsw i64 %46, 1
-  %59 = icmp eq i64 %58, %5
-  br i1 %59, label %33, label %45, !llvm.loop !32
+49:                                               ; preds = %22, %49
+  %50 = phi i64 [ 0, %22 ], [ %62, %49 ]
+  %51 = phi double [ 0.000000e+00, %22 ], [ %61, %49 ]
+  %52 = phi double [ 0.000000e+00, %22 ], [ %59, %49 ]
+  %53 = getelementptr double, ptr %25, i64 %50
+  %54 = load double, ptr %53, align 8
+  %55 = mul nsw i64 %50, %18
+  %56 = getelementptr double, ptr %27, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fmul double %54, %57
+  %59 = fadd double %52, %58
+  %60 = tail call double @llvm.fabs.f64(double %58)
+  %61 = fadd double %51, %60
+  %62 = add nuw nsw i64 %50, 1
+  %63 = icmp eq i64 %62, %20
+  br i1 %63, label %32, label %49, !llvm.loop !32
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #4 {
   %5 = icmp sgt i64 %1, 0
-  br i1 %5, label %6, label %14
+  br i1 %5, label %6, label %15
 
 6:                                                ; preds = %4
   %7 = icmp sgt i64 %3, 0
   %8 = add i64 %3, 1
   br label %9
 
-9:                                                ; preds = %6, %15
-  %10 = phi i64 [ 0, %6 ], [ %16, %15 ]
-  br i1 %7, label %11, label %15
+9:                                                ; preds = %6, %16
+  %10 = phi i64 [ 0, %6 ], [ %17, %16 ]
+  br i1 %7, label %11, label %16
 
 11:                                               ; preds = %9
   %12 = mul nuw nsw i64 %10, %3
   %13 = getelementptr double, ptr %0, i64 %12
-  br label %18
+  %14 = getelementptr double, ptr %0, i64 %12
+  br label %19
 
-14:                                               ; preds = %15, %4
+15:                                               ; preds = %16, %4
   ret void
 
-15:                                               ; preds = %26, %9
-  %16 = add nuw nsw i64 %10, 1
-  %17 = icmp eq i64 %16, %1
-  br i1 %17, label %14, label %9, !llvm.loop !33
+16:                                               ; preds = %27, %9
+  %17 = add nuw nsw i64 %10, 1
+  %18 = icmp eq i64 %17, %1
+  br i1 %18, label %15, label %9, !llvm.loop !33
 
-18:                                               ; preds = %11, %26
-  %19 = phi i64 [ 0, %11 ], [ %32, %26 ]
-  %20 = getelementptr double, ptr %13, i64 %19
-  %21 = load double, ptr %20, align 8
-  %22 = icmp eq i64 %19, 0
-  br i1 %22, label %26, label %23
+19:                                               ; preds = %11, %27
+  %20 = phi i64 [ 0, %11 ], [ %33, %27 ]
+  %21 = getelementptr double, ptr %13, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = icmp eq i64 %20, 0
+  br i1 %23, label %27, label %24
 
-23:                                               ; preds = %18
-  %24 = mul nuw nsw i64 %19, %3
-  %25 = getelementptr double, ptr %2, i64 %24
-  br label %34
+24:                                               ; preds = %19
+  %25 = mul nuw nsw i64 %20, %3
+  %26 = getelementptr double, ptr %2, i64 %25
+  br label %35
 
-26:                                               ; preds = %34, %18
-  %27 = phi double [ %21, %18 ], [ %42, %34 ]
-  %28 = mul i64 %19, %8
-  %29 = getelementptr inbounds double, ptr %2, i64 %28
-  %30 = load double, ptr %29, align 8
-  %31 = fdiv double %27, %30
-  store double %31, ptr %20, align 8
-  %32 = add nuw nsw i64 %19, 1
-  %33 = icmp eq i64 %32, %3
-  br i1 %33, label %15, label %18, !llvm.loop !34
+27:                                               ; preds = %35, %19
+  %28 = phi double [ %22, %19 ], [ %43, %35 ]
+  %29 = mul i64 %20, %8
+  %30 = getelementptr inbounds double, ptr %2, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = fdiv double %28, %31
+  store double %32, ptr %21, align 8
+  %33 = add nuw nsw i64 %20, 1
+  %34 = icmp eq i64 %33, %3
+  br i1 %34, label %16, label %19, !llvm.loop !34
 
-34:                                               ; preds = %23, %34
-  %35 = phi i64 [ 0, %23 ], [ %43, %34 ]
-  %36 = phi double [ %21, %23 ], [ %42, %34 ]
-  %37 = getelementptr double, ptr %25, i64 %35
-  %38 = load double, ptr %37, align 8
-  %39 = getelementptr double, ptr %13, i64 %35
-  %40 = load double, ptr %39, align 8
-  %41 = fmul double %38, %40
-  %42 = fsub double %36, %41
-  %43 = add nuw nsw i64 %35, 1
-  %44 = icmp eq i64 %43, %19
-  br i1 %44, label %26, label %34, !llvm.loop !35
+35:                                               ; preds = %24, %35
+  %36 = phi i64 [ 0, %24 ], [ %44, %35 ]
+  %37 = phi double [ %22, %24 ], [ %43, %35 ]
+  %38 = getelementptr double, ptr %26, i64 %36
+  %39 = load double, ptr %38, align 8
+  %40 = getelementptr double, ptr %14, i64 %36
+  %41 = load double, ptr %40, align 8
+  %42 = fmul double %39, %41
+  %43 = fsub double %37, %42
+  %44 = add nuw nsw i64 %36, 1
+  %45 = icmp eq i64 %44, %20
+  br i1 %45, label %27, label %35, !llvm.loop !35
 }
 
-define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #2 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = load ptr, ptr %0, align 8
-  %9 = getelementptr inbounds i8, ptr %1, i64 120
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %1, i64 144
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %1, i64 168
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %1, i64 216
-  %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %1, i64 240
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %1, i64 192
-  %20 = load ptr, ptr %19, align 8
-  %21 = icmp sgt i64 %7, 0
-  br i1 %21, label %27, label %22
+define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #2 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 8
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 16
+  %8 = load i64, ptr %7, align 8
+  %9 = load ptr, ptr %0, align 8
+  %10 = getelementptr inbounds i8, ptr %1, i64 120
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %1, i64 144
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %1, i64 168
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds i8, ptr %1, i64 192
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %1, i64 216
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %1, i64 264
+  %21 = load ptr, ptr %20, align 8
+  %22 = trunc i64 %3 to i32
+  %23 = icmp sgt i64 %8, 0
+  br i1 %23, label %30, label %24
 
-22:                                               ; preds = %27, %3
-  %23 = icmp sgt i64 %5, 0
-  br i1 %23, label %24, label %32
+24:                                               ; preds = %30, %4
+  %25 = icmp sgt i64 %6, 0
+  br i1 %25, label %26, label %35
 
-24:                                               ; preds = %22
-  %25 = icmp sgt i64 %7, 0
-  %26 = icmp sgt i64 %7, 0
-  br label %41
+26:                                               ; preds = %24
+  %27 = icmp sgt i64 %8, 0
+  %28 = icmp eq i32 %22, 0
+  %29 = icmp sgt i64 %8, 0
+  br label %46
 
-27:                                               ; preds = %3, %27
-  %28 = phi i64 [ %30, %27 ], [ 0, %3 ]
-  %29 = getelementptr inbounds double, ptr %10, i64 %28
-  store double 0.000000e+00, ptr %29, align 8
-  %30 = add nuw nsw i64 %28, 1
-  %31 = icmp eq i64 %30, %7
-  br i1 %31, label %22, label %27, !llvm.loop !36
+30:                                               ; preds = %4, %30
+  %31 = phi i64 [ %33, %30 ], [ 0, %4 ]
+  %32 = getelementptr inbounds double, ptr %11, i64 %31
+  store double 0.000000e+00, ptr %32, align 8
+  %33 = add nuw nsw i64 %31, 1
+  %34 = icmp eq i64 %33, %8
+  br i1 %34, label %24, label %30, !llvm.loop !36
 
-32:                                               ; preds = %75, %22
-  %33 = icmp sgt i64 %2, 0
-  br i1 %33, label %34, label %183
+35:                                               ; preds = %74, %24
+  %36 = icmp sgt i64 %2, 0
+  br i1 %36, label %37, label %220
 
-34:                                               ; preds = %32
-  %35 = icmp sgt i64 %5, 0
-  %36 = icmp sgt i64 %7, 0
-  %37 = icmp sgt i64 %7, 0
-  %38 = icmp sgt i64 %5, 0
-  %39 = icmp sgt i64 %7, 0
-  %40 = icmp sgt i64 %7, 0
-  br label %78
+37:                                               ; preds = %35
+  %38 = icmp sgt i64 %6, 0
+  %39 = icmp sgt i64 %8, 0
+  %40 = icmp sgt i64 %6, 0
+  %41 = icmp sgt i64 %8, 0
+  %42 = icmp sgt i64 %8, 0
+  %43 = icmp sgt i64 %6, 0
+  %44 = icmp sgt i64 %8, 0
+  %45 = icmp sgt i64 %8, 0
+  br label %84
 
-41:                                               ; preds = %24, %75
-  %42 = phi i64 [ 0, %24 ], [ %76, %75 ]
-  %43 = mul nsw i64 %42, %7
-  %44 = getelementptr inbounds double, ptr %8, i64 %43
-  br i1 %25, label %45, label %54
+46:                                               ; preds = %26, %74
+  %47 = phi i64 [ 0, %26 ], [ %75, %74 ]
+  %48 = mul nsw i64 %47, %8
+  %49 = getelementptr inbounds double, ptr %9, i64 %48
+  br i1 %27, label %50, label %59
 
-45:                                               ; preds = %41, %45
-  %46 = phi i64 [ %52, %45 ], [ 0, %41 ]
-  %47 = phi double [ %51, %45 ], [ 0.000000e+00, %41 ]
-  %48 = getelementptr inbounds double, ptr %44, i64 %46
-  %49 = load double, ptr %48, align 8
-  %50 = fmul double %49, %49
-  %51 = fadd double %47, %50
-  %52 = add nuw nsw i64 %46, 1
-  %53 = icmp eq i64 %52, %7
-  br i1 %53, label %54, label %45, !llvm.loop !24
+50:                                               ; preds = %46, %50
+  %51 = phi i64 [ %57, %50 ], [ 0, %46 ]
+  %52 = phi double [ %56, %50 ], [ 0.000000e+00, %46 ]
+  %53 = getelementptr inbounds double, ptr %49, i64 %51
+  %54 = load double, ptr %53, align 8
+  %55 = fmul double %54, %54
+  %56 = fadd double %52, %55
+  %57 = add nuw nsw i64 %51, 1
+  %58 = icmp eq i64 %57, %8
+  br i1 %58, label %59, label %50, !llvm.loop !24
 
-54:                                               ; preds = %45, %41
-  %55 = phi double [ 0.000000e+00, %41 ], [ %51, %45 ]
-  %56 = getelementptr inbounds double, ptr %14, i64 %42
-  store double 1.000000e+00, ptr %56, align 8
-  %57 = getelementptr inbounds i64, ptr %20, i64 %42
-  store i64 1, ptr %57, align 8
-  %58 = getelementptr inbounds double, ptr %16, i64 %42
-  store double 0.000000e+00, ptr %58, align 8
-  %59 = getelementptr inbounds double, ptr %18, i64 %42
-  store double 0.000000e+00, ptr %59, align 8
-  %60 = fcmp ogt double %55, 0.000000e+00
-  br i1 %60, label %61, label %75
+59:                                               ; preds = %50, %46
+  %60 = phi double [ 0.000000e+00, %46 ], [ %56, %50 ]
+  %61 = tail call double @llvm.sqrt.f64(double %60)
+  %62 = fcmp ule double %60, 0.000000e+00
+  %63 = fdiv double 1.000000e+00, %61
+  %64 = select i1 %62, double 1.000000e+00, double %63
+  %65 = select i1 %62, double 0.000000e+00, double %61
+  %66 = getelementptr inbounds double, ptr %17, i64 %47
+  store double %65, ptr %66, align 8
+  %67 = getelementptr inbounds double, ptr %19, i64 %47
+  %68 = load double, ptr %67, align 8
+  %69 = select i1 %28, double %68, double 0.000000e+00
+  store double %69, ptr %67, align 8
+  %70 = getelementptr inbounds double, ptr %15, i64 %47
+  store double %64, ptr %70, align 8
+  %71 = getelementptr inbounds double, ptr %13, i64 %47
+  %72 = load double, ptr %71, align 8
+  %73 = fmul double %64, %72
+  store double %73, ptr %71, align 8
+  br i1 %29, label %77, label %74
 
-61:                                               ; preds = %54
-  %62 = tail call double @llvm.sqrt.f64(double %55)
-  store double %62, ptr %58, align 8
-  %63 = fdiv double 1.000000e+00, %62
-  store double %63, ptr %56, align 8
-  %64 = getelementptr inbounds double, ptr %12, i64 %42
-  %65 = load double, ptr %64, align 8
-  %66 = fmul double %63, %65
-  store double %66, ptr %64, align 8
-  br i1 %26, label %67, label %75
+74:                                               ; preds = %77, %59
+  %75 = add nuw nsw i64 %47, 1
+  %76 = icmp eq i64 %75, %6
+  br i1 %76, label %35, label %46, !llvm.loop !37
 
-67:                                               ; preds = %61, %67
-  %68 = phi i64 [ %73, %67 ], [ 0, %61 ]
-  %69 = load double, ptr %56, align 8
-  %70 = getelementptr inbounds double, ptr %44, i64 %68
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %69, %71
-  store double %72, ptr %70, align 8
-  %73 = add nuw nsw i64 %68, 1
-  %74 = icmp eq i64 %73, %7
-  br i1 %74, label %75, label %67, !llvm.loop !37
+77:                                               ; preds = %59, %77
+  %78 = phi i64 [ %82, %77 ], [ 0, %59 ]
+  %79 = getelementptr inbounds double, ptr %49, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %64, %80
+  store double %81, ptr %79, align 8
+  %82 = add nuw nsw i64 %78, 1
+  %83 = icmp eq i64 %82, %8
+  br i1 %83, label %74, label %77, !llvm.loop !38
 
-75:                                               ; preds = %67, %61, %54
-  %76 = add nuw nsw i64 %42, 1
-  %77 = icmp eq i64 %76, %5
-  br i1 %77, label %32, label %41, !llvm.loop !38
+84:                                               ; preds = %215, %37
+  %85 = phi i32 [ %22, %37 ], [ %93, %215 ]
+  %86 = phi double [ 0.000000e+00, %37 ], [ %216, %215 ]
+  %87 = phi i64 [ 0, %37 ], [ %217, %215 ]
+  br i1 %38, label %95, label %88
 
-78:                                               ; preds = %34, %180
-  %79 = phi i64 [ 0, %34 ], [ %181, %180 ]
-  br i1 %35, label %80, label %113
+88:                                               ; preds = %128, %84
+  %89 = phi double [ 0x3BC79CA10C924224, %84 ], [ %129, %128 ]
+  %90 = phi double [ -1.000000e+00, %84 ], [ %130, %128 ]
+  %91 = fcmp oge double %90, 0.000000e+00
+  %92 = and i32 %85, 1
+  %93 = select i1 %91, i32 %92, i32 0
+  %94 = icmp eq i32 %93, 0
+  br i1 %94, label %215, label %133
 
-80:                                               ; preds = %78, %108
-  %81 = phi i64 [ %111, %108 ], [ 0, %78 ]
-  %82 = phi double [ %110, %108 ], [ 0x3BC79CA10C924224, %78 ]
-  %83 = phi i64 [ %109, %108 ], [ -1, %78 ]
-  %84 = icmp eq i64 %81, %2
-  %85 = fcmp ogt double %82, 1.000000e-04
-  %86 = select i1 %84, i1 %85, i1 false
-  br i1 %86, label %113, label %87
+95:                                               ; preds = %84, %128
+  %96 = phi double [ %130, %128 ], [ -1.000000e+00, %84 ]
+  %97 = phi double [ %129, %128 ], [ 0x3BC79CA10C924224, %84 ]
+  %98 = phi i64 [ %131, %128 ], [ 0, %84 ]
+  %99 = phi i32 [ %103, %128 ], [ %85, %84 ]
+  %100 = icmp eq i64 %98, %2
+  %101 = fcmp ole double %97, 1.000000e-04
+  %102 = select i1 %101, i32 %99, i32 0
+  %103 = select i1 %100, i32 %102, i32 %99
+  %104 = getelementptr inbounds double, ptr %19, i64 %98
+  %105 = load double, ptr %104, align 8
+  %106 = fcmp une double %105, 0.000000e+00
+  %107 = and i32 %103, 1
+  %108 = icmp eq i32 %107, 0
+  %109 = select i1 %106, i1 true, i1 %108
+  br i1 %109, label %128, label %110
 
-87:                                               ; preds = %80
-  %88 = getelementptr inbounds i64, ptr %20, i64 %81
-  %89 = load i64, ptr %88, align 8
-  %90 = icmp eq i64 %89, 1
-  br i1 %90, label %91, label %108
+110:                                              ; preds = %95
+  %111 = mul nsw i64 %98, %8
+  %112 = getelementptr inbounds double, ptr %9, i64 %111
+  br i1 %39, label %113, label %122
 
-91:                                               ; preds = %87
-  %92 = mul nsw i64 %81, %7
-  %93 = getelementptr inbounds double, ptr %8, i64 %92
-  br i1 %36, label %94, label %103
+113:                                              ; preds = %110, %113
+  %114 = phi i64 [ %120, %113 ], [ 0, %110 ]
+  %115 = phi double [ %119, %113 ], [ 0.000000e+00, %110 ]
+  %116 = getelementptr inbounds double, ptr %112, i64 %114
+  %117 = load double, ptr %116, align 8
+  %118 = fmul double %117, %117
+  %119 = fadd double %115, %118
+  %120 = add nuw nsw i64 %114, 1
+  %121 = icmp eq i64 %120, %8
+  br i1 %121, label %122, label %113, !llvm.loop !24
 
-94:                                               ; preds = %91, %94
-  %95 = phi i64 [ %101, %94 ], [ 0, %91 ]
-  %96 = phi double [ %100, %94 ], [ 0.000000e+00, %91 ]
-  %97 = getelementptr inbounds double, ptr %93, i64 %95
-  %98 = load double, ptr %97, align 8
-  %99 = fmul double %98, %98
-  %100 = fadd double %96, %99
-  %101 = add nuw nsw i64 %95, 1
-  %102 = icmp eq i64 %101, %7
-  br i1 %102, label %103, label %94, !llvm.loop !24
+122:                                              ; preds = %113, %110
+  %123 = phi double [ 0.000000e+00, %110 ], [ %119, %113 ]
+  %124 = fcmp ule double %123, %97
+  %125 = uitofp nneg i64 %98 to double
+  %126 = select i1 %124, double %96, double %125
+  %127 = select i1 %124, double %97, double %123
+  br label %128
 
-103:                                              ; preds = %94, %91
-  %104 = phi double [ 0.000000e+00, %91 ], [ %100, %94 ]
-  %105 = fcmp ogt double %104, %82
-  %106 = select i1 %105, i64 %81, i64 %83
-  %107 = select i1 %105, double %104, double %82
-  br label %108
+128:                                              ; preds = %122, %95
+  %129 = phi double [ %127, %122 ], [ %97, %95 ]
+  %130 = phi double [ %126, %122 ], [ %96, %95 ]
+  %131 = add nuw nsw i64 %98, 1
+  %132 = icmp eq i64 %131, %6
+  br i1 %132, label %88, label %95, !llvm.loop !39
 
-108:                                              ; preds = %87, %103
-  %109 = phi i64 [ %106, %103 ], [ %83, %87 ]
-  %110 = phi double [ %107, %103 ], [ %82, %87 ]
-  %111 = add nuw nsw i64 %81, 1
-  %112 = icmp eq i64 %111, %5
-  br i1 %112, label %113, label %80, !llvm.loop !39
+133:                                              ; preds = %88
+  %134 = fadd double %86, 1.000000e+00
+  %135 = tail call double @llvm.sqrt.f64(double %89)
+  br i1 %40, label %138, label %136
 
-113:                                              ; preds = %108, %80, %78
-  %114 = phi i64 [ -1, %78 ], [ %109, %108 ], [ %83, %80 ]
-  %115 = phi double [ 0x3BC79CA10C924224, %78 ], [ %110, %108 ], [ %82, %80 ]
-  %116 = icmp sgt i64 %114, -1
-  br i1 %116, label %117, label %183
+136:                                              ; preds = %162, %133
+  %137 = phi double [ 0.000000e+00, %133 ], [ %163, %162 ]
+  br i1 %42, label %167, label %166
 
-117:                                              ; preds = %113
-  %118 = tail call double @llvm.sqrt.f64(double %115)
-  %119 = getelementptr inbounds double, ptr %12, i64 %114
-  %120 = load double, ptr %119, align 8
-  %121 = fdiv double %120, %118
-  %122 = mul nsw i64 %114, %7
-  %123 = getelementptr inbounds double, ptr %8, i64 %122
-  %124 = getelementptr inbounds i64, ptr %20, i64 %114
-  store i64 0, ptr %124, align 8
-  store double 0.000000e+00, ptr %119, align 8
-  %125 = getelementptr inbounds double, ptr %16, i64 %114
-  %126 = load double, ptr %125, align 8
-  %127 = fmul double %118, %126
-  %128 = getelementptr inbounds double, ptr %18, i64 %114
-  store double %127, ptr %128, align 8
-  br i1 %37, label %130, label %129
+138:                                              ; preds = %133, %162
+  %139 = phi i64 [ %164, %162 ], [ 0, %133 ]
+  %140 = phi double [ %163, %162 ], [ 0.000000e+00, %133 ]
+  %141 = uitofp nneg i64 %139 to double
+  %142 = fcmp une double %90, %141
+  br i1 %142, label %162, label %143
 
-129:                                              ; preds = %130, %117
-  br i1 %38, label %141, label %179
+143:                                              ; preds = %138
+  %144 = getelementptr inbounds double, ptr %13, i64 %139
+  %145 = load double, ptr %144, align 8
+  %146 = fdiv double %145, %135
+  store double 0.000000e+00, ptr %144, align 8
+  %147 = getelementptr inbounds double, ptr %17, i64 %139
+  %148 = load double, ptr %147, align 8
+  %149 = fmul double %135, %148
+  %150 = getelementptr inbounds double, ptr %19, i64 %139
+  store double %149, ptr %150, align 8
+  br i1 %41, label %151, label %162
 
-130:                                              ; preds = %117, %130
-  %131 = phi i64 [ %139, %130 ], [ 0, %117 ]
-  %132 = getelementptr inbounds double, ptr %123, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = fdiv double %133, %118
-  store double %134, ptr %132, align 8
-  %135 = fmul double %121, %134
-  %136 = getelementptr inbounds double, ptr %10, i64 %131
-  %137 = load double, ptr %136, align 8
-  %138 = fadd double %137, %135
-  store double %138, ptr %136, align 8
-  %139 = add nuw nsw i64 %131, 1
-  %140 = icmp eq i64 %139, %7
-  br i1 %140, label %129, label %130, !llvm.loop !40
+151:                                              ; preds = %143
+  %152 = mul nuw nsw i64 %139, %8
+  %153 = getelementptr double, ptr %9, i64 %152
+  br label %154
 
-141:                                              ; preds = %129, %176
-  %142 = phi i64 [ %177, %176 ], [ 0, %129 ]
-  %143 = getelementptr inbounds i64, ptr %20, i64 %142
-  %144 = load i64, ptr %143, align 8
-  %145 = icmp eq i64 %144, 1
-  br i1 %145, label %146, label %176
+154:                                              ; preds = %151, %154
+  %155 = phi i64 [ 0, %151 ], [ %160, %154 ]
+  %156 = getelementptr double, ptr %153, i64 %155
+  %157 = load double, ptr %156, align 8
+  %158 = fdiv double %157, %135
+  %159 = getelementptr inbounds double, ptr %21, i64 %155
+  store double %158, ptr %159, align 8
+  %160 = add nuw nsw i64 %155, 1
+  %161 = icmp eq i64 %160, %8
+  br i1 %161, label %162, label %154, !llvm.loop !40
 
-146:                                              ; preds = %141
-  %147 = mul nsw i64 %142, %7
-  %148 = getelementptr double, ptr %8, i64 %147
-  br i1 %39, label %149, label %160
+162:                                              ; preds = %154, %143, %138
+  %163 = phi double [ %140, %138 ], [ %146, %143 ], [ %146, %154 ]
+  %164 = add nuw nsw i64 %139, 1
+  %165 = icmp eq i64 %164, %6
+  br i1 %165, label %136, label %138, !llvm.loop !41
 
-149:                                              ; preds = %146, %149
-  %150 = phi i64 [ %158, %149 ], [ 0, %146 ]
-  %151 = phi double [ %157, %149 ], [ 0.000000e+00, %146 ]
-  %152 = getelementptr inbounds double, ptr %148, i64 %150
-  %153 = load double, ptr %152, align 8
-  %154 = getelementptr inbounds double, ptr %123, i64 %150
-  %155 = load double, ptr %154, align 8
-  %156 = fmul double %153, %155
-  %157 = fadd double %151, %156
-  %158 = add nuw nsw i64 %150, 1
-  %159 = icmp eq i64 %158, %7
-  br i1 %159, label %160, label %149, !llvm.loop !24
+166:                                              ; preds = %167, %136
+  br i1 %43, label %177, label %215
 
-160:                                              ; preds = %149, %146
-  %161 = phi double [ 0.000000e+00, %146 ], [ %157, %149 ]
-  %162 = fmul double %121, %161
-  %163 = getelementptr inbounds double, ptr %12, i64 %142
-  %164 = load double, ptr %163, align 8
-  %165 = fsub double %164, %162
-  store double %165, ptr %163, align 8
-  br i1 %40, label %166, label %176
-
-166:                                              ; preds = %160, %166
-  %167 = phi i64 [ %174, %166 ], [ 0, %160 ]
-  %168 = getelementptr inbounds double, ptr %123, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %161, %169
-  %171 = getelementptr double, ptr %148, i64 %167
+167:                                              ; preds = %136, %167
+  %168 = phi i64 [ %175, %167 ], [ 0, %136 ]
+  %169 = getelementptr inbounds double, ptr %11, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr inbounds double, ptr %21, i64 %168
   %172 = load double, ptr %171, align 8
-  %173 = fsub double %172, %170
-  store double %173, ptr %171, align 8
-  %174 = add nuw nsw i64 %167, 1
-  %175 = icmp eq i64 %174, %7
-  br i1 %175, label %176, label %166, !llvm.loop !41
+  %173 = fmul double %137, %172
+  %174 = fadd double %170, %173
+  store double %174, ptr %169, align 8
+  %175 = add nuw nsw i64 %168, 1
+  %176 = icmp eq i64 %175, %8
+  br i1 %176, label %166, label %167, !llvm.loop !42
 
-176:                                              ; preds = %166, %160, %141
-  %177 = add nuw nsw i64 %142, 1
-  %178 = icmp eq i64 %177, %5
-  br i1 %178, label %179, label %141, !llvm.loop !42
+177:                                              ; preds = %166, %212
+  %178 = phi i64 [ %213, %212 ], [ 0, %166 ]
+  %179 = mul nsw i64 %178, %8
+  %180 = getelementptr inbounds double, ptr %9, i64 %179
+  %181 = getelementptr inbounds double, ptr %19, i64 %178
+  %182 = load double, ptr %181, align 8
+  %183 = fcmp une double %182, 0.000000e+00
+  br i1 %183, label %212, label %184
 
-179:                                              ; preds = %176, %129
-  br i1 %116, label %180, label %183
+184:                                              ; preds = %177
+  br i1 %44, label %185, label %196
 
-180:                                              ; preds = %179
-  %181 = add nuw nsw i64 %79, 1
-  %182 = icmp eq i64 %181, %2
-  br i1 %182, label %183, label %78, !llvm.loop !43
+185:                                              ; preds = %184, %185
+  %186 = phi i64 [ %194, %185 ], [ 0, %184 ]
+  %187 = phi double [ %193, %185 ], [ 0.000000e+00, %184 ]
+  %188 = getelementptr inbounds double, ptr %180, i64 %186
+  %189 = load double, ptr %188, align 8
+  %190 = getelementptr inbounds double, ptr %21, i64 %186
+  %191 = load double, ptr %190, align 8
+  %192 = fmul double %189, %191
+  %193 = fadd double %187, %192
+  %194 = add nuw nsw i64 %186, 1
+  %195 = icmp eq i64 %194, %8
+  br i1 %195, label %196, label %185, !llvm.loop !24
 
-183:                                              ; preds = %180, %179, %113, %32
-  %184 = phi i64 [ 0, %32 ], [ %2, %180 ], [ %79, %179 ], [ %79, %113 ]
-  %185 = icmp sgt i64 %5, 0
-  br i1 %185, label %186, label %190
+196:                                              ; preds = %185, %184
+  %197 = phi double [ 0.000000e+00, %184 ], [ %193, %185 ]
+  %198 = getelementptr inbounds double, ptr %13, i64 %178
+  %199 = load double, ptr %198, align 8
+  %200 = fmul double %137, %197
+  %201 = fsub double %199, %200
+  store double %201, ptr %198, align 8
+  br i1 %45, label %202, label %212
 
-186:                                              ; preds = %183
-  %187 = icmp eq i64 %184, %2
-  %188 = icmp sgt i64 %5, %2
-  %189 = select i1 %187, i1 %188, i1 false
-  br label %191
+202:                                              ; preds = %196, %202
+  %203 = phi i64 [ %210, %202 ], [ 0, %196 ]
+  %204 = getelementptr inbounds double, ptr %180, i64 %203
+  %205 = load double, ptr %204, align 8
+  %206 = getelementptr inbounds double, ptr %21, i64 %203
+  %207 = load double, ptr %206, align 8
+  %208 = fmul double %197, %207
+  %209 = fsub double %205, %208
+  store double %209, ptr %204, align 8
+  %210 = add nuw nsw i64 %203, 1
+  %211 = icmp eq i64 %210, %8
+  br i1 %211, label %212, label %202, !llvm.loop !43
 
-190:                                              ; preds = %199, %183
+212:                                              ; preds = %202, %196, %177
+  %213 = add nuw nsw i64 %178, 1
+  %214 = icmp eq i64 %213, %6
+  br i1 %214, label %215, label %177, !llvm.loop !44
+
+215:                                              ; preds = %212, %166, %88
+  %216 = phi double [ %86, %88 ], [ %134, %166 ], [ %134, %212 ]
+  %217 = add nuw nsw i64 %87, 1
+  %218 = icmp eq i64 %217, %2
+  %219 = select i1 %94, i1 true, i1 %218
+  br i1 %219, label %220, label %84, !llvm.loop !45
+
+220:                                              ; preds = %215, %35
+  %221 = phi double [ 0.000000e+00, %35 ], [ %216, %215 ]
+  %222 = icmp sgt i64 %6, %2
+  %223 = select i1 %222, i64 %2, i64 -1
+  %224 = sitofp i64 %223 to double
+  %225 = fcmp une double %221, %224
+  %226 = icmp sgt i64 %6, 0
+  br i1 %226, label %228, label %227
+
+227:                                              ; preds = %228, %220
   ret void
 
-191:                                              ; preds = %186, %199
-  %192 = phi i64 [ 0, %186 ], [ %202, %199 ]
-  br i1 %189, label %199, label %193
-
-193:                                              ; preds = %191
-  %194 = getelementptr inbounds double, ptr %12, i64 %192
-  %195 = load double, ptr %194, align 8
-  %196 = getelementptr inbounds double, ptr %14, i64 %192
-  %197 = load double, ptr %196, align 8
-  %198 = fdiv double %195, %197
-  br label %199
-
-199:                                              ; preds = %191, %193
-  %200 = phi double [ %198, %193 ], [ 0.000000e+00, %191 ]
-  %201 = getelementptr inbounds double, ptr %12, i64 %192
-  store double %200, ptr %201, align 8
-  %202 = add nuw nsw i64 %192, 1
-  %203 = icmp eq i64 %202, %5
-  br i1 %203, label %190, label %191, !llvm.loop !44
+228:                                              ; preds = %220, %228
+  %229 = phi i64 [ %236, %228 ], [ 0, %220 ]
+  %230 = getelementptr inbounds double, ptr %13, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = getelementptr inbounds double, ptr %15, i64 %229
+  %233 = load double, ptr %232, align 8
+  %234 = fdiv double %231, %233
+  %235 = select i1 %225, double %234, double 0.000000e+00
+  store double %235, ptr %230, align 8
+  %236 = add nuw nsw i64 %229, 1
+  %237 = icmp eq i64 %236, %6
+  br i1 %237, label %227, label %228, !llvm.loop !46
 }
 
 declare double @llvm.sqrt.f64(double) #3
@@ -1606,7 +1644,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %20 = fdiv double %16, %19
   store double %20, ptr %11, align 8
   %21 = icmp sgt i64 %9, 1
-  br i1 %21, label %8, label %7, !llvm.loop !45
+  br i1 %21, label %8, label %7, !llvm.loop !47
 
 22:                                               ; preds = %8, %22
   %23 = phi i64 [ %32, %22 ], [ %9, %8 ]
@@ -1620,114 +1658,128 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %31 = fsub double %24, %30
   %32 = add nuw nsw i64 %23, 1
   %33 = icmp eq i64 %32, %1
-  br i1 %33, label %15, label %22, !llvm.loop !46
+  br i1 %33, label %15, label %22, !llvm.loop !48
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
   %3 = icmp sgt i64 %1, 0
-  br i1 %3, label %4, label %75
+  br i1 %3, label %4, label %13
 
 4:                                                ; preds = %2
   %5 = sitofp i64 %1 to double
   %6 = fmul double %5, 4.000000e+00
   %7 = fmul double %6, 0x3CB0000000000000
-  br label %8
+  br label %17
 
-8:                                                ; preds = %71, %4
-  %9 = phi i64 [ 0, %4 ], [ %72, %71 ]
-  %10 = mul nuw nsw i64 %9, %1
-  %11 = getelementptr double, ptr %0, i64 %10
-  %12 = getelementptr double, ptr %11, i64 %9
-  %13 = load double, ptr %12, align 8
-  %14 = icmp eq i64 %9, 0
-  br i1 %14, label %15, label %19
+8:                                                ; preds = %53, %26
+  %9 = icmp slt i64 %31, %1
+  %10 = select i1 %9, i1 %29, i1 false
+  br i1 %10, label %17, label %11, !llvm.loop !49
 
-15:                                               ; preds = %19, %8
-  %16 = phi double [ %13, %8 ], [ %25, %19 ]
-  %17 = fmul double %7, %13
-  %18 = fcmp ule double %16, %17
-  br i1 %18, label %28, label %42
+11:                                               ; preds = %8
+  %12 = xor i1 %29, true
+  br label %13
 
-19:                                               ; preds = %8, %19
-  %20 = phi i64 [ %26, %19 ], [ 0, %8 ]
-  %21 = phi double [ %25, %19 ], [ %13, %8 ]
-  %22 = getelementptr double, ptr %11, i64 %20
-  %23 = load double, ptr %22, align 8
-  %24 = fmul double %23, %23
-  %25 = fsub double %21, %24
-  %26 = add nuw nsw i64 %20, 1
-  %27 = icmp eq i64 %26, %9
-  br i1 %27, label %15, label %19, !llvm.loop !47
+13:                                               ; preds = %11, %2
+  %14 = phi i1 [ false, %2 ], [ %12, %11 ]
+  %15 = icmp sgt i64 %1, 0
+  %16 = and i1 %14, %15
+  br i1 %16, label %69, label %83
 
-28:                                               ; preds = %15, %32
-  %29 = phi i64 [ %33, %32 ], [ 0, %15 ]
-  %30 = mul nuw nsw i64 %29, %1
-  %31 = getelementptr double, ptr %0, i64 %30
-  br label %35
+17:                                               ; preds = %4, %8
+  %18 = phi i64 [ 0, %4 ], [ %31, %8 ]
+  %19 = mul nuw nsw i64 %18, %1
+  %20 = getelementptr double, ptr %0, i64 %19
+  %21 = getelementptr double, ptr %20, i64 %18
+  %22 = load double, ptr %21, align 8
+  %23 = icmp eq i64 %18, 0
+  br i1 %23, label %26, label %24
 
-32:                                               ; preds = %35
-  %33 = add nuw nsw i64 %29, 1
-  %34 = icmp eq i64 %33, %1
-  br i1 %34, label %71, label %28, !llvm.loop !6
+24:                                               ; preds = %17
+  %25 = getelementptr double, ptr %0, i64 %19
+  br label %37
 
-35:                                               ; preds = %28, %35
-  %36 = phi i64 [ 0, %28 ], [ %40, %35 ]
-  %37 = icmp eq i64 %29, %36
-  %38 = select i1 %37, double 1.000000e+00, double 0.000000e+00
-  %39 = getelementptr double, ptr %31, i64 %36
-  store double %38, ptr %39, align 8
-  %40 = add nuw nsw i64 %36, 1
-  %41 = icmp eq i64 %40, %1
-  br i1 %41, label %32, label %35, !llvm.loop !9
+26:                                               ; preds = %37, %17
+  %27 = phi double [ %22, %17 ], [ %43, %37 ]
+  %28 = fmul double %7, %22
+  %29 = fcmp ogt double %27, %28
+  %30 = tail call double @llvm.sqrt.f64(double %27)
+  store double %30, ptr %21, align 8
+  %31 = add nuw nsw i64 %18, 1
+  %32 = getelementptr double, ptr %0, i64 %18
+  %33 = icmp slt i64 %31, %1
+  br i1 %33, label %34, label %8
 
-42:                                               ; preds = %15
-  %43 = tail call double @llvm.sqrt.f64(double %16)
-  store double %43, ptr %12, align 8
-  %44 = add nuw nsw i64 %9, 1
-  %45 = icmp slt i64 %44, %1
-  br i1 %45, label %46, label %71
+34:                                               ; preds = %26
+  %35 = icmp eq i64 %18, 0
+  %36 = getelementptr double, ptr %0, i64 %19
+  br label %46
 
-46:                                               ; preds = %42
-  %47 = icmp eq i64 %9, 0
-  br label %48
+37:                                               ; preds = %24, %37
+  %38 = phi i64 [ 0, %24 ], [ %44, %37 ]
+  %39 = phi double [ %22, %24 ], [ %43, %37 ]
+  %40 = getelementptr double, ptr %25, i64 %38
+  %41 = load double, ptr %40, align 8
+  %42 = fmul double %41, %41
+  %43 = fsub double %39, %42
+  %44 = add nuw nsw i64 %38, 1
+  %45 = icmp eq i64 %44, %18
+  br i1 %45, label %26, label %37, !llvm.loop !50
 
-48:                                               ; preds = %46, %54
-  %49 = phi i64 [ %44, %46 ], [ %58, %54 ]
-  %50 = mul nuw nsw i64 %49, %1
-  %51 = getelementptr double, ptr %0, i64 %50
-  %52 = getelementptr double, ptr %51, i64 %9
-  %53 = load double, ptr %52, align 8
-  br i1 %47, label %54, label %60
+46:                                               ; preds = %34, %53
+  %47 = phi i64 [ %31, %34 ], [ %56, %53 ]
+  %48 = mul nuw nsw i64 %47, %1
+  %49 = getelementptr double, ptr %32, i64 %48
+  %50 = load double, ptr %49, align 8
+  br i1 %35, label %53, label %51
 
-54:                                               ; preds = %60, %48
-  %55 = phi double [ %53, %48 ], [ %68, %60 ]
-  %56 = load double, ptr %12, align 8
-  %57 = fdiv double %55, %56
-  store double %57, ptr %52, align 8
-  %58 = add nuw nsw i64 %49, 1
-  %59 = icmp slt i64 %58, %1
-  br i1 %59, label %48, label %71, !llvm.loop !48
+51:                                               ; preds = %46
+  %52 = getelementptr double, ptr %0, i64 %48
+  br label %58
 
-60:                                               ; preds = %48, %60
-  %61 = phi i64 [ %69, %60 ], [ 0, %48 ]
-  %62 = phi double [ %68, %60 ], [ %53, %48 ]
-  %63 = getelementptr double, ptr %51, i64 %61
+53:                                               ; preds = %58, %46
+  %54 = phi double [ %50, %46 ], [ %66, %58 ]
+  %55 = fdiv double %54, %30
+  store double %55, ptr %49, align 8
+  %56 = add nuw nsw i64 %47, 1
+  %57 = icmp slt i64 %56, %1
+  br i1 %57, label %46, label %8, !llvm.loop !51
+
+58:                                               ; preds = %51, %58
+  %59 = phi i64 [ 0, %51 ], [ %67, %58 ]
+  %60 = phi double [ %50, %51 ], [ %66, %58 ]
+  %61 = getelementptr double, ptr %52, i64 %59
+  %62 = load double, ptr %61, align 8
+  %63 = getelementptr double, ptr %36, i64 %59
   %64 = load double, ptr %63, align 8
-  %65 = getelementptr double, ptr %11, i64 %61
-  %66 = load double, ptr %65, align 8
-  %67 = fmul double %64, %66
-  %68 = fsub double %62, %67
-  %69 = add nuw nsw i64 %61, 1
-  %70 = icmp eq i64 %69, %9
-  br i1 %70, label %54, label %60, !llvm.loop !49
+  %65 = fmul double %62, %64
+  %66 = fsub double %60, %65
+  %67 = add nuw nsw i64 %59, 1
+  %68 = icmp eq i64 %67, %18
+  br i1 %68, label %53, label %58, !llvm.loop !52
 
-71:                                               ; preds = %54, %32, %42
-  %72 = add nuw nsw i64 %9, 1
-  %73 = icmp eq i64 %72, %1
-  %74 = select i1 %18, i1 true, i1 %73
-  br i1 %74, label %75, label %8, !llvm.loop !50
+69:                                               ; preds = %13, %73
+  %70 = phi i64 [ %74, %73 ], [ 0, %13 ]
+  %71 = mul nuw nsw i64 %70, %1
+  %72 = getelementptr double, ptr %0, i64 %71
+  br label %76
 
-75:                                               ; preds = %71, %2
+73:                                               ; preds = %76
+  %74 = add nuw nsw i64 %70, 1
+  %75 = icmp eq i64 %74, %1
+  br i1 %75, label %83, label %69, !llvm.loop !6
+
+76:                                               ; preds = %69, %76
+  %77 = phi i64 [ 0, %69 ], [ %81, %76 ]
+  %78 = icmp eq i64 %70, %77
+  %79 = select i1 %78, double 1.000000e+00, double 0.000000e+00
+  %80 = getelementptr double, ptr %72, i64 %77
+  store double %79, ptr %80, align 8
+  %81 = add nuw nsw i64 %77, 1
+  %82 = icmp eq i64 %81, %1
+  br i1 %82, label %73, label %76, !llvm.loop !9
+
+83:                                               ; preds = %73, %13
   ret void
 }
 
@@ -1795,3 +1847,5 @@ attributes #8 = { nounwind }
 !48 = distinct !{!48, !7, !8}
 !49 = distinct !{!49, !7, !8}
 !50 = distinct !{!50, !7, !8}
+!51 = distinct !{!51, !7, !8}
+!52 = distinct !{!52, !7, !8}

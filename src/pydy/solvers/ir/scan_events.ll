@@ -1,4 +1,4 @@
-; sources 2361a039c0814d4017b11d33242f195c9613b694a0033d90491a75acba141b73
+; sources 81c0668eafa9d145602e1fe87d7fe5ffe5d328d2c0485fa0a68c2fbf6985b01a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

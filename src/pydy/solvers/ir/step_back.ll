@@ -1,4 +1,4 @@
-; sources 61e63d0baeeb9614df5ea7a2501de9062d003e180bfc237f3d478a1510e55ea1
+; sources fffecca217773dad959341bcfbfc4f287e24b358f347116bbb0902e15c5389d6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 2f682aee56a07ebdbfc2ac873415a9a505fdde12924c1bf84cf8034e4ec75c66
+; sources b96685b1393add36728f397923b0782a711cf4c11a8a3e5b1e968f58f7cdf143
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -17,21 +17,21 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %9 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %9, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %2, i64 16
-  %11 = getelementptr inbounds i8, ptr %0, i64 360
+  %11 = getelementptr inbounds i8, ptr %0, i64 384
   store ptr %11, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %0, i64 912
+  %12 = getelementptr inbounds i8, ptr %0, i64 936
   %13 = load ptr, ptr %9, align 8
   %14 = getelementptr inbounds i8, ptr %13, i64 8
   %15 = load i64, ptr %14, align 8
   %16 = load ptr, ptr %0, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 960
+  %17 = getelementptr inbounds i8, ptr %0, i64 984
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 968
+  %19 = getelementptr inbounds i8, ptr %0, i64 992
   %20 = load i64, ptr %19, align 8
   %21 = getelementptr double, ptr %18, i64 %20
   %22 = getelementptr i8, ptr %21, i64 -16
   %23 = load double, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %0, i64 936
+  %24 = getelementptr inbounds i8, ptr %0, i64 960
   %25 = load ptr, ptr %24, align 8
   %26 = load double, ptr %25, align 8
   %27 = load ptr, ptr %12, align 8
@@ -44,1624 +44,1625 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %34 = icmp sgt i64 %33, 0
   %35 = getelementptr inbounds i8, ptr %16, i64 32
   %36 = load i64, ptr %35, align 8
-  %37 = getelementptr inbounds i8, ptr %0, i64 1216
-  %38 = load i64, ptr %37, align 8
-  %39 = icmp sgt i64 %38, 0
-  %40 = getelementptr inbounds i8, ptr %0, i64 1224
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %41, i64 8
-  %43 = load i64, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %0, i64 528
-  %45 = load ptr, ptr %44, align 8
-  %46 = load i64, ptr %16, align 8
-  %47 = getelementptr inbounds i8, ptr %0, i64 368
-  %48 = load i64, ptr %47, align 8
-  %49 = mul nsw i64 %48, %46
+  %37 = getelementptr inbounds i8, ptr %0, i64 1608
+  %38 = load ptr, ptr %37, align 8
+  %39 = load i64, ptr %38, align 8
+  %40 = icmp eq i64 %39, 1
+  %41 = getelementptr inbounds i8, ptr %0, i64 1200
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr inbounds i8, ptr %0, i64 552
+  %46 = load ptr, ptr %45, align 8
+  %47 = load i64, ptr %16, align 8
+  %48 = getelementptr inbounds i8, ptr %0, i64 392
+  %49 = load i64, ptr %48, align 8
+  %50 = mul nsw i64 %49, %47
   store i64 0, ptr %5, align 8
-  %50 = getelementptr inbounds i8, ptr %0, i64 864
-  %51 = load ptr, ptr %50, align 8
-  br label %138
+  %51 = getelementptr inbounds i8, ptr %0, i64 888
+  %52 = load ptr, ptr %51, align 8
+  br label %139
 
-52:                                               ; preds = %138
-  %53 = getelementptr inbounds i8, ptr %0, i64 624
-  %54 = sitofp i64 %29 to double
-  %55 = zext i1 %34 to i32
-  %56 = icmp ne i64 %36, 1
-  %57 = select i1 %39, i1 true, i1 %56
-  %58 = icmp sgt i64 %43, 0
-  %59 = getelementptr inbounds double, ptr %45, i64 %49
-  store i64 %146, ptr %5, align 8
-  %60 = getelementptr inbounds i8, ptr %0, i64 864
-  %61 = getelementptr inbounds i8, ptr %0, i64 1568
-  %62 = getelementptr inbounds i8, ptr %0, i64 1128
-  %63 = getelementptr inbounds i8, ptr %0, i64 744
-  %64 = insertelement <8 x double> poison, double %23, i64 0
-  %65 = shufflevector <8 x double> %64, <8 x double> poison, <8 x i32> zeroinitializer
-  %66 = getelementptr inbounds i8, ptr %0, i64 648
-  %67 = insertelement <8 x double> poison, double %26, i64 0
-  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
-  %69 = getelementptr inbounds i8, ptr %0, i64 768
+53:                                               ; preds = %139
+  %54 = getelementptr inbounds i8, ptr %0, i64 648
+  %55 = sitofp i64 %29 to double
+  %56 = zext i1 %34 to i32
+  %57 = icmp ne i64 %36, 1
+  %58 = select i1 %40, i1 true, i1 %57
+  %59 = icmp sgt i64 %44, 0
+  %60 = getelementptr inbounds double, ptr %46, i64 %50
+  store i64 %147, ptr %5, align 8
+  %61 = getelementptr inbounds i8, ptr %0, i64 888
+  %62 = getelementptr inbounds i8, ptr %0, i64 1520
+  %63 = getelementptr inbounds i8, ptr %0, i64 1152
+  %64 = getelementptr inbounds i8, ptr %0, i64 768
+  %65 = insertelement <8 x double> poison, double %23, i64 0
+  %66 = shufflevector <8 x double> %65, <8 x double> poison, <8 x i32> zeroinitializer
+  %67 = getelementptr inbounds i8, ptr %0, i64 672
+  %68 = insertelement <8 x double> poison, double %26, i64 0
+  %69 = shufflevector <8 x double> %68, <8 x double> poison, <8 x i32> zeroinitializer
   %70 = getelementptr inbounds i8, ptr %0, i64 792
-  %71 = insertelement <8 x double> poison, double %54, i64 0
-  %72 = shufflevector <8 x double> %71, <8 x double> poison, <8 x i32> zeroinitializer
-  %73 = getelementptr inbounds i8, ptr %0, i64 432
-  %74 = getelementptr inbounds i8, ptr %0, i64 408
-  %75 = getelementptr inbounds i8, ptr %0, i64 24
-  %76 = getelementptr inbounds i8, ptr %0, i64 528
-  %77 = getelementptr inbounds i8, ptr %0, i64 48
-  %78 = getelementptr inbounds i8, ptr %0, i64 72
-  %79 = getelementptr inbounds i8, ptr %0, i64 368
-  %80 = getelementptr inbounds i8, ptr %0, i64 96
-  %81 = getelementptr inbounds i8, ptr %0, i64 168
-  %82 = getelementptr inbounds i8, ptr %0, i64 272
-  %83 = getelementptr inbounds i8, ptr %0, i64 192
-  %84 = getelementptr inbounds i8, ptr %0, i64 240
-  %85 = getelementptr inbounds i8, ptr %0, i64 384
-  %86 = getelementptr inbounds i8, ptr %0, i64 24
-  %87 = getelementptr inbounds i8, ptr %0, i64 528
-  %88 = getelementptr inbounds i8, ptr %0, i64 48
-  %89 = getelementptr inbounds i8, ptr %0, i64 72
-  %90 = getelementptr inbounds i8, ptr %0, i64 384
-  %91 = getelementptr inbounds i8, ptr %0, i64 168
-  %92 = getelementptr inbounds i8, ptr %0, i64 272
-  %93 = getelementptr inbounds i8, ptr %0, i64 192
-  %94 = getelementptr inbounds i8, ptr %0, i64 240
-  %95 = icmp sgt i64 %15, 0
-  %96 = getelementptr inbounds i8, ptr %0, i64 384
-  %97 = getelementptr inbounds i8, ptr %0, i64 504
-  %98 = getelementptr inbounds i8, ptr %0, i64 368
-  %99 = getelementptr inbounds i8, ptr %0, i64 480
-  %100 = getelementptr inbounds i8, ptr %0, i64 600
-  %101 = getelementptr inbounds i8, ptr %0, i64 576
-  %102 = getelementptr inbounds i8, ptr %0, i64 384
-  %103 = getelementptr inbounds i8, ptr %0, i64 384
-  %104 = getelementptr inbounds i8, ptr %0, i64 168
-  %105 = getelementptr inbounds i8, ptr %0, i64 272
-  %106 = getelementptr inbounds i8, ptr %0, i64 192
-  %107 = getelementptr inbounds i8, ptr %0, i64 240
-  %108 = getelementptr inbounds i8, ptr %0, i64 816
-  %109 = sext i1 %56 to i64
-  %110 = uitofp i1 %57 to double
-  %111 = insertelement <8 x double> poison, double %110, i64 0
-  %112 = bitcast <8 x double> %111 to <8 x i64>
-  %113 = shufflevector <8 x i64> %112, <8 x i64> poison, <8 x i32> zeroinitializer
-  %114 = getelementptr inbounds i8, ptr %0, i64 744
-  %115 = getelementptr inbounds i8, ptr %0, i64 368
-  %116 = getelementptr inbounds i8, ptr %0, i64 552
-  %117 = getelementptr inbounds i8, ptr %0, i64 408
-  %118 = getelementptr inbounds i8, ptr %0, i64 96
-  %119 = getelementptr inbounds i8, ptr %0, i64 168
-  %120 = getelementptr inbounds i8, ptr %0, i64 272
-  %121 = getelementptr inbounds i8, ptr %0, i64 192
-  %122 = getelementptr inbounds i8, ptr %0, i64 240
-  %123 = getelementptr inbounds i8, ptr %0, i64 480
-  %124 = getelementptr inbounds i8, ptr %16, i64 16
-  %125 = getelementptr inbounds i8, ptr %0, i64 384
-  %126 = getelementptr inbounds i8, ptr %0, i64 672
+  %71 = getelementptr inbounds i8, ptr %0, i64 816
+  %72 = insertelement <8 x double> poison, double %55, i64 0
+  %73 = shufflevector <8 x double> %72, <8 x double> poison, <8 x i32> zeroinitializer
+  %74 = getelementptr inbounds i8, ptr %0, i64 456
+  %75 = getelementptr inbounds i8, ptr %0, i64 432
+  %76 = getelementptr inbounds i8, ptr %0, i64 24
+  %77 = getelementptr inbounds i8, ptr %0, i64 552
+  %78 = getelementptr inbounds i8, ptr %0, i64 48
+  %79 = getelementptr inbounds i8, ptr %0, i64 72
+  %80 = getelementptr inbounds i8, ptr %0, i64 392
+  %81 = getelementptr inbounds i8, ptr %0, i64 96
+  %82 = getelementptr inbounds i8, ptr %0, i64 168
+  %83 = getelementptr inbounds i8, ptr %0, i64 296
+  %84 = getelementptr inbounds i8, ptr %0, i64 192
+  %85 = getelementptr inbounds i8, ptr %0, i64 240
+  %86 = getelementptr inbounds i8, ptr %0, i64 408
+  %87 = getelementptr inbounds i8, ptr %0, i64 24
+  %88 = getelementptr inbounds i8, ptr %0, i64 552
+  %89 = getelementptr inbounds i8, ptr %0, i64 48
+  %90 = getelementptr inbounds i8, ptr %0, i64 72
+  %91 = getelementptr inbounds i8, ptr %0, i64 408
+  %92 = getelementptr inbounds i8, ptr %0, i64 168
+  %93 = getelementptr inbounds i8, ptr %0, i64 296
+  %94 = getelementptr inbounds i8, ptr %0, i64 192
+  %95 = getelementptr inbounds i8, ptr %0, i64 240
+  %96 = icmp sgt i64 %15, 0
+  %97 = getelementptr inbounds i8, ptr %0, i64 408
+  %98 = getelementptr inbounds i8, ptr %0, i64 528
+  %99 = getelementptr inbounds i8, ptr %0, i64 392
+  %100 = getelementptr inbounds i8, ptr %0, i64 504
+  %101 = getelementptr inbounds i8, ptr %0, i64 624
+  %102 = getelementptr inbounds i8, ptr %0, i64 600
+  %103 = getelementptr inbounds i8, ptr %0, i64 408
+  %104 = getelementptr inbounds i8, ptr %0, i64 408
+  %105 = getelementptr inbounds i8, ptr %0, i64 168
+  %106 = getelementptr inbounds i8, ptr %0, i64 296
+  %107 = getelementptr inbounds i8, ptr %0, i64 192
+  %108 = getelementptr inbounds i8, ptr %0, i64 240
+  %109 = getelementptr inbounds i8, ptr %0, i64 840
+  %110 = sext i1 %57 to i64
+  %111 = uitofp i1 %58 to double
+  %112 = insertelement <8 x double> poison, double %111, i64 0
+  %113 = bitcast <8 x double> %112 to <8 x i64>
+  %114 = shufflevector <8 x i64> %113, <8 x i64> poison, <8 x i32> zeroinitializer
+  %115 = getelementptr inbounds i8, ptr %0, i64 768
+  %116 = getelementptr inbounds i8, ptr %0, i64 392
+  %117 = getelementptr inbounds i8, ptr %0, i64 576
+  %118 = getelementptr inbounds i8, ptr %0, i64 432
+  %119 = getelementptr inbounds i8, ptr %0, i64 96
+  %120 = getelementptr inbounds i8, ptr %0, i64 168
+  %121 = getelementptr inbounds i8, ptr %0, i64 296
+  %122 = getelementptr inbounds i8, ptr %0, i64 192
+  %123 = getelementptr inbounds i8, ptr %0, i64 240
+  %124 = getelementptr inbounds i8, ptr %0, i64 504
+  %125 = getelementptr inbounds i8, ptr %16, i64 16
+  %126 = getelementptr inbounds i8, ptr %0, i64 408
   %127 = getelementptr inbounds i8, ptr %0, i64 696
-  %128 = getelementptr inbounds i8, ptr %31, i64 24
-  %129 = getelementptr inbounds i8, ptr %31, i64 8
-  %130 = getelementptr inbounds i8, ptr %31, i64 16
-  %131 = getelementptr inbounds i8, ptr %31, i64 32
-  %132 = getelementptr inbounds i8, ptr %31, i64 40
-  %133 = getelementptr inbounds i8, ptr %31, i64 24
-  %134 = getelementptr inbounds i8, ptr %31, i64 32
-  %135 = getelementptr inbounds i8, ptr %0, i64 840
-  %136 = icmp sgt i64 %15, 0
-  %137 = getelementptr inbounds i8, ptr %0, i64 384
-  br label %149
+  %128 = getelementptr inbounds i8, ptr %0, i64 720
+  %129 = getelementptr inbounds i8, ptr %31, i64 24
+  %130 = getelementptr inbounds i8, ptr %31, i64 8
+  %131 = getelementptr inbounds i8, ptr %31, i64 16
+  %132 = getelementptr inbounds i8, ptr %31, i64 32
+  %133 = getelementptr inbounds i8, ptr %31, i64 40
+  %134 = getelementptr inbounds i8, ptr %31, i64 24
+  %135 = getelementptr inbounds i8, ptr %31, i64 32
+  %136 = getelementptr inbounds i8, ptr %0, i64 864
+  %137 = icmp sgt i64 %15, 0
+  %138 = getelementptr inbounds i8, ptr %0, i64 408
+  br label %150
 
-138:                                              ; preds = %1, %138
-  %139 = phi i64 [ 0, %1 ], [ %147, %138 ]
-  %140 = phi i64 [ 0, %1 ], [ %146, %138 ]
-  %141 = getelementptr inbounds i64, ptr %51, i64 %139
-  %142 = load i64, ptr %141, align 8
-  %143 = icmp sgt i64 %142, -1
-  %144 = zext i1 %143 to i64
-  %145 = shl nuw nsw i64 %144, %139
-  %146 = or i64 %145, %140
-  %147 = add nuw nsw i64 %139, 1
-  %148 = icmp eq i64 %147, 8
-  br i1 %148, label %52, label %138, !llvm.loop !3
+139:                                              ; preds = %1, %139
+  %140 = phi i64 [ 0, %1 ], [ %148, %139 ]
+  %141 = phi i64 [ 0, %1 ], [ %147, %139 ]
+  %142 = getelementptr inbounds i64, ptr %52, i64 %140
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp sgt i64 %143, -1
+  %145 = zext i1 %144 to i64
+  %146 = shl nuw nsw i64 %145, %140
+  %147 = or i64 %146, %141
+  %148 = add nuw nsw i64 %140, 1
+  %149 = icmp eq i64 %148, 8
+  br i1 %149, label %53, label %139, !llvm.loop !3
 
-149:                                              ; preds = %184, %52
-  %150 = phi i32 [ 1, %52 ], [ %185, %184 ]
-  %151 = phi i64 [ 0, %52 ], [ %186, %184 ]
-  %152 = icmp ne i32 %150, 0
-  %153 = icmp ne i64 %151, 0
-  %154 = select i1 %152, i1 true, i1 %153
-  br i1 %154, label %155, label %187
+150:                                              ; preds = %185, %53
+  %151 = phi i32 [ 1, %53 ], [ %186, %185 ]
+  %152 = phi i64 [ 0, %53 ], [ %187, %185 ]
+  %153 = icmp ne i32 %151, 0
+  %154 = icmp ne i64 %152, 0
+  %155 = select i1 %153, i1 true, i1 %154
+  br i1 %155, label %156, label %188
 
-155:                                              ; preds = %149
-  br i1 %152, label %156, label %158
+156:                                              ; preds = %150
+  br i1 %153, label %157, label %159
 
-156:                                              ; preds = %155
-  %157 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #11
-  br label %158
+157:                                              ; preds = %156
+  %158 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #11
+  br label %159
 
-158:                                              ; preds = %155, %156
-  %159 = phi i64 [ %157, %156 ], [ 0, %155 ]
-  %160 = load i64, ptr %5, align 8
-  %161 = icmp eq i64 %160, 0
-  br i1 %161, label %180, label %162
+159:                                              ; preds = %156, %157
+  %160 = phi i64 [ %158, %157 ], [ 0, %156 ]
+  %161 = load i64, ptr %5, align 8
+  %162 = icmp eq i64 %161, 0
+  br i1 %162, label %181, label %163
 
-162:                                              ; preds = %158
-  %163 = or i64 %159, %151
-  %164 = icmp eq i64 %163, 0
-  br i1 %164, label %180, label %165
+163:                                              ; preds = %159
+  %164 = or i64 %160, %152
+  %165 = icmp eq i64 %164, 0
+  br i1 %165, label %181, label %166
 
-165:                                              ; preds = %162
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %159, i64 noundef %151) #11
-  br label %166
+166:                                              ; preds = %163
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %160, i64 noundef %152) #11
+  br label %167
 
-166:                                              ; preds = %165, %175
-  %167 = phi i32 [ 0, %165 ], [ %177, %175 ]
-  %168 = phi i64 [ 0, %165 ], [ %178, %175 ]
-  %169 = icmp eq i32 %167, 0
-  br i1 %169, label %170, label %175
+167:                                              ; preds = %166, %176
+  %168 = phi i32 [ 0, %166 ], [ %178, %176 ]
+  %169 = phi i64 [ 0, %166 ], [ %179, %176 ]
+  %170 = icmp eq i32 %168, 0
+  br i1 %170, label %171, label %176
 
-170:                                              ; preds = %166
-  %171 = load ptr, ptr %60, align 8
-  %172 = getelementptr inbounds i64, ptr %171, i64 %168
-  %173 = load i64, ptr %172, align 8
-  %174 = icmp eq i64 %173, -1
-  br label %175
+171:                                              ; preds = %167
+  %172 = load ptr, ptr %61, align 8
+  %173 = getelementptr inbounds i64, ptr %172, i64 %169
+  %174 = load i64, ptr %173, align 8
+  %175 = icmp eq i64 %174, -1
+  br label %176
 
-175:                                              ; preds = %170, %166
-  %176 = phi i1 [ true, %166 ], [ %174, %170 ]
-  %177 = zext i1 %176 to i32
-  %178 = add nuw nsw i64 %168, 1
-  %179 = icmp eq i64 %178, 8
-  br i1 %179, label %180, label %166, !llvm.loop !6
+176:                                              ; preds = %171, %167
+  %177 = phi i1 [ true, %167 ], [ %175, %171 ]
+  %178 = zext i1 %177 to i32
+  %179 = add nuw nsw i64 %169, 1
+  %180 = icmp eq i64 %179, 8
+  br i1 %180, label %181, label %167, !llvm.loop !6
 
-180:                                              ; preds = %175, %162, %158
-  %181 = phi i32 [ 1, %158 ], [ 8, %162 ], [ 0, %175 ]
-  %182 = phi i32 [ %150, %158 ], [ 0, %162 ], [ %177, %175 ]
-  %183 = phi i64 [ %151, %158 ], [ %151, %162 ], [ 0, %175 ]
-  switch i32 %181, label %1102 [
-    i32 0, label %184
-    i32 8, label %187
+181:                                              ; preds = %176, %163, %159
+  %182 = phi i32 [ 1, %159 ], [ 8, %163 ], [ 0, %176 ]
+  %183 = phi i32 [ %151, %159 ], [ 0, %163 ], [ %178, %176 ]
+  %184 = phi i64 [ %152, %159 ], [ %152, %163 ], [ 0, %176 ]
+  switch i32 %182, label %1103 [
+    i32 0, label %185
+    i32 8, label %188
   ]
 
-184:                                              ; preds = %180, %1100, %262
-  %185 = phi i32 [ %182, %180 ], [ %1101, %1100 ], [ 1, %262 ]
-  %186 = phi i64 [ %183, %180 ], [ %1090, %1100 ], [ %189, %262 ]
-  br label %149, !llvm.loop !7
+185:                                              ; preds = %181, %1101, %263
+  %186 = phi i32 [ %183, %181 ], [ %1102, %1101 ], [ 1, %263 ]
+  %187 = phi i64 [ %184, %181 ], [ %1091, %1101 ], [ %190, %263 ]
+  br label %150, !llvm.loop !7
 
-187:                                              ; preds = %180, %149
-  %188 = phi i32 [ %182, %180 ], [ 0, %149 ]
-  %189 = phi i64 [ %183, %180 ], [ 0, %149 ]
-  %190 = load ptr, ptr %12, align 8
-  %191 = getelementptr inbounds i8, ptr %190, i64 8
-  %192 = load i64, ptr %191, align 8
-  %193 = icmp slt i64 %192, 1
-  br i1 %193, label %1102, label %194
+188:                                              ; preds = %181, %150
+  %189 = phi i32 [ %183, %181 ], [ 0, %150 ]
+  %190 = phi i64 [ %184, %181 ], [ 0, %150 ]
+  %191 = load ptr, ptr %12, align 8
+  %192 = getelementptr inbounds i8, ptr %191, i64 8
+  %193 = load i64, ptr %192, align 8
+  %194 = icmp slt i64 %193, 1
+  br i1 %194, label %1103, label %195
 
-194:                                              ; preds = %187
-  br i1 %58, label %195, label %215
+195:                                              ; preds = %188
+  br i1 %59, label %196, label %216
 
-195:                                              ; preds = %194
-  %196 = load i64, ptr %61, align 8
-  %197 = icmp sgt i64 %196, 0
-  br i1 %197, label %198, label %212
+196:                                              ; preds = %195
+  %197 = load i64, ptr %62, align 8
+  %198 = icmp sgt i64 %197, 0
+  br i1 %198, label %199, label %213
 
-198:                                              ; preds = %195
-  %199 = load ptr, ptr %40, align 8
-  %200 = getelementptr inbounds i8, ptr %199, i64 72
-  %201 = load i64, ptr %200, align 8
-  %202 = load ptr, ptr %62, align 8
-  %203 = load i64, ptr %202, align 8
-  %204 = inttoptr i64 %203 to ptr
-  %205 = getelementptr inbounds i8, ptr %204, i64 1016
-  %206 = load i64, ptr %205, align 8
-  %207 = shl i64 %206, 4
-  %208 = add i64 %201, 16
-  %209 = add i64 %208, %207
-  %210 = icmp sgt i64 %209, %196
-  %211 = zext i1 %210 to i32
-  br label %212
+199:                                              ; preds = %196
+  %200 = load ptr, ptr %41, align 8
+  %201 = getelementptr inbounds i8, ptr %200, i64 72
+  %202 = load i64, ptr %201, align 8
+  %203 = load ptr, ptr %63, align 8
+  %204 = load i64, ptr %203, align 8
+  %205 = inttoptr i64 %204 to ptr
+  %206 = getelementptr inbounds i8, ptr %205, i64 1016
+  %207 = load i64, ptr %206, align 8
+  %208 = shl i64 %207, 4
+  %209 = add i64 %202, 16
+  %210 = add i64 %209, %208
+  %211 = icmp sgt i64 %210, %197
+  %212 = zext i1 %211 to i32
+  br label %213
 
-212:                                              ; preds = %195, %198
-  %213 = phi i32 [ 0, %195 ], [ %211, %198 ]
-  %214 = icmp eq i32 %213, 0
-  br i1 %214, label %215, label %1102
+213:                                              ; preds = %196, %199
+  %214 = phi i32 [ 0, %196 ], [ %212, %199 ]
+  %215 = icmp eq i32 %214, 0
+  br i1 %215, label %216, label %1103
 
-215:                                              ; preds = %212, %194
-  %216 = add nsw i64 %192, -1
-  store i64 %216, ptr %191, align 8
-  %217 = load i64, ptr %5, align 8
-  %218 = trunc i64 %217 to i8
-  %219 = bitcast i8 %218 to <8 x i1>
-  %220 = load ptr, ptr %53, align 8
-  %221 = load <8 x double>, ptr %220, align 8
-  br i1 %34, label %225, label %222
+216:                                              ; preds = %213, %195
+  %217 = add nsw i64 %193, -1
+  store i64 %217, ptr %192, align 8
+  %218 = load i64, ptr %5, align 8
+  %219 = trunc i64 %218 to i8
+  %220 = bitcast i8 %219 to <8 x i1>
+  %221 = load ptr, ptr %54, align 8
+  %222 = load <8 x double>, ptr %221, align 8
+  br i1 %34, label %226, label %223
 
-222:                                              ; preds = %215
-  %223 = load ptr, ptr %63, align 8
-  %224 = load <8 x double>, ptr %223, align 8
-  br label %225
+223:                                              ; preds = %216
+  %224 = load ptr, ptr %64, align 8
+  %225 = load <8 x double>, ptr %224, align 8
+  br label %226
 
-225:                                              ; preds = %215, %222
-  %226 = phi <8 x double> [ %224, %222 ], [ %65, %215 ]
-  %227 = load ptr, ptr %66, align 8
-  %228 = load <8 x double>, ptr %227, align 8
-  br i1 %34, label %229, label %232
+226:                                              ; preds = %216, %223
+  %227 = phi <8 x double> [ %225, %223 ], [ %66, %216 ]
+  %228 = load ptr, ptr %67, align 8
+  %229 = load <8 x double>, ptr %228, align 8
+  br i1 %34, label %230, label %233
 
-229:                                              ; preds = %225
-  %230 = fcmp olt <8 x double> %228, %68
-  %231 = select <8 x i1> %230, <8 x double> %228, <8 x double> %68
-  br label %238
+230:                                              ; preds = %226
+  %231 = fcmp olt <8 x double> %229, %69
+  %232 = select <8 x i1> %231, <8 x double> %229, <8 x double> %69
+  br label %239
 
-232:                                              ; preds = %225
-  %233 = fsub <8 x double> %226, %221
-  %234 = fdiv <8 x double> %233, %228
-  %235 = fmul <8 x double> %234, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %236 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %235)
-  %237 = fdiv <8 x double> %233, %236
-  br label %238
+233:                                              ; preds = %226
+  %234 = fsub <8 x double> %227, %222
+  %235 = fdiv <8 x double> %234, %229
+  %236 = fmul <8 x double> %235, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %237 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %236)
+  %238 = fdiv <8 x double> %234, %237
+  br label %239
 
-238:                                              ; preds = %232, %229
-  %239 = phi <8 x double> [ %231, %229 ], [ %237, %232 ]
-  %240 = fadd <8 x double> %221, %239
-  %241 = fmul <8 x double> %239, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %242 = fsub <8 x double> %226, %241
-  %243 = fcmp ogt <8 x double> %240, %242
-  %244 = select <8 x i1> %243, <8 x double> %226, <8 x double> %240
-  %245 = fsub <8 x double> %244, %221
-  %246 = select <8 x i1> %219, <8 x double> %245, <8 x double> zeroinitializer
-  %247 = load ptr, ptr %69, align 8
-  %248 = load <8 x double>, ptr %247, align 8
-  %249 = load ptr, ptr %70, align 8
-  %250 = load <8 x double>, ptr %249, align 8
-  %251 = fadd <8 x double> %248, %250
-  %252 = fcmp oge <8 x double> %251, %72
-  %253 = fmul <8 x double> %246, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %254 = fadd <8 x double> %221, %253
-  %255 = fcmp ule <8 x double> %254, %221
-  %256 = fcmp une <8 x double> %244, %226
-  %257 = and <8 x i1> %255, %256
-  %258 = or <8 x i1> %257, %252
-  %259 = and <8 x i1> %258, %219
-  %260 = bitcast <8 x i1> %259 to i8
-  %261 = icmp eq i8 %260, 0
-  br i1 %261, label %269, label %262
+239:                                              ; preds = %233, %230
+  %240 = phi <8 x double> [ %232, %230 ], [ %238, %233 ]
+  %241 = fadd <8 x double> %222, %240
+  %242 = fmul <8 x double> %240, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %243 = fsub <8 x double> %227, %242
+  %244 = fcmp ogt <8 x double> %241, %243
+  %245 = select <8 x i1> %244, <8 x double> %227, <8 x double> %241
+  %246 = fsub <8 x double> %245, %222
+  %247 = select <8 x i1> %220, <8 x double> %246, <8 x double> zeroinitializer
+  %248 = load ptr, ptr %70, align 8
+  %249 = load <8 x double>, ptr %248, align 8
+  %250 = load ptr, ptr %71, align 8
+  %251 = load <8 x double>, ptr %250, align 8
+  %252 = fadd <8 x double> %249, %251
+  %253 = fcmp oge <8 x double> %252, %73
+  %254 = fmul <8 x double> %247, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %255 = fadd <8 x double> %222, %254
+  %256 = fcmp ule <8 x double> %255, %222
+  %257 = fcmp une <8 x double> %245, %227
+  %258 = and <8 x i1> %256, %257
+  %259 = or <8 x i1> %258, %253
+  %260 = and <8 x i1> %259, %220
+  %261 = bitcast <8 x i1> %260 to i8
+  %262 = icmp eq i8 %261, 0
+  br i1 %262, label %270, label %263
 
-262:                                              ; preds = %238
-  %263 = zext i8 %260 to i64
-  %264 = bitcast <8 x i1> %252 to i8
-  %265 = zext i8 %264 to i64
-  %266 = and i64 %263, %265
-  call fastcc void @retire(ptr noundef %0, i64 noundef %266, i64 noundef 1) #11
-  %267 = xor i64 %265, -1
-  %268 = and i64 %263, %267
-  call fastcc void @retire(ptr noundef %0, i64 noundef %268, i64 noundef -1) #11
-  br label %184
+263:                                              ; preds = %239
+  %264 = zext i8 %261 to i64
+  %265 = bitcast <8 x i1> %253 to i8
+  %266 = zext i8 %265 to i64
+  %267 = and i64 %264, %266
+  call fastcc void @retire(ptr noundef %0, i64 noundef %267, i64 noundef 1) #11
+  %268 = xor i64 %266, -1
+  %269 = and i64 %264, %268
+  call fastcc void @retire(ptr noundef %0, i64 noundef %269, i64 noundef -1) #11
+  br label %185
 
-269:                                              ; preds = %238
-  %270 = load ptr, ptr %0, align 8
-  %271 = load i64, ptr %270, align 8
-  %272 = load ptr, ptr %73, align 8
-  store <8 x double> %246, ptr %272, align 8
-  %273 = icmp sgt i64 %271, 1
-  br i1 %273, label %274, label %323
+270:                                              ; preds = %239
+  %271 = load ptr, ptr %0, align 8
+  %272 = load i64, ptr %271, align 8
+  %273 = load ptr, ptr %74, align 8
+  store <8 x double> %247, ptr %273, align 8
+  %274 = icmp sgt i64 %272, 1
+  br i1 %274, label %275, label %324
 
-274:                                              ; preds = %269, %311
-  %275 = phi i64 [ %320, %311 ], [ 0, %269 ]
-  %276 = phi i64 [ %321, %311 ], [ 1, %269 ]
-  %277 = load ptr, ptr %74, align 8
-  %278 = load ptr, ptr %11, align 8
-  %279 = load ptr, ptr %9, align 8
-  %280 = getelementptr inbounds i8, ptr %279, i64 16
-  %281 = load i64, ptr %280, align 8
-  %282 = load ptr, ptr %75, align 8
-  %283 = getelementptr inbounds i64, ptr %282, i64 %276
-  %284 = load i64, ptr %283, align 8
-  %285 = getelementptr i8, ptr %283, i64 8
-  %286 = load i64, ptr %285, align 8
-  %287 = xor i64 %284, -1
-  %288 = add i64 %286, %287
-  %289 = load ptr, ptr %73, align 8
-  %290 = load ptr, ptr %76, align 8
+275:                                              ; preds = %270, %312
+  %276 = phi i64 [ %321, %312 ], [ 0, %270 ]
+  %277 = phi i64 [ %322, %312 ], [ 1, %270 ]
+  %278 = load ptr, ptr %75, align 8
+  %279 = load ptr, ptr %11, align 8
+  %280 = load ptr, ptr %9, align 8
+  %281 = getelementptr inbounds i8, ptr %280, i64 16
+  %282 = load i64, ptr %281, align 8
+  %283 = load ptr, ptr %76, align 8
+  %284 = getelementptr inbounds i64, ptr %283, i64 %277
+  %285 = load i64, ptr %284, align 8
+  %286 = getelementptr i8, ptr %284, i64 8
+  %287 = load i64, ptr %286, align 8
+  %288 = xor i64 %285, -1
+  %289 = add i64 %287, %288
+  %290 = load ptr, ptr %74, align 8
   %291 = load ptr, ptr %77, align 8
-  %292 = getelementptr inbounds i64, ptr %291, i64 %284
-  %293 = load ptr, ptr %78, align 8
-  %294 = getelementptr inbounds double, ptr %293, i64 %284
-  call fastcc void @combine(ptr noundef %277, ptr noundef %278, ptr noundef %289, ptr noundef %290, ptr noundef %292, ptr noundef %294, i64 noundef %288, i64 noundef %281) #11
-  %295 = load ptr, ptr %76, align 8
-  %296 = load i64, ptr %79, align 8
-  %297 = mul nsw i64 %296, %276
-  %298 = getelementptr inbounds double, ptr %295, i64 %297
-  %299 = load ptr, ptr %80, align 8
-  %300 = getelementptr inbounds double, ptr %299, i64 %276
-  %301 = load double, ptr %300, align 8
-  %302 = insertelement <8 x double> poison, double %301, i64 0
-  %303 = shufflevector <8 x double> %302, <8 x double> poison, <8 x i32> zeroinitializer
-  %304 = fmul <8 x double> %246, %303
-  %305 = fadd <8 x double> %221, %304
-  %306 = load ptr, ptr %74, align 8
-  %307 = load ptr, ptr %81, align 8
-  store <8 x double> %305, ptr %307, align 8
-  %308 = load i64, ptr %82, align 8
-  %309 = icmp sgt i64 %308, 0
-  br i1 %309, label %310, label %311
+  %292 = load ptr, ptr %78, align 8
+  %293 = getelementptr inbounds i64, ptr %292, i64 %285
+  %294 = load ptr, ptr %79, align 8
+  %295 = getelementptr inbounds double, ptr %294, i64 %285
+  call fastcc void @combine(ptr noundef %278, ptr noundef %279, ptr noundef %290, ptr noundef %291, ptr noundef %293, ptr noundef %295, i64 noundef %289, i64 noundef %282) #11
+  %296 = load ptr, ptr %77, align 8
+  %297 = load i64, ptr %80, align 8
+  %298 = mul nsw i64 %297, %277
+  %299 = getelementptr inbounds double, ptr %296, i64 %298
+  %300 = load ptr, ptr %81, align 8
+  %301 = getelementptr inbounds double, ptr %300, i64 %277
+  %302 = load double, ptr %301, align 8
+  %303 = insertelement <8 x double> poison, double %302, i64 0
+  %304 = shufflevector <8 x double> %303, <8 x double> poison, <8 x i32> zeroinitializer
+  %305 = fmul <8 x double> %247, %304
+  %306 = fadd <8 x double> %222, %305
+  %307 = load ptr, ptr %75, align 8
+  %308 = load ptr, ptr %82, align 8
+  store <8 x double> %306, ptr %308, align 8
+  %309 = load i64, ptr %83, align 8
+  %310 = icmp sgt i64 %309, 0
+  br i1 %310, label %311, label %312
 
-310:                                              ; preds = %274
+311:                                              ; preds = %275
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %311
+  br label %312
 
-311:                                              ; preds = %274, %310
-  %312 = load ptr, ptr %9, align 8
-  %313 = load i64, ptr %312, align 8
-  %314 = load ptr, ptr %81, align 8
-  %315 = load ptr, ptr %83, align 8
+312:                                              ; preds = %275, %311
+  %313 = load ptr, ptr %9, align 8
+  %314 = load i64, ptr %313, align 8
+  %315 = load ptr, ptr %82, align 8
   %316 = load ptr, ptr %84, align 8
-  %317 = inttoptr i64 %313 to ptr
-  %318 = call i32 %317(ptr noundef %314, ptr noundef %306, ptr noundef %315, ptr noundef %316, ptr noundef %298) #12
-  %319 = zext i32 %318 to i64
-  %320 = or i64 %275, %319
-  %321 = add nuw nsw i64 %276, 1
-  %322 = icmp eq i64 %321, %271
-  br i1 %322, label %323, label %274, !llvm.loop !8
+  %317 = load ptr, ptr %85, align 8
+  %318 = inttoptr i64 %314 to ptr
+  %319 = call i32 %318(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
+  %320 = zext i32 %319 to i64
+  %321 = or i64 %276, %320
+  %322 = add nuw nsw i64 %277, 1
+  %323 = icmp eq i64 %322, %272
+  br i1 %323, label %324, label %275, !llvm.loop !8
 
-323:                                              ; preds = %311, %269
-  %324 = phi i64 [ 0, %269 ], [ %320, %311 ]
-  %325 = load ptr, ptr %85, align 8
-  %326 = load ptr, ptr %11, align 8
-  %327 = load ptr, ptr %9, align 8
-  %328 = getelementptr inbounds i8, ptr %327, i64 16
-  %329 = load i64, ptr %328, align 8
-  %330 = load ptr, ptr %86, align 8
-  %331 = getelementptr inbounds i64, ptr %330, i64 %271
-  %332 = load i64, ptr %331, align 8
-  %333 = getelementptr i8, ptr %331, i64 8
-  %334 = load i64, ptr %333, align 8
-  %335 = xor i64 %332, -1
-  %336 = add i64 %334, %335
-  %337 = load ptr, ptr %73, align 8
-  %338 = load ptr, ptr %87, align 8
+324:                                              ; preds = %312, %270
+  %325 = phi i64 [ 0, %270 ], [ %321, %312 ]
+  %326 = load ptr, ptr %86, align 8
+  %327 = load ptr, ptr %11, align 8
+  %328 = load ptr, ptr %9, align 8
+  %329 = getelementptr inbounds i8, ptr %328, i64 16
+  %330 = load i64, ptr %329, align 8
+  %331 = load ptr, ptr %87, align 8
+  %332 = getelementptr inbounds i64, ptr %331, i64 %272
+  %333 = load i64, ptr %332, align 8
+  %334 = getelementptr i8, ptr %332, i64 8
+  %335 = load i64, ptr %334, align 8
+  %336 = xor i64 %333, -1
+  %337 = add i64 %335, %336
+  %338 = load ptr, ptr %74, align 8
   %339 = load ptr, ptr %88, align 8
-  %340 = getelementptr inbounds i64, ptr %339, i64 %332
-  %341 = load ptr, ptr %89, align 8
-  %342 = getelementptr inbounds double, ptr %341, i64 %332
-  call fastcc void @combine(ptr noundef %325, ptr noundef %326, ptr noundef %337, ptr noundef %338, ptr noundef %340, ptr noundef %342, i64 noundef %336, i64 noundef %329) #11
-  br i1 %56, label %359, label %343
+  %340 = load ptr, ptr %89, align 8
+  %341 = getelementptr inbounds i64, ptr %340, i64 %333
+  %342 = load ptr, ptr %90, align 8
+  %343 = getelementptr inbounds double, ptr %342, i64 %333
+  call fastcc void @combine(ptr noundef %326, ptr noundef %327, ptr noundef %338, ptr noundef %339, ptr noundef %341, ptr noundef %343, i64 noundef %337, i64 noundef %330) #11
+  br i1 %57, label %360, label %344
 
-343:                                              ; preds = %323
-  %344 = load ptr, ptr %90, align 8
+344:                                              ; preds = %324
   %345 = load ptr, ptr %91, align 8
-  store <8 x double> %244, ptr %345, align 8
-  %346 = load i64, ptr %92, align 8
-  %347 = icmp sgt i64 %346, 0
-  br i1 %347, label %348, label %349
+  %346 = load ptr, ptr %92, align 8
+  store <8 x double> %245, ptr %346, align 8
+  %347 = load i64, ptr %93, align 8
+  %348 = icmp sgt i64 %347, 0
+  br i1 %348, label %349, label %350
 
-348:                                              ; preds = %343
+349:                                              ; preds = %344
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %349
+  br label %350
 
-349:                                              ; preds = %343, %348
-  %350 = load ptr, ptr %9, align 8
-  %351 = load i64, ptr %350, align 8
-  %352 = load ptr, ptr %91, align 8
-  %353 = load ptr, ptr %93, align 8
+350:                                              ; preds = %344, %349
+  %351 = load ptr, ptr %9, align 8
+  %352 = load i64, ptr %351, align 8
+  %353 = load ptr, ptr %92, align 8
   %354 = load ptr, ptr %94, align 8
-  %355 = inttoptr i64 %351 to ptr
-  %356 = call i32 %355(ptr noundef %352, ptr noundef %344, ptr noundef %353, ptr noundef %354, ptr noundef %59) #12
-  %357 = zext i32 %356 to i64
-  %358 = or i64 %324, %357
-  br label %359
+  %355 = load ptr, ptr %95, align 8
+  %356 = inttoptr i64 %352 to ptr
+  %357 = call i32 %356(ptr noundef %353, ptr noundef %345, ptr noundef %354, ptr noundef %355, ptr noundef %60) #12
+  %358 = zext i32 %357 to i64
+  %359 = or i64 %325, %358
+  br label %360
 
-359:                                              ; preds = %349, %323
-  %360 = phi i64 [ %358, %349 ], [ %324, %323 ]
-  br i1 %34, label %364, label %361
+360:                                              ; preds = %350, %324
+  %361 = phi i64 [ %359, %350 ], [ %325, %324 ]
+  br i1 %34, label %365, label %362
 
-361:                                              ; preds = %359
-  br i1 %95, label %362, label %537
+362:                                              ; preds = %360
+  br i1 %96, label %363, label %538
 
-362:                                              ; preds = %361
-  %363 = load ptr, ptr %96, align 8
-  br label %527
+363:                                              ; preds = %362
+  %364 = load ptr, ptr %97, align 8
+  br label %528
 
-364:                                              ; preds = %359
-  %365 = load ptr, ptr %9, align 8
-  %366 = load ptr, ptr %0, align 8
-  %367 = getelementptr inbounds i8, ptr %365, i64 24
-  %368 = load i64, ptr %367, align 8
-  %369 = getelementptr inbounds i8, ptr %366, i64 8
-  %370 = load i64, ptr %369, align 8
-  %371 = load ptr, ptr %97, align 8
-  %372 = load i64, ptr %98, align 8
-  %373 = getelementptr inbounds double, ptr %371, i64 %372
-  %374 = icmp sgt i64 %370, 0
-  br i1 %374, label %375, label %377
+365:                                              ; preds = %360
+  %366 = load ptr, ptr %9, align 8
+  %367 = load ptr, ptr %0, align 8
+  %368 = getelementptr inbounds i8, ptr %366, i64 24
+  %369 = load i64, ptr %368, align 8
+  %370 = getelementptr inbounds i8, ptr %367, i64 8
+  %371 = load i64, ptr %370, align 8
+  %372 = load ptr, ptr %98, align 8
+  %373 = load i64, ptr %99, align 8
+  %374 = getelementptr inbounds double, ptr %372, i64 %373
+  %375 = icmp sgt i64 %371, 0
+  br i1 %375, label %376, label %378
 
-375:                                              ; preds = %364
-  %376 = getelementptr inbounds i8, ptr %365, i64 32
-  br label %385
+376:                                              ; preds = %365
+  %377 = getelementptr inbounds i8, ptr %366, i64 32
+  br label %386
 
-377:                                              ; preds = %385, %364
-  %378 = icmp sgt i64 %368, 0
-  br i1 %378, label %379, label %411
+378:                                              ; preds = %386, %365
+  %379 = icmp sgt i64 %369, 0
+  br i1 %379, label %380, label %412
 
-379:                                              ; preds = %377
-  %380 = load ptr, ptr %11, align 8
-  %381 = load ptr, ptr %85, align 8
-  %382 = load ptr, ptr %100, align 8
+380:                                              ; preds = %378
+  %381 = load ptr, ptr %11, align 8
+  %382 = load ptr, ptr %86, align 8
   %383 = load ptr, ptr %101, align 8
-  %384 = load ptr, ptr %97, align 8
-  br label %474
+  %384 = load ptr, ptr %102, align 8
+  %385 = load ptr, ptr %98, align 8
+  br label %475
 
-385:                                              ; preds = %375, %385
-  %386 = phi i64 [ 0, %375 ], [ %409, %385 ]
-  %387 = load i64, ptr %366, align 8
-  %388 = load i64, ptr %376, align 8
-  %389 = load ptr, ptr %97, align 8
-  %390 = load i64, ptr %98, align 8
-  %391 = mul nsw i64 %390, %386
-  %392 = getelementptr inbounds double, ptr %389, i64 %391
-  %393 = load ptr, ptr %99, align 8
-  %394 = load ptr, ptr %86, align 8
-  %395 = getelementptr i64, ptr %394, i64 %387
-  %396 = getelementptr i8, ptr %395, i64 8
-  %397 = getelementptr i64, ptr %396, i64 %386
-  %398 = load i64, ptr %397, align 8
-  %399 = getelementptr i8, ptr %397, i64 8
-  %400 = load i64, ptr %399, align 8
-  %401 = xor i64 %398, -1
-  %402 = add i64 %400, %401
-  %403 = load ptr, ptr %73, align 8
-  %404 = load ptr, ptr %87, align 8
+386:                                              ; preds = %376, %386
+  %387 = phi i64 [ 0, %376 ], [ %410, %386 ]
+  %388 = load i64, ptr %367, align 8
+  %389 = load i64, ptr %377, align 8
+  %390 = load ptr, ptr %98, align 8
+  %391 = load i64, ptr %99, align 8
+  %392 = mul nsw i64 %391, %387
+  %393 = getelementptr inbounds double, ptr %390, i64 %392
+  %394 = load ptr, ptr %100, align 8
+  %395 = load ptr, ptr %87, align 8
+  %396 = getelementptr i64, ptr %395, i64 %388
+  %397 = getelementptr i8, ptr %396, i64 8
+  %398 = getelementptr i64, ptr %397, i64 %387
+  %399 = load i64, ptr %398, align 8
+  %400 = getelementptr i8, ptr %398, i64 8
+  %401 = load i64, ptr %400, align 8
+  %402 = xor i64 %399, -1
+  %403 = add i64 %401, %402
+  %404 = load ptr, ptr %74, align 8
   %405 = load ptr, ptr %88, align 8
-  %406 = getelementptr inbounds i64, ptr %405, i64 %398
-  %407 = load ptr, ptr %89, align 8
-  %408 = getelementptr inbounds double, ptr %407, i64 %398
-  call fastcc void @combine(ptr noundef %392, ptr noundef %393, ptr noundef %403, ptr noundef %404, ptr noundef %406, ptr noundef %408, i64 noundef %402, i64 noundef %388) #11
-  %409 = add nuw nsw i64 %386, 1
-  %410 = icmp eq i64 %409, %370
-  br i1 %410, label %377, label %385, !llvm.loop !9
+  %406 = load ptr, ptr %89, align 8
+  %407 = getelementptr inbounds i64, ptr %406, i64 %399
+  %408 = load ptr, ptr %90, align 8
+  %409 = getelementptr inbounds double, ptr %408, i64 %399
+  call fastcc void @combine(ptr noundef %393, ptr noundef %394, ptr noundef %404, ptr noundef %405, ptr noundef %407, ptr noundef %409, i64 noundef %403, i64 noundef %389) #11
+  %410 = add nuw nsw i64 %387, 1
+  %411 = icmp eq i64 %410, %371
+  br i1 %411, label %378, label %386, !llvm.loop !9
 
-411:                                              ; preds = %474, %377
-  %412 = phi <8 x double> [ zeroinitializer, %377 ], [ %507, %474 ]
-  %413 = phi <8 x double> [ zeroinitializer, %377 ], [ %505, %474 ]
-  %414 = load ptr, ptr %85, align 8
-  %415 = getelementptr inbounds i8, ptr %365, i64 8
-  %416 = load i64, ptr %415, align 8
-  %417 = add nsw i64 %416, -3
-  %418 = getelementptr i8, ptr %414, i64 64
-  %419 = getelementptr i8, ptr %414, i64 128
-  %420 = getelementptr i8, ptr %414, i64 192
-  %421 = icmp slt i64 %368, %417
-  br i1 %421, label %429, label %422
+412:                                              ; preds = %475, %378
+  %413 = phi <8 x double> [ zeroinitializer, %378 ], [ %508, %475 ]
+  %414 = phi <8 x double> [ zeroinitializer, %378 ], [ %506, %475 ]
+  %415 = load ptr, ptr %86, align 8
+  %416 = getelementptr inbounds i8, ptr %366, i64 8
+  %417 = load i64, ptr %416, align 8
+  %418 = add nsw i64 %417, -3
+  %419 = getelementptr i8, ptr %415, i64 64
+  %420 = getelementptr i8, ptr %415, i64 128
+  %421 = getelementptr i8, ptr %415, i64 192
+  %422 = icmp slt i64 %369, %418
+  br i1 %422, label %430, label %423
 
-422:                                              ; preds = %429, %411
-  %423 = phi <8 x double> [ zeroinitializer, %411 ], [ %439, %429 ]
-  %424 = phi <8 x double> [ zeroinitializer, %411 ], [ %444, %429 ]
-  %425 = phi <8 x double> [ zeroinitializer, %411 ], [ %449, %429 ]
-  %426 = phi <8 x double> [ zeroinitializer, %411 ], [ %454, %429 ]
-  %427 = phi i64 [ %368, %411 ], [ %455, %429 ]
-  %428 = icmp slt i64 %427, %416
-  br i1 %428, label %457, label %467
+423:                                              ; preds = %430, %412
+  %424 = phi <8 x double> [ zeroinitializer, %412 ], [ %440, %430 ]
+  %425 = phi <8 x double> [ zeroinitializer, %412 ], [ %445, %430 ]
+  %426 = phi <8 x double> [ zeroinitializer, %412 ], [ %450, %430 ]
+  %427 = phi <8 x double> [ zeroinitializer, %412 ], [ %455, %430 ]
+  %428 = phi i64 [ %369, %412 ], [ %456, %430 ]
+  %429 = icmp slt i64 %428, %417
+  br i1 %429, label %458, label %468
 
-429:                                              ; preds = %411, %429
-  %430 = phi i64 [ %455, %429 ], [ %368, %411 ]
-  %431 = phi <8 x double> [ %454, %429 ], [ zeroinitializer, %411 ]
-  %432 = phi <8 x double> [ %449, %429 ], [ zeroinitializer, %411 ]
-  %433 = phi <8 x double> [ %444, %429 ], [ zeroinitializer, %411 ]
-  %434 = phi <8 x double> [ %439, %429 ], [ zeroinitializer, %411 ]
-  %435 = shl nsw i64 %430, 6
-  %436 = getelementptr inbounds i8, ptr %414, i64 %435
-  %437 = load <8 x double>, ptr %436, align 8
-  %438 = fmul <8 x double> %437, zeroinitializer
-  %439 = fadd <8 x double> %434, %438
-  %440 = shl i64 %430, 6
-  %441 = getelementptr i8, ptr %418, i64 %440
-  %442 = load <8 x double>, ptr %441, align 8
-  %443 = fmul <8 x double> %442, zeroinitializer
-  %444 = fadd <8 x double> %433, %443
-  %445 = shl i64 %430, 6
-  %446 = getelementptr i8, ptr %419, i64 %445
-  %447 = load <8 x double>, ptr %446, align 8
-  %448 = fmul <8 x double> %447, zeroinitializer
-  %449 = fadd <8 x double> %432, %448
-  %450 = shl i64 %430, 6
-  %451 = getelementptr i8, ptr %420, i64 %450
-  %452 = load <8 x double>, ptr %451, align 8
-  %453 = fmul <8 x double> %452, zeroinitializer
-  %454 = fadd <8 x double> %431, %453
-  %455 = add nsw i64 %430, 4
-  %456 = icmp slt i64 %455, %417
-  br i1 %456, label %429, label %422, !llvm.loop !10
+430:                                              ; preds = %412, %430
+  %431 = phi i64 [ %456, %430 ], [ %369, %412 ]
+  %432 = phi <8 x double> [ %455, %430 ], [ zeroinitializer, %412 ]
+  %433 = phi <8 x double> [ %450, %430 ], [ zeroinitializer, %412 ]
+  %434 = phi <8 x double> [ %445, %430 ], [ zeroinitializer, %412 ]
+  %435 = phi <8 x double> [ %440, %430 ], [ zeroinitializer, %412 ]
+  %436 = shl nsw i64 %431, 6
+  %437 = getelementptr inbounds i8, ptr %415, i64 %436
+  %438 = load <8 x double>, ptr %437, align 8
+  %439 = fmul <8 x double> %438, zeroinitializer
+  %440 = fadd <8 x double> %435, %439
+  %441 = shl i64 %431, 6
+  %442 = getelementptr i8, ptr %419, i64 %441
+  %443 = load <8 x double>, ptr %442, align 8
+  %444 = fmul <8 x double> %443, zeroinitializer
+  %445 = fadd <8 x double> %434, %444
+  %446 = shl i64 %431, 6
+  %447 = getelementptr i8, ptr %420, i64 %446
+  %448 = load <8 x double>, ptr %447, align 8
+  %449 = fmul <8 x double> %448, zeroinitializer
+  %450 = fadd <8 x double> %433, %449
+  %451 = shl i64 %431, 6
+  %452 = getelementptr i8, ptr %421, i64 %451
+  %453 = load <8 x double>, ptr %452, align 8
+  %454 = fmul <8 x double> %453, zeroinitializer
+  %455 = fadd <8 x double> %432, %454
+  %456 = add nsw i64 %431, 4
+  %457 = icmp slt i64 %456, %418
+  br i1 %457, label %430, label %423, !llvm.loop !10
 
-457:                                              ; preds = %422, %457
-  %458 = phi i64 [ %465, %457 ], [ %427, %422 ]
-  %459 = phi <8 x double> [ %464, %457 ], [ %423, %422 ]
-  %460 = shl nsw i64 %458, 6
-  %461 = getelementptr inbounds i8, ptr %414, i64 %460
-  %462 = load <8 x double>, ptr %461, align 8
-  %463 = fmul <8 x double> %462, zeroinitializer
-  %464 = fadd <8 x double> %459, %463
-  %465 = add nsw i64 %458, 1
-  %466 = icmp eq i64 %465, %416
-  br i1 %466, label %467, label %457, !llvm.loop !11
+458:                                              ; preds = %423, %458
+  %459 = phi i64 [ %466, %458 ], [ %428, %423 ]
+  %460 = phi <8 x double> [ %465, %458 ], [ %424, %423 ]
+  %461 = shl nsw i64 %459, 6
+  %462 = getelementptr inbounds i8, ptr %415, i64 %461
+  %463 = load <8 x double>, ptr %462, align 8
+  %464 = fmul <8 x double> %463, zeroinitializer
+  %465 = fadd <8 x double> %460, %464
+  %466 = add nsw i64 %459, 1
+  %467 = icmp eq i64 %466, %417
+  br i1 %467, label %468, label %458, !llvm.loop !11
 
-467:                                              ; preds = %457, %422
-  %468 = phi <8 x double> [ %423, %422 ], [ %464, %457 ]
-  %469 = fadd <8 x double> %424, %468
-  %470 = fadd <8 x double> %425, %426
-  %471 = fadd <8 x double> %470, %469
-  %472 = fadd <8 x double> %413, %471
-  %473 = icmp eq i64 %370, 2
-  br i1 %473, label %510, label %521
+468:                                              ; preds = %458, %423
+  %469 = phi <8 x double> [ %424, %423 ], [ %465, %458 ]
+  %470 = fadd <8 x double> %425, %469
+  %471 = fadd <8 x double> %426, %427
+  %472 = fadd <8 x double> %471, %470
+  %473 = fadd <8 x double> %414, %472
+  %474 = icmp eq i64 %371, 2
+  br i1 %474, label %511, label %522
 
-474:                                              ; preds = %379, %474
-  %475 = phi <8 x double> [ zeroinitializer, %379 ], [ %505, %474 ]
-  %476 = phi <8 x double> [ zeroinitializer, %379 ], [ %507, %474 ]
-  %477 = phi i64 [ 0, %379 ], [ %508, %474 ]
-  %478 = shl nsw i64 %477, 6
-  %479 = getelementptr inbounds i8, ptr %380, i64 %478
-  %480 = load <8 x double>, ptr %479, align 8
-  %481 = getelementptr inbounds i8, ptr %381, i64 %478
-  %482 = load <8 x double>, ptr %481, align 8
-  %483 = getelementptr inbounds double, ptr %382, i64 %477
-  %484 = load double, ptr %483, align 8
-  %485 = insertelement <8 x double> poison, double %484, i64 0
-  %486 = shufflevector <8 x double> %485, <8 x double> poison, <8 x i32> zeroinitializer
-  %487 = getelementptr inbounds double, ptr %383, i64 %477
-  %488 = load double, ptr %487, align 8
-  %489 = insertelement <8 x double> poison, double %488, i64 0
-  %490 = shufflevector <8 x double> %489, <8 x double> poison, <8 x i32> zeroinitializer
-  %491 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %480)
-  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %482)
-  %493 = fcmp ogt <8 x double> %491, %492
-  %494 = select <8 x i1> %493, <8 x double> %491, <8 x double> %492
-  %495 = fmul <8 x double> %494, %490
-  %496 = fadd <8 x double> %486, %495
-  %497 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %496
-  %498 = getelementptr inbounds i8, ptr %384, i64 %478
-  %499 = load <8 x double>, ptr %498, align 8
-  %500 = fmul <8 x double> %499, %497
-  %501 = getelementptr inbounds i8, ptr %373, i64 %478
-  %502 = load <8 x double>, ptr %501, align 8
-  %503 = fmul <8 x double> %502, %497
-  %504 = fmul <8 x double> %500, %500
-  %505 = fadd <8 x double> %475, %504
-  %506 = fmul <8 x double> %503, %503
-  %507 = fadd <8 x double> %476, %506
-  %508 = add nuw nsw i64 %477, 1
-  %509 = icmp eq i64 %508, %368
-  br i1 %509, label %411, label %474, !llvm.loop !12
+475:                                              ; preds = %380, %475
+  %476 = phi <8 x double> [ zeroinitializer, %380 ], [ %506, %475 ]
+  %477 = phi <8 x double> [ zeroinitializer, %380 ], [ %508, %475 ]
+  %478 = phi i64 [ 0, %380 ], [ %509, %475 ]
+  %479 = shl nsw i64 %478, 6
+  %480 = getelementptr inbounds i8, ptr %381, i64 %479
+  %481 = load <8 x double>, ptr %480, align 8
+  %482 = getelementptr inbounds i8, ptr %382, i64 %479
+  %483 = load <8 x double>, ptr %482, align 8
+  %484 = getelementptr inbounds double, ptr %383, i64 %478
+  %485 = load double, ptr %484, align 8
+  %486 = insertelement <8 x double> poison, double %485, i64 0
+  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
+  %488 = getelementptr inbounds double, ptr %384, i64 %478
+  %489 = load double, ptr %488, align 8
+  %490 = insertelement <8 x double> poison, double %489, i64 0
+  %491 = shufflevector <8 x double> %490, <8 x double> poison, <8 x i32> zeroinitializer
+  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %481)
+  %493 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %483)
+  %494 = fcmp ogt <8 x double> %492, %493
+  %495 = select <8 x i1> %494, <8 x double> %492, <8 x double> %493
+  %496 = fmul <8 x double> %495, %491
+  %497 = fadd <8 x double> %487, %496
+  %498 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %497
+  %499 = getelementptr inbounds i8, ptr %385, i64 %479
+  %500 = load <8 x double>, ptr %499, align 8
+  %501 = fmul <8 x double> %500, %498
+  %502 = getelementptr inbounds i8, ptr %374, i64 %479
+  %503 = load <8 x double>, ptr %502, align 8
+  %504 = fmul <8 x double> %503, %498
+  %505 = fmul <8 x double> %501, %501
+  %506 = fadd <8 x double> %476, %505
+  %507 = fmul <8 x double> %504, %504
+  %508 = fadd <8 x double> %477, %507
+  %509 = add nuw nsw i64 %478, 1
+  %510 = icmp eq i64 %509, %369
+  br i1 %510, label %412, label %475, !llvm.loop !12
 
-510:                                              ; preds = %467
-  %511 = fmul <8 x double> %412, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %512 = fadd <8 x double> %511, %472
-  %513 = sitofp i64 %368 to double
-  %514 = insertelement <8 x double> poison, double %513, i64 0
-  %515 = shufflevector <8 x double> %514, <8 x double> poison, <8 x i32> zeroinitializer
-  %516 = fmul <8 x double> %515, %512
-  %517 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %516)
-  %518 = fdiv <8 x double> %472, %517
-  %519 = fcmp oeq <8 x double> %472, zeroinitializer
-  %520 = select <8 x i1> %519, <8 x double> zeroinitializer, <8 x double> %518
-  br label %537
+511:                                              ; preds = %468
+  %512 = fmul <8 x double> %413, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %513 = fadd <8 x double> %512, %473
+  %514 = sitofp i64 %369 to double
+  %515 = insertelement <8 x double> poison, double %514, i64 0
+  %516 = shufflevector <8 x double> %515, <8 x double> poison, <8 x i32> zeroinitializer
+  %517 = fmul <8 x double> %516, %513
+  %518 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %517)
+  %519 = fdiv <8 x double> %473, %518
+  %520 = fcmp oeq <8 x double> %473, zeroinitializer
+  %521 = select <8 x i1> %520, <8 x double> zeroinitializer, <8 x double> %519
+  br label %538
 
-521:                                              ; preds = %467
-  %522 = sitofp i64 %368 to double
-  %523 = insertelement <8 x double> poison, double %522, i64 0
-  %524 = shufflevector <8 x double> %523, <8 x double> poison, <8 x i32> zeroinitializer
-  %525 = fdiv <8 x double> %472, %524
-  %526 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %525)
-  br label %537
+522:                                              ; preds = %468
+  %523 = sitofp i64 %369 to double
+  %524 = insertelement <8 x double> poison, double %523, i64 0
+  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
+  %526 = fdiv <8 x double> %473, %525
+  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
+  br label %538
 
-527:                                              ; preds = %362, %527
-  %528 = phi <8 x double> [ zeroinitializer, %362 ], [ %534, %527 ]
-  %529 = phi i64 [ 0, %362 ], [ %535, %527 ]
-  %530 = shl nsw i64 %529, 6
-  %531 = getelementptr inbounds i8, ptr %363, i64 %530
-  %532 = load <8 x double>, ptr %531, align 8
-  %533 = fmul <8 x double> %532, zeroinitializer
-  %534 = fadd <8 x double> %528, %533
-  %535 = add nuw nsw i64 %529, 1
-  %536 = icmp eq i64 %535, %15
-  br i1 %536, label %537, label %527, !llvm.loop !13
+528:                                              ; preds = %363, %528
+  %529 = phi <8 x double> [ zeroinitializer, %363 ], [ %535, %528 ]
+  %530 = phi i64 [ 0, %363 ], [ %536, %528 ]
+  %531 = shl nsw i64 %530, 6
+  %532 = getelementptr inbounds i8, ptr %364, i64 %531
+  %533 = load <8 x double>, ptr %532, align 8
+  %534 = fmul <8 x double> %533, zeroinitializer
+  %535 = fadd <8 x double> %529, %534
+  %536 = add nuw nsw i64 %530, 1
+  %537 = icmp eq i64 %536, %15
+  br i1 %537, label %538, label %528, !llvm.loop !13
 
-537:                                              ; preds = %527, %361, %521, %510
-  %538 = phi <8 x double> [ %520, %510 ], [ %526, %521 ], [ zeroinitializer, %361 ], [ %534, %527 ]
-  %539 = fcmp uge <8 x double> %538, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %540 = trunc i64 %360 to i8
-  %541 = bitcast i8 %540 to <8 x i1>
-  %542 = select <8 x i1> %541, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %539
-  %543 = xor <8 x i1> %542, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %544 = select <8 x i1> %543, <8 x i1> %219, <8 x i1> zeroinitializer
-  %545 = sext <8 x i1> %544 to <8 x i64>
-  br i1 %39, label %546, label %558
+538:                                              ; preds = %528, %362, %522, %511
+  %539 = phi <8 x double> [ %521, %511 ], [ %527, %522 ], [ zeroinitializer, %362 ], [ %535, %528 ]
+  %540 = fcmp uge <8 x double> %539, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %541 = trunc i64 %361 to i8
+  %542 = bitcast i8 %541 to <8 x i1>
+  %543 = select <8 x i1> %542, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %540
+  %544 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %545 = select <8 x i1> %544, <8 x i1> %220, <8 x i1> zeroinitializer
+  %546 = sext <8 x i1> %545 to <8 x i64>
+  br i1 %40, label %547, label %559
 
-546:                                              ; preds = %537
-  %547 = xor <8 x i1> %542, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %548 = select <8 x i1> %547, <8 x i1> %219, <8 x i1> zeroinitializer
-  %549 = bitcast <8 x i1> %548 to i8
-  %550 = icmp eq i8 %549, 0
-  br i1 %550, label %558, label %551
+547:                                              ; preds = %538
+  %548 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %549 = select <8 x i1> %548, <8 x i1> %220, <8 x i1> zeroinitializer
+  %550 = bitcast <8 x i1> %549 to i8
+  %551 = icmp eq i8 %550, 0
+  br i1 %551, label %559, label %552
 
-551:                                              ; preds = %546
-  %552 = zext i8 %549 to i64
-  store <8 x double> %244, ptr %3, align 16
-  %553 = load ptr, ptr %102, align 8
-  %554 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %553, i64 noundef %552, i32 noundef %55) #11
-  %555 = trunc nuw i64 %554 to i8
-  %556 = bitcast i8 %555 to <8 x i1>
-  %557 = select <8 x i1> %556, <8 x i64> zeroinitializer, <8 x i64> %545
-  br label %558
+552:                                              ; preds = %547
+  %553 = zext i8 %550 to i64
+  store <8 x double> %245, ptr %3, align 16
+  %554 = load ptr, ptr %103, align 8
+  %555 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %554, i64 noundef %553, i32 noundef %56) #11
+  %556 = trunc i64 %555 to i8
+  %557 = bitcast i8 %556 to <8 x i1>
+  %558 = select <8 x i1> %557, <8 x i64> zeroinitializer, <8 x i64> %546
+  br label %559
 
-558:                                              ; preds = %551, %546, %537
-  %559 = phi <8 x i64> [ %557, %551 ], [ %545, %546 ], [ %545, %537 ]
-  %560 = phi i64 [ %554, %551 ], [ 0, %546 ], [ 0, %537 ]
-  %561 = icmp ne <8 x i64> %559, zeroinitializer
-  %562 = bitcast <8 x i1> %561 to i8
-  %563 = icmp ne i8 %562, 0
-  %564 = select i1 %57, i1 %563, i1 false
-  br i1 %564, label %565, label %584
+559:                                              ; preds = %552, %547, %538
+  %560 = phi <8 x i64> [ %558, %552 ], [ %546, %547 ], [ %546, %538 ]
+  %561 = phi i64 [ %555, %552 ], [ 0, %547 ], [ 0, %538 ]
+  %562 = icmp ne <8 x i64> %560, zeroinitializer
+  %563 = bitcast <8 x i1> %562 to i8
+  %564 = icmp ne i8 %563, 0
+  %565 = select i1 %58, i1 %564, i1 false
+  br i1 %565, label %566, label %585
 
-565:                                              ; preds = %558
-  %566 = load ptr, ptr %103, align 8
+566:                                              ; preds = %559
   %567 = load ptr, ptr %104, align 8
-  store <8 x double> %244, ptr %567, align 8
-  %568 = load i64, ptr %105, align 8
-  %569 = icmp sgt i64 %568, 0
-  br i1 %569, label %570, label %571
+  %568 = load ptr, ptr %105, align 8
+  store <8 x double> %245, ptr %568, align 8
+  %569 = load i64, ptr %106, align 8
+  %570 = icmp sgt i64 %569, 0
+  br i1 %570, label %571, label %572
 
-570:                                              ; preds = %565
+571:                                              ; preds = %566
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %571
+  br label %572
 
-571:                                              ; preds = %565, %570
-  %572 = load ptr, ptr %9, align 8
-  %573 = load i64, ptr %572, align 8
-  %574 = load ptr, ptr %104, align 8
-  %575 = load ptr, ptr %106, align 8
+572:                                              ; preds = %566, %571
+  %573 = load ptr, ptr %9, align 8
+  %574 = load i64, ptr %573, align 8
+  %575 = load ptr, ptr %105, align 8
   %576 = load ptr, ptr %107, align 8
-  %577 = inttoptr i64 %573 to ptr
-  %578 = call i32 %577(ptr noundef %574, ptr noundef %566, ptr noundef %575, ptr noundef %576, ptr noundef %59) #12
-  %579 = zext i32 %578 to i64
-  %580 = or i64 %360, %579
-  %581 = trunc i64 %580 to i8
-  %582 = bitcast i8 %581 to <8 x i1>
-  %583 = select <8 x i1> %582, <8 x i64> zeroinitializer, <8 x i64> %559
-  br label %584
+  %577 = load ptr, ptr %108, align 8
+  %578 = inttoptr i64 %574 to ptr
+  %579 = call i32 %578(ptr noundef %575, ptr noundef %567, ptr noundef %576, ptr noundef %577, ptr noundef %60) #12
+  %580 = zext i32 %579 to i64
+  %581 = or i64 %361, %580
+  %582 = trunc i64 %581 to i8
+  %583 = bitcast i8 %582 to <8 x i1>
+  %584 = select <8 x i1> %583, <8 x i64> zeroinitializer, <8 x i64> %560
+  br label %585
 
-584:                                              ; preds = %571, %558
-  %585 = phi <8 x i64> [ %583, %571 ], [ %559, %558 ]
-  %586 = phi i64 [ %580, %571 ], [ %360, %558 ]
-  %587 = load ptr, ptr %108, align 8
-  %588 = load <8 x double>, ptr %587, align 8
-  %589 = load i64, ptr %16, align 8
-  %590 = add i64 %589, %109
-  %591 = sitofp i64 %590 to double
-  %592 = insertelement <8 x double> poison, double %591, i64 0
-  %593 = shufflevector <8 x double> %592, <8 x double> poison, <8 x i32> zeroinitializer
-  %594 = icmp slt <8 x i64> %559, zeroinitializer
-  %595 = select <8 x i1> %594, <8 x i64> %113, <8 x i64> zeroinitializer
-  %596 = bitcast <8 x i64> %595 to <8 x double>
-  %597 = fadd <8 x double> %593, %596
-  %598 = fadd <8 x double> %588, %597
-  store <8 x double> %598, ptr %587, align 8
-  br i1 %58, label %599, label %608
+585:                                              ; preds = %572, %559
+  %586 = phi <8 x i64> [ %584, %572 ], [ %560, %559 ]
+  %587 = phi i64 [ %581, %572 ], [ %361, %559 ]
+  %588 = load ptr, ptr %109, align 8
+  %589 = load <8 x double>, ptr %588, align 8
+  %590 = load i64, ptr %16, align 8
+  %591 = add i64 %590, %110
+  %592 = sitofp i64 %591 to double
+  %593 = insertelement <8 x double> poison, double %592, i64 0
+  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
+  %595 = icmp slt <8 x i64> %560, zeroinitializer
+  %596 = select <8 x i1> %595, <8 x i64> %114, <8 x i64> zeroinitializer
+  %597 = bitcast <8 x i64> %596 to <8 x double>
+  %598 = fadd <8 x double> %594, %597
+  %599 = fadd <8 x double> %589, %598
+  store <8 x double> %599, ptr %588, align 8
+  br i1 %59, label %600, label %609
 
-599:                                              ; preds = %584
-  %600 = icmp ne <8 x i64> %585, zeroinitializer
-  %601 = bitcast <8 x i1> %600 to i8
-  %602 = icmp eq i8 %601, 0
-  br i1 %602, label %608, label %603
+600:                                              ; preds = %585
+  %601 = icmp ne <8 x i64> %586, zeroinitializer
+  %602 = bitcast <8 x i1> %601 to i8
+  %603 = icmp eq i8 %602, 0
+  br i1 %603, label %609, label %604
 
-603:                                              ; preds = %599
-  %604 = zext i8 %601 to i64
-  %605 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
-  %606 = xor i64 %605, -1
-  %607 = and i64 %606, %604
-  br label %608
+604:                                              ; preds = %600
+  %605 = zext i8 %602 to i64
+  %606 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %607 = xor i64 %606, -1
+  %608 = and i64 %607, %605
+  br label %609
 
-608:                                              ; preds = %584, %599, %603
-  %609 = phi i64 [ %607, %603 ], [ 0, %599 ], [ 0, %584 ]
+609:                                              ; preds = %585, %600, %604
+  %610 = phi i64 [ %608, %604 ], [ 0, %600 ], [ 0, %585 ]
   store i64 0, ptr %7, align 8
-  %610 = load ptr, ptr %114, align 8
-  %611 = load <8 x double>, ptr %610, align 8
-  %612 = fcmp olt <8 x double> %611, %244
-  %613 = icmp ne <8 x i64> %585, zeroinitializer
-  %614 = select <8 x i1> %612, <8 x i1> %613, <8 x i1> zeroinitializer
-  %615 = bitcast <8 x i1> %614 to i8
-  %616 = zext i8 %615 to i64
-  %617 = or i64 %609, %616
-  %618 = icmp eq i64 %617, 0
-  br i1 %618, label %797, label %619
+  %611 = load ptr, ptr %115, align 8
+  %612 = load <8 x double>, ptr %611, align 8
+  %613 = fcmp olt <8 x double> %612, %245
+  %614 = icmp ne <8 x i64> %586, zeroinitializer
+  %615 = select <8 x i1> %613, <8 x i1> %614, <8 x i1> zeroinitializer
+  %616 = bitcast <8 x i1> %615 to i8
+  %617 = zext i8 %616 to i64
+  %618 = or i64 %610, %617
+  %619 = icmp eq i64 %618, 0
+  br i1 %619, label %798, label %620
 
-619:                                              ; preds = %608
-  %620 = load ptr, ptr %0, align 8
-  %621 = load ptr, ptr %9, align 8
-  %622 = getelementptr inbounds i8, ptr %621, i64 16
-  %623 = load i64, ptr %622, align 8
-  %624 = load i64, ptr %620, align 8
-  %625 = load i64, ptr %115, align 8
-  %626 = load ptr, ptr %87, align 8
-  %627 = mul nsw i64 %625, %624
-  %628 = getelementptr inbounds double, ptr %626, i64 %627
-  %629 = load ptr, ptr %116, align 8
-  %630 = add nsw i64 %624, 1
-  %631 = getelementptr inbounds i8, ptr %620, i64 16
-  %632 = load i64, ptr %631, align 8
-  %633 = icmp sgt i64 %632, 0
-  br i1 %633, label %634, label %636
+620:                                              ; preds = %609
+  %621 = load ptr, ptr %0, align 8
+  %622 = load ptr, ptr %9, align 8
+  %623 = getelementptr inbounds i8, ptr %622, i64 16
+  %624 = load i64, ptr %623, align 8
+  %625 = load i64, ptr %621, align 8
+  %626 = load i64, ptr %116, align 8
+  %627 = load ptr, ptr %88, align 8
+  %628 = mul nsw i64 %626, %625
+  %629 = getelementptr inbounds double, ptr %627, i64 %628
+  %630 = load ptr, ptr %117, align 8
+  %631 = add nsw i64 %625, 1
+  %632 = getelementptr inbounds i8, ptr %621, i64 16
+  %633 = load i64, ptr %632, align 8
+  %634 = icmp sgt i64 %633, 0
+  br i1 %634, label %635, label %637
 
-634:                                              ; preds = %619
-  %635 = getelementptr inbounds i8, ptr %620, i64 8
-  br label %647
+635:                                              ; preds = %620
+  %636 = getelementptr inbounds i8, ptr %621, i64 8
+  br label %648
 
-636:                                              ; preds = %682, %619
-  %637 = phi i64 [ 0, %619 ], [ %691, %682 ]
-  %638 = getelementptr inbounds i8, ptr %620, i64 16
-  %639 = load ptr, ptr %9, align 8
-  %640 = getelementptr inbounds i8, ptr %639, i64 8
-  %641 = load i64, ptr %640, align 8
-  %642 = icmp sgt i64 %641, 0
-  br i1 %642, label %643, label %696
+637:                                              ; preds = %683, %620
+  %638 = phi i64 [ 0, %620 ], [ %692, %683 ]
+  %639 = getelementptr inbounds i8, ptr %621, i64 16
+  %640 = load ptr, ptr %9, align 8
+  %641 = getelementptr inbounds i8, ptr %640, i64 8
+  %642 = load i64, ptr %641, align 8
+  %643 = icmp sgt i64 %642, 0
+  br i1 %643, label %644, label %697
 
-643:                                              ; preds = %636
-  %644 = getelementptr inbounds double, ptr %629, i64 %625
-  %645 = shl nsw i64 %625, 4
-  %646 = getelementptr inbounds i8, ptr %629, i64 %645
-  br label %703
+644:                                              ; preds = %637
+  %645 = getelementptr inbounds double, ptr %630, i64 %626
+  %646 = shl nsw i64 %626, 4
+  %647 = getelementptr inbounds i8, ptr %630, i64 %646
+  br label %704
 
-647:                                              ; preds = %634, %682
-  %648 = phi i64 [ 0, %634 ], [ %691, %682 ]
-  %649 = phi i64 [ %630, %634 ], [ %692, %682 ]
-  %650 = load i64, ptr %635, align 8
-  %651 = load ptr, ptr %117, align 8
-  %652 = load ptr, ptr %11, align 8
-  %653 = load ptr, ptr %86, align 8
-  %654 = getelementptr i64, ptr %653, i64 %649
+648:                                              ; preds = %635, %683
+  %649 = phi i64 [ 0, %635 ], [ %692, %683 ]
+  %650 = phi i64 [ %631, %635 ], [ %693, %683 ]
+  %651 = load i64, ptr %636, align 8
+  %652 = load ptr, ptr %118, align 8
+  %653 = load ptr, ptr %11, align 8
+  %654 = load ptr, ptr %87, align 8
   %655 = getelementptr i64, ptr %654, i64 %650
-  %656 = load i64, ptr %655, align 8
-  %657 = getelementptr i8, ptr %655, i64 8
-  %658 = load i64, ptr %657, align 8
-  %659 = xor i64 %656, -1
-  %660 = add i64 %658, %659
-  %661 = load ptr, ptr %73, align 8
-  %662 = load ptr, ptr %87, align 8
+  %656 = getelementptr i64, ptr %655, i64 %651
+  %657 = load i64, ptr %656, align 8
+  %658 = getelementptr i8, ptr %656, i64 8
+  %659 = load i64, ptr %658, align 8
+  %660 = xor i64 %657, -1
+  %661 = add i64 %659, %660
+  %662 = load ptr, ptr %74, align 8
   %663 = load ptr, ptr %88, align 8
-  %664 = getelementptr inbounds i64, ptr %663, i64 %656
-  %665 = load ptr, ptr %89, align 8
-  %666 = getelementptr inbounds double, ptr %665, i64 %656
-  call fastcc void @combine(ptr noundef %651, ptr noundef %652, ptr noundef %661, ptr noundef %662, ptr noundef %664, ptr noundef %666, i64 noundef %660, i64 noundef %623) #11
-  %667 = load ptr, ptr %87, align 8
-  %668 = mul nsw i64 %649, %625
-  %669 = getelementptr inbounds double, ptr %667, i64 %668
-  %670 = load ptr, ptr %118, align 8
-  %671 = getelementptr inbounds double, ptr %670, i64 %649
-  %672 = load double, ptr %671, align 8
-  %673 = insertelement <8 x double> poison, double %672, i64 0
-  %674 = shufflevector <8 x double> %673, <8 x double> poison, <8 x i32> zeroinitializer
-  %675 = fmul <8 x double> %246, %674
-  %676 = fadd <8 x double> %221, %675
-  %677 = load ptr, ptr %117, align 8
-  %678 = load ptr, ptr %119, align 8
-  store <8 x double> %676, ptr %678, align 8
-  %679 = load i64, ptr %120, align 8
-  %680 = icmp sgt i64 %679, 0
-  br i1 %680, label %681, label %682
+  %664 = load ptr, ptr %89, align 8
+  %665 = getelementptr inbounds i64, ptr %664, i64 %657
+  %666 = load ptr, ptr %90, align 8
+  %667 = getelementptr inbounds double, ptr %666, i64 %657
+  call fastcc void @combine(ptr noundef %652, ptr noundef %653, ptr noundef %662, ptr noundef %663, ptr noundef %665, ptr noundef %667, i64 noundef %661, i64 noundef %624) #11
+  %668 = load ptr, ptr %88, align 8
+  %669 = mul nsw i64 %650, %626
+  %670 = getelementptr inbounds double, ptr %668, i64 %669
+  %671 = load ptr, ptr %119, align 8
+  %672 = getelementptr inbounds double, ptr %671, i64 %650
+  %673 = load double, ptr %672, align 8
+  %674 = insertelement <8 x double> poison, double %673, i64 0
+  %675 = shufflevector <8 x double> %674, <8 x double> poison, <8 x i32> zeroinitializer
+  %676 = fmul <8 x double> %247, %675
+  %677 = fadd <8 x double> %222, %676
+  %678 = load ptr, ptr %118, align 8
+  %679 = load ptr, ptr %120, align 8
+  store <8 x double> %677, ptr %679, align 8
+  %680 = load i64, ptr %121, align 8
+  %681 = icmp sgt i64 %680, 0
+  br i1 %681, label %682, label %683
 
-681:                                              ; preds = %647
+682:                                              ; preds = %648
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %682
+  br label %683
 
-682:                                              ; preds = %647, %681
-  %683 = load ptr, ptr %9, align 8
-  %684 = load i64, ptr %683, align 8
-  %685 = load ptr, ptr %119, align 8
-  %686 = load ptr, ptr %121, align 8
+683:                                              ; preds = %648, %682
+  %684 = load ptr, ptr %9, align 8
+  %685 = load i64, ptr %684, align 8
+  %686 = load ptr, ptr %120, align 8
   %687 = load ptr, ptr %122, align 8
-  %688 = inttoptr i64 %684 to ptr
-  %689 = call i32 %688(ptr noundef %685, ptr noundef %677, ptr noundef %686, ptr noundef %687, ptr noundef %669) #12
-  %690 = sext i32 %689 to i64
-  %691 = or i64 %648, %690
-  %692 = add nsw i64 %649, 1
-  %693 = load i64, ptr %631, align 8
-  %694 = add nsw i64 %693, %630
-  %695 = icmp slt i64 %692, %694
-  br i1 %695, label %647, label %636, !llvm.loop !14
+  %688 = load ptr, ptr %123, align 8
+  %689 = inttoptr i64 %685 to ptr
+  %690 = call i32 %689(ptr noundef %686, ptr noundef %678, ptr noundef %687, ptr noundef %688, ptr noundef %670) #12
+  %691 = sext i32 %690 to i64
+  %692 = or i64 %649, %691
+  %693 = add nsw i64 %650, 1
+  %694 = load i64, ptr %632, align 8
+  %695 = add nsw i64 %694, %631
+  %696 = icmp slt i64 %693, %695
+  br i1 %696, label %648, label %637, !llvm.loop !14
 
-696:                                              ; preds = %703, %636
-  %697 = getelementptr inbounds i8, ptr %620, i64 8
-  %698 = load i64, ptr %697, align 8
-  %699 = load i64, ptr %638, align 8
-  %700 = getelementptr inbounds i8, ptr %620, i64 24
-  %701 = load i64, ptr %700, align 8
-  %702 = icmp sgt i64 %701, 3
-  br i1 %702, label %731, label %756
+697:                                              ; preds = %704, %637
+  %698 = getelementptr inbounds i8, ptr %621, i64 8
+  %699 = load i64, ptr %698, align 8
+  %700 = load i64, ptr %639, align 8
+  %701 = getelementptr inbounds i8, ptr %621, i64 24
+  %702 = load i64, ptr %701, align 8
+  %703 = icmp sgt i64 %702, 3
+  br i1 %703, label %732, label %757
 
-703:                                              ; preds = %643, %703
-  %704 = phi i64 [ 0, %643 ], [ %726, %703 ]
-  %705 = load ptr, ptr %85, align 8
-  %706 = shl nsw i64 %704, 6
-  %707 = getelementptr inbounds i8, ptr %705, i64 %706
-  %708 = load <8 x double>, ptr %707, align 8
-  %709 = load ptr, ptr %11, align 8
-  %710 = getelementptr inbounds i8, ptr %709, i64 %706
-  %711 = load <8 x double>, ptr %710, align 8
-  %712 = fsub <8 x double> %708, %711
-  %713 = load ptr, ptr %87, align 8
-  %714 = getelementptr inbounds i8, ptr %713, i64 %706
-  %715 = load <8 x double>, ptr %714, align 8
-  %716 = fmul <8 x double> %246, %715
-  %717 = fsub <8 x double> %716, %712
-  %718 = getelementptr inbounds i8, ptr %629, i64 %706
-  store <8 x double> %712, ptr %718, align 8
-  %719 = getelementptr inbounds i8, ptr %644, i64 %706
-  store <8 x double> %717, ptr %719, align 8
-  %720 = fsub <8 x double> %712, %717
-  %721 = getelementptr inbounds i8, ptr %628, i64 %706
-  %722 = load <8 x double>, ptr %721, align 8
-  %723 = fmul <8 x double> %246, %722
-  %724 = fsub <8 x double> %720, %723
-  %725 = getelementptr inbounds i8, ptr %646, i64 %706
-  store <8 x double> %724, ptr %725, align 8
-  %726 = add nuw nsw i64 %704, 1
-  %727 = load ptr, ptr %9, align 8
-  %728 = getelementptr inbounds i8, ptr %727, i64 8
-  %729 = load i64, ptr %728, align 8
-  %730 = icmp slt i64 %726, %729
-  br i1 %730, label %703, label %696, !llvm.loop !15
+704:                                              ; preds = %644, %704
+  %705 = phi i64 [ 0, %644 ], [ %727, %704 ]
+  %706 = load ptr, ptr %86, align 8
+  %707 = shl nsw i64 %705, 6
+  %708 = getelementptr inbounds i8, ptr %706, i64 %707
+  %709 = load <8 x double>, ptr %708, align 8
+  %710 = load ptr, ptr %11, align 8
+  %711 = getelementptr inbounds i8, ptr %710, i64 %707
+  %712 = load <8 x double>, ptr %711, align 8
+  %713 = fsub <8 x double> %709, %712
+  %714 = load ptr, ptr %88, align 8
+  %715 = getelementptr inbounds i8, ptr %714, i64 %707
+  %716 = load <8 x double>, ptr %715, align 8
+  %717 = fmul <8 x double> %247, %716
+  %718 = fsub <8 x double> %717, %713
+  %719 = getelementptr inbounds i8, ptr %630, i64 %707
+  store <8 x double> %713, ptr %719, align 8
+  %720 = getelementptr inbounds i8, ptr %645, i64 %707
+  store <8 x double> %718, ptr %720, align 8
+  %721 = fsub <8 x double> %713, %718
+  %722 = getelementptr inbounds i8, ptr %629, i64 %707
+  %723 = load <8 x double>, ptr %722, align 8
+  %724 = fmul <8 x double> %247, %723
+  %725 = fsub <8 x double> %721, %724
+  %726 = getelementptr inbounds i8, ptr %647, i64 %707
+  store <8 x double> %725, ptr %726, align 8
+  %727 = add nuw nsw i64 %705, 1
+  %728 = load ptr, ptr %9, align 8
+  %729 = getelementptr inbounds i8, ptr %728, i64 8
+  %730 = load i64, ptr %729, align 8
+  %731 = icmp slt i64 %727, %730
+  br i1 %731, label %704, label %697, !llvm.loop !15
 
-731:                                              ; preds = %696, %731
-  %732 = phi i64 [ %753, %731 ], [ 3, %696 ]
-  %733 = mul nsw i64 %732, %625
-  %734 = getelementptr inbounds double, ptr %629, i64 %733
-  %735 = load ptr, ptr %123, align 8
-  %736 = load ptr, ptr %86, align 8
-  %737 = getelementptr i64, ptr %736, i64 %630
-  %738 = getelementptr i64, ptr %737, i64 %698
+732:                                              ; preds = %697, %732
+  %733 = phi i64 [ %754, %732 ], [ 3, %697 ]
+  %734 = mul nsw i64 %733, %626
+  %735 = getelementptr inbounds double, ptr %630, i64 %734
+  %736 = load ptr, ptr %124, align 8
+  %737 = load ptr, ptr %87, align 8
+  %738 = getelementptr i64, ptr %737, i64 %631
   %739 = getelementptr i64, ptr %738, i64 %699
-  %740 = getelementptr i64, ptr %739, i64 %732
-  %741 = getelementptr i8, ptr %740, i64 -24
-  %742 = load i64, ptr %741, align 8
-  %743 = getelementptr i8, ptr %740, i64 -16
-  %744 = load i64, ptr %743, align 8
-  %745 = xor i64 %742, -1
-  %746 = add i64 %744, %745
-  %747 = load ptr, ptr %73, align 8
-  %748 = load ptr, ptr %87, align 8
+  %740 = getelementptr i64, ptr %739, i64 %700
+  %741 = getelementptr i64, ptr %740, i64 %733
+  %742 = getelementptr i8, ptr %741, i64 -24
+  %743 = load i64, ptr %742, align 8
+  %744 = getelementptr i8, ptr %741, i64 -16
+  %745 = load i64, ptr %744, align 8
+  %746 = xor i64 %743, -1
+  %747 = add i64 %745, %746
+  %748 = load ptr, ptr %74, align 8
   %749 = load ptr, ptr %88, align 8
-  %750 = getelementptr inbounds i64, ptr %749, i64 %742
-  %751 = load ptr, ptr %89, align 8
-  %752 = getelementptr inbounds double, ptr %751, i64 %742
-  call fastcc void @combine(ptr noundef %734, ptr noundef %735, ptr noundef %747, ptr noundef %748, ptr noundef %750, ptr noundef %752, i64 noundef %746, i64 noundef %623) #11
-  %753 = add nuw nsw i64 %732, 1
-  %754 = load i64, ptr %700, align 8
-  %755 = icmp slt i64 %753, %754
-  br i1 %755, label %731, label %756, !llvm.loop !16
+  %750 = load ptr, ptr %89, align 8
+  %751 = getelementptr inbounds i64, ptr %750, i64 %743
+  %752 = load ptr, ptr %90, align 8
+  %753 = getelementptr inbounds double, ptr %752, i64 %743
+  call fastcc void @combine(ptr noundef %735, ptr noundef %736, ptr noundef %748, ptr noundef %749, ptr noundef %751, ptr noundef %753, i64 noundef %747, i64 noundef %624) #11
+  %754 = add nuw nsw i64 %733, 1
+  %755 = load i64, ptr %701, align 8
+  %756 = icmp slt i64 %754, %755
+  br i1 %756, label %732, label %757, !llvm.loop !16
 
-756:                                              ; preds = %731, %696
-  %757 = and i64 %637, %617
-  %758 = load ptr, ptr %108, align 8
-  %759 = load <8 x double>, ptr %758, align 8
-  %760 = trunc nuw i64 %617 to i8
-  %761 = bitcast i8 %760 to <8 x i1>
-  %762 = load i64, ptr %124, align 8
-  %763 = sitofp i64 %762 to double
-  %764 = insertelement <8 x double> poison, double %763, i64 0
-  %765 = shufflevector <8 x double> %764, <8 x double> poison, <8 x i32> zeroinitializer
-  %766 = select <8 x i1> %761, <8 x double> %765, <8 x double> zeroinitializer
-  %767 = fadd <8 x double> %759, %766
-  store <8 x double> %767, ptr %758, align 8
-  %768 = icmp eq i64 %757, 0
-  br i1 %768, label %773, label %769
+757:                                              ; preds = %732, %697
+  %758 = and i64 %638, %618
+  %759 = load ptr, ptr %109, align 8
+  %760 = load <8 x double>, ptr %759, align 8
+  %761 = trunc nuw i64 %618 to i8
+  %762 = bitcast i8 %761 to <8 x i1>
+  %763 = load i64, ptr %125, align 8
+  %764 = sitofp i64 %763 to double
+  %765 = insertelement <8 x double> poison, double %764, i64 0
+  %766 = shufflevector <8 x double> %765, <8 x double> poison, <8 x i32> zeroinitializer
+  %767 = select <8 x i1> %762, <8 x double> %766, <8 x double> zeroinitializer
+  %768 = fadd <8 x double> %760, %767
+  store <8 x double> %768, ptr %759, align 8
+  %769 = icmp eq i64 %758, 0
+  br i1 %769, label %774, label %770
 
-769:                                              ; preds = %756
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %757, i64 noundef 3) #11
-  %770 = xor i64 %757, -1
-  %771 = and i64 %217, %770
-  store i64 %771, ptr %5, align 8
-  %772 = and i64 %609, %770
-  br label %773
+770:                                              ; preds = %757
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %758, i64 noundef 3) #11
+  %771 = xor i64 %758, -1
+  %772 = and i64 %218, %771
+  store i64 %772, ptr %5, align 8
+  %773 = and i64 %610, %771
+  br label %774
 
-773:                                              ; preds = %769, %756
-  %774 = phi i64 [ %772, %769 ], [ %609, %756 ]
-  %775 = phi i32 [ 1, %769 ], [ %188, %756 ]
-  store <8 x double> %244, ptr %3, align 16
-  %776 = icmp eq i64 %774, 0
-  br i1 %776, label %779, label %777
+774:                                              ; preds = %770, %757
+  %775 = phi i64 [ %773, %770 ], [ %610, %757 ]
+  %776 = phi i32 [ 1, %770 ], [ %189, %757 ]
+  store <8 x double> %245, ptr %3, align 16
+  %777 = icmp eq i64 %775, 0
+  br i1 %777, label %780, label %778
 
-777:                                              ; preds = %773
-  %778 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %774, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
-  br label %779
+778:                                              ; preds = %774
+  %779 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %775, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
+  br label %780
 
-779:                                              ; preds = %777, %773
-  %780 = phi i64 [ %778, %777 ], [ 0, %773 ]
-  %781 = load i64, ptr %7, align 8
-  %782 = or i64 %781, %637
-  %783 = xor i64 %782, -1
-  %784 = and i64 %617, %783
-  %785 = icmp eq i64 %780, 0
-  %786 = select i1 %785, ptr null, ptr %4
-  %787 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %784, ptr noundef nonnull %3, ptr noundef %786) #11
-  %788 = or i64 %787, %560
-  %789 = or i64 %781, %757
-  %790 = or i64 %789, %788
-  %791 = trunc i64 %790 to i8
-  %792 = xor i8 %791, -1
-  %793 = bitcast i8 %792 to <8 x i1>
-  %794 = select <8 x i1> %793, <8 x i64> %585, <8 x i64> zeroinitializer
-  %795 = load <8 x double>, ptr %3, align 16
-  br i1 %785, label %797, label %796
+780:                                              ; preds = %778, %774
+  %781 = phi i64 [ %779, %778 ], [ 0, %774 ]
+  %782 = load i64, ptr %7, align 8
+  %783 = or i64 %782, %638
+  %784 = xor i64 %783, -1
+  %785 = and i64 %618, %784
+  %786 = icmp eq i64 %781, 0
+  %787 = select i1 %786, ptr null, ptr %4
+  %788 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %3, ptr noundef %787) #11
+  %789 = or i64 %788, %561
+  %790 = or i64 %782, %758
+  %791 = or i64 %790, %789
+  %792 = trunc i64 %791 to i8
+  %793 = xor i8 %792, -1
+  %794 = bitcast i8 %793 to <8 x i1>
+  %795 = select <8 x i1> %794, <8 x i64> %586, <8 x i64> zeroinitializer
+  %796 = load <8 x double>, ptr %3, align 16
+  br i1 %786, label %798, label %797
 
-796:                                              ; preds = %779
-  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %780, ptr noundef nonnull %4) #11
-  br label %797
+797:                                              ; preds = %780
+  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %781, ptr noundef nonnull %4) #11
+  br label %798
 
-797:                                              ; preds = %779, %796, %608
-  %798 = phi <8 x double> [ %244, %608 ], [ %795, %779 ], [ %795, %796 ]
-  %799 = phi <8 x i64> [ %585, %608 ], [ %794, %779 ], [ %794, %796 ]
-  %800 = phi i64 [ %560, %608 ], [ %788, %779 ], [ %788, %796 ]
-  %801 = phi i32 [ %188, %608 ], [ %775, %779 ], [ %775, %796 ]
-  %802 = phi i64 [ 0, %608 ], [ %780, %779 ], [ %780, %796 ]
-  %803 = load ptr, ptr %114, align 8
-  %804 = load <8 x double>, ptr %803, align 8
-  %805 = fcmp oeq <8 x double> %804, %798
-  %806 = icmp ne <8 x i64> %799, zeroinitializer
-  %807 = select <8 x i1> %805, <8 x i1> %806, <8 x i1> zeroinitializer
-  %808 = bitcast <8 x i1> %807 to i8
-  %809 = icmp eq i8 %808, 0
-  br i1 %809, label %812, label %810
+798:                                              ; preds = %780, %797, %609
+  %799 = phi <8 x double> [ %245, %609 ], [ %796, %780 ], [ %796, %797 ]
+  %800 = phi <8 x i64> [ %586, %609 ], [ %795, %780 ], [ %795, %797 ]
+  %801 = phi i64 [ %561, %609 ], [ %789, %780 ], [ %789, %797 ]
+  %802 = phi i32 [ %189, %609 ], [ %776, %780 ], [ %776, %797 ]
+  %803 = phi i64 [ 0, %609 ], [ %781, %780 ], [ %781, %797 ]
+  %804 = load ptr, ptr %115, align 8
+  %805 = load <8 x double>, ptr %804, align 8
+  %806 = fcmp oeq <8 x double> %805, %799
+  %807 = icmp ne <8 x i64> %800, zeroinitializer
+  %808 = select <8 x i1> %806, <8 x i1> %807, <8 x i1> zeroinitializer
+  %809 = bitcast <8 x i1> %808 to i8
+  %810 = icmp eq i8 %809, 0
+  br i1 %810, label %813, label %811
 
-810:                                              ; preds = %797
-  %811 = zext i8 %808 to i64
-  br label %821
+811:                                              ; preds = %798
+  %812 = zext i8 %809 to i64
+  br label %822
 
-812:                                              ; preds = %821, %797
-  %813 = xor <8 x i64> %799, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %814 = select <8 x i1> %219, <8 x i64> %813, <8 x i64> zeroinitializer
-  %815 = load ptr, ptr %69, align 8
-  %816 = load <8 x double>, ptr %815, align 8
-  %817 = icmp slt <8 x i64> %799, zeroinitializer
-  %818 = select <8 x i1> %817, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %819 = bitcast <8 x i64> %818 to <8 x double>
-  %820 = fadd <8 x double> %816, %819
-  store <8 x double> %820, ptr %815, align 8
-  br i1 %34, label %831, label %955
+813:                                              ; preds = %822, %798
+  %814 = xor <8 x i64> %800, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %815 = select <8 x i1> %220, <8 x i64> %814, <8 x i64> zeroinitializer
+  %816 = load ptr, ptr %70, align 8
+  %817 = load <8 x double>, ptr %816, align 8
+  %818 = icmp slt <8 x i64> %800, zeroinitializer
+  %819 = select <8 x i1> %818, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %820 = bitcast <8 x i64> %819 to <8 x double>
+  %821 = fadd <8 x double> %817, %820
+  store <8 x double> %821, ptr %816, align 8
+  br i1 %34, label %832, label %956
 
-821:                                              ; preds = %810, %821
-  %822 = phi i64 [ %829, %821 ], [ %811, %810 ]
-  %823 = load ptr, ptr %125, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %823, i64 noundef %822) #11
-  %824 = load ptr, ptr %114, align 8
-  %825 = load <8 x double>, ptr %824, align 8
-  %826 = fcmp oeq <8 x double> %825, %798
-  %827 = bitcast <8 x i1> %826 to i8
-  %828 = zext i8 %827 to i64
-  %829 = and i64 %822, %828
-  %830 = icmp eq i64 %829, 0
-  br i1 %830, label %812, label %821, !llvm.loop !17
+822:                                              ; preds = %811, %822
+  %823 = phi i64 [ %830, %822 ], [ %812, %811 ]
+  %824 = load ptr, ptr %126, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %824, i64 noundef %823) #11
+  %825 = load ptr, ptr %115, align 8
+  %826 = load <8 x double>, ptr %825, align 8
+  %827 = fcmp oeq <8 x double> %826, %799
+  %828 = bitcast <8 x i1> %827 to i8
+  %829 = zext i8 %828 to i64
+  %830 = and i64 %823, %829
+  %831 = icmp eq i64 %830, 0
+  br i1 %831, label %813, label %822, !llvm.loop !17
 
-831:                                              ; preds = %812
-  %832 = load ptr, ptr %126, align 8
-  %833 = load <8 x double>, ptr %832, align 8
-  %834 = load ptr, ptr %127, align 8
-  %835 = load <8 x double>, ptr %834, align 8
-  %836 = fcmp ogt <8 x double> %538, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %837 = bitcast <8 x double> %538 to <8 x i64>
-  %838 = select <8 x i1> %836, <8 x i64> %837, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %839 = load double, ptr %128, align 8
-  %840 = insertelement <8 x double> poison, double %839, i64 0
-  %841 = shufflevector <8 x double> %840, <8 x double> poison, <8 x i32> zeroinitializer
-  %842 = load double, ptr %129, align 8
-  %843 = fneg double %842
-  %844 = add <8 x i64> %838, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %845 = ashr <8 x i64> %844, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %846 = and <8 x i64> %844, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %847 = sub <8 x i64> %838, %846
-  %848 = bitcast <8 x i64> %847 to <8 x double>
-  %849 = fadd <8 x double> %848, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %850 = fadd <8 x double> %848, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %851 = fdiv <8 x double> %849, %850
-  %852 = fmul <8 x double> %851, %851
-  %853 = call <8 x double> @llvm.fma.v8f64(<8 x double> %852, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> %852, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %852, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %852, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %857 = trunc nsw <8 x i64> %845 to <8 x i32>
-  %858 = sitofp <8 x i32> %857 to <8 x double>
-  %859 = fmul <8 x double> %851, %856
-  %860 = fadd <8 x double> %859, %858
-  %861 = insertelement <8 x double> poison, double %843, i64 0
-  %862 = shufflevector <8 x double> %861, <8 x double> poison, <8 x i32> zeroinitializer
-  %863 = fmul <8 x double> %860, %862
-  %864 = fcmp ogt <8 x double> %863, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %865 = bitcast <8 x double> %863 to <8 x i64>
-  %866 = select <8 x i1> %864, <8 x i64> %865, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %867 = bitcast <8 x i64> %866 to <8 x double>
-  %868 = fcmp olt <8 x double> %867, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %869 = bitcast <8 x i64> %866 to <8 x double>
-  %870 = select <8 x i1> %868, <8 x double> %869, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %871 = call <8 x double> @llvm.rint.v8f64(<8 x double> %870)
-  %872 = fsub <8 x double> %870, %871
-  %873 = call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %872, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %872, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %872, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %872, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %872, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %872, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %880 = bitcast <8 x double> %879 to <8 x i64>
-  %881 = fptosi <8 x double> %871 to <8 x i32>
-  %882 = zext <8 x i32> %881 to <8 x i64>
-  %883 = shl <8 x i64> %882, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %884 = add <8 x i64> %883, %880
-  %885 = bitcast <8 x i64> %884 to <8 x double>
-  %886 = fmul <8 x double> %841, %885
-  %887 = load double, ptr %130, align 8
-  %888 = fcmp une double %887, 0.000000e+00
-  br i1 %888, label %889, label %934
+832:                                              ; preds = %813
+  %833 = load ptr, ptr %127, align 8
+  %834 = load <8 x double>, ptr %833, align 8
+  %835 = load ptr, ptr %128, align 8
+  %836 = load <8 x double>, ptr %835, align 8
+  %837 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %838 = bitcast <8 x double> %539 to <8 x i64>
+  %839 = select <8 x i1> %837, <8 x i64> %838, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %840 = load double, ptr %129, align 8
+  %841 = insertelement <8 x double> poison, double %840, i64 0
+  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
+  %843 = load double, ptr %130, align 8
+  %844 = fneg double %843
+  %845 = add <8 x i64> %839, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %846 = ashr <8 x i64> %845, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %847 = and <8 x i64> %845, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %848 = sub <8 x i64> %839, %847
+  %849 = bitcast <8 x i64> %848 to <8 x double>
+  %850 = fadd <8 x double> %849, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %851 = fadd <8 x double> %849, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %852 = fdiv <8 x double> %850, %851
+  %853 = fmul <8 x double> %852, %852
+  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %853, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %853, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %857 = call <8 x double> @llvm.fma.v8f64(<8 x double> %856, <8 x double> %853, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %858 = trunc nsw <8 x i64> %846 to <8 x i32>
+  %859 = sitofp <8 x i32> %858 to <8 x double>
+  %860 = fmul <8 x double> %852, %857
+  %861 = fadd <8 x double> %860, %859
+  %862 = insertelement <8 x double> poison, double %844, i64 0
+  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
+  %864 = fmul <8 x double> %861, %863
+  %865 = fcmp ogt <8 x double> %864, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %866 = bitcast <8 x double> %864 to <8 x i64>
+  %867 = select <8 x i1> %865, <8 x i64> %866, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %868 = bitcast <8 x i64> %867 to <8 x double>
+  %869 = fcmp olt <8 x double> %868, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %870 = bitcast <8 x i64> %867 to <8 x double>
+  %871 = select <8 x i1> %869, <8 x double> %870, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %872 = call <8 x double> @llvm.rint.v8f64(<8 x double> %871)
+  %873 = fsub <8 x double> %871, %872
+  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %873, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %873, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %873, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %873, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %873, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %881 = bitcast <8 x double> %880 to <8 x i64>
+  %882 = fptosi <8 x double> %872 to <8 x i32>
+  %883 = zext <8 x i32> %882 to <8 x i64>
+  %884 = shl <8 x i64> %883, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %885 = add <8 x i64> %884, %881
+  %886 = bitcast <8 x i64> %885 to <8 x double>
+  %887 = fmul <8 x double> %842, %886
+  %888 = load double, ptr %131, align 8
+  %889 = fcmp une double %888, 0.000000e+00
+  br i1 %889, label %890, label %935
 
-889:                                              ; preds = %831
-  %890 = bitcast <8 x double> %833 to <8 x i64>
-  %891 = add <8 x i64> %890, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %892 = ashr <8 x i64> %891, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %893 = and <8 x i64> %891, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %894 = sub <8 x i64> %890, %893
-  %895 = bitcast <8 x i64> %894 to <8 x double>
-  %896 = fadd <8 x double> %895, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %897 = fadd <8 x double> %895, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %898 = fdiv <8 x double> %896, %897
-  %899 = fmul <8 x double> %898, %898
-  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %899, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %899, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %899, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %904 = trunc nsw <8 x i64> %892 to <8 x i32>
-  %905 = sitofp <8 x i32> %904 to <8 x double>
-  %906 = fmul <8 x double> %898, %903
-  %907 = fadd <8 x double> %906, %905
-  %908 = insertelement <8 x double> poison, double %887, i64 0
-  %909 = shufflevector <8 x double> %908, <8 x double> poison, <8 x i32> zeroinitializer
-  %910 = fmul <8 x double> %909, %907
-  %911 = fcmp ogt <8 x double> %910, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %912 = bitcast <8 x double> %910 to <8 x i64>
-  %913 = select <8 x i1> %911, <8 x i64> %912, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %914 = bitcast <8 x i64> %913 to <8 x double>
-  %915 = fcmp olt <8 x double> %914, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %916 = bitcast <8 x i64> %913 to <8 x double>
-  %917 = select <8 x i1> %915, <8 x double> %916, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %918 = call <8 x double> @llvm.rint.v8f64(<8 x double> %917)
-  %919 = fsub <8 x double> %917, %918
-  %920 = call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %919, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %919, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %919, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %919, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %919, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %919, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %927 = bitcast <8 x double> %926 to <8 x i64>
-  %928 = fptosi <8 x double> %918 to <8 x i32>
-  %929 = zext <8 x i32> %928 to <8 x i64>
-  %930 = shl <8 x i64> %929, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %931 = add <8 x i64> %930, %927
-  %932 = bitcast <8 x i64> %931 to <8 x double>
-  %933 = fmul <8 x double> %886, %932
-  br label %934
+890:                                              ; preds = %832
+  %891 = bitcast <8 x double> %834 to <8 x i64>
+  %892 = add <8 x i64> %891, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %893 = ashr <8 x i64> %892, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %894 = and <8 x i64> %892, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %895 = sub <8 x i64> %891, %894
+  %896 = bitcast <8 x i64> %895 to <8 x double>
+  %897 = fadd <8 x double> %896, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %898 = fadd <8 x double> %896, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %899 = fdiv <8 x double> %897, %898
+  %900 = fmul <8 x double> %899, %899
+  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %900, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %900, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %904 = call <8 x double> @llvm.fma.v8f64(<8 x double> %903, <8 x double> %900, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %905 = trunc nsw <8 x i64> %893 to <8 x i32>
+  %906 = sitofp <8 x i32> %905 to <8 x double>
+  %907 = fmul <8 x double> %899, %904
+  %908 = fadd <8 x double> %907, %906
+  %909 = insertelement <8 x double> poison, double %888, i64 0
+  %910 = shufflevector <8 x double> %909, <8 x double> poison, <8 x i32> zeroinitializer
+  %911 = fmul <8 x double> %910, %908
+  %912 = fcmp ogt <8 x double> %911, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %913 = bitcast <8 x double> %911 to <8 x i64>
+  %914 = select <8 x i1> %912, <8 x i64> %913, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %915 = bitcast <8 x i64> %914 to <8 x double>
+  %916 = fcmp olt <8 x double> %915, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %917 = bitcast <8 x i64> %914 to <8 x double>
+  %918 = select <8 x i1> %916, <8 x double> %917, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %919 = call <8 x double> @llvm.rint.v8f64(<8 x double> %918)
+  %920 = fsub <8 x double> %918, %919
+  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %920, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %920, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %920, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %920, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %920, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %920, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %928 = bitcast <8 x double> %927 to <8 x i64>
+  %929 = fptosi <8 x double> %919 to <8 x i32>
+  %930 = zext <8 x i32> %929 to <8 x i64>
+  %931 = shl <8 x i64> %930, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %932 = add <8 x i64> %931, %928
+  %933 = bitcast <8 x i64> %932 to <8 x double>
+  %934 = fmul <8 x double> %887, %933
+  br label %935
 
-934:                                              ; preds = %831, %889
-  %935 = phi <8 x double> [ %933, %889 ], [ %886, %831 ]
-  %936 = load double, ptr %131, align 8
-  %937 = insertelement <8 x double> poison, double %936, i64 0
-  %938 = shufflevector <8 x double> %937, <8 x double> poison, <8 x i32> zeroinitializer
-  %939 = fcmp ogt <8 x double> %935, %938
-  %940 = select <8 x i1> %939, <8 x double> %935, <8 x double> %938
-  %941 = fcmp olt <8 x double> %835, %940
-  %942 = select <8 x i1> %941, <8 x double> %835, <8 x double> %940
-  %943 = fmul <8 x double> %246, %942
-  %944 = fcmp ogt <8 x double> %538, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %945 = select <8 x i1> %944, <8 x i64> %837, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %946 = bitcast <8 x double> %833 to <8 x i64>
-  %947 = select <8 x i1> %817, <8 x i64> %945, <8 x i64> %946
-  store <8 x i64> %947, ptr %832, align 8
-  %948 = load ptr, ptr %127, align 8
-  %949 = load double, ptr %132, align 8
-  %950 = insertelement <8 x double> poison, double %949, i64 0
-  %951 = bitcast <8 x double> %950 to <8 x i64>
-  %952 = shufflevector <8 x i64> %951, <8 x i64> poison, <8 x i32> zeroinitializer
-  %953 = icmp slt <8 x i64> %814, zeroinitializer
-  %954 = select <8 x i1> %953, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %952
-  store <8 x i64> %954, ptr %948, align 8
-  br label %955
+935:                                              ; preds = %832, %890
+  %936 = phi <8 x double> [ %934, %890 ], [ %887, %832 ]
+  %937 = load double, ptr %132, align 8
+  %938 = insertelement <8 x double> poison, double %937, i64 0
+  %939 = shufflevector <8 x double> %938, <8 x double> poison, <8 x i32> zeroinitializer
+  %940 = fcmp ogt <8 x double> %936, %939
+  %941 = select <8 x i1> %940, <8 x double> %936, <8 x double> %939
+  %942 = fcmp olt <8 x double> %836, %941
+  %943 = select <8 x i1> %942, <8 x double> %836, <8 x double> %941
+  %944 = fmul <8 x double> %247, %943
+  %945 = fcmp ogt <8 x double> %539, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %946 = select <8 x i1> %945, <8 x i64> %838, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %947 = bitcast <8 x double> %834 to <8 x i64>
+  %948 = select <8 x i1> %818, <8 x i64> %946, <8 x i64> %947
+  store <8 x i64> %948, ptr %833, align 8
+  %949 = load ptr, ptr %128, align 8
+  %950 = load double, ptr %133, align 8
+  %951 = insertelement <8 x double> poison, double %950, i64 0
+  %952 = bitcast <8 x double> %951 to <8 x i64>
+  %953 = shufflevector <8 x i64> %952, <8 x i64> poison, <8 x i32> zeroinitializer
+  %954 = icmp slt <8 x i64> %815, zeroinitializer
+  %955 = select <8 x i1> %954, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %953
+  store <8 x i64> %955, ptr %949, align 8
+  br label %956
 
-955:                                              ; preds = %934, %812
-  %956 = phi <8 x double> [ %943, %934 ], [ %228, %812 ]
-  %957 = icmp ne <8 x i64> %814, zeroinitializer
-  %958 = bitcast <8 x i1> %957 to i8
-  %959 = icmp eq i8 %958, 0
-  br i1 %959, label %1053, label %960
+956:                                              ; preds = %935, %813
+  %957 = phi <8 x double> [ %944, %935 ], [ %229, %813 ]
+  %958 = icmp ne <8 x i64> %815, zeroinitializer
+  %959 = bitcast <8 x i1> %958 to i8
+  %960 = icmp eq i8 %959, 0
+  br i1 %960, label %1054, label %961
 
-960:                                              ; preds = %955
-  %961 = trunc i64 %586 to i8
-  %962 = bitcast i8 %961 to <8 x i1>
-  %963 = trunc nuw i64 %800 to i8
-  %964 = bitcast i8 %963 to <8 x i1>
-  %965 = load i64, ptr %7, align 8
-  %966 = trunc i64 %965 to i8
-  %967 = bitcast i8 %966 to <8 x i1>
-  %968 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %538)
-  %969 = fcmp one <8 x double> %968, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %970 = xor <8 x i1> %962, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %971 = select <8 x i1> %969, <8 x i1> %970, <8 x i1> zeroinitializer
-  %972 = or <8 x i1> %967, %964
-  %973 = xor <8 x i1> %972, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %974 = and <8 x i1> %971, %973
-  br i1 %34, label %975, label %1034
+961:                                              ; preds = %956
+  %962 = trunc i64 %587 to i8
+  %963 = bitcast i8 %962 to <8 x i1>
+  %964 = trunc i64 %801 to i8
+  %965 = bitcast i8 %964 to <8 x i1>
+  %966 = load i64, ptr %7, align 8
+  %967 = trunc i64 %966 to i8
+  %968 = bitcast i8 %967 to <8 x i1>
+  %969 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %539)
+  %970 = fcmp one <8 x double> %969, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %971 = xor <8 x i1> %963, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %972 = select <8 x i1> %970, <8 x i1> %971, <8 x i1> zeroinitializer
+  %973 = or <8 x i1> %968, %965
+  %974 = xor <8 x i1> %973, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %975 = and <8 x i1> %972, %974
+  br i1 %34, label %976, label %1035
 
-975:                                              ; preds = %960
-  %976 = fcmp ogt <8 x double> %538, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %977 = bitcast <8 x double> %538 to <8 x i64>
-  %978 = select <8 x i1> %976, <8 x i64> %977, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %979 = load double, ptr %133, align 8
-  %980 = insertelement <8 x double> poison, double %979, i64 0
-  %981 = shufflevector <8 x double> %980, <8 x double> poison, <8 x i32> zeroinitializer
-  %982 = load double, ptr %31, align 8
-  %983 = fneg double %982
-  %984 = add <8 x i64> %978, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %985 = ashr <8 x i64> %984, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %986 = and <8 x i64> %984, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %987 = sub <8 x i64> %978, %986
-  %988 = bitcast <8 x i64> %987 to <8 x double>
-  %989 = fadd <8 x double> %988, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %990 = fadd <8 x double> %988, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %991 = fdiv <8 x double> %989, %990
-  %992 = fmul <8 x double> %991, %991
-  %993 = call <8 x double> @llvm.fma.v8f64(<8 x double> %992, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> %992, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %992, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %992, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %997 = trunc nsw <8 x i64> %985 to <8 x i32>
-  %998 = sitofp <8 x i32> %997 to <8 x double>
-  %999 = fmul <8 x double> %991, %996
-  %1000 = fadd <8 x double> %999, %998
-  %1001 = insertelement <8 x double> poison, double %983, i64 0
-  %1002 = shufflevector <8 x double> %1001, <8 x double> poison, <8 x i32> zeroinitializer
-  %1003 = fmul <8 x double> %1000, %1002
-  %1004 = fcmp ogt <8 x double> %1003, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1005 = bitcast <8 x double> %1003 to <8 x i64>
-  %1006 = select <8 x i1> %1004, <8 x i64> %1005, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1007 = bitcast <8 x i64> %1006 to <8 x double>
-  %1008 = fcmp olt <8 x double> %1007, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1009 = bitcast <8 x i64> %1006 to <8 x double>
-  %1010 = select <8 x i1> %1008, <8 x double> %1009, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1011 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1010)
-  %1012 = fsub <8 x double> %1010, %1011
-  %1013 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1012, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> %1012, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1012, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1012, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1012, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1012, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1012, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1020 = bitcast <8 x double> %1019 to <8 x i64>
-  %1021 = fptosi <8 x double> %1011 to <8 x i32>
-  %1022 = zext <8 x i32> %1021 to <8 x i64>
-  %1023 = shl <8 x i64> %1022, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1024 = add <8 x i64> %1023, %1020
-  %1025 = bitcast <8 x i64> %1024 to <8 x double>
-  %1026 = fmul <8 x double> %981, %1025
-  %1027 = load double, ptr %134, align 8
-  %1028 = insertelement <8 x double> poison, double %1027, i64 0
-  %1029 = shufflevector <8 x double> %1028, <8 x double> poison, <8 x i32> zeroinitializer
-  %1030 = fcmp ogt <8 x double> %1026, %1029
-  %1031 = select <8 x i1> %1030, <8 x double> %1026, <8 x double> %1029
-  %1032 = select <8 x i1> %974, <8 x double> %1031, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1033 = fmul <8 x double> %246, %1032
-  br label %1034
+976:                                              ; preds = %961
+  %977 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %978 = bitcast <8 x double> %539 to <8 x i64>
+  %979 = select <8 x i1> %977, <8 x i64> %978, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %980 = load double, ptr %134, align 8
+  %981 = insertelement <8 x double> poison, double %980, i64 0
+  %982 = shufflevector <8 x double> %981, <8 x double> poison, <8 x i32> zeroinitializer
+  %983 = load double, ptr %31, align 8
+  %984 = fneg double %983
+  %985 = add <8 x i64> %979, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %986 = ashr <8 x i64> %985, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %987 = and <8 x i64> %985, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %988 = sub <8 x i64> %979, %987
+  %989 = bitcast <8 x i64> %988 to <8 x double>
+  %990 = fadd <8 x double> %989, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %991 = fadd <8 x double> %989, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %992 = fdiv <8 x double> %990, %991
+  %993 = fmul <8 x double> %992, %992
+  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %993, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %993, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %997 = call <8 x double> @llvm.fma.v8f64(<8 x double> %996, <8 x double> %993, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %998 = trunc nsw <8 x i64> %986 to <8 x i32>
+  %999 = sitofp <8 x i32> %998 to <8 x double>
+  %1000 = fmul <8 x double> %992, %997
+  %1001 = fadd <8 x double> %1000, %999
+  %1002 = insertelement <8 x double> poison, double %984, i64 0
+  %1003 = shufflevector <8 x double> %1002, <8 x double> poison, <8 x i32> zeroinitializer
+  %1004 = fmul <8 x double> %1001, %1003
+  %1005 = fcmp ogt <8 x double> %1004, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1006 = bitcast <8 x double> %1004 to <8 x i64>
+  %1007 = select <8 x i1> %1005, <8 x i64> %1006, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1008 = bitcast <8 x i64> %1007 to <8 x double>
+  %1009 = fcmp olt <8 x double> %1008, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1010 = bitcast <8 x i64> %1007 to <8 x double>
+  %1011 = select <8 x i1> %1009, <8 x double> %1010, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1012 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1011)
+  %1013 = fsub <8 x double> %1011, %1012
+  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1013, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1013, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1013, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1013, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1013, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1013, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1021 = bitcast <8 x double> %1020 to <8 x i64>
+  %1022 = fptosi <8 x double> %1012 to <8 x i32>
+  %1023 = zext <8 x i32> %1022 to <8 x i64>
+  %1024 = shl <8 x i64> %1023, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1025 = add <8 x i64> %1024, %1021
+  %1026 = bitcast <8 x i64> %1025 to <8 x double>
+  %1027 = fmul <8 x double> %982, %1026
+  %1028 = load double, ptr %135, align 8
+  %1029 = insertelement <8 x double> poison, double %1028, i64 0
+  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
+  %1031 = fcmp ogt <8 x double> %1027, %1030
+  %1032 = select <8 x i1> %1031, <8 x double> %1027, <8 x double> %1030
+  %1033 = select <8 x i1> %975, <8 x double> %1032, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1034 = fmul <8 x double> %247, %1033
+  br label %1035
 
-1034:                                             ; preds = %960, %975
-  %1035 = phi <8 x double> [ %1033, %975 ], [ zeroinitializer, %960 ]
-  %1036 = or <8 x i1> %974, %967
-  %1037 = select <8 x i1> %1036, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1038 = icmp slt <8 x i64> %814, zeroinitializer
-  %1039 = select <8 x i1> %1038, <8 x double> %1035, <8 x double> %956
-  %1040 = load ptr, ptr %135, align 8
-  %1041 = select <8 x i1> %964, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1037
-  %1042 = load <8 x i64>, ptr %1040, align 8
-  %1043 = select <8 x i1> %1038, <8 x i64> %1041, <8 x i64> %1042
-  store <8 x i64> %1043, ptr %1040, align 8
-  %1044 = load ptr, ptr %135, align 8
-  %1045 = select <8 x i1> %962, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1037
-  %1046 = load <8 x i64>, ptr %1044, align 8
-  %1047 = select <8 x i1> %1038, <8 x i64> %1045, <8 x i64> %1046
-  store <8 x i64> %1047, ptr %1044, align 8
-  %1048 = load ptr, ptr %70, align 8
-  %1049 = load <8 x double>, ptr %1048, align 8
-  %1050 = select <8 x i1> %1038, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1051 = bitcast <8 x i64> %1050 to <8 x double>
-  %1052 = fadd <8 x double> %1049, %1051
-  store <8 x double> %1052, ptr %1048, align 8
-  br label %1053
+1035:                                             ; preds = %961, %976
+  %1036 = phi <8 x double> [ %1034, %976 ], [ zeroinitializer, %961 ]
+  %1037 = or <8 x i1> %975, %968
+  %1038 = select <8 x i1> %1037, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1039 = icmp slt <8 x i64> %815, zeroinitializer
+  %1040 = select <8 x i1> %1039, <8 x double> %1036, <8 x double> %957
+  %1041 = load ptr, ptr %136, align 8
+  %1042 = select <8 x i1> %965, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1038
+  %1043 = load <8 x i64>, ptr %1041, align 8
+  %1044 = select <8 x i1> %1039, <8 x i64> %1042, <8 x i64> %1043
+  store <8 x i64> %1044, ptr %1041, align 8
+  %1045 = load ptr, ptr %136, align 8
+  %1046 = select <8 x i1> %963, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1038
+  %1047 = load <8 x i64>, ptr %1045, align 8
+  %1048 = select <8 x i1> %1039, <8 x i64> %1046, <8 x i64> %1047
+  store <8 x i64> %1048, ptr %1045, align 8
+  %1049 = load ptr, ptr %71, align 8
+  %1050 = load <8 x double>, ptr %1049, align 8
+  %1051 = select <8 x i1> %1039, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1052 = bitcast <8 x i64> %1051 to <8 x double>
+  %1053 = fadd <8 x double> %1050, %1052
+  store <8 x double> %1053, ptr %1049, align 8
+  br label %1054
 
-1053:                                             ; preds = %1034, %955
-  %1054 = phi <8 x double> [ %956, %955 ], [ %1039, %1034 ]
-  %1055 = load ptr, ptr %66, align 8
-  store <8 x double> %1054, ptr %1055, align 8
-  %1056 = load ptr, ptr %53, align 8
-  %1057 = select <8 x i1> %817, <8 x double> %798, <8 x double> %221
-  store <8 x double> %1057, ptr %1056, align 8
-  br i1 %136, label %1060, label %1058
+1054:                                             ; preds = %1035, %956
+  %1055 = phi <8 x double> [ %957, %956 ], [ %1040, %1035 ]
+  %1056 = load ptr, ptr %67, align 8
+  store <8 x double> %1055, ptr %1056, align 8
+  %1057 = load ptr, ptr %54, align 8
+  %1058 = select <8 x i1> %818, <8 x double> %799, <8 x double> %222
+  store <8 x double> %1058, ptr %1057, align 8
+  br i1 %137, label %1061, label %1059
 
-1058:                                             ; preds = %1060, %1053
-  %1059 = icmp eq i64 %802, 0
-  br i1 %1059, label %1087, label %1078
+1059:                                             ; preds = %1061, %1054
+  %1060 = icmp eq i64 %803, 0
+  br i1 %1060, label %1088, label %1079
 
-1060:                                             ; preds = %1053, %1060
-  %1061 = phi i64 [ %1076, %1060 ], [ 0, %1053 ]
-  %1062 = load ptr, ptr %11, align 8
-  %1063 = load ptr, ptr %137, align 8
-  %1064 = shl nsw i64 %1061, 6
-  %1065 = getelementptr inbounds i8, ptr %1063, i64 %1064
-  %1066 = load <8 x i64>, ptr %1065, align 8
-  %1067 = getelementptr inbounds i8, ptr %1062, i64 %1064
-  %1068 = load <8 x i64>, ptr %1067, align 8
-  %1069 = select <8 x i1> %817, <8 x i64> %1066, <8 x i64> %1068
-  store <8 x i64> %1069, ptr %1067, align 8
-  %1070 = load ptr, ptr %44, align 8
-  %1071 = getelementptr inbounds i8, ptr %59, i64 %1064
-  %1072 = load <8 x i64>, ptr %1071, align 8
-  %1073 = getelementptr inbounds i8, ptr %1070, i64 %1064
-  %1074 = load <8 x i64>, ptr %1073, align 8
-  %1075 = select <8 x i1> %817, <8 x i64> %1072, <8 x i64> %1074
-  store <8 x i64> %1075, ptr %1073, align 8
-  %1076 = add nuw nsw i64 %1061, 1
-  %1077 = icmp eq i64 %1076, %15
-  br i1 %1077, label %1058, label %1060, !llvm.loop !18
+1061:                                             ; preds = %1054, %1061
+  %1062 = phi i64 [ %1077, %1061 ], [ 0, %1054 ]
+  %1063 = load ptr, ptr %11, align 8
+  %1064 = load ptr, ptr %138, align 8
+  %1065 = shl nsw i64 %1062, 6
+  %1066 = getelementptr inbounds i8, ptr %1064, i64 %1065
+  %1067 = load <8 x i64>, ptr %1066, align 8
+  %1068 = getelementptr inbounds i8, ptr %1063, i64 %1065
+  %1069 = load <8 x i64>, ptr %1068, align 8
+  %1070 = select <8 x i1> %818, <8 x i64> %1067, <8 x i64> %1069
+  store <8 x i64> %1070, ptr %1068, align 8
+  %1071 = load ptr, ptr %45, align 8
+  %1072 = getelementptr inbounds i8, ptr %60, i64 %1065
+  %1073 = load <8 x i64>, ptr %1072, align 8
+  %1074 = getelementptr inbounds i8, ptr %1071, i64 %1065
+  %1075 = load <8 x i64>, ptr %1074, align 8
+  %1076 = select <8 x i1> %818, <8 x i64> %1073, <8 x i64> %1075
+  store <8 x i64> %1076, ptr %1074, align 8
+  %1077 = add nuw nsw i64 %1062, 1
+  %1078 = icmp eq i64 %1077, %15
+  br i1 %1078, label %1059, label %1061, !llvm.loop !18
 
-1078:                                             ; preds = %1058
-  %1079 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %802, ptr noundef nonnull %6) #11
-  %1080 = icmp ne i32 %801, 0
-  %1081 = icmp ne i64 %1079, %802
-  %1082 = select i1 %1080, i1 true, i1 %1081
-  %1083 = zext i1 %1082 to i32
-  %1084 = trunc i64 %802 to i8
-  %1085 = bitcast i8 %1084 to <8 x i1>
-  %1086 = select <8 x i1> %1085, <8 x i64> zeroinitializer, <8 x i64> %799
-  br label %1087
+1079:                                             ; preds = %1059
+  %1080 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %803, ptr noundef nonnull %6) #11
+  %1081 = icmp ne i32 %802, 0
+  %1082 = icmp ne i64 %1080, %803
+  %1083 = select i1 %1081, i1 true, i1 %1082
+  %1084 = zext i1 %1083 to i32
+  %1085 = trunc i64 %803 to i8
+  %1086 = bitcast i8 %1085 to <8 x i1>
+  %1087 = select <8 x i1> %1086, <8 x i64> zeroinitializer, <8 x i64> %800
+  br label %1088
 
-1087:                                             ; preds = %1078, %1058
-  %1088 = phi <8 x i64> [ %1086, %1078 ], [ %799, %1058 ]
-  %1089 = phi i32 [ %1083, %1078 ], [ %801, %1058 ]
-  %1090 = phi i64 [ %1079, %1078 ], [ %189, %1058 ]
-  %1091 = load ptr, ptr %114, align 8
-  %1092 = load <8 x double>, ptr %1091, align 8
-  %1093 = fcmp oeq <8 x double> %1092, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1094 = icmp ne <8 x i64> %1088, zeroinitializer
-  %1095 = select <8 x i1> %1093, <8 x i1> %1094, <8 x i1> zeroinitializer
-  %1096 = bitcast <8 x i1> %1095 to i8
-  %1097 = icmp eq i8 %1096, 0
-  br i1 %1097, label %1100, label %1098
+1088:                                             ; preds = %1079, %1059
+  %1089 = phi <8 x i64> [ %1087, %1079 ], [ %800, %1059 ]
+  %1090 = phi i32 [ %1084, %1079 ], [ %802, %1059 ]
+  %1091 = phi i64 [ %1080, %1079 ], [ %190, %1059 ]
+  %1092 = load ptr, ptr %115, align 8
+  %1093 = load <8 x double>, ptr %1092, align 8
+  %1094 = fcmp oeq <8 x double> %1093, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1095 = icmp ne <8 x i64> %1089, zeroinitializer
+  %1096 = select <8 x i1> %1094, <8 x i1> %1095, <8 x i1> zeroinitializer
+  %1097 = bitcast <8 x i1> %1096 to i8
+  %1098 = icmp eq i8 %1097, 0
+  br i1 %1098, label %1101, label %1099
 
-1098:                                             ; preds = %1087
-  %1099 = zext i8 %1096 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1099, i64 noundef 0) #11
-  br label %1100
+1099:                                             ; preds = %1088
+  %1100 = zext i8 %1097 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1100, i64 noundef 0) #11
+  br label %1101
 
-1100:                                             ; preds = %1098, %1087
-  %1101 = phi i32 [ 1, %1098 ], [ %1089, %1087 ]
-  br label %184
+1101:                                             ; preds = %1099, %1088
+  %1102 = phi i32 [ 1, %1099 ], [ %1090, %1088 ]
+  br label %185
 
-1102:                                             ; preds = %187, %212, %180
-  %1103 = phi i64 [ 1, %180 ], [ 0, %212 ], [ 0, %187 ]
-  ret i64 %1103
+1103:                                             ; preds = %188, %213, %181
+  %1104 = phi i64 [ 1, %181 ], [ 0, %213 ], [ 0, %188 ]
+  ret i64 %1104
 }
 
 
 
 define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #2 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 624
-  %4 = getelementptr inbounds i8, ptr %0, i64 912
-  %5 = getelementptr inbounds i8, ptr %0, i64 360
+  %3 = getelementptr inbounds i8, ptr %0, i64 648
+  %4 = getelementptr inbounds i8, ptr %0, i64 936
+  %5 = getelementptr inbounds i8, ptr %0, i64 384
   %6 = load ptr, ptr %4, align 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 1056
-  %8 = getelementptr inbounds i8, ptr %0, i64 992
-  %9 = getelementptr inbounds i8, ptr %0, i64 984
-  %10 = getelementptr inbounds i8, ptr %0, i64 864
-  %11 = getelementptr inbounds i8, ptr %0, i64 1072
-  %12 = getelementptr inbounds i8, ptr %0, i64 1000
-  %13 = getelementptr inbounds i8, ptr %0, i64 1008
+  %7 = getelementptr inbounds i8, ptr %0, i64 1080
+  %8 = getelementptr inbounds i8, ptr %0, i64 1016
+  %9 = getelementptr inbounds i8, ptr %0, i64 1008
+  %10 = getelementptr inbounds i8, ptr %0, i64 888
+  %11 = getelementptr inbounds i8, ptr %0, i64 1096
+  %12 = getelementptr inbounds i8, ptr %0, i64 1024
+  %13 = getelementptr inbounds i8, ptr %0, i64 1032
   %14 = getelementptr inbounds i8, ptr %0, i64 192
-  %15 = getelementptr inbounds i8, ptr %0, i64 1024
-  %16 = getelementptr inbounds i8, ptr %0, i64 1032
+  %15 = getelementptr inbounds i8, ptr %0, i64 1048
+  %16 = getelementptr inbounds i8, ptr %0, i64 1056
   %17 = getelementptr inbounds i8, ptr %0, i64 216
-  %18 = getelementptr inbounds i8, ptr %0, i64 1048
-  %19 = getelementptr inbounds i8, ptr %0, i64 1136
-  %20 = getelementptr inbounds i8, ptr %0, i64 1224
-  %21 = getelementptr inbounds i8, ptr %0, i64 1128
-  %22 = getelementptr inbounds i8, ptr %0, i64 1024
-  %23 = getelementptr inbounds i8, ptr %0, i64 1160
-  %24 = getelementptr inbounds i8, ptr %0, i64 1152
-  %25 = getelementptr inbounds i8, ptr %0, i64 1168
-  %26 = getelementptr inbounds i8, ptr %0, i64 1048
-  %27 = getelementptr inbounds i8, ptr %0, i64 1216
-  %28 = getelementptr inbounds i8, ptr %0, i64 1200
-  %29 = getelementptr inbounds i8, ptr %0, i64 1104
-  %30 = getelementptr inbounds i8, ptr %0, i64 1464
-  %31 = getelementptr inbounds i8, ptr %0, i64 1480
+  %18 = getelementptr inbounds i8, ptr %0, i64 1072
+  %19 = getelementptr inbounds i8, ptr %0, i64 1128
+  %20 = getelementptr inbounds i8, ptr %0, i64 1656
+  %21 = getelementptr inbounds i8, ptr %0, i64 1664
+  %22 = getelementptr inbounds i8, ptr %0, i64 1144
+  %23 = getelementptr inbounds i8, ptr %0, i64 1144
+  %24 = getelementptr inbounds i8, ptr %0, i64 1160
+  %25 = getelementptr inbounds i8, ptr %0, i64 1200
+  %26 = getelementptr inbounds i8, ptr %0, i64 1152
+  %27 = getelementptr inbounds i8, ptr %0, i64 1048
+  %28 = getelementptr inbounds i8, ptr %0, i64 1184
+  %29 = getelementptr inbounds i8, ptr %0, i64 1176
+  %30 = getelementptr inbounds i8, ptr %0, i64 1192
+  %31 = getelementptr inbounds i8, ptr %0, i64 1072
   %32 = getelementptr inbounds i8, ptr %0, i64 1416
-  %33 = getelementptr inbounds i8, ptr %0, i64 1488
-  %34 = getelementptr inbounds i8, ptr %0, i64 1504
+  %33 = getelementptr inbounds i8, ptr %0, i64 1432
+  %34 = getelementptr inbounds i8, ptr %0, i64 1368
   %35 = getelementptr inbounds i8, ptr %0, i64 1440
-  %36 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %37
+  %36 = getelementptr inbounds i8, ptr %0, i64 1456
+  %37 = getelementptr inbounds i8, ptr %0, i64 1392
+  %38 = getelementptr inbounds i8, ptr %0, i64 984
+  br label %39
 
-37:                                               ; preds = %2, %273
-  %38 = phi i64 [ 0, %2 ], [ %283, %273 ]
-  %39 = phi i64 [ 0, %2 ], [ %274, %273 ]
-  %40 = phi i64 [ -1, %2 ], [ %282, %273 ]
-  %41 = phi i64 [ 0, %2 ], [ %281, %273 ]
-  %42 = load i64, ptr %6, align 8
-  %43 = load i64, ptr %8, align 8
-  %44 = icmp sge i64 %42, %43
-  br i1 %44, label %76, label %45
+39:                                               ; preds = %2, %273
+  %40 = phi i64 [ 0, %2 ], [ %283, %273 ]
+  %41 = phi i64 [ 0, %2 ], [ %274, %273 ]
+  %42 = phi i64 [ -1, %2 ], [ %282, %273 ]
+  %43 = phi i64 [ 0, %2 ], [ %281, %273 ]
+  %44 = load i64, ptr %6, align 8
+  %45 = load i64, ptr %8, align 8
+  %46 = icmp sge i64 %44, %45
+  br i1 %46, label %78, label %47
 
-45:                                               ; preds = %37
-  %46 = load ptr, ptr %7, align 8
-  %47 = load i64, ptr %11, align 8
-  %48 = mul nsw i64 %47, %42
-  %49 = getelementptr i64, ptr %46, i64 %48
-  %50 = getelementptr i8, ptr %49, i64 24
-  %51 = load i64, ptr %50, align 8
-  %52 = icmp eq i64 %51, 0
-  br i1 %52, label %76, label %71
+47:                                               ; preds = %39
+  %48 = load ptr, ptr %7, align 8
+  %49 = load i64, ptr %11, align 8
+  %50 = mul nsw i64 %49, %44
+  %51 = getelementptr i64, ptr %48, i64 %50
+  %52 = getelementptr i8, ptr %51, i64 24
+  %53 = load i64, ptr %52, align 8
+  %54 = icmp eq i64 %53, 0
+  br i1 %54, label %78, label %73
 
-53:                                               ; preds = %273
-  %54 = getelementptr inbounds i8, ptr %0, i64 144
+55:                                               ; preds = %273
+  %56 = getelementptr inbounds i8, ptr %0, i64 144
   store i64 %281, ptr %1, align 8
-  %55 = icmp slt i64 %282, 0
-  br i1 %55, label %395, label %56
+  %57 = icmp slt i64 %282, 0
+  br i1 %57, label %387, label %58
 
-56:                                               ; preds = %53
-  %57 = getelementptr inbounds i8, ptr %0, i64 864
-  %58 = getelementptr inbounds i8, ptr %0, i64 528
-  %59 = getelementptr inbounds i8, ptr %0, i64 192
-  %60 = getelementptr inbounds i8, ptr %0, i64 216
-  %61 = getelementptr inbounds i8, ptr %0, i64 648
-  %62 = getelementptr inbounds i8, ptr %0, i64 744
-  br label %300
+58:                                               ; preds = %55
+  %59 = getelementptr inbounds i8, ptr %0, i64 888
+  %60 = getelementptr inbounds i8, ptr %0, i64 552
+  %61 = getelementptr inbounds i8, ptr %0, i64 192
+  %62 = getelementptr inbounds i8, ptr %0, i64 216
+  %63 = getelementptr inbounds i8, ptr %0, i64 672
+  %64 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %307
 
-63:                                               ; preds = %71
-  %64 = load ptr, ptr %7, align 8
-  %65 = load i64, ptr %11, align 8
-  %66 = mul nsw i64 %65, %73
-  %67 = getelementptr i64, ptr %64, i64 %66
-  %68 = getelementptr i8, ptr %67, i64 24
-  %69 = load i64, ptr %68, align 8
-  %70 = icmp eq i64 %69, 0
-  br i1 %70, label %76, label %71, !llvm.loop !19
+65:                                               ; preds = %73
+  %66 = load ptr, ptr %7, align 8
+  %67 = load i64, ptr %11, align 8
+  %68 = mul nsw i64 %67, %75
+  %69 = getelementptr i64, ptr %66, i64 %68
+  %70 = getelementptr i8, ptr %69, i64 24
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp eq i64 %71, 0
+  br i1 %72, label %78, label %73, !llvm.loop !19
 
-71:                                               ; preds = %45, %63
-  %72 = phi i64 [ %73, %63 ], [ %42, %45 ]
-  %73 = add nsw i64 %72, 1
-  store i64 %73, ptr %6, align 8
-  %74 = load i64, ptr %8, align 8
-  %75 = icmp sge i64 %73, %74
-  br i1 %75, label %76, label %63, !llvm.loop !19
+73:                                               ; preds = %47, %65
+  %74 = phi i64 [ %75, %65 ], [ %44, %47 ]
+  %75 = add nsw i64 %74, 1
+  store i64 %75, ptr %6, align 8
+  %76 = load i64, ptr %8, align 8
+  %77 = icmp sge i64 %75, %76
+  br i1 %77, label %78, label %65, !llvm.loop !19
 
-76:                                               ; preds = %71, %63, %45, %37
-  %77 = phi i64 [ %42, %37 ], [ %42, %45 ], [ %73, %63 ], [ %73, %71 ]
-  %78 = phi i1 [ %44, %37 ], [ %44, %45 ], [ %75, %63 ], [ %75, %71 ]
-  %79 = load ptr, ptr %10, align 8
-  %80 = getelementptr inbounds i64, ptr %79, i64 %38
-  %81 = load i64, ptr %80, align 8
-  %82 = icmp ne i64 %81, -1
-  %83 = or i1 %78, %82
-  br i1 %83, label %273, label %84
+78:                                               ; preds = %73, %65, %47, %39
+  %79 = phi i64 [ %44, %39 ], [ %44, %47 ], [ %75, %65 ], [ %75, %73 ]
+  %80 = phi i1 [ %46, %39 ], [ %46, %47 ], [ %77, %65 ], [ %77, %73 ]
+  %81 = load ptr, ptr %10, align 8
+  %82 = getelementptr inbounds i64, ptr %81, i64 %40
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp ne i64 %83, -1
+  %85 = or i1 %80, %84
+  br i1 %85, label %273, label %86
 
-84:                                               ; preds = %76
-  %85 = add nsw i64 %77, 1
-  store i64 %85, ptr %6, align 8
-  %86 = load ptr, ptr %10, align 8
-  %87 = getelementptr inbounds i64, ptr %86, i64 %38
-  store i64 %77, ptr %87, align 8
-  %88 = load ptr, ptr %5, align 8
-  %89 = load ptr, ptr %9, align 8
-  %90 = load i64, ptr %12, align 8
-  %91 = mul nsw i64 %90, %77
-  %92 = getelementptr inbounds double, ptr %89, i64 %91
-  %93 = getelementptr double, ptr %88, i64 %38
-  %94 = icmp sgt i64 %90, 0
-  br i1 %94, label %95, label %104
+86:                                               ; preds = %78
+  %87 = add nsw i64 %79, 1
+  store i64 %87, ptr %6, align 8
+  %88 = load ptr, ptr %10, align 8
+  %89 = getelementptr inbounds i64, ptr %88, i64 %40
+  store i64 %79, ptr %89, align 8
+  %90 = load ptr, ptr %5, align 8
+  %91 = load ptr, ptr %9, align 8
+  %92 = load i64, ptr %12, align 8
+  %93 = mul nsw i64 %92, %79
+  %94 = getelementptr inbounds double, ptr %91, i64 %93
+  %95 = getelementptr double, ptr %90, i64 %40
+  %96 = icmp sgt i64 %92, 0
+  br i1 %96, label %97, label %106
 
-95:                                               ; preds = %84, %95
-  %96 = phi i64 [ %101, %95 ], [ 0, %84 ]
-  %97 = getelementptr inbounds double, ptr %92, i64 %96
-  %98 = load double, ptr %97, align 8
-  %99 = shl i64 %96, 6
-  %100 = getelementptr i8, ptr %93, i64 %99
-  store double %98, ptr %100, align 8
-  %101 = add nuw nsw i64 %96, 1
-  %102 = load i64, ptr %12, align 8
-  %103 = icmp slt i64 %101, %102
-  br i1 %103, label %95, label %104, !llvm.loop !20
+97:                                               ; preds = %86, %97
+  %98 = phi i64 [ %103, %97 ], [ 0, %86 ]
+  %99 = getelementptr inbounds double, ptr %94, i64 %98
+  %100 = load double, ptr %99, align 8
+  %101 = shl i64 %98, 6
+  %102 = getelementptr i8, ptr %95, i64 %101
+  store double %100, ptr %102, align 8
+  %103 = add nuw nsw i64 %98, 1
+  %104 = load i64, ptr %12, align 8
+  %105 = icmp slt i64 %103, %104
+  br i1 %105, label %97, label %106, !llvm.loop !20
 
-104:                                              ; preds = %95, %84
-  %105 = load ptr, ptr %14, align 8
-  %106 = load ptr, ptr %13, align 8
-  %107 = load i64, ptr %15, align 8
-  %108 = mul nsw i64 %107, %77
-  %109 = getelementptr inbounds double, ptr %106, i64 %108
-  %110 = getelementptr double, ptr %105, i64 %38
-  %111 = icmp sgt i64 %107, 0
-  br i1 %111, label %112, label %121
+106:                                              ; preds = %97, %86
+  %107 = load ptr, ptr %14, align 8
+  %108 = load ptr, ptr %13, align 8
+  %109 = load i64, ptr %15, align 8
+  %110 = mul nsw i64 %109, %79
+  %111 = getelementptr inbounds double, ptr %108, i64 %110
+  %112 = getelementptr double, ptr %107, i64 %40
+  %113 = icmp sgt i64 %109, 0
+  br i1 %113, label %114, label %123
 
-112:                                              ; preds = %104, %112
-  %113 = phi i64 [ %118, %112 ], [ 0, %104 ]
-  %114 = getelementptr inbounds double, ptr %109, i64 %113
-  %115 = load double, ptr %114, align 8
-  %116 = shl i64 %113, 6
-  %117 = getelementptr i8, ptr %110, i64 %116
-  store double %115, ptr %117, align 8
-  %118 = add nuw nsw i64 %113, 1
-  %119 = load i64, ptr %15, align 8
-  %120 = icmp slt i64 %118, %119
-  br i1 %120, label %112, label %121, !llvm.loop !20
+114:                                              ; preds = %106, %114
+  %115 = phi i64 [ %120, %114 ], [ 0, %106 ]
+  %116 = getelementptr inbounds double, ptr %111, i64 %115
+  %117 = load double, ptr %116, align 8
+  %118 = shl i64 %115, 6
+  %119 = getelementptr i8, ptr %112, i64 %118
+  store double %117, ptr %119, align 8
+  %120 = add nuw nsw i64 %115, 1
+  %121 = load i64, ptr %15, align 8
+  %122 = icmp slt i64 %120, %121
+  br i1 %122, label %114, label %123, !llvm.loop !20
 
-121:                                              ; preds = %112, %104
-  %122 = load ptr, ptr %17, align 8
-  %123 = load ptr, ptr %16, align 8
-  %124 = load i64, ptr %18, align 8
-  %125 = mul nsw i64 %124, %77
-  %126 = getelementptr inbounds double, ptr %123, i64 %125
-  %127 = getelementptr double, ptr %122, i64 %38
-  %128 = icmp sgt i64 %124, 0
-  br i1 %128, label %129, label %138
+123:                                              ; preds = %114, %106
+  %124 = load ptr, ptr %17, align 8
+  %125 = load ptr, ptr %16, align 8
+  %126 = load i64, ptr %18, align 8
+  %127 = mul nsw i64 %126, %79
+  %128 = getelementptr inbounds double, ptr %125, i64 %127
+  %129 = getelementptr double, ptr %124, i64 %40
+  %130 = icmp sgt i64 %126, 0
+  br i1 %130, label %131, label %140
 
-129:                                              ; preds = %121, %129
-  %130 = phi i64 [ %135, %129 ], [ 0, %121 ]
-  %131 = getelementptr inbounds double, ptr %126, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = shl i64 %130, 6
-  %134 = getelementptr i8, ptr %127, i64 %133
-  store double %132, ptr %134, align 8
-  %135 = add nuw nsw i64 %130, 1
-  %136 = load i64, ptr %18, align 8
-  %137 = icmp slt i64 %135, %136
-  br i1 %137, label %129, label %138, !llvm.loop !20
+131:                                              ; preds = %123, %131
+  %132 = phi i64 [ %137, %131 ], [ 0, %123 ]
+  %133 = getelementptr inbounds double, ptr %128, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = shl i64 %132, 6
+  %136 = getelementptr i8, ptr %129, i64 %135
+  store double %134, ptr %136, align 8
+  %137 = add nuw nsw i64 %132, 1
+  %138 = load i64, ptr %18, align 8
+  %139 = icmp slt i64 %137, %138
+  br i1 %139, label %131, label %140, !llvm.loop !20
 
-138:                                              ; preds = %129, %121
-  %139 = load i64, ptr %19, align 8
-  %140 = icmp sgt i64 %139, 0
-  br i1 %140, label %141, label %266
-
-141:                                              ; preds = %138
-  %142 = load ptr, ptr %21, align 8
-  %143 = getelementptr inbounds i64, ptr %142, i64 %38
-  %144 = load i64, ptr %143, align 8
-  %145 = inttoptr i64 %144 to ptr
-  %146 = load i64, ptr %22, align 8
-  %147 = icmp sgt i64 %146, 0
-  br i1 %147, label %148, label %150
-
-148:                                              ; preds = %141
-  %149 = getelementptr inbounds i8, ptr %145, i64 192
-  br label %153
-
-150:                                              ; preds = %153, %141
+140:                                              ; preds = %131, %123
+  %141 = load ptr, ptr %20, align 8
+  %142 = load i64, ptr %21, align 8
+  %143 = getelementptr inbounds double, ptr %141, i64 %142
+  %144 = load i64, ptr %22, align 8
+  %145 = mul i64 %144, -64
+  %146 = getelementptr inbounds i8, ptr %143, i64 %145
+  %147 = load ptr, ptr %19, align 8
+  %148 = mul nsw i64 %144, %79
+  %149 = getelementptr inbounds double, ptr %147, i64 %148
+  %150 = getelementptr double, ptr %146, i64 %40
   %151 = load i64, ptr %23, align 8
   %152 = icmp sgt i64 %151, 0
-  br i1 %152, label %169, label %166
+  br i1 %152, label %153, label %162
 
-153:                                              ; preds = %148, %153
-  %154 = phi i64 [ %146, %148 ], [ %164, %153 ]
-  %155 = phi i64 [ 0, %148 ], [ %163, %153 ]
-  %156 = load ptr, ptr %13, align 8
-  %157 = mul nsw i64 %154, %77
-  %158 = getelementptr double, ptr %156, i64 %157
-  %159 = getelementptr double, ptr %158, i64 %155
-  %160 = load double, ptr %159, align 8
-  %161 = load ptr, ptr %149, align 8
-  %162 = getelementptr inbounds double, ptr %161, i64 %155
-  store double %160, ptr %162, align 8
-  %163 = add nuw nsw i64 %155, 1
-  %164 = load i64, ptr %22, align 8
-  %165 = icmp slt i64 %163, %164
-  br i1 %165, label %153, label %150, !llvm.loop !22
+153:                                              ; preds = %140, %153
+  %154 = phi i64 [ %159, %153 ], [ 0, %140 ]
+  %155 = getelementptr inbounds double, ptr %149, i64 %154
+  %156 = load double, ptr %155, align 8
+  %157 = shl i64 %154, 6
+  %158 = getelementptr i8, ptr %150, i64 %157
+  store double %156, ptr %158, align 8
+  %159 = add nuw nsw i64 %154, 1
+  %160 = load i64, ptr %23, align 8
+  %161 = icmp slt i64 %159, %160
+  br i1 %161, label %153, label %162, !llvm.loop !20
 
-166:                                              ; preds = %169, %150
-  %167 = load i64, ptr %27, align 8
-  %168 = icmp sgt i64 %167, 0
-  br i1 %168, label %196, label %188
+162:                                              ; preds = %153, %140
+  %163 = load i64, ptr %24, align 8
+  %164 = icmp sgt i64 %163, 0
+  br i1 %164, label %165, label %266
 
-169:                                              ; preds = %150, %169
-  %170 = phi i64 [ %185, %169 ], [ 0, %150 ]
-  %171 = load ptr, ptr %24, align 8
-  %172 = load i64, ptr %25, align 8
-  %173 = mul nsw i64 %172, %170
-  %174 = getelementptr inbounds i64, ptr %171, i64 %173
-  %175 = load i64, ptr %174, align 8
-  %176 = inttoptr i64 %175 to ptr
-  %177 = load ptr, ptr %16, align 8
-  %178 = load i64, ptr %26, align 8
-  %179 = mul nsw i64 %178, %77
-  %180 = getelementptr inbounds double, ptr %177, i64 %179
-  %181 = getelementptr i64, ptr %174, i64 %38
-  %182 = getelementptr i8, ptr %181, i64 8
-  %183 = load i64, ptr %182, align 8
-  %184 = inttoptr i64 %183 to ptr
-  tail call void %176(ptr noundef %180, ptr noundef %184) #12
-  %185 = add nuw nsw i64 %170, 1
-  %186 = load i64, ptr %23, align 8
-  %187 = icmp slt i64 %185, %186
-  br i1 %187, label %169, label %166, !llvm.loop !23
+165:                                              ; preds = %162
+  %166 = load ptr, ptr %26, align 8
+  %167 = getelementptr inbounds i64, ptr %166, i64 %40
+  %168 = load i64, ptr %167, align 8
+  %169 = inttoptr i64 %168 to ptr
+  %170 = load i64, ptr %27, align 8
+  %171 = icmp sgt i64 %170, 0
+  br i1 %171, label %172, label %174
 
-188:                                              ; preds = %196, %166
-  %189 = load ptr, ptr %20, align 8
-  %190 = getelementptr inbounds i8, ptr %189, i64 8
-  %191 = load i64, ptr %190, align 8
-  %192 = icmp sgt i64 %191, 0
-  br i1 %192, label %193, label %262
+172:                                              ; preds = %165
+  %173 = getelementptr inbounds i8, ptr %169, i64 192
+  br label %177
 
-193:                                              ; preds = %188
-  %194 = getelementptr inbounds i8, ptr %145, i64 1200
-  %195 = getelementptr inbounds i8, ptr %145, i64 960
+174:                                              ; preds = %177, %165
+  %175 = load i64, ptr %28, align 8
+  %176 = icmp sgt i64 %175, 0
+  br i1 %176, label %198, label %190
+
+177:                                              ; preds = %172, %177
+  %178 = phi i64 [ %170, %172 ], [ %188, %177 ]
+  %179 = phi i64 [ 0, %172 ], [ %187, %177 ]
+  %180 = load ptr, ptr %13, align 8
+  %181 = mul nsw i64 %178, %79
+  %182 = getelementptr double, ptr %180, i64 %181
+  %183 = getelementptr double, ptr %182, i64 %179
+  %184 = load double, ptr %183, align 8
+  %185 = load ptr, ptr %173, align 8
+  %186 = getelementptr inbounds double, ptr %185, i64 %179
+  store double %184, ptr %186, align 8
+  %187 = add nuw nsw i64 %179, 1
+  %188 = load i64, ptr %27, align 8
+  %189 = icmp slt i64 %187, %188
+  br i1 %189, label %177, label %174, !llvm.loop !22
+
+190:                                              ; preds = %198, %174
+  %191 = load ptr, ptr %25, align 8
+  %192 = getelementptr inbounds i8, ptr %191, i64 8
+  %193 = load i64, ptr %192, align 8
+  %194 = icmp sgt i64 %193, 0
+  br i1 %194, label %195, label %262
+
+195:                                              ; preds = %190
+  %196 = getelementptr inbounds i8, ptr %169, i64 1200
+  %197 = getelementptr inbounds i8, ptr %169, i64 960
   br label %217
 
-196:                                              ; preds = %166, %196
-  %197 = phi i64 [ %215, %196 ], [ %167, %166 ]
-  %198 = phi i64 [ %214, %196 ], [ 0, %166 ]
-  %199 = load ptr, ptr %28, align 8
-  %200 = mul nsw i64 %197, %77
-  %201 = getelementptr double, ptr %199, i64 %200
-  %202 = getelementptr double, ptr %201, i64 %198
-  %203 = load double, ptr %202, align 8
-  %204 = load ptr, ptr %21, align 8
-  %205 = getelementptr inbounds i64, ptr %204, i64 %38
-  %206 = load i64, ptr %205, align 8
-  %207 = inttoptr i64 %206 to ptr
-  %208 = getelementptr inbounds i8, ptr %207, i64 696
-  %209 = load ptr, ptr %208, align 8
-  %210 = load ptr, ptr %29, align 8
-  %211 = load i64, ptr %210, align 8
-  %212 = getelementptr inbounds double, ptr %209, i64 %211
-  %213 = getelementptr inbounds double, ptr %212, i64 %198
-  store double %203, ptr %213, align 8
-  %214 = add nuw nsw i64 %198, 1
-  %215 = load i64, ptr %27, align 8
+198:                                              ; preds = %174, %198
+  %199 = phi i64 [ %214, %198 ], [ 0, %174 ]
+  %200 = load ptr, ptr %29, align 8
+  %201 = load i64, ptr %30, align 8
+  %202 = mul nsw i64 %201, %199
+  %203 = getelementptr inbounds i64, ptr %200, i64 %202
+  %204 = load i64, ptr %203, align 8
+  %205 = inttoptr i64 %204 to ptr
+  %206 = load ptr, ptr %16, align 8
+  %207 = load i64, ptr %31, align 8
+  %208 = mul nsw i64 %207, %79
+  %209 = getelementptr inbounds double, ptr %206, i64 %208
+  %210 = getelementptr i64, ptr %203, i64 %40
+  %211 = getelementptr i8, ptr %210, i64 8
+  %212 = load i64, ptr %211, align 8
+  %213 = inttoptr i64 %212 to ptr
+  tail call void %205(ptr noundef %209, ptr noundef %213) #12
+  %214 = add nuw nsw i64 %199, 1
+  %215 = load i64, ptr %28, align 8
   %216 = icmp slt i64 %214, %215
-  br i1 %216, label %196, label %188, !llvm.loop !24
+  br i1 %216, label %198, label %190, !llvm.loop !23
 
-217:                                              ; preds = %193, %231
-  %218 = phi i64 [ 0, %193 ], [ %240, %231 ]
-  %219 = load ptr, ptr %30, align 8
-  %220 = load i64, ptr %31, align 8
-  %221 = mul nsw i64 %220, %77
+217:                                              ; preds = %195, %231
+  %218 = phi i64 [ 0, %195 ], [ %240, %231 ]
+  %219 = load ptr, ptr %32, align 8
+  %220 = load i64, ptr %33, align 8
+  %221 = mul nsw i64 %220, %79
   %222 = getelementptr i64, ptr %219, i64 %221
   %223 = getelementptr i64, ptr %222, i64 %218
   %224 = load i64, ptr %223, align 8
   %225 = sitofp i64 %224 to double
-  %226 = load ptr, ptr %32, align 8
+  %226 = load ptr, ptr %34, align 8
   %227 = shl i64 %218, 6
   %228 = getelementptr i8, ptr %226, i64 %227
-  %229 = getelementptr double, ptr %228, i64 %38
+  %229 = getelementptr double, ptr %228, i64 %40
   store double %225, ptr %229, align 8
   %230 = mul i64 %218, 800
   br label %245
 
 231:                                              ; preds = %255
-  %232 = load ptr, ptr %195, align 8
+  %232 = load ptr, ptr %197, align 8
   %233 = shl nuw nsw i64 %218, 1
   %234 = or disjoint i64 %233, 1
   %235 = getelementptr inbounds double, ptr %232, i64 %234
   store double 0x7FF8000000000000, ptr %235, align 8
-  %236 = load ptr, ptr %195, align 8
+  %236 = load ptr, ptr %197, align 8
   %237 = getelementptr inbounds double, ptr %236, i64 %233
   store double 0x7FF8000000000000, ptr %237, align 8
-  %238 = load ptr, ptr %35, align 8
-  %239 = getelementptr inbounds double, ptr %238, i64 %38
+  %238 = load ptr, ptr %37, align 8
+  %239 = getelementptr inbounds double, ptr %238, i64 %40
   store double 0x7FF8000000000000, ptr %239, align 8
   %240 = add nuw nsw i64 %218, 1
-  %241 = load ptr, ptr %20, align 8
+  %241 = load ptr, ptr %25, align 8
   %242 = getelementptr inbounds i8, ptr %241, i64 8
   %243 = load i64, ptr %242, align 8
   %244 = icmp slt i64 %240, %243
-  br i1 %244, label %217, label %262, !llvm.loop !25
+  br i1 %244, label %217, label %262, !llvm.loop !24
 
 245:                                              ; preds = %217, %255
   %246 = phi i64 [ 0, %217 ], [ %260, %255 ]
@@ -1669,9 +1670,9 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   br i1 %247, label %248, label %255
 
 248:                                              ; preds = %245
-  %249 = load ptr, ptr %33, align 8
-  %250 = load i64, ptr %34, align 8
-  %251 = mul nsw i64 %250, %77
+  %249 = load ptr, ptr %35, align 8
+  %250 = load i64, ptr %36, align 8
+  %251 = mul nsw i64 %250, %79
   %252 = getelementptr double, ptr %249, i64 %251
   %253 = getelementptr double, ptr %252, i64 %218
   %254 = load double, ptr %253, align 8
@@ -1679,194 +1680,185 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 
 255:                                              ; preds = %248, %245
   %256 = phi double [ %254, %248 ], [ 0xFFF0000000000000, %245 ]
-  %257 = load ptr, ptr %194, align 8
+  %257 = load ptr, ptr %196, align 8
   %258 = getelementptr inbounds i8, ptr %257, i64 %230
   %259 = getelementptr inbounds double, ptr %258, i64 %246
   store double %256, ptr %259, align 8
   %260 = add nuw nsw i64 %246, 1
   %261 = icmp eq i64 %260, 100
-  br i1 %261, label %231, label %245, !llvm.loop !26
+  br i1 %261, label %231, label %245, !llvm.loop !25
 
-262:                                              ; preds = %231, %188
-  %263 = getelementptr inbounds i8, ptr %145, i64 600
+262:                                              ; preds = %231, %190
+  %263 = getelementptr inbounds i8, ptr %169, i64 600
   %264 = load ptr, ptr %263, align 8
   %265 = getelementptr inbounds i8, ptr %264, i64 80
   store i64 0, ptr %265, align 8
   br label %266
 
-266:                                              ; preds = %262, %138
-  %267 = load ptr, ptr %36, align 8
+266:                                              ; preds = %262, %162
+  %267 = load ptr, ptr %38, align 8
   %268 = load double, ptr %267, align 8
   %269 = load ptr, ptr %3, align 8
-  %270 = getelementptr inbounds double, ptr %269, i64 %38
+  %270 = getelementptr inbounds double, ptr %269, i64 %40
   store double %268, ptr %270, align 8
-  %271 = shl nuw nsw i64 1, %38
-  %272 = or i64 %271, %39
+  %271 = shl nuw nsw i64 1, %40
+  %272 = or i64 %271, %41
   br label %273
 
-273:                                              ; preds = %76, %266
-  %274 = phi i64 [ %272, %266 ], [ %39, %76 ]
+273:                                              ; preds = %78, %266
+  %274 = phi i64 [ %272, %266 ], [ %41, %78 ]
   %275 = load ptr, ptr %10, align 8
-  %276 = getelementptr inbounds i64, ptr %275, i64 %38
+  %276 = getelementptr inbounds i64, ptr %275, i64 %40
   %277 = load i64, ptr %276, align 8
   %278 = icmp sgt i64 %277, -1
-  %279 = shl nuw nsw i64 1, %38
+  %279 = shl nuw nsw i64 1, %40
   %280 = select i1 %278, i64 %279, i64 0
-  %281 = or i64 %280, %41
-  %282 = select i1 %278, i64 %38, i64 %40
-  %283 = add nuw nsw i64 %38, 1
+  %281 = or i64 %280, %43
+  %282 = select i1 %278, i64 %40, i64 %42
+  %283 = add nuw nsw i64 %40, 1
   %284 = icmp eq i64 %283, 8
-  br i1 %284, label %53, label %37, !llvm.loop !27
+  br i1 %284, label %55, label %39, !llvm.loop !26
 
-285:                                              ; preds = %377
-  %286 = load ptr, ptr %54, align 8
-  %287 = getelementptr inbounds i8, ptr %286, i64 40
-  %288 = load i64, ptr %287, align 8
-  %289 = inttoptr i64 %288 to ptr
-  %290 = getelementptr inbounds i8, ptr %0, i64 216
-  %291 = load ptr, ptr %290, align 8
-  %292 = getelementptr inbounds i8, ptr %0, i64 240
-  %293 = load ptr, ptr %292, align 8
-  tail call void %289(ptr noundef %291, ptr noundef %293) #12
-  %294 = getelementptr inbounds i8, ptr %0, i64 1256
-  %295 = load i64, ptr %294, align 8
-  %296 = icmp sgt i64 %295, 0
-  br i1 %296, label %297, label %395
+285:                                              ; preds = %384
+  %286 = getelementptr inbounds i8, ptr %0, i64 272
+  %287 = load i64, ptr %286, align 8
+  %288 = icmp sgt i64 %287, 0
+  br i1 %288, label %289, label %387
 
-297:                                              ; preds = %285
-  %298 = getelementptr inbounds i8, ptr %0, i64 1248
-  %299 = getelementptr inbounds i8, ptr %0, i64 216
-  br label %380
+289:                                              ; preds = %285
+  %290 = getelementptr inbounds i8, ptr %0, i64 264
+  %291 = getelementptr inbounds i8, ptr %0, i64 216
+  br label %292
 
-300:                                              ; preds = %56, %377
-  %301 = phi i64 [ 0, %56 ], [ %378, %377 ]
-  %302 = load ptr, ptr %57, align 8
-  %303 = getelementptr inbounds i64, ptr %302, i64 %301
-  %304 = load i64, ptr %303, align 8
-  %305 = icmp eq i64 %304, -1
-  br i1 %305, label %306, label %377
+292:                                              ; preds = %289, %292
+  %293 = phi i64 [ 0, %289 ], [ %304, %292 ]
+  %294 = load ptr, ptr %290, align 8
+  %295 = shl nuw nsw i64 %293, 1
+  %296 = getelementptr inbounds i64, ptr %294, i64 %295
+  %297 = load i64, ptr %296, align 8
+  %298 = inttoptr i64 %297 to ptr
+  %299 = load ptr, ptr %291, align 8
+  %300 = or disjoint i64 %295, 1
+  %301 = getelementptr inbounds i64, ptr %294, i64 %300
+  %302 = load i64, ptr %301, align 8
+  %303 = inttoptr i64 %302 to ptr
+  tail call void %298(ptr noundef %299, ptr noundef %303) #12
+  %304 = add nuw nsw i64 %293, 1
+  %305 = load i64, ptr %286, align 8
+  %306 = icmp slt i64 %304, %305
+  br i1 %306, label %292, label %387, !llvm.loop !27
 
-306:                                              ; preds = %300
-  %307 = load ptr, ptr %5, align 8
-  %308 = load ptr, ptr %54, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 8
-  %310 = load i64, ptr %309, align 8
-  %311 = icmp sgt i64 %310, 0
-  br i1 %311, label %312, label %321
+307:                                              ; preds = %58, %384
+  %308 = phi i64 [ 0, %58 ], [ %385, %384 ]
+  %309 = load ptr, ptr %59, align 8
+  %310 = getelementptr inbounds i64, ptr %309, i64 %308
+  %311 = load i64, ptr %310, align 8
+  %312 = icmp eq i64 %311, -1
+  br i1 %312, label %313, label %384
 
-312:                                              ; preds = %306, %312
-  %313 = phi i64 [ %319, %312 ], [ 0, %306 ]
-  %314 = shl i64 %313, 6
-  %315 = getelementptr i8, ptr %307, i64 %314
-  %316 = getelementptr double, ptr %315, i64 %282
-  %317 = load double, ptr %316, align 8
-  %318 = getelementptr double, ptr %315, i64 %301
-  store double %317, ptr %318, align 8
-  %319 = add nuw nsw i64 %313, 1
-  %320 = icmp eq i64 %319, %310
-  br i1 %320, label %321, label %312, !llvm.loop !28
+313:                                              ; preds = %307
+  %314 = load ptr, ptr %5, align 8
+  %315 = load ptr, ptr %56, align 8
+  %316 = getelementptr inbounds i8, ptr %315, i64 8
+  %317 = load i64, ptr %316, align 8
+  %318 = icmp sgt i64 %317, 0
+  br i1 %318, label %319, label %328
 
-321:                                              ; preds = %312, %306
-  %322 = load ptr, ptr %58, align 8
-  %323 = load ptr, ptr %54, align 8
-  %324 = getelementptr inbounds i8, ptr %323, i64 8
-  %325 = load i64, ptr %324, align 8
-  %326 = icmp sgt i64 %325, 0
-  br i1 %326, label %327, label %336
+319:                                              ; preds = %313, %319
+  %320 = phi i64 [ %326, %319 ], [ 0, %313 ]
+  %321 = shl i64 %320, 6
+  %322 = getelementptr i8, ptr %314, i64 %321
+  %323 = getelementptr double, ptr %322, i64 %282
+  %324 = load double, ptr %323, align 8
+  %325 = getelementptr double, ptr %322, i64 %308
+  store double %324, ptr %325, align 8
+  %326 = add nuw nsw i64 %320, 1
+  %327 = icmp eq i64 %326, %317
+  br i1 %327, label %328, label %319, !llvm.loop !28
 
-327:                                              ; preds = %321, %327
-  %328 = phi i64 [ %334, %327 ], [ 0, %321 ]
-  %329 = shl i64 %328, 6
-  %330 = getelementptr i8, ptr %322, i64 %329
-  %331 = getelementptr double, ptr %330, i64 %282
-  %332 = load double, ptr %331, align 8
-  %333 = getelementptr double, ptr %330, i64 %301
-  store double %332, ptr %333, align 8
-  %334 = add nuw nsw i64 %328, 1
-  %335 = icmp eq i64 %334, %325
-  br i1 %335, label %336, label %327, !llvm.loop !28
+328:                                              ; preds = %319, %313
+  %329 = load ptr, ptr %60, align 8
+  %330 = load ptr, ptr %56, align 8
+  %331 = getelementptr inbounds i8, ptr %330, i64 8
+  %332 = load i64, ptr %331, align 8
+  %333 = icmp sgt i64 %332, 0
+  br i1 %333, label %334, label %343
 
-336:                                              ; preds = %327, %321
-  %337 = load ptr, ptr %59, align 8
-  %338 = load ptr, ptr %54, align 8
-  %339 = getelementptr inbounds i8, ptr %338, i64 48
-  %340 = load i64, ptr %339, align 8
-  %341 = icmp sgt i64 %340, 0
-  br i1 %341, label %342, label %351
+334:                                              ; preds = %328, %334
+  %335 = phi i64 [ %341, %334 ], [ 0, %328 ]
+  %336 = shl i64 %335, 6
+  %337 = getelementptr i8, ptr %329, i64 %336
+  %338 = getelementptr double, ptr %337, i64 %282
+  %339 = load double, ptr %338, align 8
+  %340 = getelementptr double, ptr %337, i64 %308
+  store double %339, ptr %340, align 8
+  %341 = add nuw nsw i64 %335, 1
+  %342 = icmp eq i64 %341, %332
+  br i1 %342, label %343, label %334, !llvm.loop !28
 
-342:                                              ; preds = %336, %342
-  %343 = phi i64 [ %349, %342 ], [ 0, %336 ]
-  %344 = shl i64 %343, 6
-  %345 = getelementptr i8, ptr %337, i64 %344
-  %346 = getelementptr double, ptr %345, i64 %282
-  %347 = load double, ptr %346, align 8
-  %348 = getelementptr double, ptr %345, i64 %301
-  store double %347, ptr %348, align 8
-  %349 = add nuw nsw i64 %343, 1
-  %350 = icmp eq i64 %349, %340
-  br i1 %350, label %351, label %342, !llvm.loop !28
+343:                                              ; preds = %334, %328
+  %344 = load ptr, ptr %61, align 8
+  %345 = load ptr, ptr %56, align 8
+  %346 = getelementptr inbounds i8, ptr %345, i64 40
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp sgt i64 %347, 0
+  br i1 %348, label %349, label %358
 
-351:                                              ; preds = %342, %336
-  %352 = load ptr, ptr %60, align 8
-  %353 = load ptr, ptr %54, align 8
-  %354 = getelementptr inbounds i8, ptr %353, i64 56
-  %355 = load i64, ptr %354, align 8
-  %356 = icmp sgt i64 %355, 0
-  br i1 %356, label %357, label %366
+349:                                              ; preds = %343, %349
+  %350 = phi i64 [ %356, %349 ], [ 0, %343 ]
+  %351 = shl i64 %350, 6
+  %352 = getelementptr i8, ptr %344, i64 %351
+  %353 = getelementptr double, ptr %352, i64 %282
+  %354 = load double, ptr %353, align 8
+  %355 = getelementptr double, ptr %352, i64 %308
+  store double %354, ptr %355, align 8
+  %356 = add nuw nsw i64 %350, 1
+  %357 = icmp eq i64 %356, %347
+  br i1 %357, label %358, label %349, !llvm.loop !28
 
-357:                                              ; preds = %351, %357
-  %358 = phi i64 [ %364, %357 ], [ 0, %351 ]
-  %359 = shl i64 %358, 6
-  %360 = getelementptr i8, ptr %352, i64 %359
-  %361 = getelementptr double, ptr %360, i64 %282
-  %362 = load double, ptr %361, align 8
-  %363 = getelementptr double, ptr %360, i64 %301
-  store double %362, ptr %363, align 8
-  %364 = add nuw nsw i64 %358, 1
-  %365 = icmp eq i64 %364, %355
-  br i1 %365, label %366, label %357, !llvm.loop !28
+358:                                              ; preds = %349, %343
+  %359 = load ptr, ptr %62, align 8
+  %360 = load ptr, ptr %56, align 8
+  %361 = getelementptr inbounds i8, ptr %360, i64 48
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp sgt i64 %362, 0
+  br i1 %363, label %364, label %373
 
-366:                                              ; preds = %357, %351
-  %367 = load ptr, ptr %3, align 8
-  %368 = getelementptr inbounds double, ptr %367, i64 %282
+364:                                              ; preds = %358, %364
+  %365 = phi i64 [ %371, %364 ], [ 0, %358 ]
+  %366 = shl i64 %365, 6
+  %367 = getelementptr i8, ptr %359, i64 %366
+  %368 = getelementptr double, ptr %367, i64 %282
   %369 = load double, ptr %368, align 8
-  %370 = getelementptr inbounds double, ptr %367, i64 %301
+  %370 = getelementptr double, ptr %367, i64 %308
   store double %369, ptr %370, align 8
-  %371 = load ptr, ptr %61, align 8
-  %372 = getelementptr inbounds double, ptr %371, i64 %301
-  store double 0.000000e+00, ptr %372, align 8
-  %373 = load ptr, ptr %62, align 8
-  %374 = getelementptr inbounds double, ptr %373, i64 %301
-  store double 0x7FF0000000000000, ptr %374, align 8
-  %375 = load ptr, ptr %57, align 8
-  %376 = getelementptr inbounds i64, ptr %375, i64 %301
-  store i64 -2, ptr %376, align 8
-  br label %377
+  %371 = add nuw nsw i64 %365, 1
+  %372 = icmp eq i64 %371, %362
+  br i1 %372, label %373, label %364, !llvm.loop !28
 
-377:                                              ; preds = %300, %366
-  %378 = add nuw nsw i64 %301, 1
-  %379 = icmp eq i64 %378, 8
-  br i1 %379, label %285, label %300, !llvm.loop !29
+373:                                              ; preds = %364, %358
+  %374 = load ptr, ptr %3, align 8
+  %375 = getelementptr inbounds double, ptr %374, i64 %282
+  %376 = load double, ptr %375, align 8
+  %377 = getelementptr inbounds double, ptr %374, i64 %308
+  store double %376, ptr %377, align 8
+  %378 = load ptr, ptr %63, align 8
+  %379 = getelementptr inbounds double, ptr %378, i64 %308
+  store double 0.000000e+00, ptr %379, align 8
+  %380 = load ptr, ptr %64, align 8
+  %381 = getelementptr inbounds double, ptr %380, i64 %308
+  store double 0x7FF0000000000000, ptr %381, align 8
+  %382 = load ptr, ptr %59, align 8
+  %383 = getelementptr inbounds i64, ptr %382, i64 %308
+  store i64 -2, ptr %383, align 8
+  br label %384
 
-380:                                              ; preds = %297, %380
-  %381 = phi i64 [ 0, %297 ], [ %392, %380 ]
-  %382 = load ptr, ptr %298, align 8
-  %383 = shl nuw nsw i64 %381, 1
-  %384 = getelementptr inbounds i64, ptr %382, i64 %383
-  %385 = load i64, ptr %384, align 8
-  %386 = inttoptr i64 %385 to ptr
-  %387 = load ptr, ptr %299, align 8
-  %388 = or disjoint i64 %383, 1
-  %389 = getelementptr inbounds i64, ptr %382, i64 %388
-  %390 = load i64, ptr %389, align 8
-  %391 = inttoptr i64 %390 to ptr
-  tail call void %386(ptr noundef %387, ptr noundef %391) #12
-  %392 = add nuw nsw i64 %381, 1
-  %393 = load i64, ptr %294, align 8
-  %394 = icmp slt i64 %392, %393
-  br i1 %394, label %380, label %395, !llvm.loop !30
+384:                                              ; preds = %307, %373
+  %385 = add nuw nsw i64 %308, 1
+  %386 = icmp eq i64 %385, 8
+  br i1 %386, label %285, label %307, !llvm.loop !29
 
-395:                                              ; preds = %380, %285, %53
+387:                                              ; preds = %292, %285, %55
   ret i64 %274
 }
 
@@ -1874,8 +1866,8 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %5 = alloca [8 x double], align 16
   %6 = alloca [8 x double], align 16
   %7 = alloca [8 x double], align 16
-  %8 = getelementptr inbounds i8, ptr %0, i64 624
-  %9 = getelementptr inbounds i8, ptr %0, i64 912
+  %8 = getelementptr inbounds i8, ptr %0, i64 648
+  %9 = getelementptr inbounds i8, ptr %0, i64 936
   %10 = getelementptr inbounds i8, ptr %1, i64 16
   %11 = load ptr, ptr %10, align 8
   %12 = trunc i64 %2 to i8
@@ -1893,7 +1885,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %24 = getelementptr inbounds i8, ptr %20, i64 24
   %25 = load ptr, ptr %24, align 8
   store <8 x double> %18, ptr %25, align 8
-  %26 = getelementptr inbounds i8, ptr %20, i64 128
+  %26 = getelementptr inbounds i8, ptr %20, i64 152
   %27 = load i64, ptr %26, align 8
   %28 = icmp sgt i64 %27, 0
   br i1 %28, label %29, label %30
@@ -1926,7 +1918,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
 
 48:                                               ; preds = %56, %30
   %49 = phi ptr [ %42, %30 ], [ %68, %56 ]
-  %50 = getelementptr inbounds i8, ptr %0, i64 936
+  %50 = getelementptr inbounds i8, ptr %0, i64 960
   %51 = load ptr, ptr %50, align 8
   %52 = getelementptr inbounds i8, ptr %51, i64 8
   %53 = load double, ptr %52, align 8
@@ -1951,7 +1943,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %69 = getelementptr inbounds i8, ptr %68, i64 8
   %70 = load i64, ptr %69, align 8
   %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %48, !llvm.loop !31
+  br i1 %71, label %56, label %48, !llvm.loop !30
 
 72:                                               ; preds = %48
   %73 = load ptr, ptr %1, align 8
@@ -2027,7 +2019,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %132 = getelementptr inbounds i8, ptr %131, i64 8
   %133 = load i64, ptr %132, align 8
   %134 = icmp slt i64 %129, %133
-  br i1 %134, label %116, label %135, !llvm.loop !32
+  br i1 %134, label %116, label %135, !llvm.loop !31
 
 135:                                              ; preds = %116, %84
   %136 = phi ptr [ %109, %84 ], [ %130, %116 ]
@@ -2041,7 +2033,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %144 = getelementptr inbounds i8, ptr %136, i64 24
   %145 = load ptr, ptr %144, align 8
   store <8 x double> %137, ptr %145, align 8
-  %146 = getelementptr inbounds i8, ptr %136, i64 128
+  %146 = getelementptr inbounds i8, ptr %136, i64 152
   %147 = load i64, ptr %146, align 8
   %148 = icmp sgt i64 %147, 0
   br i1 %148, label %149, label %150
@@ -2081,7 +2073,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   store <8 x double> %175, ptr %171, align 8
   %176 = add nuw nsw i64 %169, 1
   %177 = icmp eq i64 %176, %89
-  br i1 %177, label %178, label %168, !llvm.loop !33
+  br i1 %177, label %178, label %168, !llvm.loop !32
 
 178:                                              ; preds = %168, %150
   %179 = load ptr, ptr %87, align 8
@@ -2163,17 +2155,17 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
 
 253:                                              ; preds = %178, %79
   %254 = phi <8 x double> [ %252, %178 ], [ %82, %79 ]
-  %255 = getelementptr inbounds i8, ptr %0, i64 648
+  %255 = getelementptr inbounds i8, ptr %0, i64 672
   %256 = load ptr, ptr %255, align 8
   %257 = load <8 x double>, ptr %256, align 8
   %258 = select <8 x i1> %16, <8 x double> %254, <8 x double> %257
   store <8 x double> %258, ptr %256, align 8
-  %259 = getelementptr inbounds i8, ptr %0, i64 672
+  %259 = getelementptr inbounds i8, ptr %0, i64 696
   %260 = load ptr, ptr %259, align 8
   %261 = load <8 x double>, ptr %260, align 8
   %262 = select <8 x i1> %16, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %261
   store <8 x double> %262, ptr %260, align 8
-  %263 = getelementptr inbounds i8, ptr %0, i64 696
+  %263 = getelementptr inbounds i8, ptr %0, i64 720
   %264 = load ptr, ptr %263, align 8
   %265 = load ptr, ptr %1, align 8
   %266 = getelementptr inbounds i8, ptr %265, i64 120
@@ -2186,22 +2178,22 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %273 = shufflevector <8 x i64> %272, <8 x i64> poison, <8 x i32> zeroinitializer
   %274 = select <8 x i1> %16, <8 x i64> %273, <8 x i64> %271
   store <8 x i64> %274, ptr %264, align 8
-  %275 = getelementptr inbounds i8, ptr %0, i64 768
+  %275 = getelementptr inbounds i8, ptr %0, i64 792
   %276 = load ptr, ptr %275, align 8
   %277 = load <8 x double>, ptr %276, align 8
   %278 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %277
   store <8 x double> %278, ptr %276, align 8
-  %279 = getelementptr inbounds i8, ptr %0, i64 792
+  %279 = getelementptr inbounds i8, ptr %0, i64 816
   %280 = load ptr, ptr %279, align 8
   %281 = load <8 x double>, ptr %280, align 8
   %282 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %281
   store <8 x double> %282, ptr %280, align 8
-  %283 = getelementptr inbounds i8, ptr %0, i64 816
+  %283 = getelementptr inbounds i8, ptr %0, i64 840
   %284 = load ptr, ptr %283, align 8
   %285 = load <8 x double>, ptr %284, align 8
   %286 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %285
   store <8 x double> %286, ptr %284, align 8
-  %287 = getelementptr inbounds i8, ptr %0, i64 840
+  %287 = getelementptr inbounds i8, ptr %0, i64 864
   %288 = load ptr, ptr %287, align 8
   %289 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %254, i32 384)
   %290 = select <8 x i1> %289, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
@@ -2212,12 +2204,12 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %293, label %326, label %294
 
 294:                                              ; preds = %253
-  %295 = getelementptr inbounds i8, ptr %0, i64 864
-  %296 = getelementptr inbounds i8, ptr %0, i64 960
-  %297 = getelementptr inbounds i8, ptr %0, i64 968
-  %298 = getelementptr inbounds i8, ptr %0, i64 720
-  %299 = getelementptr inbounds i8, ptr %0, i64 744
-  %300 = getelementptr inbounds i8, ptr %0, i64 888
+  %295 = getelementptr inbounds i8, ptr %0, i64 888
+  %296 = getelementptr inbounds i8, ptr %0, i64 984
+  %297 = getelementptr inbounds i8, ptr %0, i64 992
+  %298 = getelementptr inbounds i8, ptr %0, i64 744
+  %299 = getelementptr inbounds i8, ptr %0, i64 768
+  %300 = getelementptr inbounds i8, ptr %0, i64 912
   br label %301
 
 301:                                              ; preds = %294, %301
@@ -2248,7 +2240,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %323 = add nsw i64 %302, -1
   %324 = and i64 %323, %302
   %325 = icmp eq i64 %324, 0
-  br i1 %325, label %326, label %301, !llvm.loop !34
+  br i1 %325, label %326, label %301, !llvm.loop !33
 
 326:                                              ; preds = %301, %253
   %327 = xor i64 %40, -1
@@ -2257,14 +2249,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %329, label %333, label %330
 
 330:                                              ; preds = %326
-  %331 = getelementptr inbounds i8, ptr %0, i64 744
-  %332 = getelementptr inbounds i8, ptr %0, i64 960
+  %331 = getelementptr inbounds i8, ptr %0, i64 768
+  %332 = getelementptr inbounds i8, ptr %0, i64 984
   br label %354
 
 333:                                              ; preds = %354, %326
   %334 = and i64 %14, %40
   %335 = xor i64 %334, %14
-  %336 = getelementptr inbounds i8, ptr %0, i64 744
+  %336 = getelementptr inbounds i8, ptr %0, i64 768
   %337 = load ptr, ptr %336, align 8
   %338 = load <8 x double>, ptr %337, align 8
   %339 = fcmp oeq <8 x double> %338, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
@@ -2302,12 +2294,12 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %365 = zext i8 %364 to i64
   %366 = and i64 %355, %365
   %367 = icmp eq i64 %366, 0
-  br i1 %367, label %333, label %354, !llvm.loop !35
+  br i1 %367, label %333, label %354, !llvm.loop !34
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 624
-  %5 = getelementptr inbounds i8, ptr %0, i64 912
+  %4 = getelementptr inbounds i8, ptr %0, i64 648
+  %5 = getelementptr inbounds i8, ptr %0, i64 936
   %6 = getelementptr inbounds i8, ptr %0, i64 144
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 8
@@ -2319,35 +2311,35 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   br i1 %13, label %59, label %14
 
 14:                                               ; preds = %3
-  %15 = getelementptr inbounds i8, ptr %0, i64 864
-  %16 = getelementptr inbounds i8, ptr %0, i64 888
-  %17 = getelementptr inbounds i8, ptr %0, i64 968
-  %18 = getelementptr inbounds i8, ptr %0, i64 720
+  %15 = getelementptr inbounds i8, ptr %0, i64 888
+  %16 = getelementptr inbounds i8, ptr %0, i64 912
+  %17 = getelementptr inbounds i8, ptr %0, i64 992
+  %18 = getelementptr inbounds i8, ptr %0, i64 744
   %19 = icmp sgt i64 %9, 0
-  %20 = getelementptr inbounds i8, ptr %0, i64 1056
-  %21 = getelementptr inbounds i8, ptr %0, i64 1072
-  %22 = getelementptr inbounds i8, ptr %0, i64 768
-  %23 = getelementptr inbounds i8, ptr %0, i64 792
-  %24 = getelementptr inbounds i8, ptr %0, i64 816
+  %20 = getelementptr inbounds i8, ptr %0, i64 1080
+  %21 = getelementptr inbounds i8, ptr %0, i64 1096
+  %22 = getelementptr inbounds i8, ptr %0, i64 792
+  %23 = getelementptr inbounds i8, ptr %0, i64 816
+  %24 = getelementptr inbounds i8, ptr %0, i64 840
   %25 = icmp slt i64 %2, 0
-  %26 = getelementptr inbounds i8, ptr %0, i64 840
-  %27 = getelementptr inbounds i8, ptr %0, i64 1080
-  %28 = getelementptr inbounds i8, ptr %0, i64 1136
-  %29 = getelementptr inbounds i8, ptr %0, i64 1200
-  %30 = getelementptr inbounds i8, ptr %0, i64 1224
-  %31 = getelementptr inbounds i8, ptr %0, i64 1216
-  %32 = getelementptr inbounds i8, ptr %0, i64 1128
-  %33 = getelementptr inbounds i8, ptr %0, i64 1104
-  %34 = getelementptr inbounds i8, ptr %0, i64 1416
-  %35 = getelementptr inbounds i8, ptr %0, i64 1464
-  %36 = getelementptr inbounds i8, ptr %0, i64 1480
-  %37 = getelementptr inbounds i8, ptr %0, i64 1128
-  %38 = getelementptr inbounds i8, ptr %0, i64 1512
-  %39 = getelementptr inbounds i8, ptr %0, i64 1528
+  %26 = getelementptr inbounds i8, ptr %0, i64 864
+  %27 = getelementptr inbounds i8, ptr %0, i64 1104
+  %28 = getelementptr inbounds i8, ptr %0, i64 1144
+  %29 = getelementptr inbounds i8, ptr %0, i64 1128
+  %30 = getelementptr inbounds i8, ptr %0, i64 1656
+  %31 = getelementptr inbounds i8, ptr %0, i64 1664
+  %32 = getelementptr inbounds i8, ptr %0, i64 1160
+  %33 = getelementptr inbounds i8, ptr %0, i64 1200
+  %34 = getelementptr inbounds i8, ptr %0, i64 1368
+  %35 = getelementptr inbounds i8, ptr %0, i64 1416
+  %36 = getelementptr inbounds i8, ptr %0, i64 1432
+  %37 = getelementptr inbounds i8, ptr %0, i64 1152
+  %38 = getelementptr inbounds i8, ptr %0, i64 1464
+  %39 = getelementptr inbounds i8, ptr %0, i64 1480
   br label %40
 
-40:                                               ; preds = %14, %176
-  %41 = phi i64 [ %1, %14 ], [ %180, %176 ]
+40:                                               ; preds = %14, %174
+  %41 = phi i64 [ %1, %14 ], [ %178, %174 ]
   %42 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %41, i1 true)
   %43 = load ptr, ptr %15, align 8
   %44 = getelementptr inbounds i64, ptr %43, i64 %42
@@ -2369,7 +2361,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %58 = inttoptr i64 %57 to ptr
   br label %60
 
-59:                                               ; preds = %176, %3
+59:                                               ; preds = %174, %3
   ret void
 
 60:                                               ; preds = %54, %82
@@ -2405,7 +2397,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %83 = add nsw i64 %61, -1
   %84 = getelementptr inbounds i8, ptr %62, i64 8
   %85 = icmp sgt i64 %61, 1
-  br i1 %85, label %60, label %63, !llvm.loop !36
+  br i1 %85, label %60, label %63, !llvm.loop !35
 
 86:                                               ; preds = %60, %86
   %87 = phi i64 [ %90, %86 ], [ 0, %60 ]
@@ -2414,7 +2406,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %89, align 8
   %90 = add nuw nsw i64 %87, 1
   %91 = icmp eq i64 %90, %9
-  br i1 %91, label %82, label %86, !llvm.loop !37
+  br i1 %91, label %82, label %86, !llvm.loop !36
 
 92:                                               ; preds = %63
   %93 = load ptr, ptr %26, align 8
@@ -2435,196 +2427,128 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %102, ptr %104, align 8
   %105 = load i64, ptr %28, align 8
   %106 = icmp sgt i64 %105, 0
-  br i1 %106, label %107, label %176
+  br i1 %106, label %110, label %107
 
-107:                                              ; preds = %97
-  %108 = load i64, ptr %31, align 8
+107:                                              ; preds = %110, %97
+  %108 = load i64, ptr %32, align 8
   %109 = icmp sgt i64 %108, 0
-  br i1 %109, label %115, label %110
+  br i1 %109, label %129, label %174
 
-110:                                              ; preds = %115, %107
-  %111 = load ptr, ptr %30, align 8
-  %112 = getelementptr inbounds i8, ptr %111, i64 8
-  %113 = load i64, ptr %112, align 8
-  %114 = icmp sgt i64 %113, 0
-  br i1 %114, label %136, label %175
+110:                                              ; preds = %97, %110
+  %111 = phi i64 [ %127, %110 ], [ %105, %97 ]
+  %112 = phi i64 [ %126, %110 ], [ 0, %97 ]
+  %113 = load ptr, ptr %30, align 8
+  %114 = load i64, ptr %31, align 8
+  %115 = getelementptr inbounds double, ptr %113, i64 %114
+  %116 = mul i64 %111, -64
+  %117 = getelementptr inbounds i8, ptr %115, i64 %116
+  %118 = shl nsw i64 %112, 6
+  %119 = getelementptr inbounds i8, ptr %117, i64 %118
+  %120 = getelementptr inbounds double, ptr %119, i64 %42
+  %121 = load double, ptr %120, align 8
+  %122 = load ptr, ptr %29, align 8
+  %123 = mul nsw i64 %111, %45
+  %124 = getelementptr double, ptr %122, i64 %123
+  %125 = getelementptr double, ptr %124, i64 %112
+  store double %121, ptr %125, align 8
+  %126 = add nuw nsw i64 %112, 1
+  %127 = load i64, ptr %28, align 8
+  %128 = icmp slt i64 %126, %127
+  br i1 %128, label %110, label %107, !llvm.loop !37
 
-115:                                              ; preds = %107, %115
-  %116 = phi i64 [ %134, %115 ], [ %108, %107 ]
-  %117 = phi i64 [ %133, %115 ], [ 0, %107 ]
-  %118 = load ptr, ptr %32, align 8
-  %119 = getelementptr inbounds i64, ptr %118, i64 %42
-  %120 = load i64, ptr %119, align 8
-  %121 = inttoptr i64 %120 to ptr
-  %122 = getelementptr inbounds i8, ptr %121, i64 696
-  %123 = load ptr, ptr %122, align 8
-  %124 = load ptr, ptr %33, align 8
-  %125 = load i64, ptr %124, align 8
-  %126 = getelementptr inbounds double, ptr %123, i64 %125
-  %127 = getelementptr inbounds double, ptr %126, i64 %117
-  %128 = load double, ptr %127, align 8
-  %129 = load ptr, ptr %29, align 8
-  %130 = mul nsw i64 %116, %45
-  %131 = getelementptr double, ptr %129, i64 %130
-  %132 = getelementptr double, ptr %131, i64 %117
-  store double %128, ptr %132, align 8
-  %133 = add nuw nsw i64 %117, 1
-  %134 = load i64, ptr %31, align 8
-  %135 = icmp slt i64 %133, %134
-  br i1 %135, label %115, label %110, !llvm.loop !38
+129:                                              ; preds = %107
+  %130 = load ptr, ptr %33, align 8
+  %131 = getelementptr inbounds i8, ptr %130, i64 8
+  %132 = load i64, ptr %131, align 8
+  %133 = icmp sgt i64 %132, 0
+  br i1 %133, label %134, label %173
 
-136:                                              ; preds = %110, %151
-  %137 = phi i64 [ %157, %151 ], [ 2, %110 ]
-  %138 = phi i64 [ %152, %151 ], [ 0, %110 ]
-  %139 = load ptr, ptr %34, align 8
-  %140 = shl i64 %138, 6
-  %141 = getelementptr i8, ptr %139, i64 %140
-  %142 = getelementptr double, ptr %141, i64 %42
-  %143 = load double, ptr %142, align 8
-  %144 = fptosi double %143 to i64
-  %145 = load ptr, ptr %35, align 8
-  %146 = load i64, ptr %36, align 8
-  %147 = mul nsw i64 %146, %45
-  %148 = getelementptr i64, ptr %145, i64 %147
-  %149 = getelementptr i64, ptr %148, i64 %138
-  store i64 %144, ptr %149, align 8
-  %150 = shl nuw nsw i64 %138, 1
-  br label %158
+134:                                              ; preds = %129, %149
+  %135 = phi i64 [ %155, %149 ], [ 2, %129 ]
+  %136 = phi i64 [ %150, %149 ], [ 0, %129 ]
+  %137 = load ptr, ptr %34, align 8
+  %138 = shl i64 %136, 6
+  %139 = getelementptr i8, ptr %137, i64 %138
+  %140 = getelementptr double, ptr %139, i64 %42
+  %141 = load double, ptr %140, align 8
+  %142 = fptosi double %141 to i64
+  %143 = load ptr, ptr %35, align 8
+  %144 = load i64, ptr %36, align 8
+  %145 = mul nsw i64 %144, %45
+  %146 = getelementptr i64, ptr %143, i64 %145
+  %147 = getelementptr i64, ptr %146, i64 %136
+  store i64 %142, ptr %147, align 8
+  %148 = shl nuw nsw i64 %136, 1
+  br label %156
 
-151:                                              ; preds = %158
-  %152 = add nuw nsw i64 %138, 1
-  %153 = load ptr, ptr %30, align 8
-  %154 = getelementptr inbounds i8, ptr %153, i64 8
-  %155 = load i64, ptr %154, align 8
-  %156 = icmp slt i64 %152, %155
-  %157 = add nuw i64 %137, 2
-  br i1 %156, label %136, label %175, !llvm.loop !39
+149:                                              ; preds = %156
+  %150 = add nuw nsw i64 %136, 1
+  %151 = load ptr, ptr %33, align 8
+  %152 = getelementptr inbounds i8, ptr %151, i64 8
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp slt i64 %150, %153
+  %155 = add nuw i64 %135, 2
+  br i1 %154, label %134, label %173, !llvm.loop !38
 
-158:                                              ; preds = %136, %158
-  %159 = phi i64 [ %150, %136 ], [ %173, %158 ]
-  %160 = load ptr, ptr %37, align 8
-  %161 = getelementptr inbounds i64, ptr %160, i64 %42
-  %162 = load i64, ptr %161, align 8
-  %163 = inttoptr i64 %162 to ptr
-  %164 = getelementptr inbounds i8, ptr %163, i64 960
-  %165 = load ptr, ptr %164, align 8
-  %166 = getelementptr inbounds double, ptr %165, i64 %159
-  %167 = load double, ptr %166, align 8
-  %168 = load ptr, ptr %38, align 8
-  %169 = load i64, ptr %39, align 8
-  %170 = mul nsw i64 %169, %45
-  %171 = getelementptr double, ptr %168, i64 %170
-  %172 = getelementptr double, ptr %171, i64 %159
-  store double %167, ptr %172, align 8
-  %173 = add nuw nsw i64 %159, 1
-  %174 = icmp eq i64 %173, %137
-  br i1 %174, label %151, label %158, !llvm.loop !40
+156:                                              ; preds = %134, %156
+  %157 = phi i64 [ %148, %134 ], [ %171, %156 ]
+  %158 = load ptr, ptr %37, align 8
+  %159 = getelementptr inbounds i64, ptr %158, i64 %42
+  %160 = load i64, ptr %159, align 8
+  %161 = inttoptr i64 %160 to ptr
+  %162 = getelementptr inbounds i8, ptr %161, i64 960
+  %163 = load ptr, ptr %162, align 8
+  %164 = getelementptr inbounds double, ptr %163, i64 %157
+  %165 = load double, ptr %164, align 8
+  %166 = load ptr, ptr %38, align 8
+  %167 = load i64, ptr %39, align 8
+  %168 = mul nsw i64 %167, %45
+  %169 = getelementptr double, ptr %166, i64 %168
+  %170 = getelementptr double, ptr %169, i64 %157
+  store double %165, ptr %170, align 8
+  %171 = add nuw nsw i64 %157, 1
+  %172 = icmp eq i64 %171, %135
+  br i1 %172, label %149, label %156, !llvm.loop !39
 
-175:                                              ; preds = %151, %110
+173:                                              ; preds = %149, %129
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %42) #11
-  br label %176
+  br label %174
 
-176:                                              ; preds = %175, %97
-  %177 = load ptr, ptr %15, align 8
-  %178 = getelementptr inbounds i64, ptr %177, i64 %42
-  store i64 -1, ptr %178, align 8
-  %179 = add nsw i64 %41, -1
-  %180 = and i64 %179, %41
-  %181 = icmp eq i64 %180, 0
-  br i1 %181, label %59, label %40, !llvm.loop !41
+174:                                              ; preds = %173, %107
+  %175 = load ptr, ptr %15, align 8
+  %176 = getelementptr inbounds i64, ptr %175, i64 %42
+  store i64 -1, ptr %176, align 8
+  %177 = add nsw i64 %41, -1
+  %178 = and i64 %177, %41
+  %179 = icmp eq i64 %178, 0
+  br i1 %179, label %59, label %40, !llvm.loop !40
 }
 
-define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
-  %6 = getelementptr inbounds i8, ptr %0, i64 1176
+define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
+  %6 = getelementptr inbounds i8, ptr %0, i64 1608
   %7 = load ptr, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 144
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %9, i64 8
-  %11 = load i64, ptr %10, align 8
-  %12 = icmp eq i64 %3, 0
-  br i1 %12, label %29, label %13
+  %8 = getelementptr inbounds i8, ptr %7, i64 56
+  %9 = load i64, ptr %8, align 8
+  %10 = icmp eq i32 %4, 0
+  br i1 %10, label %14, label %11
 
-13:                                               ; preds = %5
-  %14 = getelementptr inbounds i8, ptr %0, i64 1128
-  %15 = icmp sgt i64 %11, 0
-  %16 = getelementptr inbounds i8, ptr %0, i64 360
-  %17 = icmp eq i32 %4, 0
-  %18 = icmp sgt i64 %11, 0
-  br label %19
+11:                                               ; preds = %5
+  %12 = getelementptr inbounds i8, ptr %0, i64 384
+  %13 = load ptr, ptr %12, align 8
+  br label %14
 
-19:                                               ; preds = %13, %59
-  %20 = phi i64 [ 0, %13 ], [ %44, %59 ]
-  %21 = phi i64 [ %3, %13 ], [ %61, %59 ]
-  %22 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %21, i1 true)
-  %23 = load ptr, ptr %14, align 8
-  %24 = getelementptr inbounds i64, ptr %23, i64 %22
-  %25 = load i64, ptr %24, align 8
-  %26 = inttoptr i64 %25 to ptr
-  %27 = getelementptr inbounds i8, ptr %26, i64 312
-  %28 = load ptr, ptr %27, align 8
-  br i1 %15, label %46, label %31
-
-29:                                               ; preds = %59, %5
-  %30 = phi i64 [ 0, %5 ], [ %44, %59 ]
-  ret i64 %30
-
-31:                                               ; preds = %46, %19
-  %32 = getelementptr inbounds i8, ptr %26, i64 648
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds i8, ptr %33, i64 56
-  %35 = load i64, ptr %34, align 8
-  %36 = inttoptr i64 %35 to ptr
-  %37 = getelementptr inbounds double, ptr %1, i64 %22
-  %38 = load double, ptr %37, align 8
-  %39 = select i1 %17, ptr null, ptr %28
-  %40 = tail call i64 %36(ptr noundef %26, double noundef %38, ptr noundef %7, ptr noundef %39) #12
-  %41 = icmp eq i64 %40, 0
-  %42 = shl nuw i64 1, %22
-  %43 = select i1 %41, i64 0, i64 %42
-  %44 = or i64 %43, %20
-  %45 = getelementptr inbounds double, ptr %2, i64 %22
-  br i1 %18, label %63, label %59
-
-46:                                               ; preds = %19, %46
-  %47 = phi i64 [ %57, %46 ], [ 0, %19 ]
-  %48 = shl nsw i64 %47, 3
-  %49 = add nuw nsw i64 %48, %22
-  %50 = getelementptr inbounds double, ptr %2, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds double, ptr %7, i64 %47
-  store double %51, ptr %52, align 8
-  %53 = load ptr, ptr %16, align 8
-  %54 = getelementptr inbounds double, ptr %53, i64 %49
-  %55 = load double, ptr %54, align 8
-  %56 = getelementptr inbounds double, ptr %28, i64 %47
-  store double %55, ptr %56, align 8
-  %57 = add nuw nsw i64 %47, 1
-  %58 = icmp eq i64 %57, %11
-  br i1 %58, label %31, label %46, !llvm.loop !42
-
-59:                                               ; preds = %63, %31
-  %60 = add nsw i64 %21, -1
-  %61 = and i64 %60, %21
-  %62 = icmp eq i64 %61, 0
-  br i1 %62, label %29, label %19, !llvm.loop !43
-
-63:                                               ; preds = %31, %63
-  %64 = phi i64 [ %69, %63 ], [ 0, %31 ]
-  %65 = getelementptr inbounds double, ptr %7, i64 %64
-  %66 = load double, ptr %65, align 8
-  %67 = shl nsw i64 %64, 6
-  %68 = getelementptr inbounds i8, ptr %45, i64 %67
-  store double %66, ptr %68, align 8
-  %69 = add nuw nsw i64 %64, 1
-  %70 = icmp eq i64 %69, %11
-  br i1 %70, label %59, label %63, !llvm.loop !44
+14:                                               ; preds = %5, %11
+  %15 = phi ptr [ %13, %11 ], [ null, %5 ]
+  %16 = inttoptr i64 %9 to ptr
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
+  ret i64 %17
 }
 
 define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %0) unnamed_addr #3 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 360
-  %3 = getelementptr inbounds i8, ptr %0, i64 1224
+  %2 = getelementptr inbounds i8, ptr %0, i64 384
+  %3 = getelementptr inbounds i8, ptr %0, i64 1200
   %4 = load ptr, ptr %3, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 1128
+  %5 = getelementptr inbounds i8, ptr %0, i64 1152
   %6 = load ptr, ptr %5, align 8
   %7 = load i64, ptr %6, align 8
   %8 = inttoptr i64 %7 to ptr
@@ -2632,7 +2556,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %4, i64 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 432
+  %13 = getelementptr inbounds i8, ptr %0, i64 456
   %14 = load ptr, ptr %13, align 8
   %15 = load <8 x double>, ptr %14, align 8
   %16 = getelementptr inbounds i8, ptr %4, i64 24
@@ -2641,22 +2565,22 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   br i1 %18, label %142, label %19
 
 19:                                               ; preds = %1
-  %20 = getelementptr inbounds i8, ptr %0, i64 1352
+  %20 = getelementptr inbounds i8, ptr %0, i64 1304
   %21 = load i64, ptr %20, align 8
   %22 = icmp sgt i64 %21, 0
   br i1 %22, label %23, label %30
 
 23:                                               ; preds = %19
-  %24 = getelementptr inbounds i8, ptr %0, i64 1344
-  %25 = getelementptr inbounds i8, ptr %0, i64 384
-  %26 = getelementptr inbounds i8, ptr %0, i64 528
-  %27 = getelementptr inbounds i8, ptr %0, i64 368
-  %28 = getelementptr inbounds i8, ptr %0, i64 1296
+  %24 = getelementptr inbounds i8, ptr %0, i64 1296
+  %25 = getelementptr inbounds i8, ptr %0, i64 408
+  %26 = getelementptr inbounds i8, ptr %0, i64 552
+  %27 = getelementptr inbounds i8, ptr %0, i64 392
+  %28 = getelementptr inbounds i8, ptr %0, i64 1248
   %29 = getelementptr inbounds i8, ptr %4, i64 32
   br label %62
 
 30:                                               ; preds = %85, %19
-  %31 = getelementptr inbounds i8, ptr %0, i64 1296
+  %31 = getelementptr inbounds i8, ptr %0, i64 1248
   %32 = load ptr, ptr %31, align 8
   %33 = getelementptr inbounds i8, ptr %4, i64 32
   %34 = load i64, ptr %33, align 8
@@ -2668,7 +2592,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   store <8 x double> %15, ptr %39, align 8
   %40 = getelementptr inbounds i8, ptr %0, i64 168
   %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %0, i64 624
+  %42 = getelementptr inbounds i8, ptr %0, i64 648
   %43 = load ptr, ptr %42, align 8
   %44 = load <8 x double>, ptr %43, align 8
   store <8 x double> %44, ptr %41, align 8
@@ -2676,9 +2600,9 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %46 = load ptr, ptr %40, align 8
   %47 = load ptr, ptr %2, align 8
   %48 = load ptr, ptr %31, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 1320
+  %49 = getelementptr inbounds i8, ptr %0, i64 1272
   %50 = load ptr, ptr %49, align 8
-  %51 = getelementptr inbounds i8, ptr %0, i64 1392
+  %51 = getelementptr inbounds i8, ptr %0, i64 1344
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = tail call i32 %53(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
@@ -2690,7 +2614,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
 58:                                               ; preds = %30
   %59 = bitcast i8 %56 to <8 x i1>
   %60 = sext <8 x i1> %59 to <8 x i64>
-  %61 = getelementptr inbounds i8, ptr %0, i64 1416
+  %61 = getelementptr inbounds i8, ptr %0, i64 1368
   br label %116
 
 62:                                               ; preds = %23, %85
@@ -2732,7 +2656,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %93 = add nuw nsw i64 %63, 1
   %94 = load i64, ptr %20, align 8
   %95 = icmp slt i64 %93, %94
-  br i1 %95, label %62, label %30, !llvm.loop !45
+  br i1 %95, label %62, label %30, !llvm.loop !41
 
 96:                                               ; preds = %81, %96
   %97 = phi i64 [ 0, %81 ], [ %108, %96 ]
@@ -2748,7 +2672,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %107 = select <8 x i1> %106, <8 x double> %98, <8 x double> %105
   %108 = add nuw i64 %97, 1
   %109 = icmp eq i64 %97, %79
-  br i1 %109, label %85, label %96, !llvm.loop !46
+  br i1 %109, label %85, label %96, !llvm.loop !42
 
 110:                                              ; preds = %138
   %111 = icmp ne <8 x i64> %139, zeroinitializer
@@ -2790,7 +2714,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %139 = phi <8 x i64> [ %118, %116 ], [ %137, %123 ]
   %140 = add nuw nsw i64 %117, 1
   %141 = icmp eq i64 %140, %12
-  br i1 %141, label %110, label %116, !llvm.loop !47
+  br i1 %141, label %110, label %116, !llvm.loop !43
 
 142:                                              ; preds = %1, %113
   %143 = phi i64 [ %115, %113 ], [ 0, %1 ]
@@ -2813,7 +2737,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %15, align 8
   %16 = add nuw nsw i64 %14, 1
   %17 = icmp eq i64 %16, 8
-  br i1 %17, label %8, label %13, !llvm.loop !48
+  br i1 %17, label %8, label %13, !llvm.loop !44
 
 18:                                               ; preds = %8, %43
   %19 = phi i64 [ %45, %43 ], [ %11, %8 ]
@@ -2853,12 +2777,12 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %44 = add nsw i64 %19, -1
   %45 = and i64 %44, %19
   %46 = icmp eq i64 %45, 0
-  br i1 %46, label %40, label %18, !llvm.loop !49
+  br i1 %46, label %40, label %18, !llvm.loop !45
 }
 
-define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
+define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
   %6 = alloca [8 x i64], align 16
-  %7 = getelementptr inbounds i8, ptr %0, i64 624
+  %7 = getelementptr inbounds i8, ptr %0, i64 648
   %8 = load ptr, ptr %7, align 8
   %9 = load <8 x double>, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %1, i64 16
@@ -2866,10 +2790,10 @@ define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly 
   %12 = getelementptr inbounds i8, ptr %11, i64 72
   %13 = load ptr, ptr %12, align 8
   %14 = load <8 x double>, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 720
+  %15 = getelementptr inbounds i8, ptr %0, i64 744
   %16 = load ptr, ptr %15, align 8
   %17 = load <8 x double>, ptr %16, align 8
-  %18 = getelementptr inbounds i8, ptr %0, i64 744
+  %18 = getelementptr inbounds i8, ptr %0, i64 768
   %19 = load ptr, ptr %18, align 8
   %20 = load <8 x double>, ptr %19, align 8
   %21 = getelementptr inbounds i8, ptr %11, i64 48
@@ -2890,13 +2814,13 @@ define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly 
 31:                                               ; preds = %25, %5
   %32 = phi <8 x double> [ %30, %25 ], [ %23, %5 ]
   %33 = phi <8 x i1> [ %27, %25 ], [ zeroinitializer, %5 ]
-  %34 = getelementptr inbounds i8, ptr %0, i64 888
+  %34 = getelementptr inbounds i8, ptr %0, i64 912
   %35 = load ptr, ptr %34, align 8
   br label %39
 
 36:                                               ; preds = %39
   %37 = getelementptr inbounds i8, ptr %1, i64 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 1216
+  %38 = getelementptr inbounds i8, ptr %0, i64 1608
   br label %46
 
 39:                                               ; preds = %31, %39
@@ -2907,11 +2831,11 @@ define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly 
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !50
+  br i1 %45, label %36, label %39, !llvm.loop !46
 
-46:                                               ; preds = %36, %91
-  %47 = phi i64 [ %59, %91 ], [ %2, %36 ]
-  %48 = phi i64 [ %92, %91 ], [ 0, %36 ]
+46:                                               ; preds = %36, %92
+  %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
+  %48 = phi i64 [ %93, %92 ], [ 0, %36 ]
   %49 = load ptr, ptr %18, align 8
   %50 = load <8 x double>, ptr %49, align 8
   %51 = fcmp olt <8 x double> %50, %32
@@ -2928,11 +2852,11 @@ define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly 
 
 61:                                               ; preds = %46
   %62 = icmp eq i64 %48, 0
-  br i1 %62, label %111, label %63
+  br i1 %62, label %112, label %63
 
 63:                                               ; preds = %61
-  %64 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %95
+  %64 = getelementptr inbounds i8, ptr %0, i64 912
+  br label %96
 
 65:                                               ; preds = %46
   %66 = fsub <8 x double> %50, %9
@@ -2956,45 +2880,46 @@ define internal fastcc range(i64 0, 256) i64 @write_within(ptr noundef readonly 
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
   tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
-  %85 = load i64, ptr %38, align 8
-  %86 = icmp sgt i64 %85, 0
-  br i1 %86, label %87, label %91
+  %85 = load ptr, ptr %38, align 8
+  %86 = load i64, ptr %85, align 8
+  %87 = icmp eq i64 %86, 1
+  br i1 %87, label %88, label %92
 
-87:                                               ; preds = %65
-  %88 = load ptr, ptr %18, align 8
-  %89 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %88, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
-  %90 = or i64 %89, %48
-  br label %91
+88:                                               ; preds = %65
+  %89 = load ptr, ptr %18, align 8
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
+  %91 = or i64 %90, %48
+  br label %92
 
-91:                                               ; preds = %87, %65
-  %92 = phi i64 [ %90, %87 ], [ %48, %65 ]
-  %93 = xor i64 %92, -1
-  %94 = and i64 %59, %93
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %94) #11
-  br label %46, !llvm.loop !51
+92:                                               ; preds = %88, %65
+  %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
+  %94 = xor i64 %93, -1
+  %95 = and i64 %59, %94
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
+  br label %46, !llvm.loop !47
 
-95:                                               ; preds = %63, %95
-  %96 = phi i64 [ %48, %63 ], [ %109, %95 ]
-  %97 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %96, i1 true)
-  %98 = extractelement <8 x double> %17, i64 %97
-  %99 = load ptr, ptr %15, align 8
-  %100 = getelementptr inbounds double, ptr %99, i64 %97
-  store double %98, ptr %100, align 8
-  %101 = extractelement <8 x double> %20, i64 %97
-  %102 = load ptr, ptr %18, align 8
-  %103 = getelementptr inbounds double, ptr %102, i64 %97
-  store double %101, ptr %103, align 8
-  %104 = getelementptr inbounds [8 x i64], ptr %6, i64 0, i64 %97
-  %105 = load i64, ptr %104, align 8
-  %106 = load ptr, ptr %64, align 8
-  %107 = getelementptr inbounds i64, ptr %106, i64 %97
-  store i64 %105, ptr %107, align 8
-  %108 = add nsw i64 %96, -1
-  %109 = and i64 %108, %96
-  %110 = icmp eq i64 %109, 0
-  br i1 %110, label %111, label %95, !llvm.loop !52
+96:                                               ; preds = %63, %96
+  %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
+  %98 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %97, i1 true)
+  %99 = extractelement <8 x double> %17, i64 %98
+  %100 = load ptr, ptr %15, align 8
+  %101 = getelementptr inbounds double, ptr %100, i64 %98
+  store double %99, ptr %101, align 8
+  %102 = extractelement <8 x double> %20, i64 %98
+  %103 = load ptr, ptr %18, align 8
+  %104 = getelementptr inbounds double, ptr %103, i64 %98
+  store double %102, ptr %104, align 8
+  %105 = getelementptr inbounds [8 x i64], ptr %6, i64 0, i64 %98
+  %106 = load i64, ptr %105, align 8
+  %107 = load ptr, ptr %64, align 8
+  %108 = getelementptr inbounds i64, ptr %107, i64 %98
+  store i64 %106, ptr %108, align 8
+  %109 = add nsw i64 %97, -1
+  %110 = and i64 %109, %97
+  %111 = icmp eq i64 %110, 0
+  br i1 %111, label %112, label %96, !llvm.loop !48
 
-111:                                              ; preds = %95, %61
+112:                                              ; preds = %96, %61
   ret i64 %48
 }
 
@@ -3059,7 +2984,7 @@ define internal fastcc void @end_within(ptr noundef readonly %0, i64 noundef %1,
   %52 = getelementptr inbounds i8, ptr %51, i64 8
   %53 = load i64, ptr %52, align 8
   %54 = icmp slt i64 %49, %53
-  br i1 %54, label %39, label %38, !llvm.loop !53
+  br i1 %54, label %39, label %38, !llvm.loop !49
 }
 
 define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {
@@ -3067,7 +2992,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i8, ptr %5, i64 8
   %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 912
+  %8 = getelementptr inbounds i8, ptr %0, i64 936
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 32
   %11 = load i64, ptr %10, align 8
@@ -3075,11 +3000,11 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   br i1 %12, label %28, label %13
 
 13:                                               ; preds = %3
-  %14 = getelementptr inbounds i8, ptr %0, i64 888
+  %14 = getelementptr inbounds i8, ptr %0, i64 912
   %15 = icmp sgt i64 %7, 0
-  %16 = getelementptr inbounds i8, ptr %0, i64 720
-  %17 = getelementptr inbounds i8, ptr %0, i64 960
-  %18 = getelementptr inbounds i8, ptr %0, i64 744
+  %16 = getelementptr inbounds i8, ptr %0, i64 744
+  %17 = getelementptr inbounds i8, ptr %0, i64 984
+  %18 = getelementptr inbounds i8, ptr %0, i64 768
   br label %19
 
 19:                                               ; preds = %13, %29
@@ -3116,7 +3041,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !54
+  br i1 %45, label %28, label %19, !llvm.loop !50
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -3128,7 +3053,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !55
+  br i1 %54, label %29, label %46, !llvm.loop !51
 }
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #6
@@ -3142,16 +3067,16 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %8, label %32, label %9
 
 9:                                                ; preds = %3
-  %10 = getelementptr inbounds i8, ptr %0, i64 1128
+  %10 = getelementptr inbounds i8, ptr %0, i64 1152
   %11 = icmp sgt i64 %7, 0
-  %12 = getelementptr inbounds i8, ptr %0, i64 360
-  %13 = getelementptr inbounds i8, ptr %0, i64 624
-  %14 = getelementptr inbounds i8, ptr %0, i64 1224
-  %15 = getelementptr inbounds i8, ptr %0, i64 1440
-  %16 = getelementptr inbounds i8, ptr %0, i64 1416
-  %17 = getelementptr inbounds i8, ptr %0, i64 1368
+  %12 = getelementptr inbounds i8, ptr %0, i64 384
+  %13 = getelementptr inbounds i8, ptr %0, i64 648
+  %14 = getelementptr inbounds i8, ptr %0, i64 1200
+  %15 = getelementptr inbounds i8, ptr %0, i64 1392
+  %16 = getelementptr inbounds i8, ptr %0, i64 1368
+  %17 = getelementptr inbounds i8, ptr %0, i64 1320
   %18 = icmp sgt i64 %7, 0
-  %19 = getelementptr inbounds i8, ptr %0, i64 360
+  %19 = getelementptr inbounds i8, ptr %0, i64 384
   br label %20
 
 20:                                               ; preds = %9, %214
@@ -3198,7 +3123,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !56
+  br i1 %50, label %34, label %40, !llvm.loop !52
 
 51:                                               ; preds = %34
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
@@ -3253,7 +3178,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !57
+  br i1 %94, label %80, label %83, !llvm.loop !53
 
 95:                                               ; preds = %80
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
@@ -3318,7 +3243,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !58
+  br i1 %139, label %120, label %123, !llvm.loop !54
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -3398,7 +3323,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !59
+  br i1 %195, label %177, label %180, !llvm.loop !55
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -3418,7 +3343,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !60
+  br i1 %210, label %196, label %200, !llvm.loop !56
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
@@ -3433,7 +3358,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !61
+  br i1 %218, label %32, label %20, !llvm.loop !57
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #6
@@ -3489,7 +3414,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !62
+  br i1 %48, label %13, label %20, !llvm.loop !58
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #6
@@ -3501,8 +3426,8 @@ declare <8 x double> @llvm.rint.v8f64(<8 x double>) #6
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #6
 
 define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 1224
-  %4 = getelementptr inbounds i8, ptr %0, i64 1128
+  %3 = getelementptr inbounds i8, ptr %0, i64 1200
+  %4 = getelementptr inbounds i8, ptr %0, i64 1152
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i64, ptr %5, i64 %1
   %7 = load i64, ptr %6, align 8
@@ -3510,25 +3435,25 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %9 = getelementptr inbounds i8, ptr %8, i64 600
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 80
-  %12 = getelementptr inbounds i8, ptr %0, i64 1608
-  %13 = getelementptr inbounds i8, ptr %0, i64 1624
+  %12 = getelementptr inbounds i8, ptr %0, i64 1560
+  %13 = getelementptr inbounds i8, ptr %0, i64 1576
   %14 = load i64, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 1568
+  %15 = getelementptr inbounds i8, ptr %0, i64 1520
   %16 = load i64, ptr %11, align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %33
 
 18:                                               ; preds = %2
-  %19 = getelementptr inbounds i8, ptr %0, i64 1560
-  %20 = getelementptr inbounds i8, ptr %0, i64 864
-  %21 = getelementptr inbounds i8, ptr %0, i64 1536
+  %19 = getelementptr inbounds i8, ptr %0, i64 1512
+  %20 = getelementptr inbounds i8, ptr %0, i64 888
+  %21 = getelementptr inbounds i8, ptr %0, i64 1488
   %22 = getelementptr inbounds i8, ptr %8, i64 1008
   %23 = getelementptr inbounds i8, ptr %8, i64 1032
-  %24 = getelementptr inbounds i8, ptr %0, i64 1584
+  %24 = getelementptr inbounds i8, ptr %0, i64 1536
   %25 = icmp sgt i64 %14, 0
   %26 = getelementptr inbounds i8, ptr %8, i64 1056
   %27 = getelementptr inbounds i8, ptr %8, i64 1080
-  %28 = getelementptr inbounds i8, ptr %0, i64 1632
+  %28 = getelementptr inbounds i8, ptr %0, i64 1584
   br label %29
 
 29:                                               ; preds = %18, %57
@@ -3576,7 +3501,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !63
+  br i1 %60, label %29, label %33, !llvm.loop !59
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -3596,7 +3521,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !64
+  br i1 %76, label %57, label %61, !llvm.loop !60
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #8 {
@@ -3652,7 +3577,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !65
+  br i1 %50, label %51, label %25, !llvm.loop !61
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -3710,7 +3635,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !66
+  br i1 %98, label %14, label %19, !llvm.loop !62
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -3741,7 +3666,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !65
+  br i1 %123, label %104, label %110, !llvm.loop !61
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -3761,25 +3686,25 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !67
+  br i1 %138, label %99, label %139, !llvm.loop !63
 
 139:                                              ; preds = %135, %14
   ret void
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 128
+  %2 = getelementptr inbounds i8, ptr %0, i64 152
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
   br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
-  %6 = getelementptr inbounds i8, ptr %0, i64 120
-  %7 = getelementptr inbounds i8, ptr %0, i64 136
-  %8 = getelementptr inbounds i8, ptr %0, i64 144
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
+  %7 = getelementptr inbounds i8, ptr %0, i64 160
+  %8 = getelementptr inbounds i8, ptr %0, i64 168
   %9 = getelementptr inbounds i8, ptr %0, i64 24
-  %10 = getelementptr inbounds i8, ptr %0, i64 168
-  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 192
+  %11 = getelementptr inbounds i8, ptr %0, i64 216
   %12 = getelementptr inbounds i8, ptr %0, i64 48
   br label %14
 
@@ -3799,7 +3724,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %22 = add nuw nsw i64 %15, 1
   %23 = load i64, ptr %2, align 8
   %24 = icmp slt i64 %22, %23
-  br i1 %24, label %14, label %13, !llvm.loop !68
+  br i1 %24, label %14, label %13, !llvm.loop !64
 
 25:                                               ; preds = %14, %71
   %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
@@ -3855,7 +3780,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %68 = select i1 %66, i64 %63, i64 %60
   %69 = sub nsw i64 %68, %67
   %70 = icmp sgt i64 %69, 1
-  br i1 %70, label %59, label %71, !llvm.loop !69
+  br i1 %70, label %59, label %71, !llvm.loop !65
 
 71:                                               ; preds = %59, %57, %50, %53
   %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
@@ -3888,25 +3813,25 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %92, ptr %97, align 8
   %98 = add nuw nsw i64 %26, 1
   %99 = icmp eq i64 %98, 8
-  br i1 %99, label %21, label %25, !llvm.loop !70
+  br i1 %99, label %21, label %25, !llvm.loop !66
 }
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
   %5 = alloca [5 x <8 x double>], align 64
-  %6 = getelementptr inbounds i8, ptr %0, i64 1224
+  %6 = getelementptr inbounds i8, ptr %0, i64 1200
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 8
   %9 = load i64, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 1128
+  %10 = getelementptr inbounds i8, ptr %0, i64 1152
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %11, align 8
   %13 = inttoptr i64 %12 to ptr
   %14 = getelementptr inbounds i8, ptr %13, i64 816
   %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %16 = getelementptr inbounds i8, ptr %0, i64 1392
   %17 = load ptr, ptr %16, align 8
   %18 = load <8 x double>, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 624
+  %19 = getelementptr inbounds i8, ptr %0, i64 648
   %20 = load ptr, ptr %19, align 8
   %21 = load <8 x double>, ptr %20, align 8
   %22 = fcmp une <8 x double> %18, %21
@@ -3917,7 +3842,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %26, label %94, label %27
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 1392
+  %28 = getelementptr inbounds i8, ptr %0, i64 1344
   %29 = load ptr, ptr %28, align 8
   %30 = getelementptr inbounds i8, ptr %1, i64 16
   %31 = load ptr, ptr %30, align 8
@@ -3950,7 +3875,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %56 = getelementptr inbounds i8, ptr %0, i64 168
   %57 = load ptr, ptr %56, align 8
   store <8 x double> %55, ptr %57, align 8
-  %58 = getelementptr inbounds i8, ptr %0, i64 272
+  %58 = getelementptr inbounds i8, ptr %0, i64 296
   %59 = load i64, ptr %58, align 8
   %60 = icmp sgt i64 %59, 0
   br i1 %60, label %61, label %63
@@ -3970,7 +3895,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %70 = load ptr, ptr %69, align 8
   %71 = getelementptr inbounds i8, ptr %0, i64 192
   %72 = load ptr, ptr %71, align 8
-  %73 = getelementptr inbounds i8, ptr %0, i64 1272
+  %73 = getelementptr inbounds i8, ptr %0, i64 1224
   %74 = load ptr, ptr %73, align 8
   %75 = inttoptr i64 %65 to ptr
   %76 = tail call i32 %75(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #12
@@ -3980,7 +3905,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %79, label %80, label %94
 
 80:                                               ; preds = %63
-  %81 = getelementptr inbounds i8, ptr %0, i64 1368
+  %81 = getelementptr inbounds i8, ptr %0, i64 1320
   br label %82
 
 82:                                               ; preds = %80, %82
@@ -3996,20 +3921,20 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %91, ptr %89, align 8
   %92 = add nuw nsw i64 %83, 1
   %93 = icmp eq i64 %92, %9
-  br i1 %93, label %94, label %82, !llvm.loop !71
+  br i1 %93, label %94, label %82, !llvm.loop !67
 
 94:                                               ; preds = %82, %63, %4
   %95 = phi i64 [ 0, %4 ], [ %78, %63 ], [ %78, %82 ]
-  %96 = getelementptr inbounds i8, ptr %0, i64 1368
+  %96 = getelementptr inbounds i8, ptr %0, i64 1320
   %97 = shl i64 %9, 6
   %98 = getelementptr inbounds i8, ptr %1, i64 16
   %99 = getelementptr inbounds i8, ptr %1, i64 8
   %100 = getelementptr inbounds i8, ptr %0, i64 168
-  %101 = getelementptr inbounds i8, ptr %0, i64 272
+  %101 = getelementptr inbounds i8, ptr %0, i64 296
   %102 = getelementptr inbounds i8, ptr %0, i64 144
   %103 = getelementptr inbounds i8, ptr %0, i64 168
   %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 1272
+  %105 = getelementptr inbounds i8, ptr %0, i64 1224
   br label %119
 
 106:                                              ; preds = %159
@@ -4022,9 +3947,9 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %112, label %113, label %174
 
 113:                                              ; preds = %106
-  %114 = getelementptr inbounds i8, ptr %0, i64 1416
+  %114 = getelementptr inbounds i8, ptr %0, i64 1368
   %115 = load ptr, ptr %114, align 8
-  %116 = getelementptr inbounds i8, ptr %0, i64 1368
+  %116 = getelementptr inbounds i8, ptr %0, i64 1320
   %117 = load ptr, ptr %116, align 8
   %118 = getelementptr inbounds i8, ptr %5, i64 64
   br label %181
@@ -4092,7 +4017,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %171 = or i64 %121, %170
   %172 = add nuw nsw i64 %120, 1
   %173 = icmp eq i64 %172, 5
-  br i1 %173, label %106, label %119, !llvm.loop !72
+  br i1 %173, label %106, label %119, !llvm.loop !68
 
 174:                                              ; preds = %302, %106
   %175 = phi <8 x i64> [ %111, %106 ], [ %304, %302 ]
@@ -4100,7 +4025,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %176, label %177, label %307
 
 177:                                              ; preds = %174
-  %178 = getelementptr inbounds i8, ptr %0, i64 1368
+  %178 = getelementptr inbounds i8, ptr %0, i64 1320
   %179 = shl i64 %9, 8
   %180 = icmp slt <8 x i64> %175, zeroinitializer
   br label %316
@@ -4165,7 +4090,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %221 = phi <8 x i64> [ %219, %217 ], [ %198, %215 ]
   %222 = add nuw nsw i64 %195, 1
   %223 = icmp eq i64 %222, 5
-  br i1 %223, label %189, label %194, !llvm.loop !73
+  br i1 %223, label %189, label %194, !llvm.loop !69
 
 224:                                              ; preds = %189
   %225 = fmul <8 x double> %211, %216
@@ -4253,14 +4178,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 299:                                              ; preds = %268, %242
   %300 = phi <8 x i64> [ %298, %268 ], [ %244, %242 ]
   %301 = icmp eq i64 %249, 4
-  br i1 %301, label %302, label %242, !llvm.loop !74
+  br i1 %301, label %302, label %242, !llvm.loop !70
 
 302:                                              ; preds = %299
   %303 = xor <8 x i64> %300, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %304 = and <8 x i64> %237, %303
   %305 = add nuw nsw i64 %184, 1
   %306 = icmp eq i64 %305, %9
-  br i1 %306, label %174, label %181, !llvm.loop !75
+  br i1 %306, label %174, label %181, !llvm.loop !71
 
 307:                                              ; preds = %316, %174
   %308 = load ptr, ptr %16, align 8
@@ -4288,16 +4213,16 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %326, ptr %324, align 8
   %327 = add nuw nsw i64 %317, 1
   %328 = icmp eq i64 %327, %9
-  br i1 %328, label %307, label %316, !llvm.loop !76
+  br i1 %328, label %307, label %316, !llvm.loop !72
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 1128
+  %5 = getelementptr inbounds i8, ptr %0, i64 1152
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds i64, ptr %6, i64 %1
   %8 = load i64, ptr %7, align 8
   %9 = inttoptr i64 %8 to ptr
-  %10 = getelementptr inbounds i8, ptr %0, i64 360
+  %10 = getelementptr inbounds i8, ptr %0, i64 384
   %11 = getelementptr inbounds i8, ptr %9, i64 312
   %12 = getelementptr inbounds i8, ptr %0, i64 144
   %13 = load ptr, ptr %12, align 8
@@ -4307,16 +4232,16 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br i1 %16, label %17, label %24
 
 17:                                               ; preds = %4
-  %18 = getelementptr inbounds i8, ptr %0, i64 384
+  %18 = getelementptr inbounds i8, ptr %0, i64 408
   %19 = getelementptr inbounds i8, ptr %9, i64 336
-  %20 = getelementptr inbounds i8, ptr %0, i64 552
-  %21 = getelementptr inbounds i8, ptr %0, i64 368
+  %20 = getelementptr inbounds i8, ptr %0, i64 576
+  %21 = getelementptr inbounds i8, ptr %0, i64 392
   %22 = getelementptr inbounds i8, ptr %9, i64 504
   %23 = getelementptr inbounds i8, ptr %9, i64 320
   br label %122
 
 24:                                               ; preds = %140, %4
-  %25 = getelementptr inbounds i8, ptr %0, i64 1224
+  %25 = getelementptr inbounds i8, ptr %0, i64 1200
   %26 = load ptr, ptr %5, align 8
   %27 = getelementptr inbounds i64, ptr %26, i64 %1
   %28 = load i64, ptr %27, align 8
@@ -4330,7 +4255,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %36 = getelementptr inbounds i8, ptr %34, i64 %35
   %37 = mul i64 %32, 88
   %38 = getelementptr inbounds i8, ptr %34, i64 %37
-  %39 = getelementptr inbounds i8, ptr %0, i64 1440
+  %39 = getelementptr inbounds i8, ptr %0, i64 1392
   %40 = load ptr, ptr %39, align 8
   %41 = getelementptr inbounds double, ptr %40, i64 %1
   %42 = load double, ptr %41, align 8
@@ -4339,9 +4264,9 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br i1 %43, label %44, label %64
 
 44:                                               ; preds = %24
-  %45 = getelementptr inbounds i8, ptr %0, i64 1416
+  %45 = getelementptr inbounds i8, ptr %0, i64 1368
   %46 = getelementptr inbounds i8, ptr %29, i64 888
-  %47 = getelementptr inbounds i8, ptr %0, i64 1368
+  %47 = getelementptr inbounds i8, ptr %0, i64 1320
   br label %48
 
 48:                                               ; preds = %44, %48
@@ -4362,7 +4287,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !59
+  br i1 %63, label %64, label %48, !llvm.loop !55
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 576
@@ -4373,11 +4298,11 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %69 = getelementptr inbounds i8, ptr %68, i64 16
   %70 = load i64, ptr %69, align 8
   %71 = inttoptr i64 %70 to ptr
-  %72 = getelementptr inbounds i8, ptr %0, i64 624
+  %72 = getelementptr inbounds i8, ptr %0, i64 648
   %73 = load ptr, ptr %72, align 8
   %74 = getelementptr inbounds double, ptr %73, i64 %1
   %75 = load double, ptr %74, align 8
-  %76 = getelementptr inbounds i8, ptr %0, i64 432
+  %76 = getelementptr inbounds i8, ptr %0, i64 456
   %77 = load ptr, ptr %76, align 8
   %78 = getelementptr inbounds double, ptr %77, i64 %1
   %79 = load double, ptr %78, align 8
@@ -4408,8 +4333,8 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 
 101:                                              ; preds = %64
   %102 = getelementptr inbounds i8, ptr %87, i64 888
-  %103 = getelementptr inbounds i8, ptr %0, i64 1416
-  %104 = getelementptr inbounds i8, ptr %0, i64 1368
+  %103 = getelementptr inbounds i8, ptr %0, i64 1368
+  %104 = getelementptr inbounds i8, ptr %0, i64 1320
   br label %105
 
 105:                                              ; preds = %101, %105
@@ -4430,7 +4355,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %116, ptr %118, align 8
   %119 = add nuw nsw i64 %106, 1
   %120 = icmp eq i64 %119, %90
-  br i1 %120, label %121, label %105, !llvm.loop !59
+  br i1 %120, label %121, label %105, !llvm.loop !55
 
 121:                                              ; preds = %105, %64
   ret i64 %80
@@ -4460,7 +4385,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 140:                                              ; preds = %143, %122
   %141 = add nuw nsw i64 %123, 1
   %142 = icmp eq i64 %141, %15
-  br i1 %142, label %24, label %122, !llvm.loop !77
+  br i1 %142, label %24, label %122, !llvm.loop !73
 
 143:                                              ; preds = %122, %143
   %144 = phi i64 [ %157, %143 ], [ 0, %122 ]
@@ -4482,7 +4407,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %159 = getelementptr inbounds i8, ptr %158, i64 24
   %160 = load i64, ptr %159, align 8
   %161 = icmp slt i64 %157, %160
-  br i1 %161, label %143, label %140, !llvm.loop !78
+  br i1 %161, label %143, label %140, !llvm.loop !74
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
@@ -4519,7 +4444,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !79
+  br i1 %31, label %20, label %19, !llvm.loop !75
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4533,7 +4458,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !80
+  br i1 %43, label %32, label %24, !llvm.loop !76
 }
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
@@ -4577,7 +4502,7 @@ attributes #12 = { nounwind }
 !21 = !{!"llvm.loop.vectorize.width", i32 1}
 !22 = distinct !{!22, !4, !5, !21}
 !23 = distinct !{!23, !4, !5}
-!24 = distinct !{!24, !4, !5, !21}
+!24 = distinct !{!24, !4, !5}
 !25 = distinct !{!25, !4, !5}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
@@ -4589,22 +4514,22 @@ attributes #12 = { nounwind }
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
-!36 = distinct !{!36, !4, !5}
+!36 = distinct !{!36, !4, !5, !21}
 !37 = distinct !{!37, !4, !5, !21}
-!38 = distinct !{!38, !4, !5, !21}
+!38 = distinct !{!38, !4, !5}
 !39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
 !41 = distinct !{!41, !4, !5}
-!42 = distinct !{!42, !4, !5, !21}
+!42 = distinct !{!42, !4, !5}
 !43 = distinct !{!43, !4, !5}
-!44 = distinct !{!44, !4, !5, !21}
+!44 = distinct !{!44, !4, !5}
 !45 = distinct !{!45, !4, !5}
-!46 = distinct !{!46, !4, !5}
-!47 = distinct !{!47, !4, !5}
+!46 = distinct !{!46, !4, !5, !21}
+!47 = distinct !{!47, !5}
 !48 = distinct !{!48, !4, !5}
 !49 = distinct !{!49, !4, !5}
-!50 = distinct !{!50, !4, !5, !21}
-!51 = distinct !{!51, !5}
+!50 = distinct !{!50, !4, !5}
+!51 = distinct !{!51, !4, !5, !21}
 !52 = distinct !{!52, !4, !5}
 !53 = distinct !{!53, !4, !5}
 !54 = distinct !{!54, !4, !5}
@@ -4612,12 +4537,12 @@ attributes #12 = { nounwind }
 !56 = distinct !{!56, !4, !5}
 !57 = distinct !{!57, !4, !5}
 !58 = distinct !{!58, !4, !5}
-!59 = distinct !{!59, !4, !5, !21}
-!60 = distinct !{!60, !4, !5}
+!59 = distinct !{!59, !4, !5}
+!60 = distinct !{!60, !4, !5, !21}
 !61 = distinct !{!61, !4, !5}
 !62 = distinct !{!62, !4, !5}
 !63 = distinct !{!63, !4, !5}
-!64 = distinct !{!64, !4, !5, !21}
+!64 = distinct !{!64, !4, !5}
 !65 = distinct !{!65, !4, !5}
 !66 = distinct !{!66, !4, !5}
 !67 = distinct !{!67, !4, !5}
@@ -4626,11 +4551,7 @@ attributes #12 = { nounwind }
 !70 = distinct !{!70, !4, !5}
 !71 = distinct !{!71, !4, !5}
 !72 = distinct !{!72, !4, !5}
-!73 = distinct !{!73, !4, !5}
+!73 = distinct !{!73, !4, !5, !21}
 !74 = distinct !{!74, !4, !5}
 !75 = distinct !{!75, !4, !5}
 !76 = distinct !{!76, !4, !5}
-!77 = distinct !{!77, !4, !5, !21}
-!78 = distinct !{!78, !4, !5}
-!79 = distinct !{!79, !4, !5}
-!80 = distinct !{!80, !4, !5}

@@ -14,6 +14,7 @@ from pydy.solvers.events import stretches
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
 from pydy.solvers.run import layout as at
+from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.layout import (
     Alone,
@@ -27,45 +28,34 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.run.problem import lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
-from pydy.solvers.run.workspace import Workspace, memory_for
+from pydy.solvers.run.workspace import NO_CONSTRAINTS, Workspace, constraints_for, memory_for
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LEAST_TOLERANCE, ROUNDING
 from pydy.trajectory import EventRecord
 
-_NO_ONE = Alone(
-    np.zeros(1, dtype=np.int64),
-    np.zeros(0, dtype=np.int64),
-    np.zeros((0, 1), dtype=np.int64),
-    np.zeros(0),
-    np.zeros((0, 0)),
-)
+_NO_ONE = Alone(np.zeros(0, dtype=np.int64), np.zeros((0, 1), dtype=np.int64))
 _NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
     words=np.zeros(at.LANES_LOGGED + 1, dtype=np.int64)
 )
 
 
-class LanesAlone:
-    """Lanes that do some of their work one after another, as single trajectories do.
+class LanesHeld:
+    """Lanes whose motions are held on constraints.
 
-    Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
-    constraints and events, which are its own. The rows of `seen` are what was noted of the
-    constraints of each sample at its beginning, and then at its end.
+    The `kernel` is that of the `wanted` ones, for lanes. The rows of `seen` are what was noted of
+    the constraints of each sample at its beginning, and then at its end.
     """
 
-    watch = _NO_EVENTS
+    alone, watch = _NO_ONE, _NO_EVENTS
 
-    def __init__(self, workspace: Workspace, seen: np.ndarray) -> None:
-        self._own, runs, prepared = workspace.alone(LANES)
-        place = len(workspace.constraints.values) - len(workspace.seen)
-        state = np.zeros(workspace.memory.x.shape)
-        self.alone = Alone(np.array([place]), runs, prepared, state, seen)
-        self._workspace = workspace  # which compiled code goes on using
+    def __init__(self, wanted: CompiledConstraints, kernel: Kernel, seen: np.ndarray) -> None:
+        self.seen, n = seen, kernel.program.num_states
+        place, c, self.prepared = _bound(kernel)
+        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
-        seen = self.alone.seen
-        if not seen.shape[1]:
-            return np.ones(len(seen))
+        seen = self.seen
         return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
 
     def look(self) -> None:
@@ -84,8 +74,11 @@ class LanesAlone:
         return {}
 
 
-class LanesWatched(LanesAlone):
-    """Lanes that look for events; `logs` tells whether these are noted.
+class LanesWatched(LanesHeld):
+    """Lanes that look for events, and do some of that one after another, as single trajectories do.
+
+    Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
+    events, which are its own. `logs` tells whether events are noted.
 
     The `samples` are the inputs x, r and p, with a row for each, and data in time with their places
     in r. `kernel` compiles Programs for lanes.
@@ -101,7 +94,10 @@ class LanesWatched(LanesAlone):
     ) -> None:
         events = workspace.options.events
         assert events is not None
-        super().__init__(workspace, np.zeros((len(samples[0]), 0)))
+        self.seen, self.held = np.zeros((len(samples[0]), 0)), NO_CONSTRAINTS
+        self._own, runs, prepared = workspace.alone(LANES)
+        self.alone = Alone(runs, prepared)
+        self._workspace = workspace  # which compiled code goes on using
         self._events, self._times, self._samples, self._logs = events, times, samples, logs
         self._kernels = kernel(events.values.program), kernel(events.rates.program)
         values, rates = self._at(samples[0].T[:, :, None], float(times[0]))
@@ -115,14 +111,18 @@ class LanesWatched(LanesAlone):
             self._far = kernel(events.reach.program)
         self.watch = self._watch(workspace, sides)
 
+    def nearness(self) -> np.ndarray:
+        """Return ones: no constraints are held."""
+        return np.ones(len(self.seen))
+
     def _watch(self, workspace: Workspace, sides: np.ndarray) -> LaneWatch:
         own, (m, number), n = workspace.watch, sides.shape, workspace.n
-        words, prepared, constants = np.append(own.words, 0), [], []
-        for kernel, place in ((self._kernels[0], at.WATCHER), (self._far, at.REACHER)):
-            constants.append(lined_up(LANES * max(1, len(kernel.program.carried) if kernel else 0)))
-            if kernel is not None and kernel.addresses is not None:
-                words[place] = kernel.addresses[0]
-                prepared.append((kernel.addresses[1], address(constants[-1])))
+        words = np.append(own.words, 0)
+        words[at.WATCHER], c, self.prepared = _bound(self._kernels[0])
+        reach_c = np.zeros(0)
+        if self._far is not None:
+            words[at.REACHER], reach_c, further = _bound(self._far)
+            self.prepared += further
         program = self._kernels[0].program if self._far is None else self._far.program
         nodes = zip(program.ops, program.args, strict=True)
         inputs = {
@@ -132,10 +132,9 @@ class LanesWatched(LanesAlone):
         rows = 4 * LANES * (1 + len(own.log_times)) if self._logs else 0
         return LaneWatch(
             words=words,
-            prepared=np.array(prepared),
-            c=constants[0],
+            c=c,
             reach=lined_up(LANES * len(own.reach)),
-            reach_c=constants[1],
+            reach_c=reach_c,
             moving=np.array(moving, dtype=np.int64),
             ends=lined_up(LANES * (at.PARTS + 1) * number),
             further=lined_up(LANES * 2 * number),
@@ -215,7 +214,7 @@ def integrate_samples(
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
-    alone: LanesAlone | None = None,
+    beside: LanesHeld | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Integrate m samples, `LANES` at a time, by an explicit method.
 
@@ -223,9 +222,9 @@ def integrate_samples(
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
     sample lie side by side, and the next sample's follow. The error is controlled of all
     components, or of so many that come first. Motions may be held on constraints, which their
-    beginnings satisfy, or watched for events, by lanes `alone`; those that begin with NaN are left
-    out then, as not computed. Asked now and then whether the work is `stopped`, True ends it with
-    KeyboardInterrupt.
+    beginnings satisfy, or watched for events, by what is `beside`; those that begin with NaN are
+    left out then, as not computed. Asked now and then whether the work is `stopped`, True ends it
+    with KeyboardInterrupt.
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
@@ -249,21 +248,24 @@ def integrate_samples(
         p=np.ascontiguousarray(p),
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
+        seen=np.zeros((m, 0)) if beside is None else beside.seen,
     )
-    if alone is not None:
+    if beside is not None:
         out = np.isnan(x).any(axis=1)
         queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
-    problem = _problem(kernel, sampled, controlled)
-    own, watch = (_NO_ONE, _NO_EVENTS) if alone is None else (alone.alone, alone.watch)
+    problem = _problem(kernel, sampled, controlled, () if beside is None else beside.prepared)
+    further: tuple[Any, ...] = _NO_ONE, _NO_EVENTS, NO_CONSTRAINTS
+    if beside is not None:
+        further = beside.alone, beside.watch, beside.held
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    table = table_of(*parts, rows_of(own), rows_of(watch))
+    table = table_of(*parts, *map(rows_of, further))
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget
         start = perf_counter()
         code = step_lanes(address(table))
-        if alone is not None:
-            alone.look()
+        if beside is not None:
+            beside.look()
         if code == at.LANES_EMPTY:
             return queue.counts, queue.reached
         if stopped():
@@ -303,21 +305,32 @@ def evaluate_samples(
     return out
 
 
-def _problem(
-    kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]], controlled: int = 0
-) -> LaneProblem:
-    program, addresses = kernel.program, kernel.addresses
+def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
+    """Return the address of a Kernel of `LANES` lanes, its constants, and what prepares these."""
+    addresses = kernel.addresses
     assert addresses is not None
     assert kernel.lanes == LANES
+    c = lined_up(LANES * max(1, len(kernel.program.carried)))
+    return addresses[0], c, [(addresses[1], address(c))]
+
+
+def _problem(
+    kernel: Kernel,
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    controlled: int = 0,
+    further: Sequence[tuple[int, int]] = (),
+) -> LaneProblem:
+    program, (place, c, prepared) = kernel.program, _bound(kernel)
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
 
     return LaneProblem(
-        words=np.array([addresses[0], n, n, controlled, controlled, addresses[1], *inputs]),
+        words=np.array([place, n, n, controlled, controlled, *inputs]),
         clock=lined_up(LANES),
         r=lined_up(LANES * max(1, program.num_specifieds)),
         p=lined_up(LANES * max(1, program.num_constants)),
-        c=lined_up(LANES * max(1, len(program.carried))),
+        c=c,
+        prepared=np.array([*prepared, *further]),
         tables=np.ascontiguousarray(tables[:, :3]),
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,

@@ -145,10 +145,10 @@ class Projection(NamedTuple):
     # h or v, whichever is more
     right: Numbers
     scale: Numbers
-    left: Words
     lengths: Numbers
     kept: Numbers
     mended: Numbers  # the largest residuals that the first correction of positions can mend
+    best: Numbers  # the row that is taken next: as `step`
 
 
 class Tangents(NamedTuple):
@@ -253,15 +253,13 @@ ALONG = (Tangents,)
 
 # LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
 # block.
-LANES_PREPARE, LANES_SPECIFIEDS, LANES_CONSTANTS = range(5, 8)
+LANES_SPECIFIEDS, LANES_CONSTANTS = range(5, 7)
 # Queue.state
 LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 # Queue.numbers
 LANES_LARGEST, LANES_FIRST = range(2)
 # Queue.counts, for each sample; the last is a code of `outcome`
 LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
-# Alone.words: where `Alone.seen` stands in `Constraints.values`
-ALONE_SEEN = 0
 # LaneWatch.words begins with those of `Watch`; then how many lines the log has
 LANES_LOGGED = RESETTER + 1
 # Evaluation.places: the address of the first state, and the distances from state to state, from
@@ -282,6 +280,8 @@ class LaneProblem(NamedTuple):
     r: Numbers
     p: Numbers
     c: Numbers
+    # (kernels, 2): what prepares the constants of all kernels that lanes share, and where these lie
+    prepared: WordRows
     tables: WordRows  # (k, 3): place in r, first knot, number of knots; for all lanes
     intervals: WordRows  # (k, lanes): where each lane found itself last
     knots: Numbers
@@ -321,24 +321,21 @@ class Queue(NamedTuple):
     p: NumberRows  # (m, constants)
     counts: WordRows  # (m, 4)
     reached: Numbers  # (m,): the time up to which the sample was integrated
+    seen: NumberRows  # (m, ·): what ends `Constraints.values`, first at the beginning
 
 
 class Alone(NamedTuple):
     """What lanes do one after another; nothing without `runs`."""
 
-    words: Words
     runs: Words  # (lanes,): addresses of tables of one trajectory, with inputs of their own
     # (kernels, 1 + lanes): addresses of what prepares constants, and of those of each lane
     prepared: WordRows
-    state: Numbers
-    seen: NumberRows  # (m, ·): of each sample, what ends `Constraints.values`
 
 
 class LaneWatch(NamedTuple):
     """The events of all lanes; in vectors each has a block of its own."""
 
     words: Words
-    prepared: WordRows  # (kernels, 2): as those of `Alone`, for all lanes together
     c: Numbers
     reach: Numbers
     reach_c: Numbers
@@ -370,7 +367,7 @@ class Evaluation(NamedTuple):
 
 
 # The parts of the tables of `step_lanes` and `evaluate_lanes`.
-STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch)
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch, Constraints)
 EVALUATION = (LaneProblem, Evaluation)
 
 

@@ -18,6 +18,7 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
 from pydy.solvers.run import layout as at
 from pydy.solvers.run import shipped
+from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.layout import (
     Beginning,
     Constraints,
@@ -47,10 +48,10 @@ from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
 _STEPS = 2**13  # numbers of kept steps between two visits in Python
 
 # Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
+NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = Watch(*[np.zeros(4)] * len(Watch._fields))
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
-_NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
+_NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 _NO_STEPS_ROWS = rows_of(_NO_STEPS)
 
 
@@ -79,6 +80,46 @@ def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
         rows += (start + 8 * first, size, 1)
         first += count * length
     return Memory(*vectors), rows
+
+
+def seen_of(wanted: CompiledConstraints, n: int) -> int:
+    """Return how many numbers the projection of n states notes."""
+    return at.WHERE + n + wanted.velocity
+
+
+def constraints_for(
+    wanted: CompiledConstraints, entry: str, bound: tuple[int, np.ndarray], n: int, lanes: int = 1
+) -> tuple[Constraints, tuple[Any, ...]]:
+    """Return the arrays of the projection of n states, and others that the caller keeps.
+
+    It is that of an `entry`, whose Kernel is `bound` to an address and constants.
+    """
+    h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+    some, most = max(h, v) * lanes, max(q, u) * lanes
+    scratch = Projection(
+        factor=np.zeros((u, u * lanes)),
+        kinematics=np.zeros((q, u * lanes)),
+        gradient=np.zeros((h, q * lanes)),
+        holonomic=np.zeros((h, u * lanes)),
+        velocity=np.zeros((v, u * lanes)),
+        step=np.zeros(most),
+        right=np.zeros(some),
+        scale=np.zeros(some),
+        lengths=np.zeros(some),
+        kept=np.zeros(some),
+        mended=np.zeros(some),
+        best=np.zeros(most),
+    )
+    table, words = table_of(rows_of(scratch)), np.zeros(13, dtype=np.int64)
+    words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of(entry)
+    words[at.PROJECTOR], c = bound
+    words[at.HOLONOMIC], words[at.VELOCITY], words[at.COORDINATES], words[at.SPEEDS] = h, v, q, u
+    words[at.WEIGHTED], words[at.JUDGED] = wanted.weighted, wanted.judged
+    words[at.POSITIONS], words[at.MOTIONS] = h - wanted.left_out[0], v - wanted.left_out[1]
+    words[at.SCRATCH] = address(table)
+    size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
+    values = lined_up((size + seen_of(wanted, n)) * lanes)
+    return Constraints(words, c, values), (scratch, table)
 
 
 class Workspace:
@@ -152,11 +193,11 @@ class Workspace:
         tables, lane = np.tile(self._table, (lanes, 1)), np.arange(lanes)
         columns = {place: 3 * k for k, place in enumerate(self._table[::3].tolist())}
         own, places = [tables], {}
-        watch, held = self.watch, self.constraints
+        watch = self.watch
         noted = (watch.sides, watch.fired, watch.values, watch.rests, watch.latest)
         log = (watch.log_times, watch.log_events, watch.log_states, watch.log_after)
-        constants = (held.c, watch.c, watch.rates_c, watch.resets_c)
-        for array in (self.problem.r, self.progress.counts, held.values, *noted, *log, *constants):
+        constants = (watch.c, watch.rates_c, watch.resets_c)
+        for array in (self.problem.r, self.progress.counts, *noted, *log, *constants):
             if (place := columns.get(address(array))) is not None:
                 own.append(array[None].repeat(lanes, axis=0))
                 places[id(array)] = tables[:, place] = address(own[-1]) + array.nbytes * lane
@@ -281,38 +322,14 @@ class Workspace:
     def _hold(self) -> Constraints:
         wanted = self.options.constraints
         if wanted is None:
-            return _NO_CONSTRAINTS
-        words = np.zeros(13, dtype=np.int64)
-        words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
-        words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
-        words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
-        words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
-        words[at.WEIGHTED], words[at.JUDGED] = wanted.weighted, wanted.judged
-        h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
-        words[at.POSITIONS], words[at.MOTIONS] = h - wanted.left_out[0], v - wanted.left_out[1]
-        some = max(h, v)
-        self._projection = Projection(
-            factor=np.zeros((u, u)),
-            kinematics=np.zeros((q, u)),
-            gradient=np.zeros((h, q)),
-            holonomic=np.zeros((h, u)),
-            velocity=np.zeros((v, u)),
-            step=np.zeros(max(q, u)),
-            right=np.zeros(some),
-            scale=np.zeros(some),
-            left=np.zeros(some, dtype=np.int64),
-            lengths=np.zeros(some),
-            kept=np.zeros(some),
-            mended=np.zeros(some),
+            return NO_CONSTRAINTS
+        held, self._projection = constraints_for(
+            wanted, "project", self._bind_kernel(wanted.kernel), self.n
         )
-        self._scratch = table_of(rows_of(self._projection))
-        words[at.SCRATCH] = address(self._scratch)
+        self.seen = held.values[-seen_of(wanted, self.n) :]
         if self.options.sensitivities is not None:
-            self._hold_columns(words, self.options.sensitivities)
-        size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
-        values = np.zeros(size + at.WHERE + self.n + wanted.velocity)
-        self.seen = values[size:]
-        return Constraints(words, c, values)
+            self._hold_columns(held.words, self.options.sensitivities)
+        return held
 
     def _hold_columns(self, words: np.ndarray, beside: CompiledSensitivities) -> None:
         """Let the projection correct the sensitivities with the state."""
