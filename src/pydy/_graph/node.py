@@ -331,7 +331,8 @@ class Graph(Nodes):
 
         That is found in another way and equals the solutions; else the system is solved. The
         `column` holds right-hand sides, one after the other; a symmetric matrix must be positive
-        definite. With a matrix of one, solutions are what is computed in one of two ways.
+        definite, and derivatives are those of `fast` then. With a matrix of one, solutions are what
+        is computed in one of two ways.
         """
         n = len(matrix)
         entries = tuple(e for row in matrix for e in row)
