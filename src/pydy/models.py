@@ -15,9 +15,8 @@ __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
 
 
 def _check_size(n: Any) -> None:
-    if (
-        isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= 10**6
-    ):  # more would fill the memory
+    # More would fill the memory before that is seen.
+    if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= 10**6:
         raise ValueError(f"`n` must be a positive integer up to 1000000, got {shown(n)}.")
 
 

@@ -62,7 +62,8 @@ class Chosen:
             least = np.minimum(HALF, np.maximum(HALF / units, errors))
             sound = free & (np.abs(work) >= least).all(axis=0)
             worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
-            weighed = np.where(varies, worst, 10.0 * worst)  # the same in all configurations
+            # A pivot that is the same in all configurations is as good as a ten times larger one.
+            weighed = np.where(varies, worst, 10.0 * worst)
             if weighed[:, first].any():
                 weighed[:, ~np.isin(np.arange(weighed.shape[1]), first)] = 0.0
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)

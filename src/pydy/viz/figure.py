@@ -122,7 +122,7 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
 
 def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
     """Return a palette of 256 colours: those of a picture, and shades of the scene's."""
-    # of each colour of the scene that the palette can tell
+    # So many shades of each colour of the scene the palette can tell.
     shades = np.linspace(0.4, 1.0, 24)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
     sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
