@@ -18,6 +18,9 @@ ROUNDED = 2.0**-42
 A value passes some hundred operations on its way; each adds one rounding at most.
 """
 
+OF_FEW = 100 * ROUNDING
+"""The same of a few numbers that add up to zero, such as those of a row without variables."""
+
 DEPENDENT = 1e-10
 """A row that is this much shorter without the directions of the others follows from them.
 

@@ -25,7 +25,7 @@ from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openne
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
 from pydy._names import few
-from pydy._rank import HALF, ROUNDED, ROUNDING, equilibrated, is_zero, or_one
+from pydy._rank import HALF, OF_FEW, ROUNDED, equilibrated, is_zero, or_one
 
 
 class Chosen:
@@ -262,7 +262,7 @@ def _of_rounding(states: GenericStates) -> list[int]:
     nothing = _nothing(values, at["bounds"])
     found = _constant(states, np.flatnonzero(nothing))
     made_of = np.array([_cancelled(graph, node) for node in every])
-    found += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= ROUNDED * made_of))]
+    found += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= OF_FEW * made_of))]
     lengths = np.array(states.placed)
     for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
         largest = max((sizes[k] for k in part), default=0.0)
@@ -270,7 +270,7 @@ def _of_rounding(states: GenericStates) -> list[int]:
             k
             for k in part
             if sizes[k] > 0.0
-            and sizes[k] <= 100.0 * ROUNDING * largest  # what a few numbers add up to
+            and sizes[k] <= OF_FEW * largest
             and not _as_large_as(sizes[k], lengths)
             and k not in found
         ]

@@ -21,7 +21,7 @@ from pydy._graph.rounding import sizes_of_terms
 from pydy._kernel import Kernel
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._names import some, unique_names
-from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
+from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, left_ahead, solve_equilibrium
@@ -30,8 +30,8 @@ from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
-# Decades of steps of differences that are tried, and the rounding errors of a function.
-_DECADES, _ROUNDED = 10, 100.0
+# Decades of steps of differences that are tried.
+_DECADES = 10
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
 
 
@@ -630,7 +630,7 @@ def _central(
         width = (ahead - behind)[:, k, None]
         after, before = plan.rows(ahead, t), plan.rows(behind, t)
         largest = np.maximum(np.abs(after), np.abs(before))
-        found.append(((after - before) / width, _ROUNDED * ROUNDING * largest / width))
+        found.append(((after - before) / width, OF_FEW * largest / width))
     (slope, rounding), (halved, _) = found
     apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
     missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))

@@ -22,7 +22,7 @@ from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._interpolation import evenly
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
-from pydy._rank import DIGITS, ROUNDED, or_one, rank
+from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, constraint_names
@@ -392,16 +392,16 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
     more = rounding_bounds(g, of_constants, inherited, constants=True)
     sizes.update(zip(of_constants, more, strict=True))
     numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
-    others = [(size, ROUNDED / DIGITS) for n, size in sizes.items() if n not in numbers]
-    sizes.update(dict.fromkeys(numbers, g.sum(others, ROUNDED / DIGITS)))
+    others = [(size, OF_FEW / DIGITS) for n, size in sizes.items() if n not in numbers]
+    sizes.update(dict.fromkeys(numbers, g.sum(others, OF_FEW / DIGITS)))
     if kept:
         least = sizes[rows[0]]
         for n in rows[1:kept]:
             least = g.call("min", least, sizes[n])
-        roundings = g.sum([(least, ROUNDED)])
+        roundings = g.sum([(least, OF_FEW)])
         for n in {*rows[kept:]} - {*numbers}:
             tiny = g.call("le", sizes[n], roundings)
-            sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
+            sizes[n] = g.call("select", tiny, g.sum([(least, OF_FEW / DIGITS)]), sizes[n])
     return [sizes[n] for n in rows]
 
 
