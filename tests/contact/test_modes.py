@@ -1,6 +1,7 @@
 """Systems of one combination of modes, and what contacts cost that do not act."""
 
 import math
+from copy import copy
 
 import numpy as np
 import pytest
@@ -58,6 +59,22 @@ def test_constants_of_contacts_do_not_change_the_dictionary_of_the_user():
     Contacts(system, [Stick(vx, mu=mu, normal=1.0)], {"mu": 0.4})
     assert values == {m: 2.0}
     assert system.constants == {m: 2.0, "mu": 0.4}
+
+
+def test_a_dictionary_that_drops_what_contacts_were_given_is_refused():
+    """Friction of 0.4 would be one of 1.0, the default, after an assignment for other reasons."""
+    system, _ = block(slope)
+    contacts = Contacts(system, [Stick(vx, mu=mu, normal=1.0)], {"mu": 0.4})
+    system.times, system.constants = [0.0, 1.0], {m: 2.0}
+    message = r"`system.constants` has no value of `mu`, 0\.4 in `Contacts`"
+    for run in (contacts.simulate, lambda: system.integrate_ensemble(contacts=contacts)):
+        with pytest.raises(ValueError, match=message):
+            run()
+    ensemble = system.integrate_ensemble(contacts=contacts, constants={mu: [0.4, 0.4]})
+    with pytest.raises(ValueError, match=message):  # the copy belongs to the same System
+        copy(contacts).simulate()
+    system.constants = {m: 2.0, mu: 0.4}  # by another spelling of the key
+    assert ensemble["v_x"].values[:, -1] == pytest.approx(contacts.simulate()["v_x"][-1])
 
 
 @pytest.mark.parametrize("speed", [4.0, 0.0])

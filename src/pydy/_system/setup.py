@@ -211,10 +211,12 @@ class Setup:
 
     def _now(self, events: Any = None, constants: Any = None, contacts: Any = None) -> Snapshot:
         """Return everything as it is now, with the symbols that one call brings."""
+        more = constants if isinstance(constants, Mapping) else {}
         if contacts is not None and self._checked_contacts(contacts):
+            if not contacts.given.keys() <= self._constants.keys():
+                contacts.refuse_lost({**self._constants, **more})
             own = [events] if isinstance(events, Event) else events
             events = [*contacts.symbols, *(own if isinstance(own, (list, tuple)) else ())]
-        more = constants if isinstance(constants, Mapping) else {}
         definition = self._defined({**self._constants, **more} if more else self._constants)
         if events is not None:
             found = self._define.constants_of(definition, events)

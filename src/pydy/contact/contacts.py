@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, choice, flag, shown
+from pydy._checks import Keyed, check_mapping, choice, flag, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
@@ -56,7 +56,8 @@ class Contacts:
         Up to eight. A Unilateral that a Stick is on need not be named again.
     constants : dict, optional
         Values of symbols that occur only in contacts. They are constants of the system, where they
-        are set: later ``system.constants[mu] = 0.4``.
+        are set: later ``system.constants[mu] = 0.4``. A dictionary that is assigned there later
+        must name them again.
     hypothesis : {'newton', 'poisson'}, optional
         What `restitution` is a ratio of: normal speeds after and before an impact, or normal
         impulses of its second phase and of compression. They differ where friction acts on a body
@@ -100,7 +101,7 @@ class Contacts:
     """
 
     # A misspelt attribute, or one of the System, would be set and never read.
-    __slots__ = ("_kept", "contacts", "hypothesis", "names", "symbols", "system")
+    __slots__ = ("_kept", "contacts", "given", "hypothesis", "names", "symbols", "system")
     infeasible = InfeasibleError  # numbers that a search may try
 
     def __init__(
@@ -126,10 +127,11 @@ class Contacts:
             parts += [*c.coefficients.values(), *(c.stick.speeds(frame) if c.stick else ())]
         self.symbols = [Event(part) for part in parts]
         self._kept: Compiled | None = None
-        if given := check_mapping("constants", constants):
+        self.given = dict(check_mapping("constants", constants))
+        if self.given:
             # The System's dictionary may be the user's, who makes other Systems of it: it stays.
             system._constants = dict(system._constants)
-            system.constants.update(given)
+            system.constants.update(self.given)
         self._now()  # names what is wrong at once
 
     def __repr__(self) -> str:
@@ -183,8 +185,8 @@ class Contacts:
         ------
         ValueError
             A gap is negative at the first time by more than the tolerances tell, a coefficient is
-            out of range, the solver is not native, or friction at a point is on a gap that is no
-            length, or not along it.
+            out of range or lost by an assignment to ``system.constants``, the solver is not native,
+            or friction at a point is on a gap that is no length, or not along it.
         ContactError
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.
@@ -272,6 +274,16 @@ class Contacts:
             f"Contacts have no `{name}`: that of a System knows no transitions. A System of one "
             "combination of modes, which has it, is returned by `in_modes`."
         )
+
+    def refuse_lost(self, constants: dict[Any, Any]) -> None:
+        """Refuse constants without those that the Contacts were given: 1.0 would stand for them."""
+        known = Keyed(constants)
+        if lost := [key for key in self.given if key not in known]:
+            raise ValueError(
+                f"`system.constants` has no value of `{lost[0]}`, {self.given[lost[0]]} in "
+                "`Contacts`: a dictionary that is assigned replaces all values. Give it one, or "
+                "change others by `system.constants.update(...)`."
+            )
 
     def of(self, system: System) -> Contacts:
         """Return the same for a copy of the System, which may have other values."""
@@ -362,6 +374,7 @@ class Motions:
     ) -> None:
         system, self.options = copy(contacts.system), {**options}
         self.contacts = contacts.of(system)
+        self.contacts.given = {}  # samples may bring them
         system.ode_solver = solver
         system.specifieds = {**system.specifieds, **specifieds}
         self.columns: tuple[str, ...] = ()
