@@ -140,6 +140,25 @@ def test_a_multiplier_is_found_by_its_name():
         forces["lambda7"]
 
 
+def test_a_symbol_that_prints_like_a_multiplier_is_not_a_constant():
+    system = string_pendulum(ode_solver="dop853")
+    slack = Event(-LAMBDA)
+    with pytest.raises(ValueError, match=r"write `system.constraint_forces\['lambda0'\]`"):
+        system.simulate(events=[slack])
+    system.outputs = system.constraint_forces | {"double": 2 * LAMBDA}  # of the output's name
+    np.testing.assert_allclose(system.evaluate_outputs()[1], -2 * 1.5 * (10.0 + 70.0 / 2.0))
+    with pytest.raises(ValueError, match="not the multiplier of that name"):
+        system.outputs = {"tension": -LAMBDA}
+
+
+def test_a_constant_of_the_equations_may_have_a_multipliers_name():
+    system = string_pendulum()
+    speed = system.speeds[0]
+    named = System(system.eom_method, {LAMBDA: 3.0}, constants_symbols=["m", "g", LAMBDA])
+    named.outputs = {"momentum": LAMBDA * speed}
+    close(named.evaluate_outputs([0.0, -2.0, 2.0, 0.0])[0], 6.0)
+
+
 def test_a_system_without_constraints_has_no_multipliers():
     system = system_of(zoo.pendulum())
     assert system.constraint_forces == {}

@@ -146,6 +146,7 @@ class Definer:
                         f"`specifieds` for {symbol} holds `{held[0]}`, the name of an output. "
                         "Outputs follow from the specifieds: write the output's expression instead."
                     )
+        self._check_multipliers(more[0], constants)
         r = sort_symbols({*specifieds, *more[1]})
         return Definition(
             equations,
@@ -156,6 +157,20 @@ class Definer:
             tuple(self.residuals),
             tuple(forces),
         )
+
+    def _check_multipliers(self, found: Iterable[Any], known: Iterable[Any]) -> None:
+        """Refuse symbols that print like multipliers, which would be new constants, 1."""
+        equations = self._equations
+        if not equations.velocity or equations.multibody is None:
+            return
+        names = {f"lambda{k}" for k in range(len(self.residuals) + len(equations.repeated))}
+        for symbol in {*found} - {*known}:
+            if name_of(symbol) in names:
+                raise ValueError(
+                    f"An output, specified or event holds the symbol `{symbol}`, which is not the "
+                    f"multiplier of that name: write `system.constraint_forces['{symbol}']`, or "
+                    "choose another name if a constant is meant."
+                )
 
     def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
         """Return a Definition with those of some constants that events or energies contain."""
@@ -175,6 +190,7 @@ class Definer:
         taken = {*map(name_of, (definition.equations.time, *symbols))}
         every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
         found = [s for s in every if isinstance(s, sm.Symbol) and s.name not in taken]
+        self._check_multipliers(found, definition.constants)
         self.of_events.update(dict.fromkeys(found))
         self._held = None if own is None else (definition, own, found)
         return found
