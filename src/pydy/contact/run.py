@@ -537,7 +537,8 @@ class Run:
                 continue
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
-            least = eps * max(float(np.linalg.norm(p.slow[rows])), gained)
+            # In the shortest step that can be taken, of 16 roundings of the time.
+            least = 16.0 * eps * max(float(np.linalg.norm(p.slow[rows])), gained)
             # Derivatives turn ever faster before a stop: there, a turn within errors is the stop.
             clear = 0.0 if self.carried is not None else self.unresolved(i)
             if solution.modes[i] == STARTING:
