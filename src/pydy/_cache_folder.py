@@ -31,6 +31,8 @@ from pathlib import Path
 
 from pydy._errors import PyDyUserWarning
 
+_STALE_SECONDS = 3600.0
+
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
 # Entries, and what is to become one: nothing else in the folder is ours.
@@ -235,7 +237,7 @@ def _evict(place: Path) -> None:
                     status = item.stat()
                     if item.name.endswith(".code"):
                         entries.append((status.st_mtime, status.st_size, item.path))
-                    elif now - status.st_mtime > 3600.0:
+                    elif now - status.st_mtime > _STALE_SECONDS:
                         os.unlink(item.path)
     except OSError:
         return

@@ -11,13 +11,14 @@ from pydy._checks import flag, shown
 from pydy._mechanics.definition import Definition
 from pydy.system import System
 
+_MOST = 10**6  # far beyond what can be derived; more would fill the memory before that is seen
+
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
 
 
 def _check_size(n: Any) -> None:
-    # More would fill the memory before that is seen.
-    if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= 10**6:
-        raise ValueError(f"`n` must be a positive integer up to 1000000, got {shown(n)}.")
+    if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= _MOST:
+        raise ValueError(f"`n` must be a positive integer up to {_MOST}, got {shown(n)}.")
 
 
 def multi_mass_spring_damper(

@@ -18,6 +18,8 @@ from pydy._graph.tangent import Tangent
 from pydy._kernel import Kernel
 from pydy._names import nearest
 
+_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
+
 # Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
 _BACKENDS: dict[str, Any] = {
     "llvm": "pydy._backends.llvm.native:LLVMBackend",
@@ -103,8 +105,8 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
         values, failed = kernel.evaluate(t, x, r, p, out)
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
         rows = np.flatnonzero(~finite)
-        for start in range(0, len(rows), 64):  # all their intermediate values are kept
-            k, whole = rows[start : start + 64], tangent.written_out()
+        for start in range(0, len(rows), _AT_ONCE):
+            k, whole = rows[start : start + _AT_ONCE], tangent.written_out()
             values[k], bad = run(whole, t[k], x[k], r if len(r) == 1 else r[k], p)
             failed[k] |= bad
         return values, failed

@@ -11,6 +11,8 @@ from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._rank import ROUNDED
 
+_STATES = 3
+
 
 def dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
     """Return the sum of the products of entries."""
@@ -76,12 +78,12 @@ def numbers_of(
     one, and two random lengths need not close. Inputs among `zeros` that they do not hold are zero.
     """
     inputs = graph.inputs([*flat, *held])
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (3, len(inputs)))
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
     kept = {*graph.reachable(held)}
     x[:, [n in zeros and n not in kept for n in inputs]] = 0.0
 
     def values(nodes: Sequence[int]) -> np.ndarray:
-        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), 3)
+        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
 
     if held:
         slopes = dense_jacobian(graph, held, inputs)
@@ -90,7 +92,7 @@ def numbers_of(
             if not np.isfinite(found).all():
                 break
             left, slope = found[:, : len(held)], found[:, len(held) :]
-            for k in range(3):
+            for k in range(_STATES):
                 matrix = slope[k].reshape(len(held), -1)
                 x[k] -= np.linalg.lstsq(matrix, left[k], rcond=None)[0]
     return values(flat)

@@ -27,6 +27,9 @@ from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
 from pydy._names import few
 from pydy._rank import HALF, OF_FEW, ROUNDED, equilibrated, is_zero, or_one
 
+_TRIALS = 12
+_SHARE = 0.1  # of the largest residual: what is named with it
+
 
 class Chosen:
     """Rows that are independent, and as many columns that can be solved for, in ascending order.
@@ -182,7 +185,7 @@ def _choose(
         sizes = np.abs(best) / units_of(every)
         names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
         names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
-        worst = [k for k in np.argsort(-sizes) if sizes[k] > 0.1 * sizes.max()]
+        worst = [k for k in np.argsort(-sizes) if sizes[k] > _SHARE * sizes.max()]
         open_ones = few([f"the {names[k]}, is left at {best[k]:.3g}" for k in worst])
         raise ValueError(
             "The constraints contradict each other: no state was found that satisfies all of them; "
@@ -217,7 +220,7 @@ def _searched(
 ) -> tuple[list[Block], list[dict[str, np.ndarray]]]:
     """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
     blocks = states.closing()
-    every = list(states.samples(blocks, 12, near=near, left_open=True))
+    every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = closed(every)
     if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
         every += states.samples(blocks, AROUND, around=True, left_open=True)

@@ -27,6 +27,9 @@ from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
+_STEPS = 50
+_NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
+
 AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 
@@ -237,7 +240,7 @@ class GenericStates:
         sizes = dict(zip(moved, self._beside(moved, near), strict=True)) if near else {}
         for symbol, column in self.by_symbol(inputs).items():
             if symbol in near:
-                size = 0.03 * sizes.get(symbol, 0.0)
+                size = _NEAR * sizes.get(symbol, 0.0)
                 column[:] = near[symbol] + size * (column - 1.0)
         return inputs
 
@@ -330,7 +333,7 @@ class GenericStates:
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
         speeds = column_units(first["slope"])
         for share in FULL_STEPS:
-            for _ in range(50):
+            for _ in range(_STEPS):
                 if not searching:
                     break
                 now, still = residuals(searching), []

@@ -30,6 +30,8 @@ from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
+# Times at which an equilibrium is tried again; powers of two where none are given.
+_TIMES = 64
 # Decades of steps of differences that are tried.
 _DECADES = 10
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
@@ -465,13 +467,13 @@ class Balance:
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
         if plan.constant and "t" not in graph.inputs_of(nodes):
             return
-        times = self.t + 2.0 ** np.array(sorted(range(-32, 32), key=abs))
+        times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
         if self.within > 0.0:
-            times = self.t + self.within * np.arange(1, 65) / 64
+            times = self.t + self.within * np.arange(1, _TIMES + 1) / _TIMES
         elif not plan.constant:
             return
         own = self.residuals(z[None])[0]
-        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(64)]]:
+        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(_TIMES)]]:
             ahead = self._ahead(rates * (t - self.t), float(t))
             values = ahead.residuals(z[None])[0]
             if (values == own).all() or not np.isfinite(values).all():

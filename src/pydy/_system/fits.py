@@ -365,7 +365,7 @@ class _Fit:
         if found:
             self.measure()
             places = [self.order.index(s) for s in self.free]
-            least = 1e-2 * self.sizes[places]
+            least = 1e-2 * self.sizes[places]  # the scales at which parts join, at least
             self.spread = np.maximum(np.std(found, axis=0), least)
         return z
 

@@ -42,6 +42,7 @@ from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
 
+_TOGETHER = 4096  # samples that are looked at together
 NO_INPUTS: Mapping[int, int | None] = {}
 
 # -- where a motion begins, and after resets -------------------------------------------------------
@@ -202,8 +203,8 @@ def check_samples(
                 return True
         return False
 
-    for start in range(0, total, 4096):
-        numbers = np.arange(start, min(start + 4096, total))
+    for start in range(0, total, _TOGETHER):
+        numbers = np.arange(start, min(start + _TOGETHER, total))
         looked_at = some(numbers)
         residuals, sizes = evaluated_rows(looked_at, "sizes")
         shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)

@@ -26,6 +26,9 @@ from pydy.analysis.orbits import Flight, Measure, PeriodicOrbit, Shooting
 from pydy.analysis.tuning import ORBIT_CLOSED
 from pydy.solvers.events import Event
 
+# How long an event is waited for, in periods as guessed.
+_PATIENCE = 5.0
+
 _SAMPLES = 201
 # Samples that tell how large states become on the way, and how often that is looked at again.
 _ON_THE_WAY, _RESIZED = 65, 5
@@ -259,12 +262,12 @@ class _Search:
         modes = None if self.contacts is None else first.end()[0]
         self._set(first.states[-1])
         ending = replace(until, terminal=True)
-        times = np.linspace(t0 + BEGINNING * guess, t0 + 5.0 * guess, num=_ON_THE_WAY)
+        times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
         ride = self.run(times, modes, events=ending)
         happened = [event for event in ride.events if event.name == ending.name]
         if not happened:
             raise PeriodicOrbitError(
-                f"The event `{until.name}` does not happen within 5 times the "
+                f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
                 f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
                 "conditions.",
                 z,

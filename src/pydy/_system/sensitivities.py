@@ -39,6 +39,10 @@ from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
 
+# The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
+# where these are what is allowed.
+_SEEN = 1e3
+
 
 @dataclass(frozen=True, eq=False)
 class Sensitive:
@@ -126,9 +130,8 @@ class Sensitive:
         first = len(equations.coordinates)
         speeds = slice(first, first + len(equations.speeds))
         changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
-        # The step control sees motions of a thousand tolerances: these are a thousandth of them.
-        seen = (1e3 * (read.atol + read.rtol * np.abs(x0)))[speeds]
-        if not (changes * (times[-1] - times[0]) <= 1e3 * seen).all():
+        seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
+        if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
             return float(np.inf)  # the derivatives are not needed
         slopes = model.compiled_jacobian("rates", "x").evaluate(*args)[0].reshape(n, n)
         if not np.isfinite(slopes).all():

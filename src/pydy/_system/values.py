@@ -29,6 +29,8 @@ from pydy._system.kept import warn_of_left_out
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot, samples
 
+_TOGETHER = 1024  # states: their inputs fit in a cache
+
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
 
@@ -178,8 +180,8 @@ def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
-    for first in range(0, m, 1024):  # their inputs fit in a cache
-        rows = slice(first, first + 1024)
+    for first in range(0, m, _TOGETHER):
+        rows = slice(first, first + _TOGETHER)
         some = at.some(rows)
         r = np.empty((len(some.x), width))
         r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors

@@ -23,6 +23,10 @@ from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, ran
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT
 
+_POLISH = 20  # steps of Newton's method
+_TRIALS = 400  # steps of implicit Euler
+_LONGER = 3.0  # than the step before, or shorter
+
 Bounds = tuple[np.ndarray, np.ndarray]  # the lowest and the highest values of unknowns
 Found = tuple[np.ndarray, float, tuple[str, ...]]  # what `solve_equilibrium` returns
 Function = Callable[[np.ndarray], np.ndarray]
@@ -320,7 +324,7 @@ def solve_many(
     rows, units = np.array([s.rows for s in begin]), np.array([s.units for s in begin])
     sizes = np.abs(best / rows).max(axis=1)
     left = np.arange(len(z))
-    for _ in range(20):
+    for _ in range(_POLISH):
         ready = np.isfinite(J[left]).all(axis=(1, 2)) & np.isfinite(sizes[left])
         left = left[ready & (sizes[left] > 0.0)]
         if not left.size:
@@ -350,7 +354,7 @@ def _polished(
 ) -> np.ndarray:
     """Go on by Newton's method as long as the residual falls."""
     best = residual(z)
-    for _ in range(20):
+    for _ in range(_POLISH):
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
@@ -421,7 +425,7 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
     moves = np.zeros_like(slopes)
     moves[own, columns] = 1.0
     fastest, length, share = 0.0, 0.0, 1.0
-    for _ in range(400):
+    for _ in range(_TRIALS):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
         units, speed = _balanced(slopes, own, columns)
@@ -440,12 +444,12 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
         bent = np.abs((found - values - slopes @ (after - z)) / sizes).max(initial=0.0)
         moved = np.abs(step).max(initial=0.0)
         if not bent <= BENT * moved:
-            length, share = length / 3.0, share / 3.0
+            length, share = length / _LONGER, share / _LONGER
             continue
         z, values, slopes = after, found, problem.jacobian(after)
-        share = min(1.0, 3.0 * share)
+        share = min(1.0, _LONGER * share)
         if bent <= NEARLY_STRAIGHT * moved:
-            length *= 3.0
+            length *= _LONGER
         # Such a step of implicit Euler is one of Newton's method.
         if not moved or length * fastest > 1e4:
             break

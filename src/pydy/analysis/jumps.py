@@ -10,6 +10,8 @@ import numpy as np
 
 from pydy._rank import HALF, or_one
 
+_IN_STEP = 4  # places in a solver's step that are looked at, beside outputs
+
 # Times between two that a jump is between, and how often they are taken: to 2⁻⁴⁸ of the way.
 _FINER, _REFINED = 65, 8
 
@@ -56,7 +58,7 @@ class Passed:
     def looked_at(self) -> np.ndarray:
         """Its times, and places in the solver's steps."""
         times, ends = self.times, np.append(self.starts, self.times[-1])
-        within = ends[:-1] + np.arange(4)[:, None] / 4 * np.diff(ends)
+        within = ends[:-1] + np.arange(_IN_STEP)[:, None] / _IN_STEP * np.diff(ends)
         every = np.unique(np.concatenate([times, within.ravel()]))
         found: np.ndarray = every[(every >= times[0]) & (every <= times[-1])]
         return found

@@ -19,6 +19,10 @@ from pydy._names import numbers_of
 from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
+_STUCK = 1e8
+# The least period, and the least rates of the states at its end, as shares of those at first.
+_SHORTEST = 0.1
+
 
 @dataclass(frozen=True, eq=False)
 class PeriodicOrbit:
@@ -206,7 +210,7 @@ class Shooting:
             size = float(np.abs(self._gap()).max(initial=0.0))
             whole, right = self._equations()
             n = whole.shape[1]
-            while weight < 1e8:
+            while weight < _STUCK:
                 held = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
                 both = np.append(right, np.zeros(n))
                 step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=ROUNDED)[0]
@@ -222,7 +226,7 @@ class Shooting:
     def _nearer(self, z: np.ndarray, period: float, size: float) -> bool:
         """Go to a state if the flight from there leaves less than a gap of some size."""
         # Every motion comes back after no time at all, and an equilibrium after any.
-        if period <= 0.1 * self.first.period:
+        if period <= _SHORTEST * self.first.period:
             return False
         try:
             flown = self.fly(z * self.sizes, period)
@@ -230,7 +234,7 @@ class Shooting:
             return False
         flight = self._scaled(flown)
         speed = np.linalg.norm(self._scaled(self.first).rates)
-        if self.slope is not None and np.linalg.norm(flight.rates) < 0.1 * speed:
+        if self.slope is not None and np.linalg.norm(flight.rates) < _SHORTEST * speed:
             return False
         z = flight.begun(z)
         if not float(np.abs(flight.end - z).max()) < size:

@@ -37,6 +37,8 @@ from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 SMALLEST_BLOCK = 64
 """Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""
 
+_OCCURRENCES = 8
+
 COUNTS = (*COUNTED, "end_time")
 """What the result tells of each sample beside its states and outputs."""
 
@@ -96,7 +98,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
                 )
             result.append(Extreme(kind, name(rest[0])))
         elif kind == "events" and len(rest) < 2:
-            number = rest[0] if rest else 8
+            number = rest[0] if rest else _OCCURRENCES
             if not model.event_names:
                 raise ValueError("`reduce='events'` needs `events`, a list of pydy.solvers.Event.")
             if isinstance(number, bool) or not isinstance(number, int) or number < 1:

@@ -27,6 +27,8 @@ __all__ = ["scene", "visuals"]
 TYRE, RIM, STEEL, DARK = "#4a505b", "#aab3c0", "#c9433e", "#5a6270"
 SHIRT, TROUSERS, SKIN = "#3f7fc4", "#56617a", "#d9a27e"
 PUSH = "#e0a92e"
+TYRE_RADIUS = 0.016
+SPOKES = 14
 
 
 def visuals(bicycle: Bicycle) -> list[Visual]:
@@ -136,19 +138,19 @@ class _Parts:
         return self._hubs[1].locatenew("front frame", arm)
 
     def wheel(self, name: str, frame: Any, hub: Any, radius: float) -> None:
-        tyre = Torus(radius - 0.016, 0.016, "y", colour=TYRE)
+        tyre = Torus(radius - TYRE_RADIUS, TYRE_RADIUS, "y", colour=TYRE)
         rim = Torus(radius - 0.038, 0.009, "y", colour=RIM)
         self.add(Visual(tyre, frame, hub, name=name))
         self.add(Visual(rim, frame, hub, name=name))
         self.add(Visual(Capsule(0.07, 0.018, "y", colour=RIM), frame, hub, name=name))
         # One line to and fro between the rim and the two sides of the hub.
         stations = []
-        for k in range(14):
+        for k in range(SPOKES):
             for angle, distance, y in (
                 (2 * k, radius - 0.04, 0.0),
                 (2 * k + 0.5, 0.016, 0.025 * (-1) ** k),
             ):
-                turn = pi * angle / 14
+                turn = pi * angle / SPOKES
                 vector = distance * (cos(turn) * frame.x + sin(turn) * frame.z) + y * frame.y
                 stations.append(hub.locatenew("spoke", vector))
         self.rod(name, [*stations, stations[0]], 0.002, RIM)

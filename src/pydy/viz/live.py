@@ -27,6 +27,8 @@ from pydy.viz.arguments import unknowns_beside
 from pydy.viz.motion import Geometry, Motion, Names, pose_program
 from pydy.viz.shapes import Arrow, Line
 
+_SAMPLES = 6
+
 
 @dataclass(frozen=True)
 class Slider:
@@ -154,7 +156,7 @@ class Witness:
         generator = np.random.default_rng(20)
         rotations, positions = [], []
         sizes = or_one(np.abs(motion.states).max(axis=0))
-        for _ in range(6):
+        for _ in range(_SAMPLES):
             x = motion.states[0] + sizes * generator.uniform(-1, 1, len(sizes))
             r = generator.uniform(-1, 1, (1, program.num_specifieds))
             p = motion.constants.copy()
@@ -167,7 +169,7 @@ class Witness:
             positions.append(blocks["positions"])
         self._rotations = {f: np.stack([a[k] for a in rotations])
                            for k, f in enumerate(geometry.frames)}  # fmt: skip
-        self._rotations[None] = np.broadcast_to(np.eye(3), (6, 3, 3))
+        self._rotations[None] = np.broadcast_to(np.eye(3), (_SAMPLES, 3, 3))
         self._positions = {p: np.stack([a[k] for a in positions])
                            for k, p in enumerate(geometry.points)}  # fmt: skip
 

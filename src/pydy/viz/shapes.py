@@ -334,6 +334,7 @@ def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, 
 
 # Binary STL: 80 bytes of anything, a count, then for each triangle a normal, three corners and two
 # spare bytes, all little-endian.
+_STL_HEADER = 84
 _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
 
 
@@ -362,9 +363,9 @@ def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 def _read_stl(data: bytes) -> tuple[np.ndarray, np.ndarray]:
     # Binary files may begin with "solid" too, so it is the length that tells.
-    count = int.from_bytes(data[80:84], "little") if len(data) >= 84 else -1
-    if len(data) == 84 + count * _STL_TRIANGLE.itemsize:
-        corners = np.frombuffer(data, _STL_TRIANGLE, count, 84)["corners"]
+    count = int.from_bytes(data[80:84], "little") if len(data) >= _STL_HEADER else -1
+    if len(data) == _STL_HEADER + count * _STL_TRIANGLE.itemsize:
+        corners = np.frombuffer(data, _STL_TRIANGLE, count, _STL_HEADER)["corners"]
     elif data.lstrip()[:5].lower() == b"solid":
         lines = (line.split() for line in data.decode("ascii", "replace").splitlines())
         rows = [line[1:] for line in lines if line and line[0].lower() == "vertex"]
