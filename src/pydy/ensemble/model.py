@@ -25,7 +25,7 @@ from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
-    from pydy.solvers.run.lanes import LanesHeld, LanesWatched
+    from pydy.solvers.run.lanes import LanesBeside, LanesHeld, LanesWatched
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -354,7 +354,7 @@ class Batch:
         if not model.in_lanes:
             return self._one_by_one(times, states)
         x = self.x
-        beside: LanesHeld | None = None
+        beside: LanesBeside | None = None
         if model.options.constraints is not None:
             x, beside = self._on_constraints(times)
         elif model.options.events is not None:

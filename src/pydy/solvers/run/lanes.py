@@ -39,24 +39,20 @@ _NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
 )
 
 
-class LanesHeld:
-    """Lanes whose motions are held on constraints.
+class LanesBeside:
+    """What lanes have to do beside the motions of some samples: here nothing.
 
-    The `kernel` is that of the `wanted` ones, for lanes. The rows of `seen` are what was noted of
-    the constraints of each sample at its beginning, and then at its end.
+    Each sample has a row of `seen`: what was noted of it at its beginning, and then at its end.
     """
 
-    alone, watch = _NO_ONE, _NO_EVENTS
+    alone, watch, held = _NO_ONE, _NO_EVENTS, NO_CONSTRAINTS
 
-    def __init__(self, wanted: CompiledConstraints, kernel: Kernel, seen: np.ndarray) -> None:
-        self.seen, n = seen, kernel.program.num_states
-        place, c, self.prepared = _bound(kernel)
-        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
+    def __init__(self, seen: np.ndarray) -> None:
+        self.seen, self.prepared = seen, list[tuple[int, int]]()
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
-        seen = self.seen
-        return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
+        return np.ones(len(self.seen))
 
     def look(self) -> None:
         """Do what compiled code leaves to Python now and then."""
@@ -74,7 +70,27 @@ class LanesHeld:
         return {}
 
 
-class LanesWatched(LanesHeld):
+_NOTHING = LanesBeside(np.zeros((0, 0)))
+
+
+class LanesHeld(LanesBeside):
+    """Lanes whose motions are held on constraints.
+
+    The `kernel` is that of the `wanted` ones, for lanes; of them the rows of `seen` tell.
+    """
+
+    def __init__(self, wanted: CompiledConstraints, kernel: Kernel, seen: np.ndarray) -> None:
+        super().__init__(seen)
+        n, (place, c, self.prepared) = kernel.program.num_states, _bound(kernel)
+        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
+
+    def nearness(self) -> np.ndarray:
+        """Return how near the constraints of each sample came to losing rank."""
+        seen = self.seen
+        return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
+
+
+class LanesWatched(LanesBeside):
     """Lanes that look for events, and do some of that one after another, as single trajectories do.
 
     Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
@@ -94,7 +110,7 @@ class LanesWatched(LanesHeld):
     ) -> None:
         events = workspace.options.events
         assert events is not None
-        self.seen, self.held = np.zeros((len(samples[0]), 0)), NO_CONSTRAINTS
+        super().__init__(np.zeros((len(samples[0]), 0)))
         self._own, runs, prepared = workspace.alone(LANES)
         self.alone = Alone(runs, prepared)
         self._workspace = workspace  # which compiled code goes on using
@@ -110,10 +126,6 @@ class LanesWatched(LanesHeld):
         if workspace.watch.words[at.REACHER] != 0 and events.reach is not None:
             self._far = kernel(events.reach.program)
         self.watch = self._watch(workspace, sides)
-
-    def nearness(self) -> np.ndarray:
-        """Return ones: no constraints are held."""
-        return np.ones(len(self.seen))
 
     def _watch(self, workspace: Workspace, sides: np.ndarray) -> LaneWatch:
         own, (m, number), n = workspace.watch, sides.shape, workspace.n
@@ -214,7 +226,7 @@ def integrate_samples(
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
-    beside: LanesHeld | None = None,
+    beside: LanesBeside | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Integrate m samples, `LANES` at a time, by an explicit method.
 
@@ -239,6 +251,7 @@ def integrate_samples(
     lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
         samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
+    own = beside or _NOTHING
     queue = Queue(
         state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
         numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
@@ -248,17 +261,14 @@ def integrate_samples(
         p=np.ascontiguousarray(p),
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
-        seen=np.zeros((m, 0)) if beside is None else beside.seen,
+        seen=own.seen,
     )
     if beside is not None:
         out = np.isnan(x).any(axis=1)
         queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
-    problem = _problem(kernel, sampled, controlled, () if beside is None else beside.prepared)
-    further: tuple[Any, ...] = _NO_ONE, _NO_EVENTS, NO_CONSTRAINTS
-    if beside is not None:
-        further = beside.alone, beside.watch, beside.held
+    problem = _problem(kernel, sampled, controlled, own.prepared)
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    table = table_of(*parts, *map(rows_of, further))
+    table = table_of(*parts, rows_of(own.alone), rows_of(own.watch), rows_of(own.held))
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget
