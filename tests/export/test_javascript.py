@@ -20,6 +20,17 @@ def test_nothing_of_c_is_left_in_the_linear_algebra_that_is_made_of_it():
         code = re.sub(r"//.*|/\*[\s\S]*?\*/", "", text)
         assert f"function {name}(" in code
         assert not re.search(rf"\b(?:{words})\b|->|\(\*|&\w|\{{\{{", code)
+        bare = re.sub(r"\"[^\"]*\"|`[^`]*`", "", code)
+        first = set(re.findall(r"\b(\w+) (?!of\b)(?=[A-Za-z_])", bare))
+        assert first <= {
+            "const",
+            "else",
+            "function",
+            "let",
+            "new",
+            "of",
+            "return",
+        }  # no other types
 
 
 def test_no_name_of_a_user_stands_in_the_code_as_it_is(tmp_path):

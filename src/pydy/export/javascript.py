@@ -34,12 +34,12 @@ const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINI
 # What C has beside JavaScript in linear algebra: types, and macros for lanes and compilers.
 _OF_C = (
     (r"(?:static inline|INLINE|APART) \w+ ", "function "),
-    (r"(?:const )?(?:double|int\d+_t) \*?(\w+)(?=[,)])", r"\1"),
-    (r"const (?:double|int\d+_t) ", "const "),
-    (r"(?:double|int\d+_t) ", "let "),
+    (r"(?:const )?(?:double|Real|int\d+_t) \*?(\w+)(?=[,)])", r"\1"),
+    (r"const (?:double|Real|int\d+_t) ", "const "),
+    (r"(?:double|Real|int\d+_t) ", "let "),
     (r"LESS\(([^,]+), ([^,]+), ([^;]+)\);", r"\1 - \2 * \3;"),
     (r"\[AT\((.*?)\)\]", r"[\1]"),
-    (r" *SERIAL\n|\(double\)", ""),
+    (r" *SERIAL\n|\((?:double|Real)\)", ""),
 )
 
 

@@ -1,7 +1,10 @@
 // Constraints held: the state is moved back onto them by the least motion, in the norm of the mass
 // matrix. E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section IV.4.
 
-const root = Math.sqrt, ROUNDING = EPS;
+// What the factorisation is written with, of one lane.
+const root = Math.sqrt, item = (a, i) => a[i], where = (f, x, y) => (f ? x : y), bits = Number, flags = Boolean;
+const put = (a, i, value) => { a[i] = value; };
+const ROUNDING = EPS, EVERY = 1;
 {{ALGEBRA}}
 /**
  * Return the least y with rows · y = right; `right` keeps what no y can reach. There may be more rows
