@@ -33,7 +33,7 @@ for n in (1, 2):
     system = multi_mass_spring_damper(n)
     x = np.arange(1.0, 2 * n + 1)
     system.generate_ode_function()
-    assert system.model.compiled("rates").addresses
+    system.model.compiled("rates").settle()
     rates = system.evaluate_ode(x)
     np.testing.assert_array_equal(rates[:n], x[n:])
 print("right")
@@ -397,7 +397,7 @@ with warnings.catch_warnings(record=True) as said:
     warnings.simplefilter("always")
     system = multi_mass_spring_damper(2)
     system.generate_ode_function()
-    assert system.model.compiled("rates").addresses
+    system.model.compiled("rates").settle()
     rates = system.evaluate_ode(np.arange(1.0, 5.0))
 print(*(type(w.message).__name__ for w in said), *rates)
 """

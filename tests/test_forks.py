@@ -188,7 +188,7 @@ def compute(system):
     system.generate_ode_function()
     x = np.linspace(0.1, 1.0, len(system.states))
     rates, jacobian = system.evaluate_ode(x), system.evaluate_jacobian(x)
-    assert all(kernel.addresses for kernel in system.model._kernels.values())
+    assert all(kernel.cell[0] for kernel in system.model._kernels.values())
     return np.isfinite(rates).all() and np.isfinite(jacobian).all()
 
 def work():

@@ -68,5 +68,5 @@ def solver_function(
     symbols = tuple(model.specifieds)
     plan = SpecifiedsPlan(dict(zip(symbols, inputs, strict=True)), symbols)
     function = rates_function(compiled, plan)
-    assert compiled.compiled("rates").addresses
+    compiled.compiled("rates").settle()
     return function, (plan.values, np.array(model.values))

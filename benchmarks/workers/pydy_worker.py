@@ -105,7 +105,7 @@ class Session:
         system = self.system()
         rhs = system.generate_ode_function(generator=generator)
         if not RELEASED:  # what is measured is the best code, not the first
-            assert system.model.compiled("rates").addresses
+            system.model.compiled("rates").settle()
         values = {s.name: v for s, v in system.constants.items()}
         p = np.array([values[name] for name in order_of_constants(rhs)])
         r = np.zeros(len(system.specifieds_symbols))

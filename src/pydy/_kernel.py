@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -13,6 +13,19 @@ from pydy._graph.program import Program
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
+
+
+class NativeCode(Protocol):
+    """Machine code that is made when it is first wanted."""
+
+    def begin(self) -> None:
+        """Have some code, which may want fallbacks."""
+
+    def whole(self) -> np.ndarray:
+        """Return where the addresses of ``kernel`` and ``prepare`` are; better ones may follow."""
+
+    def settle(self) -> None:
+        """Have the best code."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,12 +46,9 @@ class Kernel:
     gate: Call
     rebuild: Callable[..., Kernel]  # ``rebuild(program, *recipe)`` gives it where it is unpickled
     recipe: tuple[Any, ...] = ()
-    # Returns the native entry points ``kernel`` and ``prepare`` of the best code, compiling it
-    # first if it is not ready; None for a back end without native code.
-    settled: Callable[[], tuple[int, int]] | None = None
     lanes: int = 1  # how many states one native call takes
-    owner: Any = field(default=None, repr=False)  # keeps the machine code alive
-    begin: Callable[[], None] | None = None  # makes the code of `gate`, unless there is some
+    # Makes the machine code and keeps it alive; None for a back end without native code.
+    entry: NativeCode | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (self.rebuild, (self.program, *self.recipe))
@@ -52,8 +62,8 @@ class Kernel:
     @property
     def call(self) -> Call:
         """The call gate, bound to code that is compiled now if necessary."""
-        if self.begin is not None:
-            self.begin()
+        if self.entry is not None:
+            self.entry.begin()
         return self.gate
 
     def at(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
@@ -65,9 +75,14 @@ class Kernel:
         return status
 
     @property
-    def addresses(self) -> tuple[int, int] | None:
-        """Addresses of the native functions ``kernel`` and ``prepare``, or None."""
-        return None if self.settled is None else self.settled()
+    def cell(self) -> np.ndarray | None:
+        """Where the addresses of the native functions ``kernel`` and ``prepare`` are, or None."""
+        return None if self.entry is None else self.entry.whole()
+
+    def settle(self) -> None:
+        """Have the best native code now, as before measurements."""
+        if self.entry is not None:
+            self.entry.settle()
 
     def evaluate(
         self,

@@ -39,7 +39,7 @@ system = System(n_link_pendulum_on_cart(12, cart_force=False))
 x = np.linspace(-1.0, 1.0, 26)
 rates = system.evaluate_ode(x)
 jacobian = system.evaluate_jacobian(x)
-assert all(kernel.addresses for kernel in system.model._kernels.values())
+assert all(kernel.cell[0] for kernel in system.model._kernels.values())
 better = native.gates().better
 if better is not None:
     better.run()

@@ -1,5 +1,6 @@
 """The calling conventions, which are odeint's."""
 
+import ctypes
 import pickle
 
 import numpy as np
@@ -315,7 +316,7 @@ def test_generators_give_the_same_trajectory(solver, generator):
 def test_a_generated_function_is_not_called_through_python():
     f = generated()
     call = f.native((np.zeros(2), np.array([4.0, 0.3])))
-    assert call.kernel.addresses is not None
+    assert call.kernel.cell is not None
     assert call.inputs is None
 
 
@@ -336,3 +337,24 @@ def test_solvers_pickle_as_themselves_and_name_themselves(solver):
     assert pickle.loads(pickle.dumps(solver)) is solver
     assert repr(solver) == f"pydy.solvers.{solver.name}"
     assert getattr(solvers, solver.name) is solver
+
+
+def test_a_prepared_run_goes_on_in_code_that_takes_the_others_place():
+    f = generated()
+    args = (np.zeros(2), np.array([4.0, 0.3]))
+    run = dop853.prepare(f, [0.5, 0.1], [0.0, 1.0], args=args)
+    before = run(np.array([0.5, 0.1])).copy()
+    kernel = f.native(args).kernel
+
+    @ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.POINTER(ctypes.c_double)] * 5)
+    def at_rest(_t, _x, _r, _c, out):
+        out[0] = out[1] = 0.0
+        return 0
+
+    own = (int(kernel.cell[0]), int(kernel.cell[1]))
+    kernel.entry.replace((ctypes.cast(at_rest, ctypes.c_void_p).value, own[1]), at_rest)
+    try:
+        np.testing.assert_array_equal(run(np.array([0.5, 0.1]))[-1], [0.5, 0.1])
+    finally:
+        kernel.entry.replace(own, None)
+    np.testing.assert_array_equal(run(np.array([0.5, 0.1])), before)

@@ -199,7 +199,7 @@ class Model:
         assert events is not None
         beside = self.sensitivities is not None or options.constraints is not None
         kernels = (events.values, events.rates, events.resets)
-        native = all(k is None or k.settled is not None for k in kernels)
+        native = all(k is None or k.entry is not None for k in kernels)
         acts = not (any(events.resetting) and self.sampled) and not any(events.turns)
         exact = bool(np.min(options.rtol) < 10.0 * ROUNDING)  # what then is told of each start
         return native and acts and not (beside or exact or any(events.constant))

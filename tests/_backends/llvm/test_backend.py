@@ -318,7 +318,7 @@ def native(kernel, x, t=0.0, p=(), shift=0):
     """Call the native functions with arrays laid out [item][lane], `shift` doubles off a line."""
     lanes, program = kernel.lanes, kernel.program
     signature = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 5)
-    prepare = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)(kernel.addresses[1])
+    prepare = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)(int(kernel.cell[1]))
 
     def place(values):
         values = np.ascontiguousarray(values, dtype=float).ravel()
@@ -333,7 +333,7 @@ def native(kernel, x, t=0.0, p=(), shift=0):
     prepare(constants.ctypes.data, c.ctypes.data)
     out = place(np.zeros(len(program.outputs) * lanes))
     arrays = [place([t] * lanes), place(x.T), place([]), c, out]
-    status = signature(kernel.addresses[0])(*(a.ctypes.data for a in arrays))
+    status = signature(int(kernel.cell[0]))(*(a.ctypes.data for a in arrays))
     return status, out.reshape(-1, lanes).T
 
 

@@ -238,7 +238,7 @@ def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_onc
         lambda quick: compilers.append(threading.current_thread().name) or emitter(quick),
     )
     kernel = begun(11)
-    entry = kernel.owner[0]
+    entry = kernel.entry
     until(lambda: len(entry._owners) == 2)
     assert set(compilers) == {threading.current_thread().name}
 
@@ -256,13 +256,15 @@ def test_nothing_waits_for_what_is_compiled_on_the_side(nothing_cached, at_once,
     assert started.wait(PATIENCE)
     # If one of these waited for the side, it would do so until the latter gave up.
     second = begun(13)
-    assert second.addresses
-    before = first.owner[0].addresses
-    assert first.addresses != before  # not even for its own
+    second.settle()
+    before = first.cell.copy()
+    first.settle()  # not even for its own
+    assert (first.cell != before).all()
+    before = first.cell.copy()
     assert not waited
     end.set()
     until(lambda: not background._TASKS)
-    assert first.owner[0].addresses == first.addresses
+    assert (first.cell == before).all()
 
 
 def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, nothing_on_the_side):
@@ -270,17 +272,18 @@ def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, no
         raise compiling.HelperError("there is none")
 
     kernel = begun(14)
-    task = kernel.owner[0].better
+    task = kernel.entry.better
     with pytest.raises(compiling.HelperError):
         task.run_with(none)
-    before = kernel.owner[0].addresses
-    assert kernel.addresses != before
+    before = kernel.cell.copy()
+    kernel.settle()
+    assert (kernel.cell != before).all()
 
 
 def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
     monkeypatch.setattr(background, "IDLE_SECONDS", 0.05)
     kernel = begun(15)
-    assert kernel.owner
+    assert kernel.entry
     until(lambda: not background._TASKS and background._helper._process is None)
 
 
@@ -293,8 +296,8 @@ def test_code_goes_with_the_last_reference_to_its_kernel(
 ):
     kernel = begun(16)
     if settled:
-        assert kernel.addresses
-    engines = [weakref.ref(code._engine) for code in kernel.owner[0]._owners]
+        kernel.settle()
+    engines = [weakref.ref(code._engine) for code in kernel.entry._owners]
     assert len(engines) == 1 + settled
     assert len(nothing_on_the_side) == 1
     gc.disable()  # no cycles either
@@ -308,7 +311,7 @@ def test_code_goes_with_the_last_reference_to_its_kernel(
 
 def test_code_of_the_side_goes_too(nothing_cached, at_once):
     kernel = begun(17)
-    owners = kernel.owner[0]._owners
+    owners = kernel.entry._owners
     until(lambda: len(owners) == 2)
     engines = [weakref.ref(code._engine) for code in owners]
     kernel = owners = None
@@ -357,7 +360,7 @@ def test_a_distinct_right_hand_side_leaves_no_memory_behind():
 
 def test_bits_are_the_same_whoever_compiled(nothing_cached, at_once):
     kernel = begun(18)
-    entry, x = kernel.owner[0], np.random.default_rng(0).normal(size=(9, 2))
+    entry, x = kernel.entry, np.random.default_rng(0).normal(size=(9, 2))
     arguments = np.zeros(9), x, np.zeros((1, 0)), np.zeros(0)
     quick = kernel.evaluate(*arguments)[0]
     until(lambda: len(entry._owners) == 2)
@@ -416,3 +419,31 @@ def test_a_process_whose_package_is_replaced_leaves_nothing_for_the_next_version
         assert run.returncode == 0, run.stderr
         found.append({name for name in run.stdout.split() if name})
     assert len(found[1]) == 2 * len(found[0]) > 0  # the new one has found none of them
+
+
+def test_what_is_compiled_quickly_is_kept_for_other_processes(tmp_path):
+    script = """\
+from pydy._backends.llvm import background, compiling, jit
+background.QUIET_SECONDS = 1e9  # as in a short script
+compiled, own = [], compiling.object_code
+jit.object_code = lambda source, quick=False: compiled.append(quick) or own(source, quick)
+from pydy.models import multi_mass_spring_damper
+system = multi_mass_spring_damper(2)
+system.ode_solver, system.times = "dop853", [0.0, 1.0]
+print(system.integrate().tobytes().hex(), compiled.count(True))
+"""
+    states, compiled = zip(*(running(script, tmp_path).split() for _ in range(2)), strict=True)
+    assert states[0] == states[1]
+    assert int(compiled[0]) > 0
+    assert int(compiled[1]) == 0
+
+
+def running(script, place):
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**os.environ, "PYDY_CACHE_DIR": str(place)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout

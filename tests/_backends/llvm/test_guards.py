@@ -133,7 +133,7 @@ def test_fallbacks_are_compiled_when_one_is_needed(quick):
     assert len([what for what in quick if program.digest in what]) == 2
     np.testing.assert_allclose(every, [exact(row, p, n) for row in x], rtol=1e-9)
     np.testing.assert_array_equal(np.delete(every, weak, axis=0), found)
-    assert kernel.addresses
+    kernel.settle()
     best, _ = kernel.evaluate(np.zeros(19), x, np.empty((1, 0)), p)
     np.testing.assert_array_equal(best, every)
 
@@ -157,7 +157,7 @@ def test_one_state_has_its_fallback_compiled_with_the_constants_that_are_bound(q
 def test_solvers_have_fallbacks_after_an_interrupt_while_code_was_made(quick, monkeypatch):
     program = scaled(5)
     kernel = BACKENDS["llvm"].compile(program)
-    entry, use = kernel.owner[0], tiers.Entry._use
+    entry, use = kernel.entry, tiers.Entry._use
 
     def interrupted(self, code):
         monkeypatch.setattr(tiers.Entry, "_use", use)
@@ -166,9 +166,9 @@ def test_solvers_have_fallbacks_after_an_interrupt_while_code_was_made(quick, mo
 
     monkeypatch.setattr(tiers.Entry, "_use", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        kernel.begin()
+        kernel.entry.begin()
     assert entry.short
-    kernel.settled()
+    assert kernel.cell is not None
     assert not entry.short
 
 

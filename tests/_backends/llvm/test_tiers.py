@@ -53,8 +53,9 @@ def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
     kernel = rates_kernel(name)
     arguments = sample(kernel)
     quick = kernel.evaluate(*arguments)[0]
-    before = kernel.owner[0].addresses
-    assert kernel.addresses != before, "the best code did not take the quick code's place"
+    before = kernel.cell.copy()
+    kernel.settle()
+    assert (kernel.cell != before).all(), "the best code did not take the quick code's place"
     np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
 
 
@@ -63,7 +64,7 @@ def test_the_gate_uses_the_better_code_with_the_constants_that_are_bound(nothing
     t, x, r, p = sample(kernel, 1)
     out, again = np.empty(len(kernel.program.outputs)), np.empty(len(kernel.program.outputs))
     assert kernel.call(x[0], float(t[0]), r[0], p, out) == 0
-    assert kernel.addresses is not None
+    kernel.settle()
     assert kernel.call(x[0], float(t[0]), r[0], p, again) == 0
     np.testing.assert_array_equal(again, out)
 
@@ -73,13 +74,13 @@ def test_who_wants_the_best_code_compiles_nothing_else(nothing_cached, monkeypat
     load = jit.load_quickly
     monkeypatch.setattr(jit, "load_quickly", lambda *a: quick.append(a[0].what) or load(*a))
     kernel, other = rates_kernel("pendulum"), rates_kernel("pendulum")
-    assert kernel.addresses
-    assert kernel.owner[0].better is None
+    kernel.settle()
+    assert kernel.entry.better is None
     kernel.evaluate(*sample(kernel))
     assert not any(what.startswith("kernel") for what in quick)
-    assert kernel.owner[0].better is None
+    assert kernel.entry.better is None
     jit.memory.clear()
-    assert other.owner[0].addresses == (0, 0)  # nothing at all before it is called
+    assert not other.entry.cell.any()  # nothing at all before it is called
     other.evaluate(*sample(other))
     assert any(what.startswith("kernel") for what in quick)
 
@@ -158,7 +159,7 @@ def test_a_long_chain_of_masses_gives_the_same_bits_side_by_side(nothing_cached)
     kernel = LLVMBackend().compile(program)
     arguments = sample(kernel, 9)
     quick = kernel.evaluate(*arguments)[0]
-    assert kernel.addresses
+    kernel.settle()
     np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
     np.testing.assert_allclose(quick, run(program, *arguments)[0], rtol=1e-9, atol=1e-9)
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 from weakref import WeakValueDictionary
 
@@ -68,7 +70,7 @@ def find(source: Source, calls: Sequence[Code] = ()) -> Code | None:
 
 
 def load(source: Source, calls: Sequence[Code] = (), compile_source: Compile = object_code) -> Code:
-    """Return compiled code from memory, from disk, or from LLVM at its best."""
+    """Return compiled code from memory, from disk, or from LLVM, by default at its best."""
     known = find(source, calls)
     if known is None:
         stored = compile_source(source)
@@ -83,4 +85,5 @@ def load_quickly(source: Source, calls: Sequence[Code] = ()) -> Code:
     It computes the same bits: what is fused and in which order is written in the IR.
     """
     background.in_use()
-    return _linked(object_code(source, quick=True), source.names, calls)
+    hasty = replace(source, what=f"{source.what}, quickly")
+    return load(hasty, calls, partial(object_code, quick=True))

@@ -85,9 +85,8 @@ def native_kernel(
     """
     sweep = _make_sweep(program, entry, lanes, strided)
     call = _make_call(program, entry, lanes, sweep)
-    owner, settled = (entry, gates()), entry.settled
     own = cast("Program", program)
-    return Kernel(own, sweep, call, rebuild, recipe, settled, lanes, owner, entry.begin)
+    return Kernel(own, sweep, call, rebuild, recipe, lanes, entry)
 
 
 def _keep(source: Source, compile_source: Compile) -> None:
@@ -173,7 +172,7 @@ def _make_sweep(
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        if not entry.addresses[0]:
+        if not entry.cell[0]:
             entry.begin()
         m = len(t)
         if m <= most:

@@ -48,12 +48,12 @@ class Tiers:
     calls: tuple[tuple[str, int], ...]  # the shared routines that it needs, with their lanes
     short: Source | None = None  # the same without fallbacks, where that is much less
 
-    def at_hand(self) -> tuple[jit.Code, Quality]:
-        """Take the code that is ready soonest."""
+    def at_hand(self, whole: bool) -> tuple[jit.Code, Quality]:
+        """Take the code that is ready soonest, `whole` with its fallbacks."""
         code = jit.find(self.source, self._routines())
         if code is not None:
             return code, Quality.BEST
-        if self.short is not None:
+        if self.short is not None and not whole:
             return jit.load_quickly(self.short, self._routines()), Quality.SHORT
         return self.complete(), Quality.COMPLETE
 
@@ -74,26 +74,27 @@ class Entry:
     """The native functions of a Program, `kernel` and `prepare`.
 
     They are made when they are first wanted, unless `replace` gives them at once; better ones may
-    replace them at any time. Who wants the best from the beginning waits for that alone.
+    replace them at any time. `cell` has their addresses: who calls them reads these there, each
+    time, as compiled loops do in the middle of a run.
     """
 
     def __init__(self, tiers: Tiers | None = None) -> None:
         self._tiers = tiers
         self._lock = _forks.Lock()
-        self.addresses = 0, 0
+        self.cell = np.zeros(2, dtype=np.int64)
         self.short = False
         self.better: Task | None = None
         self._owners: list[Any] = []  # a call may be under way in the old code: it stays
-        self._words: list[np.ndarray] = []
+        self._words = [self.cell]
 
-    def begin(self) -> None:
+    def begin(self, whole: bool = False) -> None:
         """Have some code, and better code compiled on the side."""
-        if self.addresses[0]:
+        if self.cell[0]:
             return
         with self._lock:
-            if self.addresses[0] or self._tiers is None:
+            if self.cell[0] or self._tiers is None:
                 return
-            code, quality = self._tiers.at_hand()
+            code, quality = self._tiers.at_hand(whole)
             self.short = quality is Quality.SHORT
             if quality is not Quality.BEST:
                 # Known before the code is: who wants the best after an interrupt finds it.
@@ -109,38 +110,44 @@ class Entry:
                 self._use(self._tiers.complete())
                 self.short = False
 
+    def settle(self) -> None:
+        """Have the best code, compiled now if need be."""
+        if not self.cell[0]:
+            with self._lock:
+                if not self.cell[0] and self._tiers is not None:
+                    self._use(self._tiers.best(object_code))
+        if self.better is not None:
+            self.better.run()
+
     def improve(self, code: jit.Code) -> None:
         """Use the best code from now on."""
         with self._lock:
             self._use(code)
             self.short = False
 
-    def settled(self) -> tuple[int, int]:
-        """Return the addresses of the best code, compiling it now if need be."""
-        if not self.addresses[0]:
-            with self._lock:
-                if not self.addresses[0] and self._tiers is not None:
-                    self._use(self._tiers.best(object_code))
-        if self.better is not None:
-            self.better.run()
-        return self.addresses
+    def whole(self) -> np.ndarray:
+        """Return the cell, with code that has fallbacks."""
+        if not self.cell[0]:
+            self.begin(whole=True)
+        if self.short:
+            self.complete()
+        return self.cell
 
     def _use(self, code: jit.Code) -> None:
         self.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
 
     def replace(self, addresses: tuple[int, int], owner: Any) -> None:
         """Use other functions from the next call on; `owner` keeps their code alive."""
-        if addresses == self.addresses:
+        if addresses == (*self.cell,):
             return
         self._owners.append(owner)
-        self.addresses = addresses
         for words in self._words:
             words[:2] = addresses
 
     def bind(self, words: np.ndarray) -> None:
-        """Keep the first two words of an array up to date."""
+        """Keep the first two words of an array as the cell."""
         self._words.append(words)
-        words[:2] = self.addresses
+        words[:2] = self.cell
 
 
 def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:

@@ -13,10 +13,11 @@ typedef Problem Equations;
 
 typedef int32_t Kernel(const double *t, const double *x, const double *r, const double *c, double *out);
 
-INLINE int64_t call_kernel(int64_t address, const double *t, const double *x, const double *r,
+/* The word is where the kernel's address stands, which better code may replace at any time. */
+INLINE int64_t call_kernel(int64_t place, const double *t, const double *x, const double *r,
     const double *c, double *out)
 {
-    return ((Kernel *)address)(t, x, r, c, out);
+    return (*(Kernel *const *)place)(t, x, r, c, out);
 }
 
 /* Return the last of the ascending knots that is not after s; most often it is the guess. */

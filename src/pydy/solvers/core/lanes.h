@@ -21,7 +21,7 @@ INLINE void copy_in(const Numbers *values, int64_t row, double *buffer, int64_t 
 INLINE void prepare(const LaneProblem *p)
 {
     for (int64_t k = 0; k < p->prepared.size; k++)
-        ((Prepare *)p->prepared.at[2 * k])(p->p.at, (double *)p->prepared.at[2 * k + 1]);
+        (*(Prepare *const *)p->prepared.at[2 * k])(p->p.at, (double *)p->prepared.at[2 * k + 1]);
 }
 
 #endif

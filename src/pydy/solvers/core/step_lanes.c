@@ -47,7 +47,7 @@ INLINE void take_alone(const LaneRun *run, int64_t sample, int64_t lane)
         own->problem.r.at[i] = r->at[sample * r->columns + i];
     for (int64_t k = 0; k < g->prepared.size; k++) {
         const int64_t *row = g->prepared.at + k * g->prepared.columns;
-        ((Prepare *)row[0])(p->at + sample * p->columns, (double *)row[1 + lane]);
+        (*(Prepare *const *)row[0])(p->at + sample * p->columns, (double *)row[1 + lane]);
     }
     for (int64_t k = 0; k < w->words.at[EVENTS]; k++) {
         w->sides.at[k * W + lane] = (double)w->began.at[sample * w->began.columns + k];

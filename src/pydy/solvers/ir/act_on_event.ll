@@ -1,4 +1,4 @@
-; sources d4c2d43956383e5b2a464a64d1359e6c9c51b321e5bacf0b6658df7581bb629e
+; sources 80d4aacbf5f9395b749c240b4f9430d8fa128ad04ae71c81e2fdfd198fdaaa6c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -54,7 +54,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 46:                                               ; preds = %40
   %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %257, label %48
+  br i1 %47, label %261, label %48
 
 48:                                               ; preds = %46, %40
   %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
@@ -65,7 +65,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 52:                                               ; preds = %48, %1
   %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
   %54 = icmp slt i64 %53, 0
-  br i1 %54, label %257, label %55
+  br i1 %54, label %261, label %55
 
 55:                                               ; preds = %52
   %56 = getelementptr inbounds i8, ptr %0, i64 816
@@ -74,7 +74,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %59 = load i64, ptr %58, align 8
   %60 = and i64 %59, 4
   %61 = icmp eq i64 %60, 0
-  br i1 %61, label %257, label %62
+  br i1 %61, label %261, label %62
 
 62:                                               ; preds = %55
   %63 = add nsw i64 %23, 1
@@ -83,7 +83,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %66 = getelementptr inbounds i8, ptr %0, i64 1016
   %67 = load i64, ptr %66, align 8
   %68 = icmp sgt i64 %64, %67
-  br i1 %68, label %257, label %69
+  br i1 %68, label %261, label %69
 
 69:                                               ; preds = %62
   %70 = mul nsw i64 %53, %19
@@ -111,243 +111,247 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %86 = getelementptr inbounds i8, ptr %0, i64 1128
   %87 = load ptr, ptr %86, align 8
   %88 = inttoptr i64 %81 to ptr
-  %89 = tail call i32 %88(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
-  %90 = icmp eq i32 %89, 0
-  br i1 %90, label %91, label %257
+  %89 = load ptr, ptr %88, align 8
+  %90 = tail call i32 %89(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
+  %91 = icmp eq i32 %90, 0
+  br i1 %91, label %92, label %261
 
-91:                                               ; preds = %78
-  %92 = load ptr, ptr %2, align 8
-  %93 = load i64, ptr %92, align 8
-  %94 = load ptr, ptr %82, align 8
-  %95 = load ptr, ptr %84, align 8
-  %96 = getelementptr inbounds i8, ptr %0, i64 744
-  %97 = load ptr, ptr %96, align 8
-  %98 = inttoptr i64 %93 to ptr
-  %99 = tail call i32 %98(ptr noundef %94, ptr noundef %25, ptr noundef %95, ptr noundef %97, ptr noundef %31) #4
-  %100 = icmp eq i32 %99, 0
-  br i1 %100, label %101, label %257
+92:                                               ; preds = %78
+  %93 = load ptr, ptr %2, align 8
+  %94 = load i64, ptr %93, align 8
+  %95 = load ptr, ptr %82, align 8
+  %96 = load ptr, ptr %84, align 8
+  %97 = getelementptr inbounds i8, ptr %0, i64 744
+  %98 = load ptr, ptr %97, align 8
+  %99 = inttoptr i64 %94 to ptr
+  %100 = load ptr, ptr %99, align 8
+  %101 = tail call i32 %100(ptr noundef %95, ptr noundef %25, ptr noundef %96, ptr noundef %98, ptr noundef %31) #4
+  %102 = icmp eq i32 %101, 0
+  br i1 %102, label %103, label %261
 
-101:                                              ; preds = %91
-  %102 = load ptr, ptr %2, align 8
-  %103 = load i64, ptr %102, align 8
-  %104 = load ptr, ptr %82, align 8
-  %105 = load ptr, ptr %84, align 8
-  %106 = load ptr, ptr %96, align 8
-  %107 = inttoptr i64 %103 to ptr
-  %108 = tail call i32 %107(ptr noundef %104, ptr noundef %71, ptr noundef %105, ptr noundef %106, ptr noundef %32) #4
-  %109 = icmp eq i32 %108, 0
-  br i1 %109, label %110, label %257
+103:                                              ; preds = %92
+  %104 = load ptr, ptr %2, align 8
+  %105 = load i64, ptr %104, align 8
+  %106 = load ptr, ptr %82, align 8
+  %107 = load ptr, ptr %84, align 8
+  %108 = load ptr, ptr %97, align 8
+  %109 = inttoptr i64 %105 to ptr
+  %110 = load ptr, ptr %109, align 8
+  %111 = tail call i32 %110(ptr noundef %106, ptr noundef %71, ptr noundef %107, ptr noundef %108, ptr noundef %32) #4
+  %112 = icmp eq i32 %111, 0
+  br i1 %112, label %113, label %261
 
-110:                                              ; preds = %101
-  %111 = load ptr, ptr %2, align 8
-  %112 = getelementptr inbounds i8, ptr %111, i64 56
-  %113 = load i64, ptr %112, align 8
-  %114 = load ptr, ptr %82, align 8
-  %115 = load ptr, ptr %84, align 8
-  %116 = getelementptr inbounds i8, ptr %0, i64 1104
-  %117 = load ptr, ptr %116, align 8
-  %118 = load ptr, ptr %33, align 8
-  %119 = inttoptr i64 %113 to ptr
-  %120 = tail call i32 %119(ptr noundef %114, ptr noundef %71, ptr noundef %115, ptr noundef %117, ptr noundef %118) #4
-  %121 = icmp eq i32 %120, 0
-  br i1 %121, label %122, label %257
+113:                                              ; preds = %103
+  %114 = load ptr, ptr %2, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 56
+  %116 = load i64, ptr %115, align 8
+  %117 = load ptr, ptr %82, align 8
+  %118 = load ptr, ptr %84, align 8
+  %119 = getelementptr inbounds i8, ptr %0, i64 1104
+  %120 = load ptr, ptr %119, align 8
+  %121 = load ptr, ptr %33, align 8
+  %122 = inttoptr i64 %116 to ptr
+  %123 = load ptr, ptr %122, align 8
+  %124 = tail call i32 %123(ptr noundef %117, ptr noundef %71, ptr noundef %118, ptr noundef %120, ptr noundef %121) #4
+  %125 = icmp eq i32 %124, 0
+  br i1 %125, label %126, label %261
 
-122:                                              ; preds = %110
-  %123 = icmp sgt i64 %19, 0
-  br i1 %123, label %131, label %127
+126:                                              ; preds = %113
+  %127 = icmp sgt i64 %19, 0
+  br i1 %127, label %135, label %131
 
-124:                                              ; preds = %131
-  %125 = add nuw nsw i64 %132, 1
-  %126 = icmp eq i64 %125, %19
-  br i1 %126, label %127, label %131, !llvm.loop !6
+128:                                              ; preds = %135
+  %129 = add nuw nsw i64 %136, 1
+  %130 = icmp eq i64 %129, %19
+  br i1 %130, label %131, label %135, !llvm.loop !6
 
-127:                                              ; preds = %124, %122
-  %128 = icmp sgt i64 %16, 0
-  br i1 %128, label %129, label %152
+131:                                              ; preds = %128, %126
+  %132 = icmp sgt i64 %16, 0
+  br i1 %132, label %133, label %156
 
-129:                                              ; preds = %127
-  %130 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %137
+133:                                              ; preds = %131
+  %134 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %141
 
-131:                                              ; preds = %122, %124
-  %132 = phi i64 [ %125, %124 ], [ 0, %122 ]
-  %133 = getelementptr inbounds double, ptr %71, i64 %132
-  %134 = load double, ptr %133, align 8
-  %135 = tail call double @llvm.fabs.f64(double %134)
-  %136 = fcmp ueq double %135, 0x7FF0000000000000
-  br i1 %136, label %257, label %124
+135:                                              ; preds = %126, %128
+  %136 = phi i64 [ %129, %128 ], [ 0, %126 ]
+  %137 = getelementptr inbounds double, ptr %71, i64 %136
+  %138 = load double, ptr %137, align 8
+  %139 = tail call double @llvm.fabs.f64(double %138)
+  %140 = fcmp ueq double %139, 0x7FF0000000000000
+  br i1 %140, label %261, label %128
 
-137:                                              ; preds = %129, %149
-  %138 = phi i64 [ 0, %129 ], [ %150, %149 ]
-  %139 = icmp eq i64 %138, %53
-  br i1 %139, label %149, label %140
+141:                                              ; preds = %133, %153
+  %142 = phi i64 [ 0, %133 ], [ %154, %153 ]
+  %143 = icmp eq i64 %142, %53
+  br i1 %143, label %153, label %144
 
-140:                                              ; preds = %137
-  %141 = load ptr, ptr %130, align 8
-  %142 = getelementptr inbounds i64, ptr %141, i64 %138
-  %143 = load i64, ptr %142, align 8
-  %144 = icmp eq i64 %143, 0
-  br i1 %144, label %149, label %145
+144:                                              ; preds = %141
+  %145 = load ptr, ptr %134, align 8
+  %146 = getelementptr inbounds i64, ptr %145, i64 %142
+  %147 = load i64, ptr %146, align 8
+  %148 = icmp eq i64 %147, 0
+  br i1 %148, label %153, label %149
 
-145:                                              ; preds = %140
-  %146 = getelementptr inbounds double, ptr %32, i64 %138
-  %147 = load double, ptr %146, align 8
-  %148 = fcmp uno double %147, 0.000000e+00
-  br i1 %148, label %257, label %149
+149:                                              ; preds = %144
+  %150 = getelementptr inbounds double, ptr %32, i64 %142
+  %151 = load double, ptr %150, align 8
+  %152 = fcmp uno double %151, 0.000000e+00
+  br i1 %152, label %261, label %153
 
-149:                                              ; preds = %137, %140, %145
-  %150 = add nuw nsw i64 %138, 1
-  %151 = icmp eq i64 %150, %16
-  br i1 %151, label %152, label %137, !llvm.loop !7
+153:                                              ; preds = %141, %144, %149
+  %154 = add nuw nsw i64 %142, 1
+  %155 = icmp eq i64 %154, %16
+  br i1 %155, label %156, label %141, !llvm.loop !7
 
-152:                                              ; preds = %149, %127
-  %153 = getelementptr inbounds double, ptr %32, i64 %53
-  %154 = load double, ptr %153, align 8
-  %155 = getelementptr inbounds double, ptr %31, i64 %53
-  %156 = load double, ptr %155, align 8
-  %157 = fcmp une double %154, %156
-  br i1 %157, label %158, label %164
-
-158:                                              ; preds = %152
-  %159 = getelementptr inbounds double, ptr %35, i64 %53
+156:                                              ; preds = %153, %131
+  %157 = getelementptr inbounds double, ptr %32, i64 %53
+  %158 = load double, ptr %157, align 8
+  %159 = getelementptr inbounds double, ptr %31, i64 %53
   %160 = load double, ptr %159, align 8
-  %161 = fmul double %160, 0x3CE0000000000000
-  %162 = tail call double @llvm.fabs.f64(double %154)
-  %163 = fcmp ule double %162, %161
-  br label %164
+  %161 = fcmp une double %158, %160
+  br i1 %161, label %162, label %168
 
-164:                                              ; preds = %158, %152
-  %165 = phi i1 [ true, %152 ], [ %163, %158 ]
-  %166 = icmp sgt i64 %16, 0
-  br i1 %166, label %167, label %169
+162:                                              ; preds = %156
+  %163 = getelementptr inbounds double, ptr %35, i64 %53
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %164, 0x3CE0000000000000
+  %166 = tail call double @llvm.fabs.f64(double %158)
+  %167 = fcmp ule double %166, %165
+  br label %168
 
-167:                                              ; preds = %164
-  %168 = getelementptr inbounds i8, ptr %0, i64 888
-  br label %180
+168:                                              ; preds = %162, %156
+  %169 = phi i1 [ true, %156 ], [ %167, %162 ]
+  %170 = icmp sgt i64 %16, 0
+  br i1 %170, label %171, label %173
 
-169:                                              ; preds = %180, %164
-  %170 = load ptr, ptr %65, align 8
-  %171 = getelementptr inbounds double, ptr %170, i64 %23
-  store double %29, ptr %171, align 8
-  %172 = getelementptr inbounds i8, ptr %0, i64 1032
-  %173 = load ptr, ptr %172, align 8
-  %174 = getelementptr inbounds i64, ptr %173, i64 %23
-  store i64 %53, ptr %174, align 8
-  %175 = icmp sgt i64 %19, 0
-  br i1 %175, label %176, label %202
+171:                                              ; preds = %168
+  %172 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %184
 
-176:                                              ; preds = %169
-  %177 = getelementptr inbounds i8, ptr %0, i64 1056
-  %178 = mul nsw i64 %23, %19
-  %179 = getelementptr inbounds i8, ptr %0, i64 1080
-  br label %209
+173:                                              ; preds = %184, %168
+  %174 = load ptr, ptr %65, align 8
+  %175 = getelementptr inbounds double, ptr %174, i64 %23
+  store double %29, ptr %175, align 8
+  %176 = getelementptr inbounds i8, ptr %0, i64 1032
+  %177 = load ptr, ptr %176, align 8
+  %178 = getelementptr inbounds i64, ptr %177, i64 %23
+  store i64 %53, ptr %178, align 8
+  %179 = icmp sgt i64 %19, 0
+  br i1 %179, label %180, label %206
 
-180:                                              ; preds = %167, %180
-  %181 = phi i64 [ 0, %167 ], [ %200, %180 ]
-  %182 = getelementptr inbounds double, ptr %32, i64 %181
-  %183 = load double, ptr %182, align 8
-  %184 = fcmp oeq double %183, 0.000000e+00
-  %185 = icmp eq i64 %181, %53
-  %186 = select i1 %185, i1 %165, i1 false
-  %187 = select i1 %184, i1 true, i1 %186
-  %188 = getelementptr inbounds double, ptr %34, i64 %181
-  %189 = select i1 %187, ptr %188, ptr %182
-  %190 = load double, ptr %189, align 8
-  %191 = tail call double @llvm.fabs.f64(double %190)
-  %192 = fcmp ueq double %191, 0x7FF0000000000000
-  %193 = fcmp ogt double %190, 0.000000e+00
-  %194 = fcmp olt double %190, 0.000000e+00
-  %195 = sext i1 %194 to i64
-  %196 = select i1 %193, i64 1, i64 %195
-  %197 = select i1 %192, i64 0, i64 %196
-  %198 = load ptr, ptr %168, align 8
-  %199 = getelementptr inbounds i64, ptr %198, i64 %181
-  store i64 %197, ptr %199, align 8
-  %200 = add nuw nsw i64 %181, 1
-  %201 = icmp eq i64 %200, %16
-  br i1 %201, label %169, label %180, !llvm.loop !8
+180:                                              ; preds = %173
+  %181 = getelementptr inbounds i8, ptr %0, i64 1056
+  %182 = mul nsw i64 %23, %19
+  %183 = getelementptr inbounds i8, ptr %0, i64 1080
+  br label %213
 
-202:                                              ; preds = %209, %169
-  %203 = load ptr, ptr %20, align 8
-  %204 = getelementptr inbounds i8, ptr %203, i64 80
-  store i64 %63, ptr %204, align 8
-  %205 = load ptr, ptr %0, align 8
-  %206 = getelementptr inbounds i8, ptr %205, i64 8
-  %207 = load i64, ptr %206, align 8
-  %208 = icmp eq i64 %207, 0
-  br i1 %208, label %222, label %228
+184:                                              ; preds = %171, %184
+  %185 = phi i64 [ 0, %171 ], [ %204, %184 ]
+  %186 = getelementptr inbounds double, ptr %32, i64 %185
+  %187 = load double, ptr %186, align 8
+  %188 = fcmp oeq double %187, 0.000000e+00
+  %189 = icmp eq i64 %185, %53
+  %190 = select i1 %189, i1 %169, i1 false
+  %191 = select i1 %188, i1 true, i1 %190
+  %192 = getelementptr inbounds double, ptr %34, i64 %185
+  %193 = select i1 %191, ptr %192, ptr %186
+  %194 = load double, ptr %193, align 8
+  %195 = tail call double @llvm.fabs.f64(double %194)
+  %196 = fcmp ueq double %195, 0x7FF0000000000000
+  %197 = fcmp ogt double %194, 0.000000e+00
+  %198 = fcmp olt double %194, 0.000000e+00
+  %199 = sext i1 %198 to i64
+  %200 = select i1 %197, i64 1, i64 %199
+  %201 = select i1 %196, i64 0, i64 %200
+  %202 = load ptr, ptr %172, align 8
+  %203 = getelementptr inbounds i64, ptr %202, i64 %185
+  store i64 %201, ptr %203, align 8
+  %204 = add nuw nsw i64 %185, 1
+  %205 = icmp eq i64 %204, %16
+  br i1 %205, label %173, label %184, !llvm.loop !8
 
-209:                                              ; preds = %176, %209
-  %210 = phi i64 [ 0, %176 ], [ %220, %209 ]
-  %211 = getelementptr inbounds double, ptr %25, i64 %210
-  %212 = load double, ptr %211, align 8
-  %213 = load ptr, ptr %177, align 8
-  %214 = add nsw i64 %210, %178
-  %215 = getelementptr inbounds double, ptr %213, i64 %214
-  store double %212, ptr %215, align 8
-  %216 = getelementptr inbounds double, ptr %71, i64 %210
-  %217 = load double, ptr %216, align 8
-  store double %217, ptr %211, align 8
-  %218 = load ptr, ptr %179, align 8
-  %219 = getelementptr inbounds double, ptr %218, i64 %214
-  store double %217, ptr %219, align 8
-  %220 = add nuw nsw i64 %210, 1
-  %221 = icmp eq i64 %220, %19
-  br i1 %221, label %202, label %209, !llvm.loop !9
+206:                                              ; preds = %213, %173
+  %207 = load ptr, ptr %20, align 8
+  %208 = getelementptr inbounds i8, ptr %207, i64 80
+  store i64 %63, ptr %208, align 8
+  %209 = load ptr, ptr %0, align 8
+  %210 = getelementptr inbounds i8, ptr %209, i64 8
+  %211 = load i64, ptr %210, align 8
+  %212 = icmp eq i64 %211, 0
+  br i1 %212, label %226, label %232
 
-222:                                              ; preds = %202
-  %223 = getelementptr inbounds i8, ptr %0, i64 1224
-  %224 = load ptr, ptr %223, align 8
-  %225 = getelementptr inbounds i8, ptr %224, i64 8
-  %226 = load double, ptr %225, align 8
-  %227 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %226, ptr %227, align 8
-  br label %228
+213:                                              ; preds = %180, %213
+  %214 = phi i64 [ 0, %180 ], [ %224, %213 ]
+  %215 = getelementptr inbounds double, ptr %25, i64 %214
+  %216 = load double, ptr %215, align 8
+  %217 = load ptr, ptr %181, align 8
+  %218 = add nsw i64 %214, %182
+  %219 = getelementptr inbounds double, ptr %217, i64 %218
+  store double %216, ptr %219, align 8
+  %220 = getelementptr inbounds double, ptr %71, i64 %214
+  %221 = load double, ptr %220, align 8
+  store double %221, ptr %215, align 8
+  %222 = load ptr, ptr %183, align 8
+  %223 = getelementptr inbounds double, ptr %222, i64 %218
+  store double %221, ptr %223, align 8
+  %224 = add nuw nsw i64 %214, 1
+  %225 = icmp eq i64 %224, %19
+  br i1 %225, label %206, label %213, !llvm.loop !9
 
-228:                                              ; preds = %222, %202
-  %229 = getelementptr inbounds i8, ptr %0, i64 1200
-  %230 = load ptr, ptr %229, align 8
-  %231 = mul i64 %53, 800
-  %232 = getelementptr inbounds i8, ptr %230, i64 %231
-  %233 = load double, ptr %232, align 8
-  %234 = fsub double %29, %233
-  %235 = tail call double @llvm.fabs.f64(double %29)
-  %236 = fcmp ogt double %235, %13
-  %237 = select i1 %236, double %235, double %13
-  %238 = fmul double %237, 0x3CF0000000000000
-  %239 = fcmp ugt double %234, %238
-  br i1 %239, label %240, label %247
+226:                                              ; preds = %206
+  %227 = getelementptr inbounds i8, ptr %0, i64 1224
+  %228 = load ptr, ptr %227, align 8
+  %229 = getelementptr inbounds i8, ptr %228, i64 8
+  %230 = load double, ptr %229, align 8
+  %231 = getelementptr inbounds i8, ptr %26, i64 8
+  store double %230, ptr %231, align 8
+  br label %232
 
-240:                                              ; preds = %228
-  %241 = getelementptr inbounds i8, ptr %232, i64 784
-  %242 = load double, ptr %241, align 8
-  %243 = fsub double %29, %242
-  %244 = fmul double %13, 1.000000e-09
-  %245 = fcmp olt double %243, %244
-  %246 = select i1 %245, i64 8, i64 1
-  br label %247
+232:                                              ; preds = %226, %206
+  %233 = getelementptr inbounds i8, ptr %0, i64 1200
+  %234 = load ptr, ptr %233, align 8
+  %235 = mul i64 %53, 800
+  %236 = getelementptr inbounds i8, ptr %234, i64 %235
+  %237 = load double, ptr %236, align 8
+  %238 = fsub double %29, %237
+  %239 = tail call double @llvm.fabs.f64(double %29)
+  %240 = fcmp ogt double %239, %13
+  %241 = select i1 %240, double %239, double %13
+  %242 = fmul double %241, 0x3CF0000000000000
+  %243 = fcmp ugt double %238, %242
+  br i1 %243, label %244, label %251
 
-247:                                              ; preds = %240, %228
-  %248 = phi i64 [ 8, %228 ], [ %246, %240 ]
-  br label %250
+244:                                              ; preds = %232
+  %245 = getelementptr inbounds i8, ptr %236, i64 784
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %29, %246
+  %248 = fmul double %13, 1.000000e-09
+  %249 = fcmp olt double %247, %248
+  %250 = select i1 %249, i64 8, i64 1
+  br label %251
 
-249:                                              ; preds = %250
-  store double %29, ptr %232, align 8
-  br label %257
+251:                                              ; preds = %244, %232
+  %252 = phi i64 [ 8, %232 ], [ %250, %244 ]
+  br label %254
 
-250:                                              ; preds = %247, %250
-  %251 = phi i64 [ 99, %247 ], [ %255, %250 ]
-  %252 = getelementptr double, ptr %232, i64 %251
-  %253 = getelementptr i8, ptr %252, i64 -8
-  %254 = load double, ptr %253, align 8
-  store double %254, ptr %252, align 8
-  %255 = add nsw i64 %251, -1
-  %256 = icmp ugt i64 %251, 1
-  br i1 %256, label %250, label %249, !llvm.loop !10
+253:                                              ; preds = %254
+  store double %29, ptr %236, align 8
+  br label %261
 
-257:                                              ; preds = %46, %131, %145, %249, %110, %101, %91, %78, %52, %55, %62
-  %258 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %248, %249 ], [ 0, %110 ], [ 0, %101 ], [ 0, %91 ], [ 0, %78 ], [ 0, %145 ], [ 0, %131 ], [ 0, %46 ]
-  ret i64 %258
+254:                                              ; preds = %251, %254
+  %255 = phi i64 [ 99, %251 ], [ %259, %254 ]
+  %256 = getelementptr double, ptr %236, i64 %255
+  %257 = getelementptr i8, ptr %256, i64 -8
+  %258 = load double, ptr %257, align 8
+  store double %258, ptr %256, align 8
+  %259 = add nsw i64 %255, -1
+  %260 = icmp ugt i64 %255, 1
+  br i1 %260, label %254, label %253, !llvm.loop !10
+
+261:                                              ; preds = %46, %135, %149, %253, %113, %103, %92, %78, %52, %55, %62
+  %262 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %252, %253 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ 0, %149 ], [ 0, %135 ], [ 0, %46 ]
+  ret i64 %262
 }
 
 declare double @llvm.fabs.f64(double) #1

@@ -1,4 +1,4 @@
-; sources 9fa991a2517b3919e14040f4f67b8695e47220f546e266bed9a7998a396a5c4c
+; sources e58d954edb829d5f304dc6bd4892e6002b4d9cbc8bd8f7a2474949e830338375
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -187,14 +187,14 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %158 = getelementptr inbounds i8, ptr %0, i64 720
   br label %159
 
-159:                                              ; preds = %1639, %72
+159:                                              ; preds = %1646, %72
   %160 = load ptr, ptr %75, align 8
   %161 = load ptr, ptr %76, align 8
   %162 = load ptr, ptr %77, align 8
   %163 = getelementptr inbounds i8, ptr %162, i64 56
   %164 = load i64, ptr %163, align 8
   %165 = icmp eq i64 %164, 0
-  br i1 %165, label %1624, label %166
+  br i1 %165, label %1631, label %166
 
 166:                                              ; preds = %159
   %167 = load ptr, ptr %78, align 8
@@ -227,7 +227,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %194 = load double, ptr %193, align 8
   %195 = load i64, ptr %162, align 8
   %196 = icmp eq i64 %195, 0
-  br i1 %196, label %197, label %411
+  br i1 %196, label %197, label %413
 
 197:                                              ; preds = %166
   %198 = getelementptr inbounds i8, ptr %162, i64 24
@@ -253,1894 +253,1901 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %211 = load ptr, ptr %87, align 8
   %212 = load ptr, ptr %88, align 8
   %213 = inttoptr i64 %209 to ptr
-  %214 = tail call i32 %213(ptr noundef %210, ptr noundef %201, ptr noundef %211, ptr noundef %212, ptr noundef %202) #9
-  %215 = icmp eq i32 %214, 0
-  br i1 %215, label %220, label %216
+  %214 = load ptr, ptr %213, align 8
+  %215 = tail call i32 %214(ptr noundef %210, ptr noundef %201, ptr noundef %211, ptr noundef %212, ptr noundef %202) #9
+  %216 = icmp eq i32 %215, 0
+  br i1 %216, label %221, label %217
 
-216:                                              ; preds = %207
-  %217 = getelementptr inbounds i8, ptr %162, i64 72
-  store i64 3, ptr %217, align 8
-  %218 = icmp slt i32 %214, 0
-  %219 = select i1 %218, i64 -4, i64 2
-  br label %1624
+217:                                              ; preds = %207
+  %218 = getelementptr inbounds i8, ptr %162, i64 72
+  store i64 3, ptr %218, align 8
+  %219 = icmp slt i32 %215, 0
+  %220 = select i1 %219, i64 -4, i64 2
+  br label %1631
 
-220:                                              ; preds = %207
+221:                                              ; preds = %207
   store i64 1, ptr %162, align 8
-  %221 = getelementptr inbounds i8, ptr %160, i64 24
-  store double 1.000000e-04, ptr %221, align 8
-  %222 = getelementptr inbounds i8, ptr %168, i64 40
-  %223 = load double, ptr %222, align 8
-  %224 = getelementptr inbounds i8, ptr %160, i64 40
-  store double %223, ptr %224, align 8
-  %225 = load ptr, ptr %74, align 8
-  %226 = load ptr, ptr %73, align 8
-  %227 = getelementptr inbounds i8, ptr %226, i64 8
-  %228 = load i64, ptr %227, align 8
-  %229 = load i64, ptr %83, align 8
-  %230 = load ptr, ptr %78, align 8
-  %231 = load ptr, ptr %77, align 8
-  %232 = getelementptr inbounds i8, ptr %231, i64 48
-  %233 = load i64, ptr %232, align 8
-  %234 = icmp slt i64 %233, %229
-  br i1 %234, label %235, label %258
+  %222 = getelementptr inbounds i8, ptr %160, i64 24
+  store double 1.000000e-04, ptr %222, align 8
+  %223 = getelementptr inbounds i8, ptr %168, i64 40
+  %224 = load double, ptr %223, align 8
+  %225 = getelementptr inbounds i8, ptr %160, i64 40
+  store double %224, ptr %225, align 8
+  %226 = load ptr, ptr %74, align 8
+  %227 = load ptr, ptr %73, align 8
+  %228 = getelementptr inbounds i8, ptr %227, i64 8
+  %229 = load i64, ptr %228, align 8
+  %230 = load i64, ptr %83, align 8
+  %231 = load ptr, ptr %78, align 8
+  %232 = load ptr, ptr %77, align 8
+  %233 = getelementptr inbounds i8, ptr %232, i64 48
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp slt i64 %234, %230
+  br i1 %235, label %236, label %259
 
-235:                                              ; preds = %220
-  %236 = icmp sgt i64 %228, 0
-  br label %237
+236:                                              ; preds = %221
+  %237 = icmp sgt i64 %229, 0
+  br label %238
 
-237:                                              ; preds = %235, %248
-  %238 = phi i64 [ %233, %235 ], [ %249, %248 ]
-  %239 = getelementptr inbounds double, ptr %230, i64 %238
-  %240 = load double, ptr %239, align 8
-  %241 = load ptr, ptr %75, align 8
-  %242 = load double, ptr %241, align 8
-  %243 = fcmp ugt double %240, %242
-  br i1 %243, label %258, label %244
+238:                                              ; preds = %236, %249
+  %239 = phi i64 [ %234, %236 ], [ %250, %249 ]
+  %240 = getelementptr inbounds double, ptr %231, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = load ptr, ptr %75, align 8
+  %243 = load double, ptr %242, align 8
+  %244 = fcmp ugt double %241, %243
+  br i1 %244, label %259, label %245
 
-244:                                              ; preds = %237
-  br i1 %236, label %245, label %248
+245:                                              ; preds = %238
+  br i1 %237, label %246, label %249
 
-245:                                              ; preds = %244
-  %246 = mul nsw i64 %238, %228
-  %247 = getelementptr double, ptr %1, i64 %246
-  br label %251
+246:                                              ; preds = %245
+  %247 = mul nsw i64 %239, %229
+  %248 = getelementptr double, ptr %1, i64 %247
+  br label %252
 
-248:                                              ; preds = %251, %244
-  %249 = add i64 %238, 1
-  %250 = icmp eq i64 %249, %229
-  br i1 %250, label %258, label %237, !llvm.loop !8
+249:                                              ; preds = %252, %245
+  %250 = add i64 %239, 1
+  %251 = icmp eq i64 %250, %230
+  br i1 %251, label %259, label %238, !llvm.loop !8
 
-251:                                              ; preds = %245, %251
-  %252 = phi i64 [ 0, %245 ], [ %256, %251 ]
-  %253 = getelementptr inbounds double, ptr %225, i64 %252
-  %254 = load double, ptr %253, align 8
-  %255 = getelementptr double, ptr %247, i64 %252
-  store double %254, ptr %255, align 8
-  %256 = add nuw nsw i64 %252, 1
-  %257 = icmp eq i64 %256, %228
-  br i1 %257, label %248, label %251, !llvm.loop !9
+252:                                              ; preds = %246, %252
+  %253 = phi i64 [ 0, %246 ], [ %257, %252 ]
+  %254 = getelementptr inbounds double, ptr %226, i64 %253
+  %255 = load double, ptr %254, align 8
+  %256 = getelementptr double, ptr %248, i64 %253
+  store double %255, ptr %256, align 8
+  %257 = add nuw nsw i64 %253, 1
+  %258 = icmp eq i64 %257, %229
+  br i1 %258, label %249, label %252, !llvm.loop !9
 
-258:                                              ; preds = %237, %248, %220
-  %259 = phi i64 [ %233, %220 ], [ %238, %237 ], [ %229, %248 ]
-  %260 = load ptr, ptr %77, align 8
-  %261 = getelementptr inbounds i8, ptr %260, i64 48
-  store i64 %259, ptr %261, align 8
-  %262 = icmp eq i64 %259, %229
-  br i1 %262, label %1624, label %263
+259:                                              ; preds = %238, %249, %221
+  %260 = phi i64 [ %234, %221 ], [ %239, %238 ], [ %230, %249 ]
+  %261 = load ptr, ptr %77, align 8
+  %262 = getelementptr inbounds i8, ptr %261, i64 48
+  store i64 %260, ptr %262, align 8
+  %263 = icmp eq i64 %260, %230
+  br i1 %263, label %1631, label %264
 
-263:                                              ; preds = %258
-  %264 = fcmp oeq double %194, 0.000000e+00
-  br i1 %264, label %265, label %411
+264:                                              ; preds = %259
+  %265 = fcmp oeq double %194, 0.000000e+00
+  br i1 %265, label %266, label %413
 
-265:                                              ; preds = %263
-  %266 = load ptr, ptr %73, align 8
-  %267 = getelementptr inbounds i8, ptr %266, i64 24
-  %268 = load i64, ptr %267, align 8
-  %269 = load ptr, ptr %75, align 8
-  %270 = getelementptr inbounds i8, ptr %269, i64 16
-  %271 = load double, ptr %270, align 8
-  %272 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %272, ptr noundef %272, ptr noundef nonnull %74, i64 noundef %268) #8
-  %273 = load double, ptr %4, align 8
-  %274 = load ptr, ptr %89, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %274, ptr noundef %272, ptr noundef nonnull %74, i64 noundef %268) #8
-  %275 = load double, ptr %5, align 8
-  %276 = fcmp uge double %273, 1.000000e-05
-  %277 = fcmp uge double %275, 1.000000e-05
-  %278 = and i1 %276, %277
-  %279 = fmul double %273, 1.000000e-02
-  %280 = fdiv double %279, %275
-  %281 = select i1 %278, double %280, double 0x3EB0C6F7A0B5ED8D
-  %282 = fcmp olt double %271, %281
-  %283 = select i1 %282, double %271, double %281
-  %284 = load ptr, ptr %73, align 8
-  %285 = getelementptr inbounds i8, ptr %284, i64 8
-  %286 = load i64, ptr %285, align 8
-  %287 = icmp sgt i64 %286, 0
-  br i1 %287, label %311, label %288
+266:                                              ; preds = %264
+  %267 = load ptr, ptr %73, align 8
+  %268 = getelementptr inbounds i8, ptr %267, i64 24
+  %269 = load i64, ptr %268, align 8
+  %270 = load ptr, ptr %75, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 16
+  %272 = load double, ptr %271, align 8
+  %273 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %273, ptr noundef %273, ptr noundef nonnull %74, i64 noundef %269) #8
+  %274 = load double, ptr %4, align 8
+  %275 = load ptr, ptr %89, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %275, ptr noundef %273, ptr noundef nonnull %74, i64 noundef %269) #8
+  %276 = load double, ptr %5, align 8
+  %277 = fcmp uge double %274, 1.000000e-05
+  %278 = fcmp uge double %276, 1.000000e-05
+  %279 = and i1 %277, %278
+  %280 = fmul double %274, 1.000000e-02
+  %281 = fdiv double %280, %276
+  %282 = select i1 %279, double %281, double 0x3EB0C6F7A0B5ED8D
+  %283 = fcmp olt double %272, %282
+  %284 = select i1 %283, double %272, double %282
+  %285 = load ptr, ptr %73, align 8
+  %286 = getelementptr inbounds i8, ptr %285, i64 8
+  %287 = load i64, ptr %286, align 8
+  %288 = icmp sgt i64 %287, 0
+  br i1 %288, label %313, label %289
 
-288:                                              ; preds = %311, %265
-  %289 = load ptr, ptr %77, align 8
-  %290 = getelementptr inbounds i8, ptr %289, i64 24
-  %291 = load i64, ptr %290, align 8
-  %292 = add nsw i64 %291, 1
-  store i64 %292, ptr %290, align 8
-  %293 = fadd double %192, %283
-  %294 = load ptr, ptr %91, align 8
-  %295 = load ptr, ptr %84, align 8
-  %296 = load i64, ptr %80, align 8
-  %297 = getelementptr inbounds double, ptr %295, i64 %296
-  %298 = load ptr, ptr %85, align 8
-  store double %293, ptr %298, align 8
-  %299 = load i64, ptr %86, align 8
-  %300 = icmp sgt i64 %299, 0
-  br i1 %300, label %301, label %302
+289:                                              ; preds = %313, %266
+  %290 = load ptr, ptr %77, align 8
+  %291 = getelementptr inbounds i8, ptr %290, i64 24
+  %292 = load i64, ptr %291, align 8
+  %293 = add nsw i64 %292, 1
+  store i64 %293, ptr %291, align 8
+  %294 = fadd double %192, %284
+  %295 = load ptr, ptr %91, align 8
+  %296 = load ptr, ptr %84, align 8
+  %297 = load i64, ptr %80, align 8
+  %298 = getelementptr inbounds double, ptr %296, i64 %297
+  %299 = load ptr, ptr %85, align 8
+  store double %294, ptr %299, align 8
+  %300 = load i64, ptr %86, align 8
+  %301 = icmp sgt i64 %300, 0
+  br i1 %301, label %302, label %303
 
-301:                                              ; preds = %288
+302:                                              ; preds = %289
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %302
+  br label %303
 
-302:                                              ; preds = %288, %301
-  %303 = load ptr, ptr %73, align 8
-  %304 = load i64, ptr %303, align 8
-  %305 = load ptr, ptr %85, align 8
-  %306 = load ptr, ptr %87, align 8
-  %307 = load ptr, ptr %88, align 8
-  %308 = inttoptr i64 %304 to ptr
-  %309 = tail call i32 %308(ptr noundef %305, ptr noundef %294, ptr noundef %306, ptr noundef %307, ptr noundef %297) #9
-  %310 = icmp eq i32 %309, 0
-  br i1 %310, label %330, label %328
+303:                                              ; preds = %289, %302
+  %304 = load ptr, ptr %73, align 8
+  %305 = load i64, ptr %304, align 8
+  %306 = load ptr, ptr %85, align 8
+  %307 = load ptr, ptr %87, align 8
+  %308 = load ptr, ptr %88, align 8
+  %309 = inttoptr i64 %305 to ptr
+  %310 = load ptr, ptr %309, align 8
+  %311 = tail call i32 %310(ptr noundef %306, ptr noundef %295, ptr noundef %307, ptr noundef %308, ptr noundef %298) #9
+  %312 = icmp eq i32 %311, 0
+  br i1 %312, label %332, label %330
 
-311:                                              ; preds = %265, %311
-  %312 = phi i64 [ %323, %311 ], [ 0, %265 ]
-  %313 = load ptr, ptr %74, align 8
-  %314 = getelementptr inbounds double, ptr %313, i64 %312
-  %315 = load double, ptr %314, align 8
-  %316 = load ptr, ptr %84, align 8
-  %317 = getelementptr inbounds double, ptr %316, i64 %312
-  %318 = load double, ptr %317, align 8
-  %319 = fmul double %283, %318
-  %320 = fadd double %315, %319
-  %321 = load ptr, ptr %90, align 8
-  %322 = getelementptr inbounds double, ptr %321, i64 %312
-  store double %320, ptr %322, align 8
-  %323 = add nuw nsw i64 %312, 1
-  %324 = load ptr, ptr %73, align 8
-  %325 = getelementptr inbounds i8, ptr %324, i64 8
-  %326 = load i64, ptr %325, align 8
-  %327 = icmp slt i64 %323, %326
-  br i1 %327, label %311, label %288, !llvm.loop !10
+313:                                              ; preds = %266, %313
+  %314 = phi i64 [ %325, %313 ], [ 0, %266 ]
+  %315 = load ptr, ptr %74, align 8
+  %316 = getelementptr inbounds double, ptr %315, i64 %314
+  %317 = load double, ptr %316, align 8
+  %318 = load ptr, ptr %84, align 8
+  %319 = getelementptr inbounds double, ptr %318, i64 %314
+  %320 = load double, ptr %319, align 8
+  %321 = fmul double %284, %320
+  %322 = fadd double %317, %321
+  %323 = load ptr, ptr %90, align 8
+  %324 = getelementptr inbounds double, ptr %323, i64 %314
+  store double %322, ptr %324, align 8
+  %325 = add nuw nsw i64 %314, 1
+  %326 = load ptr, ptr %73, align 8
+  %327 = getelementptr inbounds i8, ptr %326, i64 8
+  %328 = load i64, ptr %327, align 8
+  %329 = icmp slt i64 %325, %328
+  br i1 %329, label %313, label %289, !llvm.loop !10
 
-328:                                              ; preds = %302
-  %329 = fmul double %283, 1.000000e-03
-  br label %406
+330:                                              ; preds = %303
+  %331 = fmul double %284, 1.000000e-03
+  br label %408
 
-330:                                              ; preds = %302
-  %331 = load ptr, ptr %79, align 8
-  %332 = load double, ptr %331, align 8
-  %333 = load ptr, ptr %89, align 8
-  %334 = load i64, ptr %92, align 8
-  %335 = getelementptr inbounds double, ptr %333, i64 %334
-  %336 = icmp sgt i64 %268, 0
-  br i1 %336, label %337, label %346
+332:                                              ; preds = %303
+  %333 = load ptr, ptr %79, align 8
+  %334 = load double, ptr %333, align 8
+  %335 = load ptr, ptr %89, align 8
+  %336 = load i64, ptr %92, align 8
+  %337 = getelementptr inbounds double, ptr %335, i64 %336
+  %338 = icmp sgt i64 %269, 0
+  br i1 %338, label %339, label %348
 
-337:                                              ; preds = %330, %337
-  %338 = phi i64 [ %344, %337 ], [ 0, %330 ]
-  %339 = getelementptr inbounds double, ptr %335, i64 %338
-  %340 = load double, ptr %339, align 8
-  %341 = getelementptr inbounds double, ptr %333, i64 %338
+339:                                              ; preds = %332, %339
+  %340 = phi i64 [ %346, %339 ], [ 0, %332 ]
+  %341 = getelementptr inbounds double, ptr %337, i64 %340
   %342 = load double, ptr %341, align 8
-  %343 = fsub double %340, %342
-  store double %343, ptr %339, align 8
-  %344 = add nuw nsw i64 %338, 1
-  %345 = icmp eq i64 %344, %268
-  br i1 %345, label %346, label %337, !llvm.loop !11
+  %343 = getelementptr inbounds double, ptr %335, i64 %340
+  %344 = load double, ptr %343, align 8
+  %345 = fsub double %342, %344
+  store double %345, ptr %341, align 8
+  %346 = add nuw nsw i64 %340, 1
+  %347 = icmp eq i64 %346, %269
+  br i1 %347, label %348, label %339, !llvm.loop !11
 
-346:                                              ; preds = %337, %330
-  %347 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %335, ptr noundef %347, ptr noundef nonnull %74, i64 noundef %268) #8
-  %348 = load double, ptr %6, align 8
-  %349 = fdiv double %348, %283
-  %350 = fcmp ogt double %275, %349
-  %351 = select i1 %350, double %275, double %349
-  %352 = fcmp ule double %351, 1.000000e-15
-  %353 = fdiv double 1.000000e-02, %351
-  %354 = select i1 %352, double 1.000000e+13, double %353
-  %355 = bitcast double %354 to i64
-  %356 = add nsw i64 %355, -4604544271217802189
-  %357 = ashr i64 %356, 52
-  %358 = and i64 %356, -4503599627370496
-  %359 = sub nsw i64 %355, %358
-  %360 = bitcast i64 %359 to double
-  %361 = fadd double %360, -1.000000e+00
-  %362 = fadd double %360, 1.000000e+00
-  %363 = fdiv double %361, %362
-  %364 = fmul double %363, %363
-  %365 = tail call double @llvm.fma.f64(double %364, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %366 = tail call double @llvm.fma.f64(double %365, double %364, double 0x3FE2776C50EF9BFE)
-  %367 = tail call double @llvm.fma.f64(double %366, double %364, double 0x3FEEC709DC3A03FD)
-  %368 = tail call double @llvm.fma.f64(double %367, double %364, double 0x40071547652B82FE)
-  %369 = trunc nsw i64 %357 to i32
-  %370 = sitofp i32 %369 to double
-  %371 = fmul double %363, %368
-  %372 = fadd double %371, %370
-  %373 = fmul double %332, %372
-  %374 = fcmp ogt double %373, -1.000000e+03
-  %375 = select i1 %374, double %373, double -1.000000e+03
-  %376 = fcmp olt double %375, 1.000000e+03
-  %377 = select i1 %376, double %375, double 1.000000e+03
-  %378 = tail call double @llvm.rint.f64(double %377)
-  %379 = fsub double %377, %378
-  %380 = tail call double @llvm.fma.f64(double %379, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %381 = tail call double @llvm.fma.f64(double %380, double %379, double 0x3F55D87FE78A6730)
-  %382 = tail call double @llvm.fma.f64(double %381, double %379, double 0x3F83B2AB6FBA4E77)
-  %383 = tail call double @llvm.fma.f64(double %382, double %379, double 0x3FAC6B08D704A0BF)
-  %384 = tail call double @llvm.fma.f64(double %383, double %379, double 0x3FCEBFBDFF82C58E)
-  %385 = tail call double @llvm.fma.f64(double %384, double %379, double 0x3FE62E42FEFA39EF)
-  %386 = tail call double @llvm.fma.f64(double %385, double %379, double 1.000000e+00)
-  %387 = bitcast double %386 to i64
-  %388 = fptosi double %378 to i32
-  %389 = sext i32 %388 to i64
-  %390 = shl nsw i64 %389, 52
-  %391 = add nsw i64 %390, %387
-  %392 = bitcast i64 %391 to double
-  %393 = fmul double %283, 1.000000e-03
-  %394 = fcmp olt double %393, 0x3EB0C6F7A0B5ED8D
-  %395 = select i1 %394, double 0x3EB0C6F7A0B5ED8D, double %393
-  %396 = fmul double %283, 1.000000e+02
-  %397 = select i1 %352, double %395, double %392
-  %398 = fcmp olt double %396, %397
-  %399 = select i1 %398, double %396, double %397
-  %400 = tail call double @llvm.fabs.f64(double %192)
-  %401 = fmul double %400, 0x3D30000000000000
-  %402 = fcmp ogt double %401, %399
-  %403 = select i1 %402, double %401, double %399
-  %404 = fcmp olt double %271, %403
-  %405 = select i1 %404, double %271, double %403
-  br label %406
+348:                                              ; preds = %339, %332
+  %349 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %337, ptr noundef %349, ptr noundef nonnull %74, i64 noundef %269) #8
+  %350 = load double, ptr %6, align 8
+  %351 = fdiv double %350, %284
+  %352 = fcmp ogt double %276, %351
+  %353 = select i1 %352, double %276, double %351
+  %354 = fcmp ule double %353, 1.000000e-15
+  %355 = fdiv double 1.000000e-02, %353
+  %356 = select i1 %354, double 1.000000e+13, double %355
+  %357 = bitcast double %356 to i64
+  %358 = add nsw i64 %357, -4604544271217802189
+  %359 = ashr i64 %358, 52
+  %360 = and i64 %358, -4503599627370496
+  %361 = sub nsw i64 %357, %360
+  %362 = bitcast i64 %361 to double
+  %363 = fadd double %362, -1.000000e+00
+  %364 = fadd double %362, 1.000000e+00
+  %365 = fdiv double %363, %364
+  %366 = fmul double %365, %365
+  %367 = tail call double @llvm.fma.f64(double %366, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %368 = tail call double @llvm.fma.f64(double %367, double %366, double 0x3FE2776C50EF9BFE)
+  %369 = tail call double @llvm.fma.f64(double %368, double %366, double 0x3FEEC709DC3A03FD)
+  %370 = tail call double @llvm.fma.f64(double %369, double %366, double 0x40071547652B82FE)
+  %371 = trunc nsw i64 %359 to i32
+  %372 = sitofp i32 %371 to double
+  %373 = fmul double %365, %370
+  %374 = fadd double %373, %372
+  %375 = fmul double %334, %374
+  %376 = fcmp ogt double %375, -1.000000e+03
+  %377 = select i1 %376, double %375, double -1.000000e+03
+  %378 = fcmp olt double %377, 1.000000e+03
+  %379 = select i1 %378, double %377, double 1.000000e+03
+  %380 = tail call double @llvm.rint.f64(double %379)
+  %381 = fsub double %379, %380
+  %382 = tail call double @llvm.fma.f64(double %381, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %383 = tail call double @llvm.fma.f64(double %382, double %381, double 0x3F55D87FE78A6730)
+  %384 = tail call double @llvm.fma.f64(double %383, double %381, double 0x3F83B2AB6FBA4E77)
+  %385 = tail call double @llvm.fma.f64(double %384, double %381, double 0x3FAC6B08D704A0BF)
+  %386 = tail call double @llvm.fma.f64(double %385, double %381, double 0x3FCEBFBDFF82C58E)
+  %387 = tail call double @llvm.fma.f64(double %386, double %381, double 0x3FE62E42FEFA39EF)
+  %388 = tail call double @llvm.fma.f64(double %387, double %381, double 1.000000e+00)
+  %389 = bitcast double %388 to i64
+  %390 = fptosi double %380 to i32
+  %391 = sext i32 %390 to i64
+  %392 = shl nsw i64 %391, 52
+  %393 = add nsw i64 %392, %389
+  %394 = bitcast i64 %393 to double
+  %395 = fmul double %284, 1.000000e-03
+  %396 = fcmp olt double %395, 0x3EB0C6F7A0B5ED8D
+  %397 = select i1 %396, double 0x3EB0C6F7A0B5ED8D, double %395
+  %398 = fmul double %284, 1.000000e+02
+  %399 = select i1 %354, double %397, double %394
+  %400 = fcmp olt double %398, %399
+  %401 = select i1 %400, double %398, double %399
+  %402 = tail call double @llvm.fabs.f64(double %192)
+  %403 = fmul double %402, 0x3D30000000000000
+  %404 = fcmp ogt double %403, %401
+  %405 = select i1 %404, double %403, double %401
+  %406 = fcmp olt double %272, %405
+  %407 = select i1 %406, double %272, double %405
+  br label %408
 
-406:                                              ; preds = %328, %346
-  %407 = phi double [ %329, %328 ], [ %405, %346 ]
-  %408 = tail call i1 @llvm.is.fpclass.f64(double %407, i32 639)
-  br i1 %408, label %409, label %411
+408:                                              ; preds = %330, %348
+  %409 = phi double [ %331, %330 ], [ %407, %348 ]
+  %410 = tail call i1 @llvm.is.fpclass.f64(double %409, i32 639)
+  br i1 %410, label %411, label %413
 
-409:                                              ; preds = %406
-  %410 = getelementptr inbounds i8, ptr %162, i64 72
-  store i64 4, ptr %410, align 8
-  br label %411
+411:                                              ; preds = %408
+  %412 = getelementptr inbounds i8, ptr %162, i64 72
+  store i64 4, ptr %412, align 8
+  br label %413
 
-411:                                              ; preds = %409, %406, %263, %166
-  %412 = phi double [ %407, %406 ], [ %407, %409 ], [ %194, %263 ], [ %194, %166 ]
-  %413 = load i64, ptr %163, align 8
-  %414 = icmp eq i64 %413, 0
-  br i1 %414, label %442, label %415
+413:                                              ; preds = %411, %408, %264, %166
+  %414 = phi double [ %409, %408 ], [ %409, %411 ], [ %194, %264 ], [ %194, %166 ]
+  %415 = load i64, ptr %163, align 8
+  %416 = icmp eq i64 %415, 0
+  br i1 %416, label %444, label %417
 
-415:                                              ; preds = %411
-  %416 = getelementptr inbounds i8, ptr %162, i64 8
-  %417 = getelementptr inbounds i8, ptr %162, i64 16
-  %418 = getelementptr inbounds i8, ptr %162, i64 64
-  %419 = getelementptr inbounds i8, ptr %162, i64 48
-  %420 = getelementptr inbounds i8, ptr %160, i64 16
-  %421 = getelementptr inbounds i8, ptr %162, i64 24
-  %422 = icmp sgt i64 %170, 0
-  %423 = select i1 %173, i1 %179, i1 false
-  %424 = getelementptr inbounds i8, ptr %160, i64 32
-  %425 = getelementptr inbounds i8, ptr %162, i64 48
-  %426 = getelementptr inbounds i8, ptr %162, i64 72
-  %427 = getelementptr inbounds i8, ptr %160, i64 24
-  %428 = getelementptr inbounds i8, ptr %160, i64 40
-  %429 = getelementptr inbounds i8, ptr %168, i64 24
-  %430 = getelementptr inbounds i8, ptr %168, i64 8
-  %431 = getelementptr inbounds i8, ptr %168, i64 16
-  %432 = getelementptr inbounds i8, ptr %168, i64 32
-  %433 = getelementptr inbounds i8, ptr %168, i64 40
-  %434 = icmp sgt i64 %170, 0
-  %435 = getelementptr inbounds i8, ptr %162, i64 48
-  %436 = getelementptr inbounds i8, ptr %162, i64 72
-  %437 = getelementptr inbounds i8, ptr %160, i64 40
+417:                                              ; preds = %413
+  %418 = getelementptr inbounds i8, ptr %162, i64 8
+  %419 = getelementptr inbounds i8, ptr %162, i64 16
+  %420 = getelementptr inbounds i8, ptr %162, i64 64
+  %421 = getelementptr inbounds i8, ptr %162, i64 48
+  %422 = getelementptr inbounds i8, ptr %160, i64 16
+  %423 = getelementptr inbounds i8, ptr %162, i64 24
+  %424 = icmp sgt i64 %170, 0
+  %425 = select i1 %173, i1 %179, i1 false
+  %426 = getelementptr inbounds i8, ptr %160, i64 32
+  %427 = getelementptr inbounds i8, ptr %162, i64 48
+  %428 = getelementptr inbounds i8, ptr %162, i64 72
+  %429 = getelementptr inbounds i8, ptr %160, i64 24
+  %430 = getelementptr inbounds i8, ptr %160, i64 40
+  %431 = getelementptr inbounds i8, ptr %168, i64 24
+  %432 = getelementptr inbounds i8, ptr %168, i64 8
+  %433 = getelementptr inbounds i8, ptr %168, i64 16
+  %434 = getelementptr inbounds i8, ptr %168, i64 32
+  %435 = getelementptr inbounds i8, ptr %168, i64 40
+  %436 = icmp sgt i64 %170, 0
+  %437 = getelementptr inbounds i8, ptr %162, i64 48
   %438 = getelementptr inbounds i8, ptr %162, i64 72
-  %439 = getelementptr inbounds i8, ptr %168, i64 24
-  %440 = getelementptr inbounds i8, ptr %168, i64 32
-  %441 = getelementptr inbounds i8, ptr %160, i64 40
-  br label %444
+  %439 = getelementptr inbounds i8, ptr %160, i64 40
+  %440 = getelementptr inbounds i8, ptr %162, i64 72
+  %441 = getelementptr inbounds i8, ptr %168, i64 24
+  %442 = getelementptr inbounds i8, ptr %168, i64 32
+  %443 = getelementptr inbounds i8, ptr %160, i64 40
+  br label %446
 
-442:                                              ; preds = %1621, %411
-  %443 = phi double [ %412, %411 ], [ %1617, %1621 ]
-  store double %443, ptr %193, align 8
-  br label %1624
+444:                                              ; preds = %1628, %413
+  %445 = phi double [ %414, %413 ], [ %1624, %1628 ]
+  store double %445, ptr %193, align 8
+  br label %1631
 
-444:                                              ; preds = %415, %1621
-  %445 = phi i64 [ %413, %415 ], [ %1622, %1621 ]
-  %446 = phi i64 [ undef, %415 ], [ %1620, %1621 ]
-  %447 = phi double [ %192, %415 ], [ %1618, %1621 ]
-  %448 = phi double [ %412, %415 ], [ %1617, %1621 ]
-  %449 = load ptr, ptr %93, align 8
-  %450 = getelementptr inbounds i8, ptr %449, i64 8
-  %451 = load i64, ptr %450, align 8
-  %452 = icmp sgt i64 %451, 0
-  br i1 %452, label %453, label %458
+446:                                              ; preds = %417, %1628
+  %447 = phi i64 [ %415, %417 ], [ %1629, %1628 ]
+  %448 = phi i64 [ undef, %417 ], [ %1627, %1628 ]
+  %449 = phi double [ %192, %417 ], [ %1625, %1628 ]
+  %450 = phi double [ %414, %417 ], [ %1624, %1628 ]
+  %451 = load ptr, ptr %93, align 8
+  %452 = getelementptr inbounds i8, ptr %451, i64 8
+  %453 = load i64, ptr %452, align 8
+  %454 = icmp sgt i64 %453, 0
+  br i1 %454, label %455, label %460
 
-453:                                              ; preds = %444
-  %454 = load i64, ptr %449, align 8
-  %455 = add nsw i64 %454, 3
-  %456 = icmp slt i64 %451, %455
-  %457 = zext i1 %456 to i32
-  br label %458
+455:                                              ; preds = %446
+  %456 = load i64, ptr %451, align 8
+  %457 = add nsw i64 %456, 3
+  %458 = icmp slt i64 %453, %457
+  %459 = zext i1 %458 to i32
+  br label %460
 
-458:                                              ; preds = %444, %453
-  %459 = phi i32 [ 0, %444 ], [ %457, %453 ]
-  %460 = icmp eq i32 %459, 0
-  br i1 %460, label %462, label %461
+460:                                              ; preds = %446, %455
+  %461 = phi i32 [ 0, %446 ], [ %459, %455 ]
+  %462 = icmp eq i32 %461, 0
+  br i1 %462, label %464, label %463
 
-461:                                              ; preds = %458
-  store double %448, ptr %193, align 8
-  br label %1624
+463:                                              ; preds = %460
+  store double %450, ptr %193, align 8
+  br label %1631
 
-462:                                              ; preds = %458
-  %463 = add nsw i64 %445, -1
-  store i64 %463, ptr %163, align 8
-  %464 = load i64, ptr %416, align 8
-  %465 = load i64, ptr %417, align 8
-  %466 = add nsw i64 %465, %464
-  %467 = load i64, ptr %418, align 8
-  %468 = icmp slt i64 %466, %467
-  br i1 %468, label %470, label %469
+464:                                              ; preds = %460
+  %465 = add nsw i64 %447, -1
+  store i64 %465, ptr %163, align 8
+  %466 = load i64, ptr %418, align 8
+  %467 = load i64, ptr %419, align 8
+  %468 = add nsw i64 %467, %466
+  %469 = load i64, ptr %420, align 8
+  %470 = icmp slt i64 %468, %469
+  br i1 %470, label %472, label %471
 
-469:                                              ; preds = %462
-  store double %448, ptr %193, align 8
-  br label %1624
+471:                                              ; preds = %464
+  store double %450, ptr %193, align 8
+  br label %1631
 
-470:                                              ; preds = %462
-  br i1 %176, label %471, label %475
+472:                                              ; preds = %464
+  br i1 %176, label %473, label %477
 
-471:                                              ; preds = %470
-  %472 = load i64, ptr %419, align 8
-  %473 = getelementptr inbounds double, ptr %167, i64 %472
-  %474 = load double, ptr %473, align 8
-  br label %475
+473:                                              ; preds = %472
+  %474 = load i64, ptr %421, align 8
+  %475 = getelementptr inbounds double, ptr %167, i64 %474
+  %476 = load double, ptr %475, align 8
+  br label %477
 
-475:                                              ; preds = %471, %470
-  %476 = phi double [ %474, %471 ], [ %187, %470 ]
-  br i1 %176, label %481, label %477
+477:                                              ; preds = %473, %472
+  %478 = phi double [ %476, %473 ], [ %187, %472 ]
+  br i1 %176, label %483, label %479
 
-477:                                              ; preds = %475
-  %478 = load double, ptr %420, align 8
-  %479 = fcmp olt double %448, %478
-  %480 = select i1 %479, double %448, double %478
-  br label %487
+479:                                              ; preds = %477
+  %480 = load double, ptr %422, align 8
+  %481 = fcmp olt double %450, %480
+  %482 = select i1 %481, double %450, double %480
+  br label %489
 
-481:                                              ; preds = %475
-  %482 = fsub double %476, %447
-  %483 = fdiv double %482, %448
-  %484 = fmul double %483, 0x3FEFFFFFFFFFDCD1
-  %485 = tail call double @llvm.ceil.f64(double %484)
-  %486 = fdiv double %482, %485
-  br label %487
+483:                                              ; preds = %477
+  %484 = fsub double %478, %449
+  %485 = fdiv double %484, %450
+  %486 = fmul double %485, 0x3FEFFFFFFFFFDCD1
+  %487 = tail call double @llvm.ceil.f64(double %486)
+  %488 = fdiv double %484, %487
+  br label %489
 
-487:                                              ; preds = %481, %477
-  %488 = phi double [ %480, %477 ], [ %486, %481 ]
-  %489 = fadd double %447, %488
-  %490 = fmul double %488, 1.000000e-03
-  %491 = fsub double %476, %490
-  %492 = fcmp ule double %489, %491
-  %493 = select i1 %492, double %489, double %476
-  %494 = fsub double %493, %447
-  %495 = fmul double %494, 6.250000e-02
-  %496 = fadd double %447, %495
-  %497 = fcmp ule double %496, %447
-  %498 = fcmp une double %493, %476
-  %499 = and i1 %498, %497
-  br i1 %499, label %500, label %501
+489:                                              ; preds = %483, %479
+  %490 = phi double [ %482, %479 ], [ %488, %483 ]
+  %491 = fadd double %449, %490
+  %492 = fmul double %490, 1.000000e-03
+  %493 = fsub double %478, %492
+  %494 = fcmp ule double %491, %493
+  %495 = select i1 %494, double %491, double %478
+  %496 = fsub double %495, %449
+  %497 = fmul double %496, 6.250000e-02
+  %498 = fadd double %449, %497
+  %499 = fcmp ule double %498, %449
+  %500 = fcmp une double %495, %478
+  %501 = and i1 %500, %499
+  br i1 %501, label %502, label %503
 
-500:                                              ; preds = %487
-  store double %494, ptr %193, align 8
-  br label %1616
+502:                                              ; preds = %489
+  store double %496, ptr %193, align 8
+  br label %1623
 
-501:                                              ; preds = %487
-  %502 = load ptr, ptr %0, align 8
-  %503 = load i64, ptr %502, align 8
-  %504 = load ptr, ptr %94, align 8
-  %505 = insertelement <8 x double> poison, double %494, i64 0
-  %506 = shufflevector <8 x double> %505, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %506, ptr %504, align 8
-  %507 = icmp sgt i64 %503, 1
-  br i1 %507, label %512, label %596
+503:                                              ; preds = %489
+  %504 = load ptr, ptr %0, align 8
+  %505 = load i64, ptr %504, align 8
+  %506 = load ptr, ptr %94, align 8
+  %507 = insertelement <8 x double> poison, double %496, i64 0
+  %508 = shufflevector <8 x double> %507, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %508, ptr %506, align 8
+  %509 = icmp sgt i64 %505, 1
+  br i1 %509, label %514, label %599
 
-508:                                              ; preds = %585
-  %509 = add nuw nsw i64 %515, 1
-  %510 = icmp slt i64 %509, %503
-  %511 = icmp eq i64 %509, %503
-  br i1 %511, label %596, label %512, !llvm.loop !12
+510:                                              ; preds = %587
+  %511 = add nuw nsw i64 %517, 1
+  %512 = icmp slt i64 %511, %505
+  %513 = icmp eq i64 %511, %505
+  br i1 %513, label %599, label %514, !llvm.loop !12
 
-512:                                              ; preds = %501, %508
-  %513 = phi i1 [ %510, %508 ], [ %507, %501 ]
-  %514 = phi i64 [ %595, %508 ], [ undef, %501 ]
-  %515 = phi i64 [ %509, %508 ], [ 1, %501 ]
-  %516 = load ptr, ptr %95, align 8
-  %517 = load ptr, ptr %74, align 8
-  %518 = load ptr, ptr %73, align 8
-  %519 = getelementptr inbounds i8, ptr %518, i64 16
-  %520 = load i64, ptr %519, align 8
-  %521 = icmp sgt i64 %520, 1
-  %522 = zext i1 %521 to i64
-  %523 = load ptr, ptr %96, align 8
-  %524 = getelementptr inbounds i64, ptr %523, i64 %515
-  %525 = load i64, ptr %524, align 8
-  %526 = getelementptr i8, ptr %524, i64 8
+514:                                              ; preds = %503, %510
+  %515 = phi i1 [ %512, %510 ], [ %509, %503 ]
+  %516 = phi i64 [ %598, %510 ], [ undef, %503 ]
+  %517 = phi i64 [ %511, %510 ], [ 1, %503 ]
+  %518 = load ptr, ptr %95, align 8
+  %519 = load ptr, ptr %74, align 8
+  %520 = load ptr, ptr %73, align 8
+  %521 = getelementptr inbounds i8, ptr %520, i64 16
+  %522 = load i64, ptr %521, align 8
+  %523 = icmp sgt i64 %522, 1
+  %524 = zext i1 %523 to i64
+  %525 = load ptr, ptr %96, align 8
+  %526 = getelementptr inbounds i64, ptr %525, i64 %517
   %527 = load i64, ptr %526, align 8
-  %528 = xor i64 %525, -1
-  %529 = add i64 %527, %528
-  %530 = load ptr, ptr %94, align 8
-  %531 = load ptr, ptr %97, align 8
-  %532 = load ptr, ptr %98, align 8
-  %533 = getelementptr inbounds i64, ptr %532, i64 %525
-  %534 = load ptr, ptr %99, align 8
-  %535 = getelementptr inbounds double, ptr %534, i64 %525
-  tail call fastcc void @combine(ptr noundef %516, ptr noundef %517, ptr noundef %530, ptr noundef %531, ptr noundef %533, ptr noundef %535, i64 noundef %529, i64 noundef %522, i64 noundef %520) #8
-  %536 = icmp eq i64 %520, 1
-  br i1 %536, label %537, label %568
+  %528 = getelementptr i8, ptr %526, i64 8
+  %529 = load i64, ptr %528, align 8
+  %530 = xor i64 %527, -1
+  %531 = add i64 %529, %530
+  %532 = load ptr, ptr %94, align 8
+  %533 = load ptr, ptr %97, align 8
+  %534 = load ptr, ptr %98, align 8
+  %535 = getelementptr inbounds i64, ptr %534, i64 %527
+  %536 = load ptr, ptr %99, align 8
+  %537 = getelementptr inbounds double, ptr %536, i64 %527
+  tail call fastcc void @combine(ptr noundef %518, ptr noundef %519, ptr noundef %532, ptr noundef %533, ptr noundef %535, ptr noundef %537, i64 noundef %531, i64 noundef %524, i64 noundef %522) #8
+  %538 = icmp eq i64 %522, 1
+  br i1 %538, label %539, label %570
 
-537:                                              ; preds = %512
-  %538 = load ptr, ptr %96, align 8
-  %539 = getelementptr i64, ptr %538, i64 %515
-  %540 = getelementptr i8, ptr %539, i64 8
-  %541 = load i64, ptr %540, align 8
-  %542 = add nsw i64 %541, -1
-  %543 = load ptr, ptr %99, align 8
-  %544 = getelementptr inbounds double, ptr %543, i64 %542
-  %545 = load double, ptr %544, align 8
-  %546 = fmul double %494, %545
-  %547 = load ptr, ptr %97, align 8
-  %548 = load ptr, ptr %98, align 8
-  %549 = getelementptr inbounds i64, ptr %548, i64 %542
-  %550 = load i64, ptr %549, align 8
-  %551 = getelementptr inbounds double, ptr %547, i64 %550
-  %552 = load ptr, ptr %73, align 8
-  %553 = getelementptr inbounds i8, ptr %552, i64 8
-  %554 = load i64, ptr %553, align 8
-  %555 = icmp sgt i64 %554, 0
-  br i1 %555, label %556, label %568
+539:                                              ; preds = %514
+  %540 = load ptr, ptr %96, align 8
+  %541 = getelementptr i64, ptr %540, i64 %517
+  %542 = getelementptr i8, ptr %541, i64 8
+  %543 = load i64, ptr %542, align 8
+  %544 = add nsw i64 %543, -1
+  %545 = load ptr, ptr %99, align 8
+  %546 = getelementptr inbounds double, ptr %545, i64 %544
+  %547 = load double, ptr %546, align 8
+  %548 = fmul double %496, %547
+  %549 = load ptr, ptr %97, align 8
+  %550 = load ptr, ptr %98, align 8
+  %551 = getelementptr inbounds i64, ptr %550, i64 %544
+  %552 = load i64, ptr %551, align 8
+  %553 = getelementptr inbounds double, ptr %549, i64 %552
+  %554 = load ptr, ptr %73, align 8
+  %555 = getelementptr inbounds i8, ptr %554, i64 8
+  %556 = load i64, ptr %555, align 8
+  %557 = icmp sgt i64 %556, 0
+  br i1 %557, label %558, label %570
 
-556:                                              ; preds = %537, %556
-  %557 = phi i64 [ %563, %556 ], [ 0, %537 ]
-  %558 = getelementptr inbounds double, ptr %551, i64 %557
-  %559 = load double, ptr %558, align 8
-  %560 = getelementptr inbounds double, ptr %516, i64 %557
+558:                                              ; preds = %539, %558
+  %559 = phi i64 [ %565, %558 ], [ 0, %539 ]
+  %560 = getelementptr inbounds double, ptr %553, i64 %559
   %561 = load double, ptr %560, align 8
-  %562 = tail call double @llvm.fma.f64(double %546, double %559, double %561)
-  store double %562, ptr %560, align 8
-  %563 = add nuw nsw i64 %557, 1
-  %564 = load ptr, ptr %73, align 8
-  %565 = getelementptr inbounds i8, ptr %564, i64 8
-  %566 = load i64, ptr %565, align 8
-  %567 = icmp slt i64 %563, %566
-  br i1 %567, label %556, label %568, !llvm.loop !13
+  %562 = getelementptr inbounds double, ptr %518, i64 %559
+  %563 = load double, ptr %562, align 8
+  %564 = tail call double @llvm.fma.f64(double %548, double %561, double %563)
+  store double %564, ptr %562, align 8
+  %565 = add nuw nsw i64 %559, 1
+  %566 = load ptr, ptr %73, align 8
+  %567 = getelementptr inbounds i8, ptr %566, i64 8
+  %568 = load i64, ptr %567, align 8
+  %569 = icmp slt i64 %565, %568
+  br i1 %569, label %558, label %570, !llvm.loop !13
 
-568:                                              ; preds = %556, %537, %512
-  %569 = load ptr, ptr %97, align 8
-  %570 = load i64, ptr %100, align 8
-  %571 = mul nsw i64 %570, %515
-  %572 = getelementptr inbounds double, ptr %569, i64 %571
-  %573 = load i64, ptr %421, align 8
-  %574 = add nsw i64 %573, 1
-  store i64 %574, ptr %421, align 8
-  %575 = load ptr, ptr %101, align 8
-  %576 = getelementptr inbounds double, ptr %575, i64 %515
-  %577 = load double, ptr %576, align 8
-  %578 = fmul double %494, %577
-  %579 = fadd double %447, %578
-  %580 = load ptr, ptr %95, align 8
-  %581 = load ptr, ptr %102, align 8
-  store double %579, ptr %581, align 8
-  %582 = load i64, ptr %103, align 8
-  %583 = icmp sgt i64 %582, 0
-  br i1 %583, label %584, label %585
+570:                                              ; preds = %558, %539, %514
+  %571 = load ptr, ptr %97, align 8
+  %572 = load i64, ptr %100, align 8
+  %573 = mul nsw i64 %572, %517
+  %574 = getelementptr inbounds double, ptr %571, i64 %573
+  %575 = load i64, ptr %423, align 8
+  %576 = add nsw i64 %575, 1
+  store i64 %576, ptr %423, align 8
+  %577 = load ptr, ptr %101, align 8
+  %578 = getelementptr inbounds double, ptr %577, i64 %517
+  %579 = load double, ptr %578, align 8
+  %580 = fmul double %496, %579
+  %581 = fadd double %449, %580
+  %582 = load ptr, ptr %95, align 8
+  %583 = load ptr, ptr %102, align 8
+  store double %581, ptr %583, align 8
+  %584 = load i64, ptr %103, align 8
+  %585 = icmp sgt i64 %584, 0
+  br i1 %585, label %586, label %587
 
-584:                                              ; preds = %568
+586:                                              ; preds = %570
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %585
+  br label %587
 
-585:                                              ; preds = %568, %584
-  %586 = load ptr, ptr %73, align 8
-  %587 = load i64, ptr %586, align 8
-  %588 = load ptr, ptr %102, align 8
-  %589 = load ptr, ptr %104, align 8
-  %590 = load ptr, ptr %105, align 8
-  %591 = inttoptr i64 %587 to ptr
-  %592 = tail call i32 %591(ptr noundef %588, ptr noundef %580, ptr noundef %589, ptr noundef %590, ptr noundef %572) #9
-  %593 = sext i32 %592 to i64
-  %594 = icmp eq i32 %592, 0
-  %595 = select i1 %594, i64 %514, i64 %593
-  br i1 %594, label %508, label %596
+587:                                              ; preds = %570, %586
+  %588 = load ptr, ptr %73, align 8
+  %589 = load i64, ptr %588, align 8
+  %590 = load ptr, ptr %102, align 8
+  %591 = load ptr, ptr %104, align 8
+  %592 = load ptr, ptr %105, align 8
+  %593 = inttoptr i64 %589 to ptr
+  %594 = load ptr, ptr %593, align 8
+  %595 = tail call i32 %594(ptr noundef %590, ptr noundef %582, ptr noundef %591, ptr noundef %592, ptr noundef %574) #9
+  %596 = sext i32 %595 to i64
+  %597 = icmp eq i32 %595, 0
+  %598 = select i1 %597, i64 %516, i64 %596
+  br i1 %597, label %510, label %599
 
-596:                                              ; preds = %508, %585, %501
-  %597 = phi i1 [ %507, %501 ], [ %510, %508 ], [ %513, %585 ]
-  %598 = phi i64 [ 0, %501 ], [ %593, %585 ], [ %593, %508 ]
-  %599 = phi i64 [ undef, %501 ], [ %595, %585 ], [ %595, %508 ]
-  br i1 %597, label %653, label %600
+599:                                              ; preds = %510, %587, %503
+  %600 = phi i1 [ %509, %503 ], [ %512, %510 ], [ %515, %587 ]
+  %601 = phi i64 [ 0, %503 ], [ %596, %587 ], [ %596, %510 ]
+  %602 = phi i64 [ undef, %503 ], [ %598, %587 ], [ %598, %510 ]
+  br i1 %600, label %656, label %603
 
-600:                                              ; preds = %596
-  %601 = load ptr, ptr %106, align 8
-  %602 = load ptr, ptr %74, align 8
-  %603 = load ptr, ptr %73, align 8
-  %604 = getelementptr inbounds i8, ptr %603, i64 16
-  %605 = load i64, ptr %604, align 8
-  %606 = icmp sgt i64 %605, 1
-  %607 = zext i1 %606 to i64
-  %608 = load ptr, ptr %107, align 8
-  %609 = getelementptr inbounds i64, ptr %608, i64 %503
-  %610 = load i64, ptr %609, align 8
-  %611 = getelementptr i8, ptr %609, i64 8
-  %612 = load i64, ptr %611, align 8
-  %613 = xor i64 %610, -1
-  %614 = add i64 %612, %613
-  %615 = load ptr, ptr %94, align 8
-  %616 = load ptr, ptr %108, align 8
-  %617 = load ptr, ptr %109, align 8
-  %618 = getelementptr inbounds i64, ptr %617, i64 %610
-  %619 = load ptr, ptr %110, align 8
-  %620 = getelementptr inbounds double, ptr %619, i64 %610
-  tail call fastcc void @combine(ptr noundef %601, ptr noundef %602, ptr noundef %615, ptr noundef %616, ptr noundef %618, ptr noundef %620, i64 noundef %614, i64 noundef %607, i64 noundef %605) #8
-  %621 = icmp eq i64 %605, 1
-  br i1 %621, label %622, label %653
+603:                                              ; preds = %599
+  %604 = load ptr, ptr %106, align 8
+  %605 = load ptr, ptr %74, align 8
+  %606 = load ptr, ptr %73, align 8
+  %607 = getelementptr inbounds i8, ptr %606, i64 16
+  %608 = load i64, ptr %607, align 8
+  %609 = icmp sgt i64 %608, 1
+  %610 = zext i1 %609 to i64
+  %611 = load ptr, ptr %107, align 8
+  %612 = getelementptr inbounds i64, ptr %611, i64 %505
+  %613 = load i64, ptr %612, align 8
+  %614 = getelementptr i8, ptr %612, i64 8
+  %615 = load i64, ptr %614, align 8
+  %616 = xor i64 %613, -1
+  %617 = add i64 %615, %616
+  %618 = load ptr, ptr %94, align 8
+  %619 = load ptr, ptr %108, align 8
+  %620 = load ptr, ptr %109, align 8
+  %621 = getelementptr inbounds i64, ptr %620, i64 %613
+  %622 = load ptr, ptr %110, align 8
+  %623 = getelementptr inbounds double, ptr %622, i64 %613
+  tail call fastcc void @combine(ptr noundef %604, ptr noundef %605, ptr noundef %618, ptr noundef %619, ptr noundef %621, ptr noundef %623, i64 noundef %617, i64 noundef %610, i64 noundef %608) #8
+  %624 = icmp eq i64 %608, 1
+  br i1 %624, label %625, label %656
 
-622:                                              ; preds = %600
-  %623 = load ptr, ptr %107, align 8
-  %624 = getelementptr i64, ptr %623, i64 %503
-  %625 = getelementptr i8, ptr %624, i64 8
-  %626 = load i64, ptr %625, align 8
-  %627 = add nsw i64 %626, -1
-  %628 = load ptr, ptr %110, align 8
-  %629 = getelementptr inbounds double, ptr %628, i64 %627
-  %630 = load double, ptr %629, align 8
-  %631 = fmul double %494, %630
-  %632 = load ptr, ptr %108, align 8
-  %633 = load ptr, ptr %109, align 8
-  %634 = getelementptr inbounds i64, ptr %633, i64 %627
-  %635 = load i64, ptr %634, align 8
-  %636 = getelementptr inbounds double, ptr %632, i64 %635
-  %637 = load ptr, ptr %73, align 8
-  %638 = getelementptr inbounds i8, ptr %637, i64 8
-  %639 = load i64, ptr %638, align 8
-  %640 = icmp sgt i64 %639, 0
-  br i1 %640, label %641, label %653
+625:                                              ; preds = %603
+  %626 = load ptr, ptr %107, align 8
+  %627 = getelementptr i64, ptr %626, i64 %505
+  %628 = getelementptr i8, ptr %627, i64 8
+  %629 = load i64, ptr %628, align 8
+  %630 = add nsw i64 %629, -1
+  %631 = load ptr, ptr %110, align 8
+  %632 = getelementptr inbounds double, ptr %631, i64 %630
+  %633 = load double, ptr %632, align 8
+  %634 = fmul double %496, %633
+  %635 = load ptr, ptr %108, align 8
+  %636 = load ptr, ptr %109, align 8
+  %637 = getelementptr inbounds i64, ptr %636, i64 %630
+  %638 = load i64, ptr %637, align 8
+  %639 = getelementptr inbounds double, ptr %635, i64 %638
+  %640 = load ptr, ptr %73, align 8
+  %641 = getelementptr inbounds i8, ptr %640, i64 8
+  %642 = load i64, ptr %641, align 8
+  %643 = icmp sgt i64 %642, 0
+  br i1 %643, label %644, label %656
 
-641:                                              ; preds = %622, %641
-  %642 = phi i64 [ %648, %641 ], [ 0, %622 ]
-  %643 = getelementptr inbounds double, ptr %636, i64 %642
-  %644 = load double, ptr %643, align 8
-  %645 = getelementptr inbounds double, ptr %601, i64 %642
-  %646 = load double, ptr %645, align 8
-  %647 = tail call double @llvm.fma.f64(double %631, double %644, double %646)
-  store double %647, ptr %645, align 8
-  %648 = add nuw nsw i64 %642, 1
-  %649 = load ptr, ptr %73, align 8
-  %650 = getelementptr inbounds i8, ptr %649, i64 8
-  %651 = load i64, ptr %650, align 8
-  %652 = icmp slt i64 %648, %651
-  br i1 %652, label %641, label %653, !llvm.loop !13
+644:                                              ; preds = %625, %644
+  %645 = phi i64 [ %651, %644 ], [ 0, %625 ]
+  %646 = getelementptr inbounds double, ptr %639, i64 %645
+  %647 = load double, ptr %646, align 8
+  %648 = getelementptr inbounds double, ptr %604, i64 %645
+  %649 = load double, ptr %648, align 8
+  %650 = tail call double @llvm.fma.f64(double %634, double %647, double %649)
+  store double %650, ptr %648, align 8
+  %651 = add nuw nsw i64 %645, 1
+  %652 = load ptr, ptr %73, align 8
+  %653 = getelementptr inbounds i8, ptr %652, i64 8
+  %654 = load i64, ptr %653, align 8
+  %655 = icmp slt i64 %651, %654
+  br i1 %655, label %644, label %656, !llvm.loop !13
 
-653:                                              ; preds = %641, %622, %600, %596
-  %654 = phi i64 [ %599, %596 ], [ %598, %600 ], [ %598, %622 ], [ %598, %641 ]
-  %655 = icmp eq i64 %654, 0
-  %656 = select i1 %655, i1 %179, i1 false
-  br i1 %656, label %657, label %673
+656:                                              ; preds = %644, %625, %603, %599
+  %657 = phi i64 [ %602, %599 ], [ %601, %603 ], [ %601, %625 ], [ %601, %644 ]
+  %658 = icmp eq i64 %657, 0
+  %659 = select i1 %658, i1 %179, i1 false
+  br i1 %659, label %660, label %677
 
-657:                                              ; preds = %653
-  %658 = load i64, ptr %421, align 8
-  %659 = add nsw i64 %658, 1
-  store i64 %659, ptr %421, align 8
-  %660 = load ptr, ptr %111, align 8
-  store double %493, ptr %660, align 8
-  %661 = load i64, ptr %112, align 8
-  %662 = icmp sgt i64 %661, 0
-  br i1 %662, label %663, label %664
+660:                                              ; preds = %656
+  %661 = load i64, ptr %423, align 8
+  %662 = add nsw i64 %661, 1
+  store i64 %662, ptr %423, align 8
+  %663 = load ptr, ptr %111, align 8
+  store double %495, ptr %663, align 8
+  %664 = load i64, ptr %112, align 8
+  %665 = icmp sgt i64 %664, 0
+  br i1 %665, label %666, label %667
 
-663:                                              ; preds = %657
+666:                                              ; preds = %660
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %664
+  br label %667
 
-664:                                              ; preds = %657, %663
-  %665 = load ptr, ptr %73, align 8
-  %666 = load i64, ptr %665, align 8
-  %667 = load ptr, ptr %111, align 8
-  %668 = load ptr, ptr %113, align 8
-  %669 = load ptr, ptr %114, align 8
-  %670 = inttoptr i64 %666 to ptr
-  %671 = tail call i32 %670(ptr noundef %667, ptr noundef %161, ptr noundef %668, ptr noundef %669, ptr noundef %191) #9
-  %672 = sext i32 %671 to i64
-  br label %673
+667:                                              ; preds = %660, %666
+  %668 = load ptr, ptr %73, align 8
+  %669 = load i64, ptr %668, align 8
+  %670 = load ptr, ptr %111, align 8
+  %671 = load ptr, ptr %113, align 8
+  %672 = load ptr, ptr %114, align 8
+  %673 = inttoptr i64 %669 to ptr
+  %674 = load ptr, ptr %673, align 8
+  %675 = tail call i32 %674(ptr noundef %670, ptr noundef %161, ptr noundef %671, ptr noundef %672, ptr noundef %191) #9
+  %676 = sext i32 %675 to i64
+  br label %677
 
-673:                                              ; preds = %664, %653
-  %674 = phi i64 [ %672, %664 ], [ %654, %653 ]
-  %675 = icmp slt i64 %674, 0
-  br i1 %675, label %1616, label %676
+677:                                              ; preds = %667, %656
+  %678 = phi i64 [ %676, %667 ], [ %657, %656 ]
+  %679 = icmp slt i64 %678, 0
+  br i1 %679, label %1623, label %680
 
-676:                                              ; preds = %673
-  %677 = icmp eq i64 %674, 0
-  br i1 %677, label %678, label %873
+680:                                              ; preds = %677
+  %681 = icmp eq i64 %678, 0
+  br i1 %681, label %682, label %878
 
-678:                                              ; preds = %676
-  br i1 %176, label %679, label %680
+682:                                              ; preds = %680
+  br i1 %176, label %683, label %684
 
-679:                                              ; preds = %678
-  br i1 %422, label %829, label %838
+683:                                              ; preds = %682
+  br i1 %424, label %833, label %842
 
-680:                                              ; preds = %678
-  %681 = load ptr, ptr %73, align 8
-  %682 = load ptr, ptr %0, align 8
-  %683 = getelementptr inbounds i8, ptr %681, i64 24
-  %684 = load i64, ptr %683, align 8
-  %685 = getelementptr inbounds i8, ptr %682, i64 8
-  %686 = load i64, ptr %685, align 8
-  %687 = load ptr, ptr %115, align 8
-  %688 = load i64, ptr %116, align 8
-  %689 = getelementptr inbounds double, ptr %687, i64 %688
-  %690 = icmp sgt i64 %686, 0
-  br i1 %690, label %691, label %693
+684:                                              ; preds = %682
+  %685 = load ptr, ptr %73, align 8
+  %686 = load ptr, ptr %0, align 8
+  %687 = getelementptr inbounds i8, ptr %685, i64 24
+  %688 = load i64, ptr %687, align 8
+  %689 = getelementptr inbounds i8, ptr %686, i64 8
+  %690 = load i64, ptr %689, align 8
+  %691 = load ptr, ptr %115, align 8
+  %692 = load i64, ptr %116, align 8
+  %693 = getelementptr inbounds double, ptr %691, i64 %692
+  %694 = icmp sgt i64 %690, 0
+  br i1 %694, label %695, label %697
 
-691:                                              ; preds = %680
-  %692 = getelementptr inbounds i8, ptr %681, i64 32
-  br label %701
+695:                                              ; preds = %684
+  %696 = getelementptr inbounds i8, ptr %685, i64 32
+  br label %705
 
-693:                                              ; preds = %701, %680
-  %694 = icmp sgt i64 %684, 0
-  br i1 %694, label %695, label %727
+697:                                              ; preds = %705, %684
+  %698 = icmp sgt i64 %688, 0
+  br i1 %698, label %699, label %731
 
-695:                                              ; preds = %693
-  %696 = load ptr, ptr %74, align 8
-  %697 = load ptr, ptr %122, align 8
-  %698 = load ptr, ptr %123, align 8
-  %699 = load ptr, ptr %124, align 8
-  %700 = load ptr, ptr %115, align 8
-  br label %785
+699:                                              ; preds = %697
+  %700 = load ptr, ptr %74, align 8
+  %701 = load ptr, ptr %122, align 8
+  %702 = load ptr, ptr %123, align 8
+  %703 = load ptr, ptr %124, align 8
+  %704 = load ptr, ptr %115, align 8
+  br label %789
 
-701:                                              ; preds = %691, %701
-  %702 = phi i64 [ 0, %691 ], [ %725, %701 ]
-  %703 = load i64, ptr %682, align 8
-  %704 = load i64, ptr %692, align 8
-  %705 = load ptr, ptr %115, align 8
-  %706 = load i64, ptr %116, align 8
-  %707 = mul nsw i64 %706, %702
-  %708 = getelementptr inbounds double, ptr %705, i64 %707
-  %709 = load ptr, ptr %117, align 8
-  %710 = load ptr, ptr %118, align 8
-  %711 = getelementptr i64, ptr %710, i64 %703
-  %712 = getelementptr i8, ptr %711, i64 8
-  %713 = getelementptr i64, ptr %712, i64 %702
-  %714 = load i64, ptr %713, align 8
-  %715 = getelementptr i8, ptr %713, i64 8
-  %716 = load i64, ptr %715, align 8
-  %717 = xor i64 %714, -1
-  %718 = add i64 %716, %717
-  %719 = load ptr, ptr %94, align 8
-  %720 = load ptr, ptr %119, align 8
-  %721 = load ptr, ptr %120, align 8
-  %722 = getelementptr inbounds i64, ptr %721, i64 %714
-  %723 = load ptr, ptr %121, align 8
-  %724 = getelementptr inbounds double, ptr %723, i64 %714
-  tail call fastcc void @combine(ptr noundef %708, ptr noundef %709, ptr noundef %719, ptr noundef %720, ptr noundef %722, ptr noundef %724, i64 noundef %718, i64 noundef 1, i64 noundef %704) #8
-  %725 = add nuw nsw i64 %702, 1
-  %726 = icmp eq i64 %725, %686
-  br i1 %726, label %693, label %701, !llvm.loop !14
+705:                                              ; preds = %695, %705
+  %706 = phi i64 [ 0, %695 ], [ %729, %705 ]
+  %707 = load i64, ptr %686, align 8
+  %708 = load i64, ptr %696, align 8
+  %709 = load ptr, ptr %115, align 8
+  %710 = load i64, ptr %116, align 8
+  %711 = mul nsw i64 %710, %706
+  %712 = getelementptr inbounds double, ptr %709, i64 %711
+  %713 = load ptr, ptr %117, align 8
+  %714 = load ptr, ptr %118, align 8
+  %715 = getelementptr i64, ptr %714, i64 %707
+  %716 = getelementptr i8, ptr %715, i64 8
+  %717 = getelementptr i64, ptr %716, i64 %706
+  %718 = load i64, ptr %717, align 8
+  %719 = getelementptr i8, ptr %717, i64 8
+  %720 = load i64, ptr %719, align 8
+  %721 = xor i64 %718, -1
+  %722 = add i64 %720, %721
+  %723 = load ptr, ptr %94, align 8
+  %724 = load ptr, ptr %119, align 8
+  %725 = load ptr, ptr %120, align 8
+  %726 = getelementptr inbounds i64, ptr %725, i64 %718
+  %727 = load ptr, ptr %121, align 8
+  %728 = getelementptr inbounds double, ptr %727, i64 %718
+  tail call fastcc void @combine(ptr noundef %712, ptr noundef %713, ptr noundef %723, ptr noundef %724, ptr noundef %726, ptr noundef %728, i64 noundef %722, i64 noundef 1, i64 noundef %708) #8
+  %729 = add nuw nsw i64 %706, 1
+  %730 = icmp eq i64 %729, %690
+  br i1 %730, label %697, label %705, !llvm.loop !14
 
-727:                                              ; preds = %785, %693
-  %728 = phi double [ 0.000000e+00, %693 ], [ %813, %785 ]
-  %729 = phi double [ 0.000000e+00, %693 ], [ %811, %785 ]
-  %730 = load ptr, ptr %125, align 8
-  %731 = getelementptr inbounds i8, ptr %681, i64 8
-  %732 = load i64, ptr %731, align 8
-  %733 = add nsw i64 %732, -3
-  %734 = getelementptr i8, ptr %730, i64 8
-  %735 = getelementptr i8, ptr %730, i64 16
-  %736 = getelementptr i8, ptr %730, i64 24
-  %737 = icmp slt i64 %684, %733
-  br i1 %737, label %745, label %738
+731:                                              ; preds = %789, %697
+  %732 = phi double [ 0.000000e+00, %697 ], [ %817, %789 ]
+  %733 = phi double [ 0.000000e+00, %697 ], [ %815, %789 ]
+  %734 = load ptr, ptr %125, align 8
+  %735 = getelementptr inbounds i8, ptr %685, i64 8
+  %736 = load i64, ptr %735, align 8
+  %737 = add nsw i64 %736, -3
+  %738 = getelementptr i8, ptr %734, i64 8
+  %739 = getelementptr i8, ptr %734, i64 16
+  %740 = getelementptr i8, ptr %734, i64 24
+  %741 = icmp slt i64 %688, %737
+  br i1 %741, label %749, label %742
 
-738:                                              ; preds = %745, %727
-  %739 = phi double [ 0.000000e+00, %727 ], [ %754, %745 ]
-  %740 = phi double [ 0.000000e+00, %727 ], [ %758, %745 ]
-  %741 = phi double [ 0.000000e+00, %727 ], [ %762, %745 ]
-  %742 = phi double [ 0.000000e+00, %727 ], [ %766, %745 ]
-  %743 = phi i64 [ %684, %727 ], [ %767, %745 ]
-  %744 = icmp slt i64 %743, %732
-  br i1 %744, label %769, label %778
+742:                                              ; preds = %749, %731
+  %743 = phi double [ 0.000000e+00, %731 ], [ %758, %749 ]
+  %744 = phi double [ 0.000000e+00, %731 ], [ %762, %749 ]
+  %745 = phi double [ 0.000000e+00, %731 ], [ %766, %749 ]
+  %746 = phi double [ 0.000000e+00, %731 ], [ %770, %749 ]
+  %747 = phi i64 [ %688, %731 ], [ %771, %749 ]
+  %748 = icmp slt i64 %747, %736
+  br i1 %748, label %773, label %782
 
-745:                                              ; preds = %727, %745
-  %746 = phi i64 [ %767, %745 ], [ %684, %727 ]
-  %747 = phi double [ %766, %745 ], [ 0.000000e+00, %727 ]
-  %748 = phi double [ %762, %745 ], [ 0.000000e+00, %727 ]
-  %749 = phi double [ %758, %745 ], [ 0.000000e+00, %727 ]
-  %750 = phi double [ %754, %745 ], [ 0.000000e+00, %727 ]
-  %751 = getelementptr inbounds double, ptr %730, i64 %746
-  %752 = load double, ptr %751, align 8
-  %753 = fmul double %752, 0.000000e+00
-  %754 = fadd double %750, %753
-  %755 = getelementptr double, ptr %734, i64 %746
+749:                                              ; preds = %731, %749
+  %750 = phi i64 [ %771, %749 ], [ %688, %731 ]
+  %751 = phi double [ %770, %749 ], [ 0.000000e+00, %731 ]
+  %752 = phi double [ %766, %749 ], [ 0.000000e+00, %731 ]
+  %753 = phi double [ %762, %749 ], [ 0.000000e+00, %731 ]
+  %754 = phi double [ %758, %749 ], [ 0.000000e+00, %731 ]
+  %755 = getelementptr inbounds double, ptr %734, i64 %750
   %756 = load double, ptr %755, align 8
   %757 = fmul double %756, 0.000000e+00
-  %758 = fadd double %749, %757
-  %759 = getelementptr double, ptr %735, i64 %746
+  %758 = fadd double %754, %757
+  %759 = getelementptr double, ptr %738, i64 %750
   %760 = load double, ptr %759, align 8
   %761 = fmul double %760, 0.000000e+00
-  %762 = fadd double %748, %761
-  %763 = getelementptr double, ptr %736, i64 %746
+  %762 = fadd double %753, %761
+  %763 = getelementptr double, ptr %739, i64 %750
   %764 = load double, ptr %763, align 8
   %765 = fmul double %764, 0.000000e+00
-  %766 = fadd double %747, %765
-  %767 = add nsw i64 %746, 4
-  %768 = icmp slt i64 %767, %733
-  br i1 %768, label %745, label %738, !llvm.loop !15
+  %766 = fadd double %752, %765
+  %767 = getelementptr double, ptr %740, i64 %750
+  %768 = load double, ptr %767, align 8
+  %769 = fmul double %768, 0.000000e+00
+  %770 = fadd double %751, %769
+  %771 = add nsw i64 %750, 4
+  %772 = icmp slt i64 %771, %737
+  br i1 %772, label %749, label %742, !llvm.loop !15
 
-769:                                              ; preds = %738, %769
-  %770 = phi i64 [ %776, %769 ], [ %743, %738 ]
-  %771 = phi double [ %775, %769 ], [ %739, %738 ]
-  %772 = getelementptr inbounds double, ptr %730, i64 %770
-  %773 = load double, ptr %772, align 8
-  %774 = fmul double %773, 0.000000e+00
-  %775 = fadd double %771, %774
-  %776 = add nsw i64 %770, 1
-  %777 = icmp eq i64 %776, %732
-  br i1 %777, label %778, label %769, !llvm.loop !16
+773:                                              ; preds = %742, %773
+  %774 = phi i64 [ %780, %773 ], [ %747, %742 ]
+  %775 = phi double [ %779, %773 ], [ %743, %742 ]
+  %776 = getelementptr inbounds double, ptr %734, i64 %774
+  %777 = load double, ptr %776, align 8
+  %778 = fmul double %777, 0.000000e+00
+  %779 = fadd double %775, %778
+  %780 = add nsw i64 %774, 1
+  %781 = icmp eq i64 %780, %736
+  br i1 %781, label %782, label %773, !llvm.loop !16
 
-778:                                              ; preds = %769, %738
-  %779 = phi double [ %739, %738 ], [ %775, %769 ]
-  %780 = fadd double %740, %779
-  %781 = fadd double %741, %742
-  %782 = fadd double %781, %780
-  %783 = fadd double %729, %782
-  %784 = icmp eq i64 %686, 2
-  br i1 %784, label %816, label %825
+782:                                              ; preds = %773, %742
+  %783 = phi double [ %743, %742 ], [ %779, %773 ]
+  %784 = fadd double %744, %783
+  %785 = fadd double %745, %746
+  %786 = fadd double %785, %784
+  %787 = fadd double %733, %786
+  %788 = icmp eq i64 %690, 2
+  br i1 %788, label %820, label %829
 
-785:                                              ; preds = %695, %785
-  %786 = phi double [ 0.000000e+00, %695 ], [ %811, %785 ]
-  %787 = phi double [ 0.000000e+00, %695 ], [ %813, %785 ]
-  %788 = phi i64 [ 0, %695 ], [ %814, %785 ]
-  %789 = getelementptr inbounds double, ptr %696, i64 %788
-  %790 = load double, ptr %789, align 8
-  %791 = getelementptr inbounds double, ptr %697, i64 %788
-  %792 = load double, ptr %791, align 8
-  %793 = getelementptr inbounds double, ptr %698, i64 %788
+789:                                              ; preds = %699, %789
+  %790 = phi double [ 0.000000e+00, %699 ], [ %815, %789 ]
+  %791 = phi double [ 0.000000e+00, %699 ], [ %817, %789 ]
+  %792 = phi i64 [ 0, %699 ], [ %818, %789 ]
+  %793 = getelementptr inbounds double, ptr %700, i64 %792
   %794 = load double, ptr %793, align 8
-  %795 = getelementptr inbounds double, ptr %699, i64 %788
+  %795 = getelementptr inbounds double, ptr %701, i64 %792
   %796 = load double, ptr %795, align 8
-  %797 = tail call double @llvm.fabs.f64(double %790)
-  %798 = tail call double @llvm.fabs.f64(double %792)
-  %799 = fcmp ogt double %797, %798
-  %800 = select i1 %799, double %797, double %798
-  %801 = fmul double %800, %796
-  %802 = fadd double %794, %801
-  %803 = fdiv double 1.000000e+00, %802
-  %804 = getelementptr inbounds double, ptr %700, i64 %788
-  %805 = load double, ptr %804, align 8
-  %806 = fmul double %805, %803
-  %807 = getelementptr inbounds double, ptr %689, i64 %788
-  %808 = load double, ptr %807, align 8
-  %809 = fmul double %808, %803
-  %810 = fmul double %806, %806
-  %811 = fadd double %786, %810
-  %812 = fmul double %809, %809
-  %813 = fadd double %787, %812
-  %814 = add nuw nsw i64 %788, 1
-  %815 = icmp eq i64 %814, %684
-  br i1 %815, label %727, label %785, !llvm.loop !17
+  %797 = getelementptr inbounds double, ptr %702, i64 %792
+  %798 = load double, ptr %797, align 8
+  %799 = getelementptr inbounds double, ptr %703, i64 %792
+  %800 = load double, ptr %799, align 8
+  %801 = tail call double @llvm.fabs.f64(double %794)
+  %802 = tail call double @llvm.fabs.f64(double %796)
+  %803 = fcmp ogt double %801, %802
+  %804 = select i1 %803, double %801, double %802
+  %805 = fmul double %804, %800
+  %806 = fadd double %798, %805
+  %807 = fdiv double 1.000000e+00, %806
+  %808 = getelementptr inbounds double, ptr %704, i64 %792
+  %809 = load double, ptr %808, align 8
+  %810 = fmul double %809, %807
+  %811 = getelementptr inbounds double, ptr %693, i64 %792
+  %812 = load double, ptr %811, align 8
+  %813 = fmul double %812, %807
+  %814 = fmul double %810, %810
+  %815 = fadd double %790, %814
+  %816 = fmul double %813, %813
+  %817 = fadd double %791, %816
+  %818 = add nuw nsw i64 %792, 1
+  %819 = icmp eq i64 %818, %688
+  br i1 %819, label %731, label %789, !llvm.loop !17
 
-816:                                              ; preds = %778
-  %817 = fmul double %728, 1.000000e-02
-  %818 = fadd double %817, %783
-  %819 = sitofp i64 %684 to double
-  %820 = fmul double %818, %819
-  %821 = tail call double @llvm.sqrt.f64(double %820)
-  %822 = fdiv double %783, %821
-  %823 = fcmp une double %783, 0.000000e+00
-  %824 = select i1 %823, double %822, double 0.000000e+00
-  br label %838
+820:                                              ; preds = %782
+  %821 = fmul double %732, 1.000000e-02
+  %822 = fadd double %821, %787
+  %823 = sitofp i64 %688 to double
+  %824 = fmul double %822, %823
+  %825 = tail call double @llvm.sqrt.f64(double %824)
+  %826 = fdiv double %787, %825
+  %827 = fcmp une double %787, 0.000000e+00
+  %828 = select i1 %827, double %826, double 0.000000e+00
+  br label %842
 
-825:                                              ; preds = %778
-  %826 = sitofp i64 %684 to double
-  %827 = fdiv double %783, %826
-  %828 = tail call double @llvm.sqrt.f64(double %827)
-  br label %838
+829:                                              ; preds = %782
+  %830 = sitofp i64 %688 to double
+  %831 = fdiv double %787, %830
+  %832 = tail call double @llvm.sqrt.f64(double %831)
+  br label %842
 
-829:                                              ; preds = %679, %829
-  %830 = phi i64 [ %836, %829 ], [ 0, %679 ]
-  %831 = phi double [ %835, %829 ], [ 0.000000e+00, %679 ]
-  %832 = getelementptr inbounds double, ptr %161, i64 %830
-  %833 = load double, ptr %832, align 8
-  %834 = fmul double %833, 0.000000e+00
-  %835 = fadd double %831, %834
-  %836 = add nuw nsw i64 %830, 1
-  %837 = icmp eq i64 %836, %170
-  br i1 %837, label %838, label %829, !llvm.loop !18
+833:                                              ; preds = %683, %833
+  %834 = phi i64 [ %840, %833 ], [ 0, %683 ]
+  %835 = phi double [ %839, %833 ], [ 0.000000e+00, %683 ]
+  %836 = getelementptr inbounds double, ptr %161, i64 %834
+  %837 = load double, ptr %836, align 8
+  %838 = fmul double %837, 0.000000e+00
+  %839 = fadd double %835, %838
+  %840 = add nuw nsw i64 %834, 1
+  %841 = icmp eq i64 %840, %170
+  br i1 %841, label %842, label %833, !llvm.loop !18
 
-838:                                              ; preds = %829, %679, %825, %816
-  %839 = phi double [ %824, %816 ], [ %828, %825 ], [ 0.000000e+00, %679 ], [ %835, %829 ]
-  %840 = fcmp uge double %839, 1.000000e+00
-  %841 = select i1 %840, i1 true, i1 %423
-  br i1 %841, label %873, label %842
+842:                                              ; preds = %833, %683, %829, %820
+  %843 = phi double [ %828, %820 ], [ %832, %829 ], [ 0.000000e+00, %683 ], [ %839, %833 ]
+  %844 = fcmp uge double %843, 1.000000e+00
+  %845 = select i1 %844, i1 true, i1 %425
+  br i1 %845, label %878, label %846
 
-842:                                              ; preds = %838
-  br i1 %173, label %854, label %843
+846:                                              ; preds = %842
+  br i1 %173, label %858, label %847
 
-843:                                              ; preds = %842
-  br i1 %176, label %846, label %844
+847:                                              ; preds = %846
+  br i1 %176, label %850, label %848
 
-844:                                              ; preds = %843
-  %845 = load ptr, ptr %74, align 8
-  br label %846
+848:                                              ; preds = %847
+  %849 = load ptr, ptr %74, align 8
+  br label %850
 
-846:                                              ; preds = %844, %843
-  %847 = phi ptr [ %845, %844 ], [ null, %843 ]
-  %848 = load ptr, ptr %81, align 8
-  %849 = getelementptr inbounds i8, ptr %848, i64 56
-  %850 = load i64, ptr %849, align 8
-  %851 = inttoptr i64 %850 to ptr
-  %852 = tail call i64 %851(ptr noundef %0, double noundef %493, ptr noundef %161, ptr noundef %847) #9
-  %853 = icmp ne i64 %852, 0
-  br label %854
+850:                                              ; preds = %848, %847
+  %851 = phi ptr [ %849, %848 ], [ null, %847 ]
+  %852 = load ptr, ptr %81, align 8
+  %853 = getelementptr inbounds i8, ptr %852, i64 56
+  %854 = load i64, ptr %853, align 8
+  %855 = inttoptr i64 %854 to ptr
+  %856 = tail call i64 %855(ptr noundef %0, double noundef %495, ptr noundef %161, ptr noundef %851) #9
+  %857 = icmp ne i64 %856, 0
+  br label %858
 
-854:                                              ; preds = %846, %842
-  %855 = phi i1 [ false, %842 ], [ %853, %846 ]
-  br i1 %855, label %873, label %856
+858:                                              ; preds = %850, %846
+  %859 = phi i1 [ false, %846 ], [ %857, %850 ]
+  br i1 %859, label %878, label %860
 
-856:                                              ; preds = %854
-  %857 = load i64, ptr %421, align 8
-  %858 = add nsw i64 %857, 1
-  store i64 %858, ptr %421, align 8
-  %859 = load ptr, ptr %126, align 8
-  store double %493, ptr %859, align 8
-  %860 = load i64, ptr %127, align 8
-  %861 = icmp sgt i64 %860, 0
-  br i1 %861, label %862, label %863
+860:                                              ; preds = %858
+  %861 = load i64, ptr %423, align 8
+  %862 = add nsw i64 %861, 1
+  store i64 %862, ptr %423, align 8
+  %863 = load ptr, ptr %126, align 8
+  store double %495, ptr %863, align 8
+  %864 = load i64, ptr %127, align 8
+  %865 = icmp sgt i64 %864, 0
+  br i1 %865, label %866, label %867
 
-862:                                              ; preds = %856
+866:                                              ; preds = %860
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %863
+  br label %867
 
-863:                                              ; preds = %856, %862
-  %864 = load ptr, ptr %73, align 8
-  %865 = load i64, ptr %864, align 8
-  %866 = load ptr, ptr %126, align 8
-  %867 = load ptr, ptr %128, align 8
-  %868 = load ptr, ptr %129, align 8
-  %869 = inttoptr i64 %865 to ptr
-  %870 = tail call i32 %869(ptr noundef %866, ptr noundef %161, ptr noundef %867, ptr noundef %868, ptr noundef %191) #9
-  %871 = sext i32 %870 to i64
-  %872 = icmp slt i32 %870, 0
-  br i1 %872, label %1616, label %873
+867:                                              ; preds = %860, %866
+  %868 = load ptr, ptr %73, align 8
+  %869 = load i64, ptr %868, align 8
+  %870 = load ptr, ptr %126, align 8
+  %871 = load ptr, ptr %128, align 8
+  %872 = load ptr, ptr %129, align 8
+  %873 = inttoptr i64 %869 to ptr
+  %874 = load ptr, ptr %873, align 8
+  %875 = tail call i32 %874(ptr noundef %870, ptr noundef %161, ptr noundef %871, ptr noundef %872, ptr noundef %191) #9
+  %876 = sext i32 %875 to i64
+  %877 = icmp slt i32 %875, 0
+  br i1 %877, label %1623, label %878
 
-873:                                              ; preds = %863, %854, %838, %676
-  %874 = phi i64 [ 0, %854 ], [ %871, %863 ], [ 0, %838 ], [ %674, %676 ]
-  %875 = phi double [ %839, %854 ], [ %839, %863 ], [ %839, %838 ], [ 0.000000e+00, %676 ]
-  %876 = phi i1 [ %855, %854 ], [ %855, %863 ], [ false, %838 ], [ false, %676 ]
-  %877 = icmp ne i64 %874, 0
-  %878 = fcmp uge double %875, 1.000000e+00
-  %879 = or i1 %877, %878
-  %880 = or i1 %876, %879
-  br i1 %880, label %881, label %944
+878:                                              ; preds = %867, %858, %842, %680
+  %879 = phi i64 [ 0, %858 ], [ %876, %867 ], [ 0, %842 ], [ %678, %680 ]
+  %880 = phi double [ %843, %858 ], [ %843, %867 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
+  %881 = phi i1 [ %859, %858 ], [ %859, %867 ], [ false, %842 ], [ false, %680 ]
+  %882 = icmp ne i64 %879, 0
+  %883 = fcmp uge double %880, 1.000000e+00
+  %884 = or i1 %882, %883
+  %885 = or i1 %881, %884
+  br i1 %885, label %886, label %949
 
-881:                                              ; preds = %873
-  %882 = load i64, ptr %417, align 8
-  %883 = add nsw i64 %882, 1
-  store i64 %883, ptr %417, align 8
-  %884 = or i1 %877, %876
-  br i1 %884, label %888, label %885
+886:                                              ; preds = %878
+  %887 = load i64, ptr %419, align 8
+  %888 = add nsw i64 %887, 1
+  store i64 %888, ptr %419, align 8
+  %889 = or i1 %882, %881
+  br i1 %889, label %893, label %890
 
-885:                                              ; preds = %881
-  %886 = tail call double @llvm.fabs.f64(double %875)
-  %887 = fcmp one double %886, 0x7FF0000000000000
-  br label %888
+890:                                              ; preds = %886
+  %891 = tail call double @llvm.fabs.f64(double %880)
+  %892 = fcmp one double %891, 0x7FF0000000000000
+  br label %893
 
-888:                                              ; preds = %885, %881
-  %889 = phi i1 [ false, %881 ], [ %887, %885 ]
-  %890 = select i1 %889, i64 2, i64 4
-  %891 = select i1 %876, i64 6, i64 %890
-  %892 = select i1 %877, i64 3, i64 %891
-  store i64 %892, ptr %438, align 8
-  %893 = fcmp ogt double %875, 1.000000e-10
-  %894 = select i1 %893, double %875, double 1.000000e-10
-  %895 = load double, ptr %439, align 8
-  %896 = load double, ptr %168, align 8
-  %897 = fneg double %896
-  %898 = bitcast double %894 to i64
-  %899 = add nsw i64 %898, -4604544271217802189
-  %900 = ashr i64 %899, 52
-  %901 = and i64 %899, -4503599627370496
-  %902 = sub nsw i64 %898, %901
-  %903 = bitcast i64 %902 to double
-  %904 = fadd double %903, -1.000000e+00
-  %905 = fadd double %903, 1.000000e+00
-  %906 = fdiv double %904, %905
-  %907 = fmul double %906, %906
-  %908 = tail call double @llvm.fma.f64(double %907, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %909 = tail call double @llvm.fma.f64(double %908, double %907, double 0x3FE2776C50EF9BFE)
-  %910 = tail call double @llvm.fma.f64(double %909, double %907, double 0x3FEEC709DC3A03FD)
-  %911 = tail call double @llvm.fma.f64(double %910, double %907, double 0x40071547652B82FE)
-  %912 = trunc nsw i64 %900 to i32
-  %913 = sitofp i32 %912 to double
-  %914 = fmul double %906, %911
-  %915 = fadd double %914, %913
-  %916 = fmul double %915, %897
-  %917 = fcmp ogt double %916, -1.000000e+03
-  %918 = select i1 %917, double %916, double -1.000000e+03
-  %919 = fcmp olt double %918, 1.000000e+03
-  %920 = select i1 %919, double %918, double 1.000000e+03
-  %921 = tail call double @llvm.rint.f64(double %920)
-  %922 = fsub double %920, %921
-  %923 = tail call double @llvm.fma.f64(double %922, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %924 = tail call double @llvm.fma.f64(double %923, double %922, double 0x3F55D87FE78A6730)
-  %925 = tail call double @llvm.fma.f64(double %924, double %922, double 0x3F83B2AB6FBA4E77)
-  %926 = tail call double @llvm.fma.f64(double %925, double %922, double 0x3FAC6B08D704A0BF)
-  %927 = tail call double @llvm.fma.f64(double %926, double %922, double 0x3FCEBFBDFF82C58E)
-  %928 = tail call double @llvm.fma.f64(double %927, double %922, double 0x3FE62E42FEFA39EF)
-  %929 = tail call double @llvm.fma.f64(double %928, double %922, double 1.000000e+00)
-  %930 = bitcast double %929 to i64
-  %931 = fptosi double %921 to i32
-  %932 = sext i32 %931 to i64
-  %933 = shl nsw i64 %932, 52
-  %934 = add nsw i64 %933, %930
-  %935 = bitcast i64 %934 to double
-  %936 = fmul double %895, %935
-  %937 = load double, ptr %440, align 8
-  %938 = fcmp ogt double %936, %937
-  %939 = select i1 %938, double %936, double %937
-  %940 = select i1 %889, double %939, double 2.500000e-01
-  %941 = fmul double %494, %940
-  br i1 %176, label %942, label %943
+893:                                              ; preds = %890, %886
+  %894 = phi i1 [ false, %886 ], [ %892, %890 ]
+  %895 = select i1 %894, i64 2, i64 4
+  %896 = select i1 %881, i64 6, i64 %895
+  %897 = select i1 %882, i64 3, i64 %896
+  store i64 %897, ptr %440, align 8
+  %898 = fcmp ogt double %880, 1.000000e-10
+  %899 = select i1 %898, double %880, double 1.000000e-10
+  %900 = load double, ptr %441, align 8
+  %901 = load double, ptr %168, align 8
+  %902 = fneg double %901
+  %903 = bitcast double %899 to i64
+  %904 = add nsw i64 %903, -4604544271217802189
+  %905 = ashr i64 %904, 52
+  %906 = and i64 %904, -4503599627370496
+  %907 = sub nsw i64 %903, %906
+  %908 = bitcast i64 %907 to double
+  %909 = fadd double %908, -1.000000e+00
+  %910 = fadd double %908, 1.000000e+00
+  %911 = fdiv double %909, %910
+  %912 = fmul double %911, %911
+  %913 = tail call double @llvm.fma.f64(double %912, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %914 = tail call double @llvm.fma.f64(double %913, double %912, double 0x3FE2776C50EF9BFE)
+  %915 = tail call double @llvm.fma.f64(double %914, double %912, double 0x3FEEC709DC3A03FD)
+  %916 = tail call double @llvm.fma.f64(double %915, double %912, double 0x40071547652B82FE)
+  %917 = trunc nsw i64 %905 to i32
+  %918 = sitofp i32 %917 to double
+  %919 = fmul double %911, %916
+  %920 = fadd double %919, %918
+  %921 = fmul double %920, %902
+  %922 = fcmp ogt double %921, -1.000000e+03
+  %923 = select i1 %922, double %921, double -1.000000e+03
+  %924 = fcmp olt double %923, 1.000000e+03
+  %925 = select i1 %924, double %923, double 1.000000e+03
+  %926 = tail call double @llvm.rint.f64(double %925)
+  %927 = fsub double %925, %926
+  %928 = tail call double @llvm.fma.f64(double %927, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %929 = tail call double @llvm.fma.f64(double %928, double %927, double 0x3F55D87FE78A6730)
+  %930 = tail call double @llvm.fma.f64(double %929, double %927, double 0x3F83B2AB6FBA4E77)
+  %931 = tail call double @llvm.fma.f64(double %930, double %927, double 0x3FAC6B08D704A0BF)
+  %932 = tail call double @llvm.fma.f64(double %931, double %927, double 0x3FCEBFBDFF82C58E)
+  %933 = tail call double @llvm.fma.f64(double %932, double %927, double 0x3FE62E42FEFA39EF)
+  %934 = tail call double @llvm.fma.f64(double %933, double %927, double 1.000000e+00)
+  %935 = bitcast double %934 to i64
+  %936 = fptosi double %926 to i32
+  %937 = sext i32 %936 to i64
+  %938 = shl nsw i64 %937, 52
+  %939 = add nsw i64 %938, %935
+  %940 = bitcast i64 %939 to double
+  %941 = fmul double %900, %940
+  %942 = load double, ptr %442, align 8
+  %943 = fcmp ogt double %941, %942
+  %944 = select i1 %943, double %941, double %942
+  %945 = select i1 %894, double %944, double 2.500000e-01
+  %946 = fmul double %496, %945
+  br i1 %176, label %947, label %948
 
-942:                                              ; preds = %888
-  store double %494, ptr %193, align 8
-  br label %1616
+947:                                              ; preds = %893
+  store double %496, ptr %193, align 8
+  br label %1623
 
-943:                                              ; preds = %888
-  store double 1.000000e+00, ptr %441, align 8
-  br label %1616, !llvm.loop !19
+948:                                              ; preds = %893
+  store double 1.000000e+00, ptr %443, align 8
+  br label %1623, !llvm.loop !19
 
-944:                                              ; preds = %873
-  %945 = load i64, ptr %416, align 8
-  %946 = add nsw i64 %945, 1
-  store i64 %946, ptr %416, align 8
-  store double %493, ptr %160, align 8
-  store double %494, ptr %424, align 8
-  %947 = load ptr, ptr %93, align 8
-  %948 = getelementptr inbounds i8, ptr %947, i64 8
-  %949 = load i64, ptr %948, align 8
-  %950 = icmp eq i64 %949, 0
-  br i1 %950, label %980, label %951
+949:                                              ; preds = %878
+  %950 = load i64, ptr %418, align 8
+  %951 = add nsw i64 %950, 1
+  store i64 %951, ptr %418, align 8
+  store double %495, ptr %160, align 8
+  store double %496, ptr %426, align 8
+  %952 = load ptr, ptr %93, align 8
+  %953 = getelementptr inbounds i8, ptr %952, i64 8
+  %954 = load i64, ptr %953, align 8
+  %955 = icmp eq i64 %954, 0
+  br i1 %955, label %985, label %956
 
-951:                                              ; preds = %944
-  %952 = load i64, ptr %947, align 8
-  %953 = load ptr, ptr %73, align 8
-  %954 = getelementptr inbounds i8, ptr %953, i64 8
-  %955 = load i64, ptr %954, align 8
-  %956 = load ptr, ptr %130, align 8
-  %957 = load i64, ptr %131, align 8
-  %958 = mul nsw i64 %957, %952
-  %959 = getelementptr inbounds double, ptr %956, i64 %958
-  %960 = getelementptr inbounds double, ptr %959, i64 %957
-  store double %447, ptr %959, align 8
-  %961 = getelementptr inbounds i8, ptr %959, i64 8
-  store double %494, ptr %961, align 8
-  store double %493, ptr %960, align 8
-  %962 = getelementptr inbounds i8, ptr %960, i64 8
-  store double 0.000000e+00, ptr %962, align 8
-  %963 = icmp sgt i64 %955, 0
-  br i1 %963, label %967, label %964
+956:                                              ; preds = %949
+  %957 = load i64, ptr %952, align 8
+  %958 = load ptr, ptr %73, align 8
+  %959 = getelementptr inbounds i8, ptr %958, i64 8
+  %960 = load i64, ptr %959, align 8
+  %961 = load ptr, ptr %130, align 8
+  %962 = load i64, ptr %131, align 8
+  %963 = mul nsw i64 %962, %957
+  %964 = getelementptr inbounds double, ptr %961, i64 %963
+  %965 = getelementptr inbounds double, ptr %964, i64 %962
+  store double %449, ptr %964, align 8
+  %966 = getelementptr inbounds i8, ptr %964, i64 8
+  store double %496, ptr %966, align 8
+  store double %495, ptr %965, align 8
+  %967 = getelementptr inbounds i8, ptr %965, i64 8
+  store double 0.000000e+00, ptr %967, align 8
+  %968 = icmp sgt i64 %960, 0
+  br i1 %968, label %972, label %969
 
-964:                                              ; preds = %967, %951
-  %965 = add nsw i64 %952, 1
-  %966 = load ptr, ptr %93, align 8
-  store i64 %965, ptr %966, align 8
-  br label %980
+969:                                              ; preds = %972, %956
+  %970 = add nsw i64 %957, 1
+  %971 = load ptr, ptr %93, align 8
+  store i64 %970, ptr %971, align 8
+  br label %985
 
-967:                                              ; preds = %951, %967
-  %968 = phi i64 [ %978, %967 ], [ 0, %951 ]
-  %969 = load ptr, ptr %74, align 8
-  %970 = getelementptr inbounds double, ptr %969, i64 %968
-  %971 = load double, ptr %970, align 8
-  %972 = add nuw nsw i64 %968, 2
-  %973 = getelementptr inbounds double, ptr %959, i64 %972
-  store double %971, ptr %973, align 8
-  %974 = load ptr, ptr %76, align 8
-  %975 = getelementptr inbounds double, ptr %974, i64 %968
+972:                                              ; preds = %956, %972
+  %973 = phi i64 [ %983, %972 ], [ 0, %956 ]
+  %974 = load ptr, ptr %74, align 8
+  %975 = getelementptr inbounds double, ptr %974, i64 %973
   %976 = load double, ptr %975, align 8
-  %977 = getelementptr inbounds double, ptr %960, i64 %972
-  store double %976, ptr %977, align 8
-  %978 = add nuw nsw i64 %968, 1
-  %979 = icmp eq i64 %978, %955
-  br i1 %979, label %964, label %967, !llvm.loop !20
+  %977 = add nuw nsw i64 %973, 2
+  %978 = getelementptr inbounds double, ptr %964, i64 %977
+  store double %976, ptr %978, align 8
+  %979 = load ptr, ptr %76, align 8
+  %980 = getelementptr inbounds double, ptr %979, i64 %973
+  %981 = load double, ptr %980, align 8
+  %982 = getelementptr inbounds double, ptr %965, i64 %977
+  store double %981, ptr %982, align 8
+  %983 = add nuw nsw i64 %973, 1
+  %984 = icmp eq i64 %983, %960
+  br i1 %984, label %969, label %972, !llvm.loop !20
 
-980:                                              ; preds = %944, %964
-  br i1 %183, label %981, label %1090
+985:                                              ; preds = %949, %969
+  br i1 %183, label %986, label %1096
 
-981:                                              ; preds = %980
-  %982 = load ptr, ptr %82, align 8
-  %983 = load i64, ptr %80, align 8
-  %984 = load ptr, ptr %132, align 8
-  %985 = getelementptr inbounds i8, ptr %982, i64 32
-  %986 = load i64, ptr %985, align 8
-  %987 = getelementptr inbounds double, ptr %984, i64 %986
-  %988 = getelementptr inbounds i8, ptr %982, i64 24
-  %989 = load i64, ptr %988, align 8
-  %990 = icmp eq i64 %989, 0
-  br i1 %990, label %1087, label %991
+986:                                              ; preds = %985
+  %987 = load ptr, ptr %82, align 8
+  %988 = load i64, ptr %80, align 8
+  %989 = load ptr, ptr %132, align 8
+  %990 = getelementptr inbounds i8, ptr %987, i64 32
+  %991 = load i64, ptr %990, align 8
+  %992 = getelementptr inbounds double, ptr %989, i64 %991
+  %993 = getelementptr inbounds i8, ptr %987, i64 24
+  %994 = load i64, ptr %993, align 8
+  %995 = icmp eq i64 %994, 0
+  br i1 %995, label %1093, label %996
 
-991:                                              ; preds = %981
-  %992 = getelementptr inbounds i8, ptr %982, i64 40
-  %993 = load i64, ptr %992, align 8
-  %994 = icmp sgt i64 %993, 0
-  br i1 %994, label %1048, label %995
+996:                                              ; preds = %986
+  %997 = getelementptr inbounds i8, ptr %987, i64 40
+  %998 = load i64, ptr %997, align 8
+  %999 = icmp sgt i64 %998, 0
+  br i1 %999, label %1054, label %1000
 
-995:                                              ; preds = %1066, %991
-  %996 = load ptr, ptr %133, align 8
-  %997 = load ptr, ptr %82, align 8
-  %998 = getelementptr inbounds i8, ptr %997, i64 8
-  %999 = load i64, ptr %998, align 8
-  %1000 = load ptr, ptr %134, align 8
-  %1001 = load ptr, ptr %132, align 8
-  %1002 = getelementptr inbounds i8, ptr %997, i64 32
-  %1003 = load i64, ptr %1002, align 8
-  %1004 = getelementptr inbounds i8, ptr %997, i64 40
-  %1005 = load i64, ptr %1004, align 8
-  %1006 = getelementptr double, ptr %1001, i64 %1003
-  %1007 = getelementptr double, ptr %1006, i64 %1005
-  store double %494, ptr %1007, align 8
-  %1008 = load ptr, ptr %133, align 8
-  store double %447, ptr %1008, align 8
-  %1009 = load ptr, ptr %82, align 8
-  %1010 = getelementptr inbounds i8, ptr %1009, i64 24
-  %1011 = load i64, ptr %1010, align 8
-  %1012 = load ptr, ptr %74, align 8
-  %1013 = load ptr, ptr %132, align 8
-  %1014 = load ptr, ptr %135, align 8
-  %1015 = inttoptr i64 %1011 to ptr
-  %1016 = tail call i32 %1015(ptr noundef %996, ptr noundef %1012, ptr noundef %1013, ptr noundef %1014, ptr noundef %1000) #9
-  %1017 = icmp eq i32 %1016, 0
-  br i1 %1017, label %1018, label %1087
+1000:                                             ; preds = %1072, %996
+  %1001 = load ptr, ptr %133, align 8
+  %1002 = load ptr, ptr %82, align 8
+  %1003 = getelementptr inbounds i8, ptr %1002, i64 8
+  %1004 = load i64, ptr %1003, align 8
+  %1005 = load ptr, ptr %134, align 8
+  %1006 = load ptr, ptr %132, align 8
+  %1007 = getelementptr inbounds i8, ptr %1002, i64 32
+  %1008 = load i64, ptr %1007, align 8
+  %1009 = getelementptr inbounds i8, ptr %1002, i64 40
+  %1010 = load i64, ptr %1009, align 8
+  %1011 = getelementptr double, ptr %1006, i64 %1008
+  %1012 = getelementptr double, ptr %1011, i64 %1010
+  store double %496, ptr %1012, align 8
+  %1013 = load ptr, ptr %133, align 8
+  store double %449, ptr %1013, align 8
+  %1014 = load ptr, ptr %82, align 8
+  %1015 = getelementptr inbounds i8, ptr %1014, i64 24
+  %1016 = load i64, ptr %1015, align 8
+  %1017 = load ptr, ptr %74, align 8
+  %1018 = load ptr, ptr %132, align 8
+  %1019 = load ptr, ptr %135, align 8
+  %1020 = inttoptr i64 %1016 to ptr
+  %1021 = load ptr, ptr %1020, align 8
+  %1022 = tail call i32 %1021(ptr noundef %1001, ptr noundef %1017, ptr noundef %1018, ptr noundef %1019, ptr noundef %1005) #9
+  %1023 = icmp eq i32 %1022, 0
+  br i1 %1023, label %1024, label %1093
 
-1018:                                             ; preds = %995
-  %1019 = icmp slt i64 %999, 1
-  br i1 %1019, label %1045, label %1020
+1024:                                             ; preds = %1000
+  %1025 = icmp slt i64 %1004, 1
+  br i1 %1025, label %1051, label %1026
 
-1020:                                             ; preds = %1018
-  %1021 = load ptr, ptr %136, align 8
-  %1022 = getelementptr double, ptr %1000, i64 %999
-  br label %1023
+1026:                                             ; preds = %1024
+  %1027 = load ptr, ptr %136, align 8
+  %1028 = getelementptr double, ptr %1005, i64 %1004
+  br label %1029
 
-1023:                                             ; preds = %1020, %1041
-  %1024 = phi i1 [ %1019, %1020 ], [ %1043, %1041 ]
-  %1025 = phi i64 [ 0, %1020 ], [ %1042, %1041 ]
-  %1026 = getelementptr inbounds i64, ptr %1021, i64 %1025
-  %1027 = load i64, ptr %1026, align 8
-  %1028 = and i64 %1027, 2
-  %1029 = icmp eq i64 %1028, 0
-  br i1 %1029, label %1030, label %1041
+1029:                                             ; preds = %1026, %1047
+  %1030 = phi i1 [ %1025, %1026 ], [ %1049, %1047 ]
+  %1031 = phi i64 [ 0, %1026 ], [ %1048, %1047 ]
+  %1032 = getelementptr inbounds i64, ptr %1027, i64 %1031
+  %1033 = load i64, ptr %1032, align 8
+  %1034 = and i64 %1033, 2
+  %1035 = icmp eq i64 %1034, 0
+  br i1 %1035, label %1036, label %1047
 
-1030:                                             ; preds = %1023
-  %1031 = getelementptr inbounds double, ptr %1000, i64 %1025
-  %1032 = load double, ptr %1031, align 8
-  %1033 = load ptr, ptr %137, align 8
-  %1034 = getelementptr inbounds i64, ptr %1033, i64 %1025
-  %1035 = load i64, ptr %1034, align 8
-  %1036 = sitofp i64 %1035 to double
-  %1037 = fmul double %1032, %1036
-  %1038 = getelementptr double, ptr %1022, i64 %1025
-  %1039 = load double, ptr %1038, align 8
-  %1040 = fcmp ogt double %1037, %1039
-  br i1 %1040, label %1041, label %1045
+1036:                                             ; preds = %1029
+  %1037 = getelementptr inbounds double, ptr %1005, i64 %1031
+  %1038 = load double, ptr %1037, align 8
+  %1039 = load ptr, ptr %137, align 8
+  %1040 = getelementptr inbounds i64, ptr %1039, i64 %1031
+  %1041 = load i64, ptr %1040, align 8
+  %1042 = sitofp i64 %1041 to double
+  %1043 = fmul double %1038, %1042
+  %1044 = getelementptr double, ptr %1028, i64 %1031
+  %1045 = load double, ptr %1044, align 8
+  %1046 = fcmp ogt double %1043, %1045
+  br i1 %1046, label %1047, label %1051
 
-1041:                                             ; preds = %1030, %1023
-  %1042 = add nuw nsw i64 %1025, 1
-  %1043 = icmp sge i64 %1042, %999
-  %1044 = icmp eq i64 %1042, %999
-  br i1 %1044, label %1045, label %1023, !llvm.loop !21
+1047:                                             ; preds = %1036, %1029
+  %1048 = add nuw nsw i64 %1031, 1
+  %1049 = icmp sge i64 %1048, %1004
+  %1050 = icmp eq i64 %1048, %1004
+  br i1 %1050, label %1051, label %1029, !llvm.loop !21
 
-1045:                                             ; preds = %1041, %1030, %1018
-  %1046 = phi i1 [ %1019, %1018 ], [ %1043, %1041 ], [ %1024, %1030 ]
-  %1047 = zext i1 %1046 to i32
-  br label %1087
+1051:                                             ; preds = %1047, %1036, %1024
+  %1052 = phi i1 [ %1025, %1024 ], [ %1049, %1047 ], [ %1030, %1036 ]
+  %1053 = zext i1 %1052 to i32
+  br label %1093
 
-1048:                                             ; preds = %991, %1066
-  %1049 = phi i64 [ %1070, %1066 ], [ 0, %991 ]
-  %1050 = load ptr, ptr %76, align 8
-  %1051 = getelementptr inbounds double, ptr %1050, i64 %1049
-  %1052 = load <8 x double>, ptr %1051, align 8
-  %1053 = load ptr, ptr %74, align 8
-  %1054 = getelementptr inbounds double, ptr %1053, i64 %1049
-  %1055 = load <8 x double>, ptr %1054, align 8
-  %1056 = fsub <8 x double> %1052, %1055
-  %1057 = fneg <8 x double> %1056
-  %1058 = fcmp ogt <8 x double> %1056, zeroinitializer
-  %1059 = select <8 x i1> %1058, <8 x double> %1056, <8 x double> %1057
-  %1060 = load ptr, ptr %0, align 8
-  %1061 = load i64, ptr %1060, align 8
-  %1062 = icmp slt i64 %1061, 0
-  br i1 %1062, label %1066, label %1063
+1054:                                             ; preds = %996, %1072
+  %1055 = phi i64 [ %1076, %1072 ], [ 0, %996 ]
+  %1056 = load ptr, ptr %76, align 8
+  %1057 = getelementptr inbounds double, ptr %1056, i64 %1055
+  %1058 = load <8 x double>, ptr %1057, align 8
+  %1059 = load ptr, ptr %74, align 8
+  %1060 = getelementptr inbounds double, ptr %1059, i64 %1055
+  %1061 = load <8 x double>, ptr %1060, align 8
+  %1062 = fsub <8 x double> %1058, %1061
+  %1063 = fneg <8 x double> %1062
+  %1064 = fcmp ogt <8 x double> %1062, zeroinitializer
+  %1065 = select <8 x i1> %1064, <8 x double> %1062, <8 x double> %1063
+  %1066 = load ptr, ptr %0, align 8
+  %1067 = load i64, ptr %1066, align 8
+  %1068 = icmp slt i64 %1067, 0
+  br i1 %1068, label %1072, label %1069
 
-1063:                                             ; preds = %1048
-  %1064 = load ptr, ptr %84, align 8
-  %1065 = getelementptr double, ptr %1064, i64 %1049
-  br label %1073
+1069:                                             ; preds = %1054
+  %1070 = load ptr, ptr %84, align 8
+  %1071 = getelementptr double, ptr %1070, i64 %1055
+  br label %1079
 
-1066:                                             ; preds = %1073, %1048
-  %1067 = phi <8 x double> [ %1059, %1048 ], [ %1084, %1073 ]
-  %1068 = getelementptr inbounds double, ptr %987, i64 %1049
-  %1069 = fmul <8 x double> %1067, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1069, ptr %1068, align 8
-  %1070 = add nuw nsw i64 %1049, 8
-  %1071 = load i64, ptr %992, align 8
-  %1072 = icmp slt i64 %1070, %1071
-  br i1 %1072, label %1048, label %995, !llvm.loop !22
+1072:                                             ; preds = %1079, %1054
+  %1073 = phi <8 x double> [ %1065, %1054 ], [ %1090, %1079 ]
+  %1074 = getelementptr inbounds double, ptr %992, i64 %1055
+  %1075 = fmul <8 x double> %1073, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1075, ptr %1074, align 8
+  %1076 = add nuw nsw i64 %1055, 8
+  %1077 = load i64, ptr %997, align 8
+  %1078 = icmp slt i64 %1076, %1077
+  br i1 %1078, label %1054, label %1000, !llvm.loop !22
 
-1073:                                             ; preds = %1063, %1073
-  %1074 = phi i64 [ 0, %1063 ], [ %1085, %1073 ]
-  %1075 = phi <8 x double> [ %1059, %1063 ], [ %1084, %1073 ]
-  %1076 = mul nsw i64 %1074, %983
-  %1077 = getelementptr double, ptr %1065, i64 %1076
-  %1078 = load <8 x double>, ptr %1077, align 8
-  %1079 = fneg <8 x double> %1078
-  %1080 = fcmp ogt <8 x double> %1078, zeroinitializer
-  %1081 = select <8 x i1> %1080, <8 x double> %1078, <8 x double> %1079
-  %1082 = fmul <8 x double> %506, %1081
-  %1083 = fcmp ogt <8 x double> %1075, %1082
-  %1084 = select <8 x i1> %1083, <8 x double> %1075, <8 x double> %1082
-  %1085 = add nuw i64 %1074, 1
-  %1086 = icmp eq i64 %1074, %1061
-  br i1 %1086, label %1066, label %1073, !llvm.loop !23
+1079:                                             ; preds = %1069, %1079
+  %1080 = phi i64 [ 0, %1069 ], [ %1091, %1079 ]
+  %1081 = phi <8 x double> [ %1065, %1069 ], [ %1090, %1079 ]
+  %1082 = mul nsw i64 %1080, %988
+  %1083 = getelementptr double, ptr %1071, i64 %1082
+  %1084 = load <8 x double>, ptr %1083, align 8
+  %1085 = fneg <8 x double> %1084
+  %1086 = fcmp ogt <8 x double> %1084, zeroinitializer
+  %1087 = select <8 x i1> %1086, <8 x double> %1084, <8 x double> %1085
+  %1088 = fmul <8 x double> %508, %1087
+  %1089 = fcmp ogt <8 x double> %1081, %1088
+  %1090 = select <8 x i1> %1089, <8 x double> %1081, <8 x double> %1088
+  %1091 = add nuw i64 %1080, 1
+  %1092 = icmp eq i64 %1080, %1067
+  br i1 %1092, label %1072, label %1079, !llvm.loop !23
 
-1087:                                             ; preds = %1045, %995, %981
-  %1088 = phi i32 [ 0, %981 ], [ 0, %995 ], [ %1047, %1045 ]
-  %1089 = icmp eq i32 %1088, 0
-  br label %1090
+1093:                                             ; preds = %1051, %1000, %986
+  %1094 = phi i32 [ 0, %986 ], [ 0, %1000 ], [ %1053, %1051 ]
+  %1095 = icmp eq i32 %1094, 0
+  br label %1096
 
-1090:                                             ; preds = %1087, %980
-  %1091 = phi i1 [ false, %980 ], [ %1089, %1087 ]
-  br i1 %1091, label %1134, label %1092
+1096:                                             ; preds = %1093, %985
+  %1097 = phi i1 [ false, %985 ], [ %1095, %1093 ]
+  br i1 %1097, label %1140, label %1098
 
-1092:                                             ; preds = %1090
-  %1093 = load i64, ptr %425, align 8
-  %1094 = getelementptr inbounds double, ptr %167, i64 %1093
-  %1095 = load double, ptr %1094, align 8
-  %1096 = fcmp ult double %1095, %493
-  br i1 %1096, label %1134, label %1097
+1098:                                             ; preds = %1096
+  %1099 = load i64, ptr %427, align 8
+  %1100 = getelementptr inbounds double, ptr %167, i64 %1099
+  %1101 = load double, ptr %1100, align 8
+  %1102 = fcmp ult double %1101, %495
+  br i1 %1102, label %1140, label %1103
 
-1097:                                             ; preds = %1092
-  %1098 = load ptr, ptr %73, align 8
-  %1099 = getelementptr inbounds i8, ptr %1098, i64 8
-  %1100 = load i64, ptr %1099, align 8
-  %1101 = load i64, ptr %83, align 8
-  %1102 = load ptr, ptr %78, align 8
-  %1103 = load ptr, ptr %77, align 8
-  %1104 = getelementptr inbounds i8, ptr %1103, i64 48
-  %1105 = load i64, ptr %1104, align 8
-  %1106 = icmp slt i64 %1105, %1101
-  br i1 %1106, label %1107, label %1130
+1103:                                             ; preds = %1098
+  %1104 = load ptr, ptr %73, align 8
+  %1105 = getelementptr inbounds i8, ptr %1104, i64 8
+  %1106 = load i64, ptr %1105, align 8
+  %1107 = load i64, ptr %83, align 8
+  %1108 = load ptr, ptr %78, align 8
+  %1109 = load ptr, ptr %77, align 8
+  %1110 = getelementptr inbounds i8, ptr %1109, i64 48
+  %1111 = load i64, ptr %1110, align 8
+  %1112 = icmp slt i64 %1111, %1107
+  br i1 %1112, label %1113, label %1136
 
-1107:                                             ; preds = %1097
-  %1108 = icmp sgt i64 %1100, 0
-  br label %1109
+1113:                                             ; preds = %1103
+  %1114 = icmp sgt i64 %1106, 0
+  br label %1115
 
-1109:                                             ; preds = %1107, %1120
-  %1110 = phi i64 [ %1105, %1107 ], [ %1121, %1120 ]
-  %1111 = getelementptr inbounds double, ptr %1102, i64 %1110
-  %1112 = load double, ptr %1111, align 8
-  %1113 = load ptr, ptr %75, align 8
-  %1114 = load double, ptr %1113, align 8
-  %1115 = fcmp ugt double %1112, %1114
-  br i1 %1115, label %1130, label %1116
+1115:                                             ; preds = %1113, %1126
+  %1116 = phi i64 [ %1111, %1113 ], [ %1127, %1126 ]
+  %1117 = getelementptr inbounds double, ptr %1108, i64 %1116
+  %1118 = load double, ptr %1117, align 8
+  %1119 = load ptr, ptr %75, align 8
+  %1120 = load double, ptr %1119, align 8
+  %1121 = fcmp ugt double %1118, %1120
+  br i1 %1121, label %1136, label %1122
 
-1116:                                             ; preds = %1109
-  br i1 %1108, label %1117, label %1120
+1122:                                             ; preds = %1115
+  br i1 %1114, label %1123, label %1126
 
-1117:                                             ; preds = %1116
-  %1118 = mul nsw i64 %1110, %1100
-  %1119 = getelementptr double, ptr %1, i64 %1118
-  br label %1123
+1123:                                             ; preds = %1122
+  %1124 = mul nsw i64 %1116, %1106
+  %1125 = getelementptr double, ptr %1, i64 %1124
+  br label %1129
 
-1120:                                             ; preds = %1123, %1116
-  %1121 = add i64 %1110, 1
-  %1122 = icmp eq i64 %1121, %1101
-  br i1 %1122, label %1130, label %1109, !llvm.loop !8
+1126:                                             ; preds = %1129, %1122
+  %1127 = add i64 %1116, 1
+  %1128 = icmp eq i64 %1127, %1107
+  br i1 %1128, label %1136, label %1115, !llvm.loop !8
 
-1123:                                             ; preds = %1117, %1123
-  %1124 = phi i64 [ 0, %1117 ], [ %1128, %1123 ]
-  %1125 = getelementptr inbounds double, ptr %161, i64 %1124
-  %1126 = load double, ptr %1125, align 8
-  %1127 = getelementptr double, ptr %1119, i64 %1124
-  store double %1126, ptr %1127, align 8
-  %1128 = add nuw nsw i64 %1124, 1
-  %1129 = icmp eq i64 %1128, %1100
-  br i1 %1129, label %1120, label %1123, !llvm.loop !9
+1129:                                             ; preds = %1123, %1129
+  %1130 = phi i64 [ 0, %1123 ], [ %1134, %1129 ]
+  %1131 = getelementptr inbounds double, ptr %161, i64 %1130
+  %1132 = load double, ptr %1131, align 8
+  %1133 = getelementptr double, ptr %1125, i64 %1130
+  store double %1132, ptr %1133, align 8
+  %1134 = add nuw nsw i64 %1130, 1
+  %1135 = icmp eq i64 %1134, %1106
+  br i1 %1135, label %1126, label %1129, !llvm.loop !9
 
-1130:                                             ; preds = %1109, %1120, %1097
-  %1131 = phi i64 [ %1105, %1097 ], [ %1110, %1109 ], [ %1101, %1120 ]
-  %1132 = load ptr, ptr %77, align 8
-  %1133 = getelementptr inbounds i8, ptr %1132, i64 48
-  store i64 %1131, ptr %1133, align 8
-  br label %1493
+1136:                                             ; preds = %1115, %1126, %1103
+  %1137 = phi i64 [ %1111, %1103 ], [ %1116, %1115 ], [ %1107, %1126 ]
+  %1138 = load ptr, ptr %77, align 8
+  %1139 = getelementptr inbounds i8, ptr %1138, i64 48
+  store i64 %1137, ptr %1139, align 8
+  br label %1500
 
-1134:                                             ; preds = %1092, %1090
-  %1135 = load ptr, ptr %0, align 8
-  %1136 = load ptr, ptr %73, align 8
-  %1137 = getelementptr inbounds i8, ptr %1136, i64 16
-  %1138 = load i64, ptr %1137, align 8
-  %1139 = load i64, ptr %1135, align 8
-  %1140 = load i64, ptr %138, align 8
-  %1141 = load ptr, ptr %139, align 8
-  %1142 = mul nsw i64 %1140, %1139
-  %1143 = getelementptr inbounds double, ptr %1141, i64 %1142
-  %1144 = load ptr, ptr %140, align 8
-  %1145 = add nsw i64 %1139, 1
-  %1146 = getelementptr inbounds i8, ptr %1135, i64 16
-  %1147 = load i64, ptr %1146, align 8
-  %1148 = icmp sgt i64 %1147, 0
-  br i1 %1148, label %1149, label %1203
+1140:                                             ; preds = %1098, %1096
+  %1141 = load ptr, ptr %0, align 8
+  %1142 = load ptr, ptr %73, align 8
+  %1143 = getelementptr inbounds i8, ptr %1142, i64 16
+  %1144 = load i64, ptr %1143, align 8
+  %1145 = load i64, ptr %1141, align 8
+  %1146 = load i64, ptr %138, align 8
+  %1147 = load ptr, ptr %139, align 8
+  %1148 = mul nsw i64 %1146, %1145
+  %1149 = getelementptr inbounds double, ptr %1147, i64 %1148
+  %1150 = load ptr, ptr %140, align 8
+  %1151 = add nsw i64 %1145, 1
+  %1152 = getelementptr inbounds i8, ptr %1141, i64 16
+  %1153 = load i64, ptr %1152, align 8
+  %1154 = icmp sgt i64 %1153, 0
+  br i1 %1154, label %1155, label %1210
 
-1149:                                             ; preds = %1134
-  %1150 = getelementptr inbounds i8, ptr %1135, i64 8
-  br label %1156
+1155:                                             ; preds = %1140
+  %1156 = getelementptr inbounds i8, ptr %1141, i64 8
+  br label %1162
 
-1151:                                             ; preds = %1192
-  %1152 = add nsw i64 %1159, 1
-  %1153 = load i64, ptr %1146, align 8
-  %1154 = add nsw i64 %1153, %1145
-  %1155 = icmp slt i64 %1152, %1154
-  br i1 %1155, label %1156, label %1203, !llvm.loop !24
+1157:                                             ; preds = %1198
+  %1158 = add nsw i64 %1165, 1
+  %1159 = load i64, ptr %1152, align 8
+  %1160 = add nsw i64 %1159, %1151
+  %1161 = icmp slt i64 %1158, %1160
+  br i1 %1161, label %1162, label %1210, !llvm.loop !24
 
-1156:                                             ; preds = %1149, %1151
-  %1157 = phi i1 [ %1148, %1149 ], [ %1155, %1151 ]
-  %1158 = phi i64 [ undef, %1149 ], [ %1202, %1151 ]
-  %1159 = phi i64 [ %1145, %1149 ], [ %1152, %1151 ]
-  %1160 = load i64, ptr %1150, align 8
-  %1161 = load ptr, ptr %141, align 8
-  %1162 = load ptr, ptr %74, align 8
-  %1163 = load ptr, ptr %142, align 8
-  %1164 = getelementptr i64, ptr %1163, i64 %1159
-  %1165 = getelementptr i64, ptr %1164, i64 %1160
-  %1166 = load i64, ptr %1165, align 8
-  %1167 = getelementptr i8, ptr %1165, i64 8
-  %1168 = load i64, ptr %1167, align 8
-  %1169 = xor i64 %1166, -1
-  %1170 = add i64 %1168, %1169
-  %1171 = load ptr, ptr %94, align 8
-  %1172 = load ptr, ptr %139, align 8
-  %1173 = load ptr, ptr %143, align 8
-  %1174 = getelementptr inbounds i64, ptr %1173, i64 %1166
-  %1175 = load ptr, ptr %144, align 8
-  %1176 = getelementptr inbounds double, ptr %1175, i64 %1166
-  tail call fastcc void @combine(ptr noundef %1161, ptr noundef %1162, ptr noundef %1171, ptr noundef %1172, ptr noundef %1174, ptr noundef %1176, i64 noundef %1170, i64 noundef 1, i64 noundef %1138) #8
-  %1177 = load ptr, ptr %139, align 8
-  %1178 = mul nsw i64 %1159, %1140
-  %1179 = getelementptr inbounds double, ptr %1177, i64 %1178
-  %1180 = load i64, ptr %421, align 8
-  %1181 = add nsw i64 %1180, 1
-  store i64 %1181, ptr %421, align 8
-  %1182 = load ptr, ptr %145, align 8
-  %1183 = getelementptr inbounds double, ptr %1182, i64 %1159
-  %1184 = load double, ptr %1183, align 8
-  %1185 = fmul double %494, %1184
-  %1186 = fadd double %447, %1185
-  %1187 = load ptr, ptr %141, align 8
-  %1188 = load ptr, ptr %146, align 8
-  store double %1186, ptr %1188, align 8
-  %1189 = load i64, ptr %147, align 8
-  %1190 = icmp sgt i64 %1189, 0
-  br i1 %1190, label %1191, label %1192
+1162:                                             ; preds = %1155, %1157
+  %1163 = phi i1 [ %1154, %1155 ], [ %1161, %1157 ]
+  %1164 = phi i64 [ undef, %1155 ], [ %1209, %1157 ]
+  %1165 = phi i64 [ %1151, %1155 ], [ %1158, %1157 ]
+  %1166 = load i64, ptr %1156, align 8
+  %1167 = load ptr, ptr %141, align 8
+  %1168 = load ptr, ptr %74, align 8
+  %1169 = load ptr, ptr %142, align 8
+  %1170 = getelementptr i64, ptr %1169, i64 %1165
+  %1171 = getelementptr i64, ptr %1170, i64 %1166
+  %1172 = load i64, ptr %1171, align 8
+  %1173 = getelementptr i8, ptr %1171, i64 8
+  %1174 = load i64, ptr %1173, align 8
+  %1175 = xor i64 %1172, -1
+  %1176 = add i64 %1174, %1175
+  %1177 = load ptr, ptr %94, align 8
+  %1178 = load ptr, ptr %139, align 8
+  %1179 = load ptr, ptr %143, align 8
+  %1180 = getelementptr inbounds i64, ptr %1179, i64 %1172
+  %1181 = load ptr, ptr %144, align 8
+  %1182 = getelementptr inbounds double, ptr %1181, i64 %1172
+  tail call fastcc void @combine(ptr noundef %1167, ptr noundef %1168, ptr noundef %1177, ptr noundef %1178, ptr noundef %1180, ptr noundef %1182, i64 noundef %1176, i64 noundef 1, i64 noundef %1144) #8
+  %1183 = load ptr, ptr %139, align 8
+  %1184 = mul nsw i64 %1165, %1146
+  %1185 = getelementptr inbounds double, ptr %1183, i64 %1184
+  %1186 = load i64, ptr %423, align 8
+  %1187 = add nsw i64 %1186, 1
+  store i64 %1187, ptr %423, align 8
+  %1188 = load ptr, ptr %145, align 8
+  %1189 = getelementptr inbounds double, ptr %1188, i64 %1165
+  %1190 = load double, ptr %1189, align 8
+  %1191 = fmul double %496, %1190
+  %1192 = fadd double %449, %1191
+  %1193 = load ptr, ptr %141, align 8
+  %1194 = load ptr, ptr %146, align 8
+  store double %1192, ptr %1194, align 8
+  %1195 = load i64, ptr %147, align 8
+  %1196 = icmp sgt i64 %1195, 0
+  br i1 %1196, label %1197, label %1198
 
-1191:                                             ; preds = %1156
+1197:                                             ; preds = %1162
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1192
+  br label %1198
 
-1192:                                             ; preds = %1156, %1191
-  %1193 = load ptr, ptr %73, align 8
-  %1194 = load i64, ptr %1193, align 8
-  %1195 = load ptr, ptr %146, align 8
-  %1196 = load ptr, ptr %148, align 8
-  %1197 = load ptr, ptr %149, align 8
-  %1198 = inttoptr i64 %1194 to ptr
-  %1199 = tail call i32 %1198(ptr noundef %1195, ptr noundef %1187, ptr noundef %1196, ptr noundef %1197, ptr noundef %1179) #9
-  %1200 = sext i32 %1199 to i64
-  %1201 = icmp eq i32 %1199, 0
-  %1202 = select i1 %1201, i64 %1158, i64 %1200
-  br i1 %1201, label %1151, label %1203
+1198:                                             ; preds = %1162, %1197
+  %1199 = load ptr, ptr %73, align 8
+  %1200 = load i64, ptr %1199, align 8
+  %1201 = load ptr, ptr %146, align 8
+  %1202 = load ptr, ptr %148, align 8
+  %1203 = load ptr, ptr %149, align 8
+  %1204 = inttoptr i64 %1200 to ptr
+  %1205 = load ptr, ptr %1204, align 8
+  %1206 = tail call i32 %1205(ptr noundef %1201, ptr noundef %1193, ptr noundef %1202, ptr noundef %1203, ptr noundef %1185) #9
+  %1207 = sext i32 %1206 to i64
+  %1208 = icmp eq i32 %1206, 0
+  %1209 = select i1 %1208, i64 %1164, i64 %1207
+  br i1 %1208, label %1157, label %1210
 
-1203:                                             ; preds = %1151, %1192, %1134
-  %1204 = phi i1 [ %1148, %1134 ], [ %1155, %1151 ], [ %1157, %1192 ]
-  %1205 = phi i64 [ 0, %1134 ], [ %1200, %1192 ], [ %1200, %1151 ]
-  %1206 = phi i64 [ undef, %1134 ], [ %1202, %1192 ], [ %1202, %1151 ]
-  %1207 = getelementptr inbounds i8, ptr %1135, i64 16
-  br i1 %1204, label %1276, label %1208
+1210:                                             ; preds = %1157, %1198, %1140
+  %1211 = phi i1 [ %1154, %1140 ], [ %1161, %1157 ], [ %1163, %1198 ]
+  %1212 = phi i64 [ 0, %1140 ], [ %1207, %1198 ], [ %1207, %1157 ]
+  %1213 = phi i64 [ undef, %1140 ], [ %1209, %1198 ], [ %1209, %1157 ]
+  %1214 = getelementptr inbounds i8, ptr %1141, i64 16
+  br i1 %1211, label %1283, label %1215
 
-1208:                                             ; preds = %1203
-  %1209 = load ptr, ptr %73, align 8
-  %1210 = getelementptr inbounds i8, ptr %1209, i64 8
-  %1211 = load i64, ptr %1210, align 8
-  %1212 = icmp sgt i64 %1211, 0
-  br i1 %1212, label %1213, label %1217
+1215:                                             ; preds = %1210
+  %1216 = load ptr, ptr %73, align 8
+  %1217 = getelementptr inbounds i8, ptr %1216, i64 8
+  %1218 = load i64, ptr %1217, align 8
+  %1219 = icmp sgt i64 %1218, 0
+  br i1 %1219, label %1220, label %1224
 
-1213:                                             ; preds = %1208
-  %1214 = getelementptr inbounds double, ptr %1144, i64 %1140
-  %1215 = shl nsw i64 %1140, 4
-  %1216 = getelementptr inbounds i8, ptr %1144, i64 %1215
-  br label %1224
+1220:                                             ; preds = %1215
+  %1221 = getelementptr inbounds double, ptr %1150, i64 %1146
+  %1222 = shl nsw i64 %1146, 4
+  %1223 = getelementptr inbounds i8, ptr %1150, i64 %1222
+  br label %1231
 
-1217:                                             ; preds = %1224, %1208
-  %1218 = getelementptr inbounds i8, ptr %1135, i64 8
-  %1219 = load i64, ptr %1218, align 8
-  %1220 = load i64, ptr %1207, align 8
-  %1221 = getelementptr inbounds i8, ptr %1135, i64 24
-  %1222 = load i64, ptr %1221, align 8
-  %1223 = icmp sgt i64 %1222, 3
-  br i1 %1223, label %1251, label %1276
+1224:                                             ; preds = %1231, %1215
+  %1225 = getelementptr inbounds i8, ptr %1141, i64 8
+  %1226 = load i64, ptr %1225, align 8
+  %1227 = load i64, ptr %1214, align 8
+  %1228 = getelementptr inbounds i8, ptr %1141, i64 24
+  %1229 = load i64, ptr %1228, align 8
+  %1230 = icmp sgt i64 %1229, 3
+  br i1 %1230, label %1258, label %1283
 
-1224:                                             ; preds = %1213, %1224
-  %1225 = phi i64 [ 0, %1213 ], [ %1246, %1224 ]
-  %1226 = load ptr, ptr %150, align 8
-  %1227 = getelementptr inbounds double, ptr %1226, i64 %1225
-  %1228 = load double, ptr %1227, align 8
-  %1229 = load ptr, ptr %74, align 8
-  %1230 = getelementptr inbounds double, ptr %1229, i64 %1225
-  %1231 = load double, ptr %1230, align 8
-  %1232 = fsub double %1228, %1231
-  %1233 = load ptr, ptr %139, align 8
-  %1234 = getelementptr inbounds double, ptr %1233, i64 %1225
+1231:                                             ; preds = %1220, %1231
+  %1232 = phi i64 [ 0, %1220 ], [ %1253, %1231 ]
+  %1233 = load ptr, ptr %150, align 8
+  %1234 = getelementptr inbounds double, ptr %1233, i64 %1232
   %1235 = load double, ptr %1234, align 8
-  %1236 = fmul double %494, %1235
-  %1237 = fsub double %1236, %1232
-  %1238 = getelementptr inbounds double, ptr %1144, i64 %1225
-  store double %1232, ptr %1238, align 8
-  %1239 = getelementptr inbounds double, ptr %1214, i64 %1225
-  store double %1237, ptr %1239, align 8
-  %1240 = fsub double %1232, %1237
-  %1241 = getelementptr inbounds double, ptr %1143, i64 %1225
+  %1236 = load ptr, ptr %74, align 8
+  %1237 = getelementptr inbounds double, ptr %1236, i64 %1232
+  %1238 = load double, ptr %1237, align 8
+  %1239 = fsub double %1235, %1238
+  %1240 = load ptr, ptr %139, align 8
+  %1241 = getelementptr inbounds double, ptr %1240, i64 %1232
   %1242 = load double, ptr %1241, align 8
-  %1243 = fmul double %494, %1242
-  %1244 = fsub double %1240, %1243
-  %1245 = getelementptr inbounds double, ptr %1216, i64 %1225
-  store double %1244, ptr %1245, align 8
-  %1246 = add nuw nsw i64 %1225, 1
-  %1247 = load ptr, ptr %73, align 8
-  %1248 = getelementptr inbounds i8, ptr %1247, i64 8
-  %1249 = load i64, ptr %1248, align 8
-  %1250 = icmp slt i64 %1246, %1249
-  br i1 %1250, label %1224, label %1217, !llvm.loop !25
+  %1243 = fmul double %496, %1242
+  %1244 = fsub double %1243, %1239
+  %1245 = getelementptr inbounds double, ptr %1150, i64 %1232
+  store double %1239, ptr %1245, align 8
+  %1246 = getelementptr inbounds double, ptr %1221, i64 %1232
+  store double %1244, ptr %1246, align 8
+  %1247 = fsub double %1239, %1244
+  %1248 = getelementptr inbounds double, ptr %1149, i64 %1232
+  %1249 = load double, ptr %1248, align 8
+  %1250 = fmul double %496, %1249
+  %1251 = fsub double %1247, %1250
+  %1252 = getelementptr inbounds double, ptr %1223, i64 %1232
+  store double %1251, ptr %1252, align 8
+  %1253 = add nuw nsw i64 %1232, 1
+  %1254 = load ptr, ptr %73, align 8
+  %1255 = getelementptr inbounds i8, ptr %1254, i64 8
+  %1256 = load i64, ptr %1255, align 8
+  %1257 = icmp slt i64 %1253, %1256
+  br i1 %1257, label %1231, label %1224, !llvm.loop !25
 
-1251:                                             ; preds = %1217, %1251
-  %1252 = phi i64 [ %1273, %1251 ], [ 3, %1217 ]
-  %1253 = mul nsw i64 %1252, %1140
-  %1254 = getelementptr inbounds double, ptr %1144, i64 %1253
-  %1255 = load ptr, ptr %151, align 8
-  %1256 = load ptr, ptr %152, align 8
-  %1257 = getelementptr i64, ptr %1256, i64 %1145
-  %1258 = getelementptr i64, ptr %1257, i64 %1219
-  %1259 = getelementptr i64, ptr %1258, i64 %1220
-  %1260 = getelementptr i64, ptr %1259, i64 %1252
-  %1261 = getelementptr i8, ptr %1260, i64 -24
-  %1262 = load i64, ptr %1261, align 8
-  %1263 = getelementptr i8, ptr %1260, i64 -16
-  %1264 = load i64, ptr %1263, align 8
-  %1265 = xor i64 %1262, -1
-  %1266 = add i64 %1264, %1265
-  %1267 = load ptr, ptr %94, align 8
-  %1268 = load ptr, ptr %139, align 8
-  %1269 = load ptr, ptr %153, align 8
-  %1270 = getelementptr inbounds i64, ptr %1269, i64 %1262
-  %1271 = load ptr, ptr %154, align 8
-  %1272 = getelementptr inbounds double, ptr %1271, i64 %1262
-  tail call fastcc void @combine(ptr noundef %1254, ptr noundef %1255, ptr noundef %1267, ptr noundef %1268, ptr noundef %1270, ptr noundef %1272, i64 noundef %1266, i64 noundef 1, i64 noundef %1138) #8
-  %1273 = add nuw nsw i64 %1252, 1
-  %1274 = load i64, ptr %1221, align 8
-  %1275 = icmp slt i64 %1273, %1274
-  br i1 %1275, label %1251, label %1276, !llvm.loop !26
+1258:                                             ; preds = %1224, %1258
+  %1259 = phi i64 [ %1280, %1258 ], [ 3, %1224 ]
+  %1260 = mul nsw i64 %1259, %1146
+  %1261 = getelementptr inbounds double, ptr %1150, i64 %1260
+  %1262 = load ptr, ptr %151, align 8
+  %1263 = load ptr, ptr %152, align 8
+  %1264 = getelementptr i64, ptr %1263, i64 %1151
+  %1265 = getelementptr i64, ptr %1264, i64 %1226
+  %1266 = getelementptr i64, ptr %1265, i64 %1227
+  %1267 = getelementptr i64, ptr %1266, i64 %1259
+  %1268 = getelementptr i8, ptr %1267, i64 -24
+  %1269 = load i64, ptr %1268, align 8
+  %1270 = getelementptr i8, ptr %1267, i64 -16
+  %1271 = load i64, ptr %1270, align 8
+  %1272 = xor i64 %1269, -1
+  %1273 = add i64 %1271, %1272
+  %1274 = load ptr, ptr %94, align 8
+  %1275 = load ptr, ptr %139, align 8
+  %1276 = load ptr, ptr %153, align 8
+  %1277 = getelementptr inbounds i64, ptr %1276, i64 %1269
+  %1278 = load ptr, ptr %154, align 8
+  %1279 = getelementptr inbounds double, ptr %1278, i64 %1269
+  tail call fastcc void @combine(ptr noundef %1261, ptr noundef %1262, ptr noundef %1274, ptr noundef %1275, ptr noundef %1277, ptr noundef %1279, i64 noundef %1273, i64 noundef 1, i64 noundef %1144) #8
+  %1280 = add nuw nsw i64 %1259, 1
+  %1281 = load i64, ptr %1228, align 8
+  %1282 = icmp slt i64 %1280, %1281
+  br i1 %1282, label %1258, label %1283, !llvm.loop !26
 
-1276:                                             ; preds = %1251, %1217, %1203
-  %1277 = phi i64 [ %1206, %1203 ], [ %1205, %1217 ], [ %1205, %1251 ]
-  %1278 = icmp eq i64 %1277, 0
-  br i1 %1278, label %1282, label %1279
+1283:                                             ; preds = %1258, %1224, %1210
+  %1284 = phi i64 [ %1213, %1210 ], [ %1212, %1224 ], [ %1212, %1258 ]
+  %1285 = icmp eq i64 %1284, 0
+  br i1 %1285, label %1289, label %1286
 
-1279:                                             ; preds = %1276
-  store i64 3, ptr %426, align 8
-  store double %447, ptr %160, align 8
-  %1280 = icmp slt i64 %1277, 0
-  %1281 = select i1 %1280, i64 -4, i64 2
-  br label %1616
+1286:                                             ; preds = %1283
+  store i64 3, ptr %428, align 8
+  store double %449, ptr %160, align 8
+  %1287 = icmp slt i64 %1284, 0
+  %1288 = select i1 %1287, i64 -4, i64 2
+  br label %1623
 
-1282:                                             ; preds = %1276
-  %1283 = load ptr, ptr %75, align 8
-  br i1 %1091, label %1284, label %1295
+1289:                                             ; preds = %1283
+  %1290 = load ptr, ptr %75, align 8
+  br i1 %1097, label %1291, label %1302
 
-1284:                                             ; preds = %1282
-  %1285 = load ptr, ptr %82, align 8
-  %1286 = getelementptr inbounds i8, ptr %1285, i64 16
-  %1287 = load i64, ptr %1286, align 8
-  %1288 = inttoptr i64 %1287 to ptr
-  %1289 = tail call i64 %1288(ptr noundef %0, double noundef %447, double noundef %494) #9
-  %1290 = icmp eq i64 %1289, -6
-  br i1 %1290, label %1291, label %1292
+1291:                                             ; preds = %1289
+  %1292 = load ptr, ptr %82, align 8
+  %1293 = getelementptr inbounds i8, ptr %1292, i64 16
+  %1294 = load i64, ptr %1293, align 8
+  %1295 = inttoptr i64 %1294 to ptr
+  %1296 = tail call i64 %1295(ptr noundef %0, double noundef %449, double noundef %496) #9
+  %1297 = icmp eq i64 %1296, -6
+  br i1 %1297, label %1298, label %1299
 
-1291:                                             ; preds = %1284
-  store double %447, ptr %1283, align 8
-  br label %1470
+1298:                                             ; preds = %1291
+  store double %449, ptr %1290, align 8
+  br label %1477
 
-1292:                                             ; preds = %1284
-  %1293 = getelementptr inbounds i8, ptr %1283, i64 48
-  %1294 = load double, ptr %1293, align 8
-  br label %1295
+1299:                                             ; preds = %1291
+  %1300 = getelementptr inbounds i8, ptr %1290, i64 48
+  %1301 = load double, ptr %1300, align 8
+  br label %1302
 
-1295:                                             ; preds = %1292, %1282
-  %1296 = phi double [ %1294, %1292 ], [ 1.000000e+00, %1282 ]
-  %1297 = phi i64 [ %1289, %1292 ], [ 0, %1282 ]
-  %1298 = fcmp oeq double %1296, 1.000000e+00
-  br i1 %1298, label %1299, label %1301
+1302:                                             ; preds = %1299, %1289
+  %1303 = phi double [ %1301, %1299 ], [ 1.000000e+00, %1289 ]
+  %1304 = phi i64 [ %1296, %1299 ], [ 0, %1289 ]
+  %1305 = fcmp oeq double %1303, 1.000000e+00
+  br i1 %1305, label %1306, label %1308
 
-1299:                                             ; preds = %1295
-  %1300 = load double, ptr %1283, align 8
-  br label %1304
+1306:                                             ; preds = %1302
+  %1307 = load double, ptr %1290, align 8
+  br label %1311
 
-1301:                                             ; preds = %1295
-  %1302 = fmul double %494, %1296
-  %1303 = fadd double %447, %1302
-  br label %1304
+1308:                                             ; preds = %1302
+  %1309 = fmul double %496, %1303
+  %1310 = fadd double %449, %1309
+  br label %1311
 
-1304:                                             ; preds = %1301, %1299
-  %1305 = phi double [ %1300, %1299 ], [ %1303, %1301 ]
-  %1306 = icmp eq i64 %1297, -4
-  %1307 = select i1 %1306, i64 -4, i64 0
-  br i1 %1306, label %1365, label %1308
+1311:                                             ; preds = %1308, %1306
+  %1312 = phi double [ %1307, %1306 ], [ %1310, %1308 ]
+  %1313 = icmp eq i64 %1304, -4
+  %1314 = select i1 %1313, i64 -4, i64 0
+  br i1 %1313, label %1372, label %1315
 
-1308:                                             ; preds = %1304
-  %1309 = fcmp olt double %1296, 1.000000e+00
-  %1310 = load ptr, ptr %73, align 8
-  %1311 = getelementptr inbounds i8, ptr %1310, i64 8
-  %1312 = load i64, ptr %1311, align 8
-  %1313 = load i64, ptr %83, align 8
-  %1314 = load ptr, ptr %78, align 8
-  %1315 = load ptr, ptr %77, align 8
-  %1316 = getelementptr inbounds i8, ptr %1315, i64 48
-  %1317 = load i64, ptr %1316, align 8
-  %1318 = icmp slt i64 %1317, %1313
-  br i1 %1318, label %1319, label %1361
+1315:                                             ; preds = %1311
+  %1316 = fcmp olt double %1303, 1.000000e+00
+  %1317 = load ptr, ptr %73, align 8
+  %1318 = getelementptr inbounds i8, ptr %1317, i64 8
+  %1319 = load i64, ptr %1318, align 8
+  %1320 = load i64, ptr %83, align 8
+  %1321 = load ptr, ptr %78, align 8
+  %1322 = load ptr, ptr %77, align 8
+  %1323 = getelementptr inbounds i8, ptr %1322, i64 48
+  %1324 = load i64, ptr %1323, align 8
+  %1325 = icmp slt i64 %1324, %1320
+  br i1 %1325, label %1326, label %1368
 
-1319:                                             ; preds = %1308, %1357
-  %1320 = phi i64 [ %1358, %1357 ], [ undef, %1308 ]
-  %1321 = phi i64 [ %1359, %1357 ], [ %1317, %1308 ]
-  %1322 = getelementptr inbounds double, ptr %1314, i64 %1321
-  %1323 = load double, ptr %1322, align 8
-  %1324 = fcmp olt double %1323, %1305
-  %1325 = fcmp oeq double %1323, %1305
-  %1326 = and i1 %1309, %1325
-  %1327 = or i1 %1324, %1326
-  br i1 %1327, label %1328, label %1361
+1326:                                             ; preds = %1315, %1364
+  %1327 = phi i64 [ %1365, %1364 ], [ undef, %1315 ]
+  %1328 = phi i64 [ %1366, %1364 ], [ %1324, %1315 ]
+  %1329 = getelementptr inbounds double, ptr %1321, i64 %1328
+  %1330 = load double, ptr %1329, align 8
+  %1331 = fcmp olt double %1330, %1312
+  %1332 = fcmp oeq double %1330, %1312
+  %1333 = and i1 %1316, %1332
+  %1334 = or i1 %1331, %1333
+  br i1 %1334, label %1335, label %1368
 
-1328:                                             ; preds = %1319
-  %1329 = fsub double %1323, %447
-  %1330 = fdiv double %1329, %494
-  %1331 = mul nsw i64 %1321, %1312
-  %1332 = getelementptr inbounds double, ptr %1, i64 %1331
-  %1333 = load ptr, ptr %155, align 8
-  %1334 = insertelement <8 x double> poison, double %1330, i64 0
-  %1335 = shufflevector <8 x double> %1334, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1335, ptr %1333, align 8
-  %1336 = load ptr, ptr %74, align 8
-  %1337 = load ptr, ptr %140, align 8
-  %1338 = load i64, ptr %138, align 8
-  %1339 = load ptr, ptr %0, align 8
-  %1340 = getelementptr inbounds i8, ptr %1339, i64 24
-  %1341 = load i64, ptr %1340, align 8
-  %1342 = load ptr, ptr %155, align 8
-  %1343 = load ptr, ptr %73, align 8
-  %1344 = getelementptr inbounds i8, ptr %1343, i64 16
-  %1345 = load i64, ptr %1344, align 8
-  tail call fastcc void @nested(ptr noundef %1332, ptr noundef %1336, ptr noundef %1337, i64 noundef %1338, i64 noundef %1341, ptr noundef %1342, i64 noundef %1345) #8
-  %1346 = load ptr, ptr %81, align 8
-  %1347 = load i64, ptr %1346, align 8
-  %1348 = icmp eq i64 %1347, 1
-  br i1 %1348, label %1349, label %1357
-
-1349:                                             ; preds = %1328
-  %1350 = load double, ptr %1322, align 8
-  %1351 = getelementptr inbounds i8, ptr %1346, i64 56
+1335:                                             ; preds = %1326
+  %1336 = fsub double %1330, %449
+  %1337 = fdiv double %1336, %496
+  %1338 = mul nsw i64 %1328, %1319
+  %1339 = getelementptr inbounds double, ptr %1, i64 %1338
+  %1340 = load ptr, ptr %155, align 8
+  %1341 = insertelement <8 x double> poison, double %1337, i64 0
+  %1342 = shufflevector <8 x double> %1341, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1342, ptr %1340, align 8
+  %1343 = load ptr, ptr %74, align 8
+  %1344 = load ptr, ptr %140, align 8
+  %1345 = load i64, ptr %138, align 8
+  %1346 = load ptr, ptr %0, align 8
+  %1347 = getelementptr inbounds i8, ptr %1346, i64 24
+  %1348 = load i64, ptr %1347, align 8
+  %1349 = load ptr, ptr %155, align 8
+  %1350 = load ptr, ptr %73, align 8
+  %1351 = getelementptr inbounds i8, ptr %1350, i64 16
   %1352 = load i64, ptr %1351, align 8
-  %1353 = inttoptr i64 %1352 to ptr
-  %1354 = tail call i64 %1353(ptr noundef %0, double noundef %1350, ptr noundef %1332, ptr noundef null) #9
-  %1355 = icmp eq i64 %1354, 0
-  %1356 = select i1 %1355, i64 %1320, i64 %1354
-  br i1 %1355, label %1357, label %1365
+  tail call fastcc void @nested(ptr noundef %1339, ptr noundef %1343, ptr noundef %1344, i64 noundef %1345, i64 noundef %1348, ptr noundef %1349, i64 noundef %1352) #8
+  %1353 = load ptr, ptr %81, align 8
+  %1354 = load i64, ptr %1353, align 8
+  %1355 = icmp eq i64 %1354, 1
+  br i1 %1355, label %1356, label %1364
 
-1357:                                             ; preds = %1349, %1328
-  %1358 = phi i64 [ %1356, %1349 ], [ %1320, %1328 ]
-  %1359 = add i64 %1321, 1
-  %1360 = icmp eq i64 %1359, %1313
-  br i1 %1360, label %1361, label %1319, !llvm.loop !27
+1356:                                             ; preds = %1335
+  %1357 = load double, ptr %1329, align 8
+  %1358 = getelementptr inbounds i8, ptr %1353, i64 56
+  %1359 = load i64, ptr %1358, align 8
+  %1360 = inttoptr i64 %1359 to ptr
+  %1361 = tail call i64 %1360(ptr noundef %0, double noundef %1357, ptr noundef %1339, ptr noundef null) #9
+  %1362 = icmp eq i64 %1361, 0
+  %1363 = select i1 %1362, i64 %1327, i64 %1361
+  br i1 %1362, label %1364, label %1372
 
-1361:                                             ; preds = %1357, %1319, %1308
-  %1362 = phi i64 [ %1317, %1308 ], [ %1313, %1357 ], [ %1321, %1319 ]
-  %1363 = load ptr, ptr %77, align 8
-  %1364 = getelementptr inbounds i8, ptr %1363, i64 48
-  store i64 %1362, ptr %1364, align 8
-  br label %1365
+1364:                                             ; preds = %1356, %1335
+  %1365 = phi i64 [ %1363, %1356 ], [ %1327, %1335 ]
+  %1366 = add i64 %1328, 1
+  %1367 = icmp eq i64 %1366, %1320
+  br i1 %1367, label %1368, label %1326, !llvm.loop !27
 
-1365:                                             ; preds = %1349, %1361, %1304
-  %1366 = phi i64 [ %1307, %1304 ], [ 0, %1361 ], [ %1356, %1349 ]
-  %1367 = icmp eq i64 %1366, 0
-  %1368 = icmp ne i64 %1297, 0
-  %1369 = fcmp olt double %1296, 1.000000e+00
-  %1370 = and i1 %1369, %1367
-  %1371 = and i1 %1368, %1370
-  br i1 %1371, label %1372, label %1409
+1368:                                             ; preds = %1364, %1326, %1315
+  %1369 = phi i64 [ %1324, %1315 ], [ %1320, %1364 ], [ %1328, %1326 ]
+  %1370 = load ptr, ptr %77, align 8
+  %1371 = getelementptr inbounds i8, ptr %1370, i64 48
+  store i64 %1369, ptr %1371, align 8
+  br label %1372
 
-1372:                                             ; preds = %1365
-  %1373 = load ptr, ptr %156, align 8
-  %1374 = load ptr, ptr %157, align 8
-  %1375 = insertelement <8 x double> poison, double %1296, i64 0
-  %1376 = shufflevector <8 x double> %1375, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1376, ptr %1374, align 8
-  %1377 = load ptr, ptr %74, align 8
-  %1378 = load ptr, ptr %140, align 8
-  %1379 = load i64, ptr %138, align 8
-  %1380 = load ptr, ptr %0, align 8
-  %1381 = getelementptr inbounds i8, ptr %1380, i64 24
-  %1382 = load i64, ptr %1381, align 8
-  %1383 = load ptr, ptr %157, align 8
-  %1384 = load ptr, ptr %73, align 8
-  %1385 = getelementptr inbounds i8, ptr %1384, i64 16
-  %1386 = load i64, ptr %1385, align 8
-  tail call fastcc void @nested(ptr noundef %1373, ptr noundef %1377, ptr noundef %1378, i64 noundef %1379, i64 noundef %1382, ptr noundef %1383, i64 noundef %1386) #8
-  %1387 = load i64, ptr %80, align 8
-  %1388 = icmp sgt i64 %1387, 0
-  br i1 %1388, label %1393, label %1389
+1372:                                             ; preds = %1356, %1368, %1311
+  %1373 = phi i64 [ %1314, %1311 ], [ 0, %1368 ], [ %1363, %1356 ]
+  %1374 = icmp eq i64 %1373, 0
+  %1375 = icmp ne i64 %1304, 0
+  %1376 = fcmp olt double %1303, 1.000000e+00
+  %1377 = and i1 %1376, %1374
+  %1378 = and i1 %1375, %1377
+  br i1 %1378, label %1379, label %1416
 
-1389:                                             ; preds = %1393, %1372
-  %1390 = load ptr, ptr %81, align 8
-  %1391 = load i64, ptr %1390, align 8
-  %1392 = icmp eq i64 %1391, 1
-  br i1 %1392, label %1403, label %1409
+1379:                                             ; preds = %1372
+  %1380 = load ptr, ptr %156, align 8
+  %1381 = load ptr, ptr %157, align 8
+  %1382 = insertelement <8 x double> poison, double %1303, i64 0
+  %1383 = shufflevector <8 x double> %1382, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1383, ptr %1381, align 8
+  %1384 = load ptr, ptr %74, align 8
+  %1385 = load ptr, ptr %140, align 8
+  %1386 = load i64, ptr %138, align 8
+  %1387 = load ptr, ptr %0, align 8
+  %1388 = getelementptr inbounds i8, ptr %1387, i64 24
+  %1389 = load i64, ptr %1388, align 8
+  %1390 = load ptr, ptr %157, align 8
+  %1391 = load ptr, ptr %73, align 8
+  %1392 = getelementptr inbounds i8, ptr %1391, i64 16
+  %1393 = load i64, ptr %1392, align 8
+  tail call fastcc void @nested(ptr noundef %1380, ptr noundef %1384, ptr noundef %1385, i64 noundef %1386, i64 noundef %1389, ptr noundef %1390, i64 noundef %1393) #8
+  %1394 = load i64, ptr %80, align 8
+  %1395 = icmp sgt i64 %1394, 0
+  br i1 %1395, label %1400, label %1396
 
-1393:                                             ; preds = %1372, %1393
-  %1394 = phi i64 [ %1400, %1393 ], [ 0, %1372 ]
-  %1395 = load ptr, ptr %156, align 8
-  %1396 = getelementptr inbounds double, ptr %1395, i64 %1394
-  %1397 = load double, ptr %1396, align 8
-  %1398 = load ptr, ptr %76, align 8
-  %1399 = getelementptr inbounds double, ptr %1398, i64 %1394
-  store double %1397, ptr %1399, align 8
-  %1400 = add nuw nsw i64 %1394, 1
-  %1401 = load i64, ptr %80, align 8
-  %1402 = icmp slt i64 %1400, %1401
-  br i1 %1402, label %1393, label %1389, !llvm.loop !28
+1396:                                             ; preds = %1400, %1379
+  %1397 = load ptr, ptr %81, align 8
+  %1398 = load i64, ptr %1397, align 8
+  %1399 = icmp eq i64 %1398, 1
+  br i1 %1399, label %1410, label %1416
 
-1403:                                             ; preds = %1389
-  %1404 = load ptr, ptr %76, align 8
-  %1405 = getelementptr inbounds i8, ptr %1390, i64 56
-  %1406 = load i64, ptr %1405, align 8
-  %1407 = inttoptr i64 %1406 to ptr
-  %1408 = tail call i64 %1407(ptr noundef %0, double noundef %1305, ptr noundef %1404, ptr noundef null) #9
-  br label %1409
+1400:                                             ; preds = %1379, %1400
+  %1401 = phi i64 [ %1407, %1400 ], [ 0, %1379 ]
+  %1402 = load ptr, ptr %156, align 8
+  %1403 = getelementptr inbounds double, ptr %1402, i64 %1401
+  %1404 = load double, ptr %1403, align 8
+  %1405 = load ptr, ptr %76, align 8
+  %1406 = getelementptr inbounds double, ptr %1405, i64 %1401
+  store double %1404, ptr %1406, align 8
+  %1407 = add nuw nsw i64 %1401, 1
+  %1408 = load i64, ptr %80, align 8
+  %1409 = icmp slt i64 %1407, %1408
+  br i1 %1409, label %1400, label %1396, !llvm.loop !28
 
-1409:                                             ; preds = %1403, %1389, %1365
-  %1410 = phi i64 [ %1408, %1403 ], [ 0, %1389 ], [ %1366, %1365 ]
-  %1411 = icmp eq i64 %1410, 0
-  br i1 %1411, label %1414, label %1412
+1410:                                             ; preds = %1396
+  %1411 = load ptr, ptr %76, align 8
+  %1412 = getelementptr inbounds i8, ptr %1397, i64 56
+  %1413 = load i64, ptr %1412, align 8
+  %1414 = inttoptr i64 %1413 to ptr
+  %1415 = tail call i64 %1414(ptr noundef %0, double noundef %1312, ptr noundef %1411, ptr noundef null) #9
+  br label %1416
 
-1412:                                             ; preds = %1409
-  store double %447, ptr %1283, align 8
-  %1413 = getelementptr inbounds i8, ptr %1283, i64 8
-  store double %494, ptr %1413, align 8
-  br label %1470
+1416:                                             ; preds = %1410, %1396, %1372
+  %1417 = phi i64 [ %1415, %1410 ], [ 0, %1396 ], [ %1373, %1372 ]
+  %1418 = icmp eq i64 %1417, 0
+  br i1 %1418, label %1421, label %1419
 
-1414:                                             ; preds = %1409
-  br i1 %1298, label %1415, label %1453
+1419:                                             ; preds = %1416
+  store double %449, ptr %1290, align 8
+  %1420 = getelementptr inbounds i8, ptr %1290, i64 8
+  store double %496, ptr %1420, align 8
+  br label %1477
 
-1415:                                             ; preds = %1414
-  %1416 = load ptr, ptr %76, align 8
-  %1417 = load ptr, ptr %73, align 8
-  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
-  %1419 = load i64, ptr %1418, align 8
-  %1420 = load i64, ptr %83, align 8
-  %1421 = load ptr, ptr %78, align 8
-  %1422 = load ptr, ptr %77, align 8
-  %1423 = getelementptr inbounds i8, ptr %1422, i64 48
-  %1424 = load i64, ptr %1423, align 8
-  %1425 = icmp slt i64 %1424, %1420
-  br i1 %1425, label %1426, label %1449
+1421:                                             ; preds = %1416
+  br i1 %1305, label %1422, label %1460
 
-1426:                                             ; preds = %1415
-  %1427 = icmp sgt i64 %1419, 0
-  br label %1428
+1422:                                             ; preds = %1421
+  %1423 = load ptr, ptr %76, align 8
+  %1424 = load ptr, ptr %73, align 8
+  %1425 = getelementptr inbounds i8, ptr %1424, i64 8
+  %1426 = load i64, ptr %1425, align 8
+  %1427 = load i64, ptr %83, align 8
+  %1428 = load ptr, ptr %78, align 8
+  %1429 = load ptr, ptr %77, align 8
+  %1430 = getelementptr inbounds i8, ptr %1429, i64 48
+  %1431 = load i64, ptr %1430, align 8
+  %1432 = icmp slt i64 %1431, %1427
+  br i1 %1432, label %1433, label %1456
 
-1428:                                             ; preds = %1426, %1439
-  %1429 = phi i64 [ %1424, %1426 ], [ %1440, %1439 ]
-  %1430 = getelementptr inbounds double, ptr %1421, i64 %1429
-  %1431 = load double, ptr %1430, align 8
-  %1432 = load ptr, ptr %75, align 8
-  %1433 = load double, ptr %1432, align 8
-  %1434 = fcmp ugt double %1431, %1433
-  br i1 %1434, label %1449, label %1435
+1433:                                             ; preds = %1422
+  %1434 = icmp sgt i64 %1426, 0
+  br label %1435
 
-1435:                                             ; preds = %1428
-  br i1 %1427, label %1436, label %1439
+1435:                                             ; preds = %1433, %1446
+  %1436 = phi i64 [ %1431, %1433 ], [ %1447, %1446 ]
+  %1437 = getelementptr inbounds double, ptr %1428, i64 %1436
+  %1438 = load double, ptr %1437, align 8
+  %1439 = load ptr, ptr %75, align 8
+  %1440 = load double, ptr %1439, align 8
+  %1441 = fcmp ugt double %1438, %1440
+  br i1 %1441, label %1456, label %1442
 
-1436:                                             ; preds = %1435
-  %1437 = mul nsw i64 %1429, %1419
-  %1438 = getelementptr double, ptr %1, i64 %1437
-  br label %1442
+1442:                                             ; preds = %1435
+  br i1 %1434, label %1443, label %1446
 
-1439:                                             ; preds = %1442, %1435
-  %1440 = add i64 %1429, 1
-  %1441 = icmp eq i64 %1440, %1420
-  br i1 %1441, label %1449, label %1428, !llvm.loop !8
+1443:                                             ; preds = %1442
+  %1444 = mul nsw i64 %1436, %1426
+  %1445 = getelementptr double, ptr %1, i64 %1444
+  br label %1449
 
-1442:                                             ; preds = %1436, %1442
-  %1443 = phi i64 [ 0, %1436 ], [ %1447, %1442 ]
-  %1444 = getelementptr inbounds double, ptr %1416, i64 %1443
-  %1445 = load double, ptr %1444, align 8
-  %1446 = getelementptr double, ptr %1438, i64 %1443
-  store double %1445, ptr %1446, align 8
-  %1447 = add nuw nsw i64 %1443, 1
-  %1448 = icmp eq i64 %1447, %1419
-  br i1 %1448, label %1439, label %1442, !llvm.loop !9
+1446:                                             ; preds = %1449, %1442
+  %1447 = add i64 %1436, 1
+  %1448 = icmp eq i64 %1447, %1427
+  br i1 %1448, label %1456, label %1435, !llvm.loop !8
 
-1449:                                             ; preds = %1439, %1428, %1415
-  %1450 = phi i64 [ %1424, %1415 ], [ %1420, %1439 ], [ %1429, %1428 ]
-  %1451 = load ptr, ptr %77, align 8
-  %1452 = getelementptr inbounds i8, ptr %1451, i64 48
-  store i64 %1450, ptr %1452, align 8
-  br label %1453
+1449:                                             ; preds = %1443, %1449
+  %1450 = phi i64 [ 0, %1443 ], [ %1454, %1449 ]
+  %1451 = getelementptr inbounds double, ptr %1423, i64 %1450
+  %1452 = load double, ptr %1451, align 8
+  %1453 = getelementptr double, ptr %1445, i64 %1450
+  store double %1452, ptr %1453, align 8
+  %1454 = add nuw nsw i64 %1450, 1
+  %1455 = icmp eq i64 %1454, %1426
+  br i1 %1455, label %1446, label %1449, !llvm.loop !9
 
-1453:                                             ; preds = %1449, %1414
-  br i1 %1368, label %1454, label %1470
+1456:                                             ; preds = %1446, %1435, %1422
+  %1457 = phi i64 [ %1431, %1422 ], [ %1427, %1446 ], [ %1436, %1435 ]
+  %1458 = load ptr, ptr %77, align 8
+  %1459 = getelementptr inbounds i8, ptr %1458, i64 48
+  store i64 %1457, ptr %1459, align 8
+  br label %1460
 
-1454:                                             ; preds = %1453
-  %1455 = load i64, ptr %80, align 8
-  %1456 = icmp sgt i64 %1455, 0
-  br i1 %1456, label %1460, label %1457
+1460:                                             ; preds = %1456, %1421
+  br i1 %1375, label %1461, label %1477
 
-1457:                                             ; preds = %1460, %1454
-  store double %1305, ptr %1283, align 8
-  %1458 = getelementptr inbounds i8, ptr %1283, i64 8
-  store double 0.000000e+00, ptr %1458, align 8
-  %1459 = load ptr, ptr %77, align 8
-  store i64 0, ptr %1459, align 8
-  br label %1470
+1461:                                             ; preds = %1460
+  %1462 = load i64, ptr %80, align 8
+  %1463 = icmp sgt i64 %1462, 0
+  br i1 %1463, label %1467, label %1464
 
-1460:                                             ; preds = %1454, %1460
-  %1461 = phi i64 [ %1467, %1460 ], [ 0, %1454 ]
-  %1462 = load ptr, ptr %76, align 8
-  %1463 = getelementptr inbounds double, ptr %1462, i64 %1461
-  %1464 = load double, ptr %1463, align 8
-  %1465 = load ptr, ptr %74, align 8
-  %1466 = getelementptr inbounds double, ptr %1465, i64 %1461
-  store double %1464, ptr %1466, align 8
-  %1467 = add nuw nsw i64 %1461, 1
-  %1468 = load i64, ptr %80, align 8
-  %1469 = icmp slt i64 %1467, %1468
-  br i1 %1469, label %1460, label %1457, !llvm.loop !29
+1464:                                             ; preds = %1467, %1461
+  store double %1312, ptr %1290, align 8
+  %1465 = getelementptr inbounds i8, ptr %1290, i64 8
+  store double 0.000000e+00, ptr %1465, align 8
+  %1466 = load ptr, ptr %77, align 8
+  store i64 0, ptr %1466, align 8
+  br label %1477
 
-1470:                                             ; preds = %1291, %1412, %1453, %1457
-  %1471 = phi i64 [ -6, %1291 ], [ %1410, %1412 ], [ %1297, %1457 ], [ %1297, %1453 ]
-  %1472 = icmp eq i64 %1471, -6
-  br i1 %1472, label %1477, label %1473
+1467:                                             ; preds = %1461, %1467
+  %1468 = phi i64 [ %1474, %1467 ], [ 0, %1461 ]
+  %1469 = load ptr, ptr %76, align 8
+  %1470 = getelementptr inbounds double, ptr %1469, i64 %1468
+  %1471 = load double, ptr %1470, align 8
+  %1472 = load ptr, ptr %74, align 8
+  %1473 = getelementptr inbounds double, ptr %1472, i64 %1468
+  store double %1471, ptr %1473, align 8
+  %1474 = add nuw nsw i64 %1468, 1
+  %1475 = load i64, ptr %80, align 8
+  %1476 = icmp slt i64 %1474, %1475
+  br i1 %1476, label %1467, label %1464, !llvm.loop !29
 
-1473:                                             ; preds = %1470
-  %1474 = icmp ne i64 %1471, 6
-  %1475 = select i1 %1474, i1 true, i1 %176
-  %1476 = select i1 %1475, i1 true, i1 %183
-  br i1 %1476, label %1487, label %1477
+1477:                                             ; preds = %1298, %1419, %1460, %1464
+  %1478 = phi i64 [ -6, %1298 ], [ %1417, %1419 ], [ %1304, %1464 ], [ %1304, %1460 ]
+  %1479 = icmp eq i64 %1478, -6
+  br i1 %1479, label %1484, label %1480
 
-1477:                                             ; preds = %1473, %1470
-  %1478 = phi i64 [ %1471, %1473 ], [ 2, %1470 ]
-  %1479 = load i64, ptr %416, align 8
-  %1480 = add nsw i64 %1479, -1
-  store i64 %1480, ptr %416, align 8
-  %1481 = load ptr, ptr %93, align 8
-  %1482 = load i64, ptr %1481, align 8
-  %1483 = add nsw i64 %1482, -1
-  store i64 %1483, ptr %1481, align 8
-  %1484 = load i64, ptr %417, align 8
-  %1485 = add nsw i64 %1484, 1
-  store i64 %1485, ptr %417, align 8
-  store i64 %1478, ptr %436, align 8
-  store double 1.000000e+00, ptr %437, align 8
-  %1486 = fmul double %494, 2.500000e-01
-  br label %1616, !llvm.loop !19
+1480:                                             ; preds = %1477
+  %1481 = icmp ne i64 %1478, 6
+  %1482 = select i1 %1481, i1 true, i1 %176
+  %1483 = select i1 %1482, i1 true, i1 %183
+  br i1 %1483, label %1494, label %1484
 
-1487:                                             ; preds = %1473
-  %1488 = icmp eq i64 %1471, 0
-  br i1 %1488, label %1493, label %1489
-
-1489:                                             ; preds = %1487
-  %1490 = load ptr, ptr %93, align 8
-  %1491 = load i64, ptr %1490, align 8
+1484:                                             ; preds = %1480, %1477
+  %1485 = phi i64 [ %1478, %1480 ], [ 2, %1477 ]
+  %1486 = load i64, ptr %418, align 8
+  %1487 = add nsw i64 %1486, -1
+  store i64 %1487, ptr %418, align 8
+  %1488 = load ptr, ptr %93, align 8
+  %1489 = load i64, ptr %1488, align 8
+  %1490 = add nsw i64 %1489, -1
+  store i64 %1490, ptr %1488, align 8
+  %1491 = load i64, ptr %419, align 8
   %1492 = add nsw i64 %1491, 1
-  store i64 %1492, ptr %1490, align 8
-  br label %1616
+  store i64 %1492, ptr %419, align 8
+  store i64 %1485, ptr %438, align 8
+  store double 1.000000e+00, ptr %439, align 8
+  %1493 = fmul double %496, 2.500000e-01
+  br label %1623, !llvm.loop !19
 
-1493:                                             ; preds = %1487, %1130
-  br i1 %176, label %1597, label %1494
+1494:                                             ; preds = %1480
+  %1495 = icmp eq i64 %1478, 0
+  br i1 %1495, label %1500, label %1496
 
-1494:                                             ; preds = %1493
-  %1495 = load double, ptr %428, align 8
-  %1496 = fcmp ogt double %875, 1.000000e-10
-  %1497 = select i1 %1496, double %875, double 1.000000e-10
-  %1498 = load double, ptr %429, align 8
-  %1499 = load double, ptr %430, align 8
-  %1500 = fneg double %1499
-  %1501 = bitcast double %1497 to i64
-  %1502 = add nsw i64 %1501, -4604544271217802189
-  %1503 = ashr i64 %1502, 52
-  %1504 = and i64 %1502, -4503599627370496
-  %1505 = sub nsw i64 %1501, %1504
-  %1506 = bitcast i64 %1505 to double
-  %1507 = fadd double %1506, -1.000000e+00
-  %1508 = fadd double %1506, 1.000000e+00
-  %1509 = fdiv double %1507, %1508
-  %1510 = fmul double %1509, %1509
-  %1511 = tail call double @llvm.fma.f64(double %1510, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1512 = tail call double @llvm.fma.f64(double %1511, double %1510, double 0x3FE2776C50EF9BFE)
-  %1513 = tail call double @llvm.fma.f64(double %1512, double %1510, double 0x3FEEC709DC3A03FD)
-  %1514 = tail call double @llvm.fma.f64(double %1513, double %1510, double 0x40071547652B82FE)
-  %1515 = trunc nsw i64 %1503 to i32
-  %1516 = sitofp i32 %1515 to double
-  %1517 = fmul double %1509, %1514
-  %1518 = fadd double %1517, %1516
-  %1519 = fmul double %1518, %1500
-  %1520 = fcmp ogt double %1519, -1.000000e+03
-  %1521 = select i1 %1520, double %1519, double -1.000000e+03
-  %1522 = fcmp olt double %1521, 1.000000e+03
-  %1523 = select i1 %1522, double %1521, double 1.000000e+03
-  %1524 = tail call double @llvm.rint.f64(double %1523)
-  %1525 = fsub double %1523, %1524
-  %1526 = tail call double @llvm.fma.f64(double %1525, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1527 = tail call double @llvm.fma.f64(double %1526, double %1525, double 0x3F55D87FE78A6730)
-  %1528 = tail call double @llvm.fma.f64(double %1527, double %1525, double 0x3F83B2AB6FBA4E77)
-  %1529 = tail call double @llvm.fma.f64(double %1528, double %1525, double 0x3FAC6B08D704A0BF)
-  %1530 = tail call double @llvm.fma.f64(double %1529, double %1525, double 0x3FCEBFBDFF82C58E)
-  %1531 = tail call double @llvm.fma.f64(double %1530, double %1525, double 0x3FE62E42FEFA39EF)
-  %1532 = tail call double @llvm.fma.f64(double %1531, double %1525, double 1.000000e+00)
-  %1533 = bitcast double %1532 to i64
-  %1534 = fptosi double %1524 to i32
-  %1535 = sext i32 %1534 to i64
-  %1536 = shl nsw i64 %1535, 52
-  %1537 = add nsw i64 %1536, %1533
-  %1538 = bitcast i64 %1537 to double
-  %1539 = fmul double %1498, %1538
-  %1540 = load double, ptr %431, align 8
-  %1541 = fcmp une double %1540, 0.000000e+00
-  br i1 %1541, label %1542, label %1582
+1496:                                             ; preds = %1494
+  %1497 = load ptr, ptr %93, align 8
+  %1498 = load i64, ptr %1497, align 8
+  %1499 = add nsw i64 %1498, 1
+  store i64 %1499, ptr %1497, align 8
+  br label %1623
 
-1542:                                             ; preds = %1494
-  %1543 = load i64, ptr %427, align 8
-  %1544 = add nsw i64 %1543, -4604544271217802189
-  %1545 = ashr i64 %1544, 52
-  %1546 = and i64 %1544, -4503599627370496
-  %1547 = sub nsw i64 %1543, %1546
-  %1548 = bitcast i64 %1547 to double
-  %1549 = fadd double %1548, -1.000000e+00
-  %1550 = fadd double %1548, 1.000000e+00
-  %1551 = fdiv double %1549, %1550
-  %1552 = fmul double %1551, %1551
-  %1553 = tail call double @llvm.fma.f64(double %1552, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1554 = tail call double @llvm.fma.f64(double %1553, double %1552, double 0x3FE2776C50EF9BFE)
-  %1555 = tail call double @llvm.fma.f64(double %1554, double %1552, double 0x3FEEC709DC3A03FD)
-  %1556 = tail call double @llvm.fma.f64(double %1555, double %1552, double 0x40071547652B82FE)
-  %1557 = trunc nsw i64 %1545 to i32
-  %1558 = sitofp i32 %1557 to double
-  %1559 = fmul double %1551, %1556
-  %1560 = fadd double %1559, %1558
-  %1561 = fmul double %1540, %1560
-  %1562 = fcmp ogt double %1561, -1.000000e+03
-  %1563 = select i1 %1562, double %1561, double -1.000000e+03
-  %1564 = fcmp olt double %1563, 1.000000e+03
-  %1565 = select i1 %1564, double %1563, double 1.000000e+03
-  %1566 = tail call double @llvm.rint.f64(double %1565)
-  %1567 = fsub double %1565, %1566
-  %1568 = tail call double @llvm.fma.f64(double %1567, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1569 = tail call double @llvm.fma.f64(double %1568, double %1567, double 0x3F55D87FE78A6730)
-  %1570 = tail call double @llvm.fma.f64(double %1569, double %1567, double 0x3F83B2AB6FBA4E77)
-  %1571 = tail call double @llvm.fma.f64(double %1570, double %1567, double 0x3FAC6B08D704A0BF)
-  %1572 = tail call double @llvm.fma.f64(double %1571, double %1567, double 0x3FCEBFBDFF82C58E)
-  %1573 = tail call double @llvm.fma.f64(double %1572, double %1567, double 0x3FE62E42FEFA39EF)
-  %1574 = tail call double @llvm.fma.f64(double %1573, double %1567, double 1.000000e+00)
-  %1575 = bitcast double %1574 to i64
-  %1576 = fptosi double %1566 to i32
-  %1577 = sext i32 %1576 to i64
-  %1578 = shl nsw i64 %1577, 52
-  %1579 = add nsw i64 %1578, %1575
-  %1580 = bitcast i64 %1579 to double
-  %1581 = fmul double %1539, %1580
-  br label %1582
+1500:                                             ; preds = %1494, %1136
+  br i1 %176, label %1604, label %1501
 
-1582:                                             ; preds = %1494, %1542
-  %1583 = phi double [ %1581, %1542 ], [ %1539, %1494 ]
-  %1584 = load double, ptr %432, align 8
-  %1585 = fcmp ogt double %1583, %1584
-  %1586 = select i1 %1585, double %1583, double %1584
-  %1587 = fcmp olt double %1495, %1586
-  %1588 = select i1 %1587, double %1495, double %1586
-  %1589 = fmul double %494, %1588
-  %1590 = fcmp oeq double %493, %187
-  %1591 = fcmp ogt double %448, %1589
-  %1592 = select i1 %1590, i1 %1591, i1 false
-  %1593 = select i1 %1592, double %448, double %1589
-  %1594 = fcmp ogt double %875, 1.000000e-04
-  %1595 = select i1 %1594, double %875, double 1.000000e-04
-  store double %1595, ptr %427, align 8
-  %1596 = load double, ptr %433, align 8
-  store double %1596, ptr %428, align 8
-  br label %1597
+1501:                                             ; preds = %1500
+  %1502 = load double, ptr %430, align 8
+  %1503 = fcmp ogt double %880, 1.000000e-10
+  %1504 = select i1 %1503, double %880, double 1.000000e-10
+  %1505 = load double, ptr %431, align 8
+  %1506 = load double, ptr %432, align 8
+  %1507 = fneg double %1506
+  %1508 = bitcast double %1504 to i64
+  %1509 = add nsw i64 %1508, -4604544271217802189
+  %1510 = ashr i64 %1509, 52
+  %1511 = and i64 %1509, -4503599627370496
+  %1512 = sub nsw i64 %1508, %1511
+  %1513 = bitcast i64 %1512 to double
+  %1514 = fadd double %1513, -1.000000e+00
+  %1515 = fadd double %1513, 1.000000e+00
+  %1516 = fdiv double %1514, %1515
+  %1517 = fmul double %1516, %1516
+  %1518 = tail call double @llvm.fma.f64(double %1517, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1519 = tail call double @llvm.fma.f64(double %1518, double %1517, double 0x3FE2776C50EF9BFE)
+  %1520 = tail call double @llvm.fma.f64(double %1519, double %1517, double 0x3FEEC709DC3A03FD)
+  %1521 = tail call double @llvm.fma.f64(double %1520, double %1517, double 0x40071547652B82FE)
+  %1522 = trunc nsw i64 %1510 to i32
+  %1523 = sitofp i32 %1522 to double
+  %1524 = fmul double %1516, %1521
+  %1525 = fadd double %1524, %1523
+  %1526 = fmul double %1525, %1507
+  %1527 = fcmp ogt double %1526, -1.000000e+03
+  %1528 = select i1 %1527, double %1526, double -1.000000e+03
+  %1529 = fcmp olt double %1528, 1.000000e+03
+  %1530 = select i1 %1529, double %1528, double 1.000000e+03
+  %1531 = tail call double @llvm.rint.f64(double %1530)
+  %1532 = fsub double %1530, %1531
+  %1533 = tail call double @llvm.fma.f64(double %1532, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1534 = tail call double @llvm.fma.f64(double %1533, double %1532, double 0x3F55D87FE78A6730)
+  %1535 = tail call double @llvm.fma.f64(double %1534, double %1532, double 0x3F83B2AB6FBA4E77)
+  %1536 = tail call double @llvm.fma.f64(double %1535, double %1532, double 0x3FAC6B08D704A0BF)
+  %1537 = tail call double @llvm.fma.f64(double %1536, double %1532, double 0x3FCEBFBDFF82C58E)
+  %1538 = tail call double @llvm.fma.f64(double %1537, double %1532, double 0x3FE62E42FEFA39EF)
+  %1539 = tail call double @llvm.fma.f64(double %1538, double %1532, double 1.000000e+00)
+  %1540 = bitcast double %1539 to i64
+  %1541 = fptosi double %1531 to i32
+  %1542 = sext i32 %1541 to i64
+  %1543 = shl nsw i64 %1542, 52
+  %1544 = add nsw i64 %1543, %1540
+  %1545 = bitcast i64 %1544 to double
+  %1546 = fmul double %1505, %1545
+  %1547 = load double, ptr %433, align 8
+  %1548 = fcmp une double %1547, 0.000000e+00
+  br i1 %1548, label %1549, label %1589
 
-1597:                                             ; preds = %1582, %1493
-  %1598 = phi double [ %1593, %1582 ], [ %448, %1493 ]
-  br i1 %434, label %1603, label %1599
+1549:                                             ; preds = %1501
+  %1550 = load i64, ptr %429, align 8
+  %1551 = add nsw i64 %1550, -4604544271217802189
+  %1552 = ashr i64 %1551, 52
+  %1553 = and i64 %1551, -4503599627370496
+  %1554 = sub nsw i64 %1550, %1553
+  %1555 = bitcast i64 %1554 to double
+  %1556 = fadd double %1555, -1.000000e+00
+  %1557 = fadd double %1555, 1.000000e+00
+  %1558 = fdiv double %1556, %1557
+  %1559 = fmul double %1558, %1558
+  %1560 = tail call double @llvm.fma.f64(double %1559, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1561 = tail call double @llvm.fma.f64(double %1560, double %1559, double 0x3FE2776C50EF9BFE)
+  %1562 = tail call double @llvm.fma.f64(double %1561, double %1559, double 0x3FEEC709DC3A03FD)
+  %1563 = tail call double @llvm.fma.f64(double %1562, double %1559, double 0x40071547652B82FE)
+  %1564 = trunc nsw i64 %1552 to i32
+  %1565 = sitofp i32 %1564 to double
+  %1566 = fmul double %1558, %1563
+  %1567 = fadd double %1566, %1565
+  %1568 = fmul double %1547, %1567
+  %1569 = fcmp ogt double %1568, -1.000000e+03
+  %1570 = select i1 %1569, double %1568, double -1.000000e+03
+  %1571 = fcmp olt double %1570, 1.000000e+03
+  %1572 = select i1 %1571, double %1570, double 1.000000e+03
+  %1573 = tail call double @llvm.rint.f64(double %1572)
+  %1574 = fsub double %1572, %1573
+  %1575 = tail call double @llvm.fma.f64(double %1574, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1576 = tail call double @llvm.fma.f64(double %1575, double %1574, double 0x3F55D87FE78A6730)
+  %1577 = tail call double @llvm.fma.f64(double %1576, double %1574, double 0x3F83B2AB6FBA4E77)
+  %1578 = tail call double @llvm.fma.f64(double %1577, double %1574, double 0x3FAC6B08D704A0BF)
+  %1579 = tail call double @llvm.fma.f64(double %1578, double %1574, double 0x3FCEBFBDFF82C58E)
+  %1580 = tail call double @llvm.fma.f64(double %1579, double %1574, double 0x3FE62E42FEFA39EF)
+  %1581 = tail call double @llvm.fma.f64(double %1580, double %1574, double 1.000000e+00)
+  %1582 = bitcast double %1581 to i64
+  %1583 = fptosi double %1573 to i32
+  %1584 = sext i32 %1583 to i64
+  %1585 = shl nsw i64 %1584, 52
+  %1586 = add nsw i64 %1585, %1582
+  %1587 = bitcast i64 %1586 to double
+  %1588 = fmul double %1546, %1587
+  br label %1589
 
-1599:                                             ; preds = %1603, %1597
-  %1600 = load i64, ptr %435, align 8
-  %1601 = load i64, ptr %83, align 8
-  %1602 = icmp eq i64 %1600, %1601
-  br i1 %1602, label %1615, label %1616
+1589:                                             ; preds = %1501, %1549
+  %1590 = phi double [ %1588, %1549 ], [ %1546, %1501 ]
+  %1591 = load double, ptr %434, align 8
+  %1592 = fcmp ogt double %1590, %1591
+  %1593 = select i1 %1592, double %1590, double %1591
+  %1594 = fcmp olt double %1502, %1593
+  %1595 = select i1 %1594, double %1502, double %1593
+  %1596 = fmul double %496, %1595
+  %1597 = fcmp oeq double %495, %187
+  %1598 = fcmp ogt double %450, %1596
+  %1599 = select i1 %1597, i1 %1598, i1 false
+  %1600 = select i1 %1599, double %450, double %1596
+  %1601 = fcmp ogt double %880, 1.000000e-04
+  %1602 = select i1 %1601, double %880, double 1.000000e-04
+  store double %1602, ptr %429, align 8
+  %1603 = load double, ptr %435, align 8
+  store double %1603, ptr %430, align 8
+  br label %1604
 
-1603:                                             ; preds = %1597, %1603
-  %1604 = phi i64 [ %1613, %1603 ], [ 0, %1597 ]
-  %1605 = getelementptr inbounds double, ptr %161, i64 %1604
-  %1606 = load double, ptr %1605, align 8
-  %1607 = load ptr, ptr %74, align 8
-  %1608 = getelementptr inbounds double, ptr %1607, i64 %1604
-  store double %1606, ptr %1608, align 8
-  %1609 = getelementptr inbounds double, ptr %191, i64 %1604
-  %1610 = load double, ptr %1609, align 8
-  %1611 = load ptr, ptr %84, align 8
-  %1612 = getelementptr inbounds double, ptr %1611, i64 %1604
-  store double %1610, ptr %1612, align 8
-  %1613 = add nuw nsw i64 %1604, 1
-  %1614 = icmp eq i64 %1613, %170
-  br i1 %1614, label %1599, label %1603, !llvm.loop !30
+1604:                                             ; preds = %1589, %1500
+  %1605 = phi double [ %1600, %1589 ], [ %450, %1500 ]
+  br i1 %436, label %1610, label %1606
 
-1615:                                             ; preds = %1599
-  store double %1598, ptr %193, align 8
-  br label %1616
+1606:                                             ; preds = %1610, %1604
+  %1607 = load i64, ptr %437, align 8
+  %1608 = load i64, ptr %83, align 8
+  %1609 = icmp eq i64 %1607, %1608
+  br i1 %1609, label %1622, label %1623
 
-1616:                                             ; preds = %1615, %1599, %1489, %1477, %1279, %943, %942, %863, %673, %500
-  %1617 = phi double [ %448, %500 ], [ %448, %673 ], [ %448, %863 ], [ %941, %943 ], [ %941, %942 ], [ %448, %1279 ], [ %1486, %1477 ], [ %448, %1489 ], [ %1598, %1615 ], [ %1598, %1599 ]
-  %1618 = phi double [ %447, %500 ], [ %447, %673 ], [ %447, %863 ], [ %447, %943 ], [ %447, %942 ], [ %447, %1279 ], [ %447, %1477 ], [ %447, %1489 ], [ %493, %1615 ], [ %493, %1599 ]
-  %1619 = phi i32 [ 1, %500 ], [ 1, %673 ], [ 1, %863 ], [ 3, %943 ], [ 1, %942 ], [ 1, %1279 ], [ 3, %1477 ], [ 1, %1489 ], [ 1, %1615 ], [ 0, %1599 ]
-  %1620 = phi i64 [ 2, %500 ], [ -4, %673 ], [ -4, %863 ], [ %446, %943 ], [ 2, %942 ], [ %1281, %1279 ], [ %446, %1477 ], [ %1471, %1489 ], [ 0, %1615 ], [ %446, %1599 ]
-  switch i32 %1619, label %1624 [
-    i32 0, label %1621
-    i32 3, label %1621
+1610:                                             ; preds = %1604, %1610
+  %1611 = phi i64 [ %1620, %1610 ], [ 0, %1604 ]
+  %1612 = getelementptr inbounds double, ptr %161, i64 %1611
+  %1613 = load double, ptr %1612, align 8
+  %1614 = load ptr, ptr %74, align 8
+  %1615 = getelementptr inbounds double, ptr %1614, i64 %1611
+  store double %1613, ptr %1615, align 8
+  %1616 = getelementptr inbounds double, ptr %191, i64 %1611
+  %1617 = load double, ptr %1616, align 8
+  %1618 = load ptr, ptr %84, align 8
+  %1619 = getelementptr inbounds double, ptr %1618, i64 %1611
+  store double %1617, ptr %1619, align 8
+  %1620 = add nuw nsw i64 %1611, 1
+  %1621 = icmp eq i64 %1620, %170
+  br i1 %1621, label %1606, label %1610, !llvm.loop !30
+
+1622:                                             ; preds = %1606
+  store double %1605, ptr %193, align 8
+  br label %1623
+
+1623:                                             ; preds = %1622, %1606, %1496, %1484, %1286, %948, %947, %867, %677, %502
+  %1624 = phi double [ %450, %502 ], [ %450, %677 ], [ %450, %867 ], [ %946, %948 ], [ %946, %947 ], [ %450, %1286 ], [ %1493, %1484 ], [ %450, %1496 ], [ %1605, %1622 ], [ %1605, %1606 ]
+  %1625 = phi double [ %449, %502 ], [ %449, %677 ], [ %449, %867 ], [ %449, %948 ], [ %449, %947 ], [ %449, %1286 ], [ %449, %1484 ], [ %449, %1496 ], [ %495, %1622 ], [ %495, %1606 ]
+  %1626 = phi i32 [ 1, %502 ], [ 1, %677 ], [ 1, %867 ], [ 3, %948 ], [ 1, %947 ], [ 1, %1286 ], [ 3, %1484 ], [ 1, %1496 ], [ 1, %1622 ], [ 0, %1606 ]
+  %1627 = phi i64 [ 2, %502 ], [ -4, %677 ], [ -4, %867 ], [ %448, %948 ], [ 2, %947 ], [ %1288, %1286 ], [ %448, %1484 ], [ %1478, %1496 ], [ 0, %1622 ], [ %448, %1606 ]
+  switch i32 %1626, label %1631 [
+    i32 0, label %1628
+    i32 3, label %1628
   ]
 
-1621:                                             ; preds = %1616, %1616
-  %1622 = load i64, ptr %163, align 8
-  %1623 = icmp eq i64 %1622, 0
-  br i1 %1623, label %442, label %444, !llvm.loop !19
+1628:                                             ; preds = %1623, %1623
+  %1629 = load i64, ptr %163, align 8
+  %1630 = icmp eq i64 %1629, 0
+  br i1 %1630, label %444, label %446, !llvm.loop !19
 
-1624:                                             ; preds = %1616, %159, %216, %258, %442, %461, %469
-  %1625 = phi i64 [ -1, %159 ], [ %219, %216 ], [ -1, %442 ], [ -5, %461 ], [ 1, %469 ], [ 0, %258 ], [ %1620, %1616 ]
-  %1626 = load ptr, ptr %158, align 8
-  %1627 = getelementptr inbounds i8, ptr %1626, i64 48
-  %1628 = load i64, ptr %1627, align 8
-  %1629 = icmp ne i64 %1625, -2
-  %1630 = icmp eq i64 %1628, 0
-  %1631 = select i1 %1629, i1 true, i1 %1630
-  br i1 %1631, label %1639, label %1632
+1631:                                             ; preds = %1623, %159, %217, %259, %444, %463, %471
+  %1632 = phi i64 [ -1, %159 ], [ %220, %217 ], [ -1, %444 ], [ -5, %463 ], [ 1, %471 ], [ 0, %259 ], [ %1627, %1623 ]
+  %1633 = load ptr, ptr %158, align 8
+  %1634 = getelementptr inbounds i8, ptr %1633, i64 48
+  %1635 = load i64, ptr %1634, align 8
+  %1636 = icmp ne i64 %1632, -2
+  %1637 = icmp eq i64 %1635, 0
+  %1638 = select i1 %1636, i1 true, i1 %1637
+  br i1 %1638, label %1646, label %1639
 
-1632:                                             ; preds = %1624
-  %1633 = inttoptr i64 %1628 to ptr
-  %1634 = tail call i64 %1633(ptr noundef %0) #9
-  %1635 = icmp eq i64 %1634, 8
-  %1636 = select i1 %1635, i64 8, i64 %1625
-  %1637 = icmp eq i64 %1634, 1
-  %1638 = zext i1 %1637 to i32
-  br label %1639
+1639:                                             ; preds = %1631
+  %1640 = inttoptr i64 %1635 to ptr
+  %1641 = tail call i64 %1640(ptr noundef %0) #9
+  %1642 = icmp eq i64 %1641, 8
+  %1643 = select i1 %1642, i64 8, i64 %1632
+  %1644 = icmp eq i64 %1641, 1
+  %1645 = zext i1 %1644 to i32
+  br label %1646
 
-1639:                                             ; preds = %1624, %1632
-  %1640 = phi i64 [ %1625, %1624 ], [ %1636, %1632 ]
-  %1641 = phi i32 [ 0, %1624 ], [ %1638, %1632 ]
-  %1642 = icmp eq i32 %1641, 0
-  br i1 %1642, label %1643, label %159, !llvm.loop !31
+1646:                                             ; preds = %1631, %1639
+  %1647 = phi i64 [ %1632, %1631 ], [ %1643, %1639 ]
+  %1648 = phi i32 [ 0, %1631 ], [ %1645, %1639 ]
+  %1649 = icmp eq i32 %1648, 0
+  br i1 %1649, label %1650, label %159, !llvm.loop !31
 
-1643:                                             ; preds = %1639
-  ret i64 %1640
+1650:                                             ; preds = %1646
+  ret i64 %1647
 }
 
 

@@ -1,4 +1,4 @@
-; sources a39e03bbed7f224b68ed082df06b8ce13f2794b94d41d1b6f0e1bfb8032cc142
+; sources 1318f92e8c0dead211c7912bacf5e972cab60ed9580edf00ca8f3630f4d76818
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -216,11 +216,11 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %182 = getelementptr inbounds i8, ptr %0, i64 720
   br label %183
 
-183:                                              ; preds = %1929, %75
-  %184 = phi double [ undef, %75 ], [ %1911, %1929 ]
-  %185 = phi i32 [ undef, %75 ], [ %1912, %1929 ]
-  %186 = phi i64 [ undef, %75 ], [ %1913, %1929 ]
-  %187 = phi i64 [ undef, %75 ], [ %1914, %1929 ]
+183:                                              ; preds = %1936, %75
+  %184 = phi double [ undef, %75 ], [ %1918, %1936 ]
+  %185 = phi i32 [ undef, %75 ], [ %1919, %1936 ]
+  %186 = phi i64 [ undef, %75 ], [ %1920, %1936 ]
+  %187 = phi i64 [ undef, %75 ], [ %1921, %1936 ]
   %188 = load ptr, ptr %79, align 8
   %189 = load ptr, ptr %80, align 8
   %190 = load ptr, ptr %81, align 8
@@ -228,7 +228,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %192 = getelementptr inbounds i8, ptr %190, i64 56
   %193 = load i64, ptr %192, align 8
   %194 = icmp eq i64 %193, 0
-  br i1 %194, label %1910, label %195
+  br i1 %194, label %1917, label %195
 
 195:                                              ; preds = %183
   %196 = load ptr, ptr %76, align 8
@@ -266,7 +266,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %226 = load double, ptr %225, align 8
   %227 = load i64, ptr %190, align 8
   %228 = icmp eq i64 %227, 0
-  br i1 %228, label %238, label %330
+  br i1 %228, label %238, label %331
 
 229:                                              ; preds = %195, %229
   %230 = phi double [ %235, %229 ], [ %212, %195 ]
@@ -303,2317 +303,2324 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %252 = load ptr, ptr %90, align 8
   %253 = load ptr, ptr %91, align 8
   %254 = inttoptr i64 %250 to ptr
-  %255 = tail call i32 %254(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #11
-  %256 = icmp eq i32 %255, 0
-  br i1 %256, label %261, label %257
+  %255 = load ptr, ptr %254, align 8
+  %256 = tail call i32 %255(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #11
+  %257 = icmp eq i32 %256, 0
+  br i1 %257, label %262, label %258
 
-257:                                              ; preds = %248
-  %258 = getelementptr inbounds i8, ptr %190, i64 72
-  store i64 3, ptr %258, align 8
-  %259 = icmp slt i32 %255, 0
-  %260 = select i1 %259, i64 -4, i64 2
-  br label %1910
+258:                                              ; preds = %248
+  %259 = getelementptr inbounds i8, ptr %190, i64 72
+  store i64 3, ptr %259, align 8
+  %260 = icmp slt i32 %256, 0
+  %261 = select i1 %260, i64 -4, i64 2
+  br label %1917
 
-261:                                              ; preds = %248
+262:                                              ; preds = %248
   store i64 1, ptr %190, align 8
-  %262 = getelementptr inbounds i8, ptr %188, i64 24
-  store double 0.000000e+00, ptr %262, align 8
-  %263 = getelementptr inbounds i8, ptr %191, i64 32
-  store i64 1, ptr %263, align 8
-  %264 = getelementptr inbounds i8, ptr %191, i64 8
+  %263 = getelementptr inbounds i8, ptr %188, i64 24
+  store double 0.000000e+00, ptr %263, align 8
+  %264 = getelementptr inbounds i8, ptr %191, i64 32
   store i64 1, ptr %264, align 8
-  %265 = getelementptr inbounds i8, ptr %189, i64 8
-  store double 0.000000e+00, ptr %265, align 8
-  %266 = load ptr, ptr %77, align 8
-  %267 = load ptr, ptr %76, align 8
-  %268 = getelementptr inbounds i8, ptr %267, i64 8
-  %269 = load i64, ptr %268, align 8
-  %270 = load i64, ptr %83, align 8
-  %271 = load ptr, ptr %82, align 8
-  %272 = load ptr, ptr %81, align 8
-  %273 = getelementptr inbounds i8, ptr %272, i64 48
-  %274 = load i64, ptr %273, align 8
-  %275 = icmp slt i64 %274, %270
-  br i1 %275, label %276, label %299
+  %265 = getelementptr inbounds i8, ptr %191, i64 8
+  store i64 1, ptr %265, align 8
+  %266 = getelementptr inbounds i8, ptr %189, i64 8
+  store double 0.000000e+00, ptr %266, align 8
+  %267 = load ptr, ptr %77, align 8
+  %268 = load ptr, ptr %76, align 8
+  %269 = getelementptr inbounds i8, ptr %268, i64 8
+  %270 = load i64, ptr %269, align 8
+  %271 = load i64, ptr %83, align 8
+  %272 = load ptr, ptr %82, align 8
+  %273 = load ptr, ptr %81, align 8
+  %274 = getelementptr inbounds i8, ptr %273, i64 48
+  %275 = load i64, ptr %274, align 8
+  %276 = icmp slt i64 %275, %271
+  br i1 %276, label %277, label %300
 
-276:                                              ; preds = %261
-  %277 = icmp sgt i64 %269, 0
-  br label %278
+277:                                              ; preds = %262
+  %278 = icmp sgt i64 %270, 0
+  br label %279
 
-278:                                              ; preds = %276, %289
-  %279 = phi i64 [ %274, %276 ], [ %290, %289 ]
-  %280 = getelementptr inbounds double, ptr %271, i64 %279
-  %281 = load double, ptr %280, align 8
-  %282 = load ptr, ptr %79, align 8
-  %283 = load double, ptr %282, align 8
-  %284 = fcmp ugt double %281, %283
-  br i1 %284, label %299, label %285
+279:                                              ; preds = %277, %290
+  %280 = phi i64 [ %275, %277 ], [ %291, %290 ]
+  %281 = getelementptr inbounds double, ptr %272, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = load ptr, ptr %79, align 8
+  %284 = load double, ptr %283, align 8
+  %285 = fcmp ugt double %282, %284
+  br i1 %285, label %300, label %286
 
-285:                                              ; preds = %278
-  br i1 %277, label %286, label %289
+286:                                              ; preds = %279
+  br i1 %278, label %287, label %290
 
-286:                                              ; preds = %285
-  %287 = mul nsw i64 %279, %269
-  %288 = getelementptr double, ptr %1, i64 %287
-  br label %292
+287:                                              ; preds = %286
+  %288 = mul nsw i64 %280, %270
+  %289 = getelementptr double, ptr %1, i64 %288
+  br label %293
 
-289:                                              ; preds = %292, %285
-  %290 = add i64 %279, 1
-  %291 = icmp eq i64 %290, %270
-  br i1 %291, label %299, label %278, !llvm.loop !9
+290:                                              ; preds = %293, %286
+  %291 = add i64 %280, 1
+  %292 = icmp eq i64 %291, %271
+  br i1 %292, label %300, label %279, !llvm.loop !9
 
-292:                                              ; preds = %286, %292
-  %293 = phi i64 [ 0, %286 ], [ %297, %292 ]
-  %294 = getelementptr inbounds double, ptr %266, i64 %293
-  %295 = load double, ptr %294, align 8
-  %296 = getelementptr double, ptr %288, i64 %293
-  store double %295, ptr %296, align 8
-  %297 = add nuw nsw i64 %293, 1
-  %298 = icmp eq i64 %297, %269
-  br i1 %298, label %289, label %292, !llvm.loop !10
+293:                                              ; preds = %287, %293
+  %294 = phi i64 [ 0, %287 ], [ %298, %293 ]
+  %295 = getelementptr inbounds double, ptr %267, i64 %294
+  %296 = load double, ptr %295, align 8
+  %297 = getelementptr double, ptr %289, i64 %294
+  store double %296, ptr %297, align 8
+  %298 = add nuw nsw i64 %294, 1
+  %299 = icmp eq i64 %298, %270
+  br i1 %299, label %290, label %293, !llvm.loop !10
 
-299:                                              ; preds = %278, %289, %261
-  %300 = phi i64 [ %274, %261 ], [ %279, %278 ], [ %270, %289 ]
-  %301 = load ptr, ptr %81, align 8
-  %302 = getelementptr inbounds i8, ptr %301, i64 48
-  store i64 %300, ptr %302, align 8
-  %303 = icmp eq i64 %300, %270
-  br i1 %303, label %1910, label %304
+300:                                              ; preds = %279, %290, %262
+  %301 = phi i64 [ %275, %262 ], [ %280, %279 ], [ %271, %290 ]
+  %302 = load ptr, ptr %81, align 8
+  %303 = getelementptr inbounds i8, ptr %302, i64 48
+  store i64 %301, ptr %303, align 8
+  %304 = icmp eq i64 %301, %271
+  br i1 %304, label %1917, label %305
 
-304:                                              ; preds = %299
-  %305 = fcmp oeq double %226, 0.000000e+00
-  br i1 %305, label %306, label %330
+305:                                              ; preds = %300
+  %306 = fcmp oeq double %226, 0.000000e+00
+  br i1 %306, label %307, label %331
 
-306:                                              ; preds = %304
-  %307 = getelementptr inbounds i8, ptr %188, i64 16
-  %308 = load double, ptr %307, align 8
-  %309 = load ptr, ptr %77, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %309, ptr noundef %309, ptr noundef nonnull %77, i64 noundef %198) #10
-  %310 = load double, ptr %4, align 8
-  %311 = load ptr, ptr %92, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %311, ptr noundef %309, ptr noundef nonnull %77, i64 noundef %198) #10
-  %312 = load double, ptr %5, align 8
-  %313 = fcmp uge double %310, 1.000000e-05
-  %314 = fcmp uge double %312, 1.000000e-05
-  %315 = and i1 %313, %314
-  %316 = fmul double %310, 1.000000e-02
-  %317 = fdiv double %316, %312
-  %318 = select i1 %315, double %317, double 0x3EB0C6F7A0B5ED8D
-  %319 = fcmp olt double %308, %318
-  %320 = select i1 %319, double %308, double %318
-  %321 = tail call double @llvm.fabs.f64(double %224)
-  %322 = fmul double %321, 0x3D30000000000000
-  %323 = fcmp ogt double %322, %320
-  %324 = select i1 %323, double %322, double %320
-  %325 = fcmp olt double %308, %324
-  %326 = select i1 %325, double %308, double %324
-  %327 = tail call i1 @llvm.is.fpclass.f64(double %326, i32 639)
-  br i1 %327, label %328, label %330
+307:                                              ; preds = %305
+  %308 = getelementptr inbounds i8, ptr %188, i64 16
+  %309 = load double, ptr %308, align 8
+  %310 = load ptr, ptr %77, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %310, ptr noundef %310, ptr noundef nonnull %77, i64 noundef %198) #10
+  %311 = load double, ptr %4, align 8
+  %312 = load ptr, ptr %92, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %312, ptr noundef %310, ptr noundef nonnull %77, i64 noundef %198) #10
+  %313 = load double, ptr %5, align 8
+  %314 = fcmp uge double %311, 1.000000e-05
+  %315 = fcmp uge double %313, 1.000000e-05
+  %316 = and i1 %314, %315
+  %317 = fmul double %311, 1.000000e-02
+  %318 = fdiv double %317, %313
+  %319 = select i1 %316, double %318, double 0x3EB0C6F7A0B5ED8D
+  %320 = fcmp olt double %309, %319
+  %321 = select i1 %320, double %309, double %319
+  %322 = tail call double @llvm.fabs.f64(double %224)
+  %323 = fmul double %322, 0x3D30000000000000
+  %324 = fcmp ogt double %323, %321
+  %325 = select i1 %324, double %323, double %321
+  %326 = fcmp olt double %309, %325
+  %327 = select i1 %326, double %309, double %325
+  %328 = tail call i1 @llvm.is.fpclass.f64(double %327, i32 639)
+  br i1 %328, label %329, label %331
 
-328:                                              ; preds = %306
-  %329 = getelementptr inbounds i8, ptr %190, i64 72
-  store i64 4, ptr %329, align 8
-  br label %330
+329:                                              ; preds = %307
+  %330 = getelementptr inbounds i8, ptr %190, i64 72
+  store i64 4, ptr %330, align 8
+  br label %331
 
-330:                                              ; preds = %306, %328, %304, %214
-  %331 = phi double [ %226, %304 ], [ %226, %214 ], [ %326, %328 ], [ %326, %306 ]
-  %332 = load i64, ptr %192, align 8
-  %333 = icmp eq i64 %332, 0
-  br i1 %333, label %369, label %334
+331:                                              ; preds = %307, %329, %305, %214
+  %332 = phi double [ %226, %305 ], [ %226, %214 ], [ %327, %329 ], [ %327, %307 ]
+  %333 = load i64, ptr %192, align 8
+  %334 = icmp eq i64 %333, 0
+  br i1 %334, label %370, label %335
 
-334:                                              ; preds = %330
-  %335 = getelementptr inbounds i8, ptr %190, i64 8
-  %336 = getelementptr inbounds i8, ptr %190, i64 16
-  %337 = getelementptr inbounds i8, ptr %190, i64 64
-  %338 = getelementptr inbounds i8, ptr %188, i64 16
-  %339 = getelementptr inbounds i8, ptr %191, i64 8
-  %340 = getelementptr inbounds i8, ptr %191, i64 16
-  %341 = getelementptr inbounds i8, ptr %191, i64 24
+335:                                              ; preds = %331
+  %336 = getelementptr inbounds i8, ptr %190, i64 8
+  %337 = getelementptr inbounds i8, ptr %190, i64 16
+  %338 = getelementptr inbounds i8, ptr %190, i64 64
+  %339 = getelementptr inbounds i8, ptr %188, i64 16
+  %340 = getelementptr inbounds i8, ptr %191, i64 8
+  %341 = getelementptr inbounds i8, ptr %191, i64 16
   %342 = getelementptr inbounds i8, ptr %191, i64 24
-  %343 = getelementptr inbounds i8, ptr %190, i64 40
-  %344 = getelementptr inbounds i8, ptr %189, i64 8
-  %345 = fmul double %215, %223
-  %346 = fmul double %345, %345
-  %347 = icmp sgt i64 %198, 0
-  %348 = shl i64 %198, 4
-  %349 = getelementptr inbounds i8, ptr %191, i64 32
-  %350 = getelementptr inbounds i8, ptr %190, i64 72
-  %351 = getelementptr inbounds i8, ptr %191, i64 16
-  %352 = getelementptr inbounds i8, ptr %190, i64 72
-  %353 = getelementptr inbounds i8, ptr %191, i64 16
-  %354 = getelementptr inbounds i8, ptr %188, i64 24
-  %355 = getelementptr inbounds i8, ptr %188, i64 32
+  %343 = getelementptr inbounds i8, ptr %191, i64 24
+  %344 = getelementptr inbounds i8, ptr %190, i64 40
+  %345 = getelementptr inbounds i8, ptr %189, i64 8
+  %346 = fmul double %215, %223
+  %347 = fmul double %346, %346
+  %348 = icmp sgt i64 %198, 0
+  %349 = shl i64 %198, 4
+  %350 = getelementptr inbounds i8, ptr %191, i64 32
+  %351 = getelementptr inbounds i8, ptr %190, i64 72
+  %352 = getelementptr inbounds i8, ptr %191, i64 16
+  %353 = getelementptr inbounds i8, ptr %190, i64 72
+  %354 = getelementptr inbounds i8, ptr %191, i64 16
+  %355 = getelementptr inbounds i8, ptr %188, i64 24
   %356 = getelementptr inbounds i8, ptr %188, i64 32
-  %357 = getelementptr inbounds i8, ptr %190, i64 48
-  %358 = icmp sgt i64 %198, 0
-  %359 = getelementptr inbounds i8, ptr %190, i64 24
-  %360 = getelementptr inbounds i8, ptr %190, i64 72
-  %361 = getelementptr inbounds i8, ptr %191, i64 16
-  %362 = getelementptr inbounds i8, ptr %190, i64 48
-  %363 = getelementptr inbounds i8, ptr %191, i64 16
-  %364 = getelementptr inbounds i8, ptr %190, i64 72
+  %357 = getelementptr inbounds i8, ptr %188, i64 32
+  %358 = getelementptr inbounds i8, ptr %190, i64 48
+  %359 = icmp sgt i64 %198, 0
+  %360 = getelementptr inbounds i8, ptr %190, i64 24
+  %361 = getelementptr inbounds i8, ptr %190, i64 72
+  %362 = getelementptr inbounds i8, ptr %191, i64 16
+  %363 = getelementptr inbounds i8, ptr %190, i64 48
+  %364 = getelementptr inbounds i8, ptr %191, i64 16
   %365 = getelementptr inbounds i8, ptr %190, i64 72
-  %366 = getelementptr inbounds i8, ptr %191, i64 16
-  %367 = getelementptr inbounds i8, ptr %190, i64 72
-  %368 = getelementptr inbounds i8, ptr %191, i64 16
-  br label %375
+  %366 = getelementptr inbounds i8, ptr %190, i64 72
+  %367 = getelementptr inbounds i8, ptr %191, i64 16
+  %368 = getelementptr inbounds i8, ptr %190, i64 72
+  %369 = getelementptr inbounds i8, ptr %191, i64 16
+  br label %376
 
-369:                                              ; preds = %1907, %330
-  %370 = phi double [ %184, %330 ], [ %1899, %1907 ]
-  %371 = phi i32 [ %185, %330 ], [ %1900, %1907 ]
-  %372 = phi i64 [ %186, %330 ], [ %1901, %1907 ]
-  %373 = phi i64 [ %187, %330 ], [ %1902, %1907 ]
-  %374 = phi double [ %331, %330 ], [ %1903, %1907 ]
-  store double %374, ptr %225, align 8
-  br label %1910
+370:                                              ; preds = %1914, %331
+  %371 = phi double [ %184, %331 ], [ %1906, %1914 ]
+  %372 = phi i32 [ %185, %331 ], [ %1907, %1914 ]
+  %373 = phi i64 [ %186, %331 ], [ %1908, %1914 ]
+  %374 = phi i64 [ %187, %331 ], [ %1909, %1914 ]
+  %375 = phi double [ %332, %331 ], [ %1910, %1914 ]
+  store double %375, ptr %225, align 8
+  br label %1917
 
-375:                                              ; preds = %334, %1907
-  %376 = phi i64 [ %332, %334 ], [ %1908, %1907 ]
-  %377 = phi i64 [ undef, %334 ], [ %1906, %1907 ]
-  %378 = phi double [ %224, %334 ], [ %1904, %1907 ]
-  %379 = phi double [ %331, %334 ], [ %1903, %1907 ]
-  %380 = phi i64 [ %187, %334 ], [ %1902, %1907 ]
-  %381 = phi i64 [ %186, %334 ], [ %1901, %1907 ]
-  %382 = phi i32 [ %185, %334 ], [ %1900, %1907 ]
-  %383 = phi double [ %184, %334 ], [ %1899, %1907 ]
-  %384 = load ptr, ptr %93, align 8
-  %385 = getelementptr inbounds i8, ptr %384, i64 8
-  %386 = load i64, ptr %385, align 8
-  %387 = icmp sgt i64 %386, 0
-  br i1 %387, label %388, label %393
+376:                                              ; preds = %335, %1914
+  %377 = phi i64 [ %333, %335 ], [ %1915, %1914 ]
+  %378 = phi i64 [ undef, %335 ], [ %1913, %1914 ]
+  %379 = phi double [ %224, %335 ], [ %1911, %1914 ]
+  %380 = phi double [ %332, %335 ], [ %1910, %1914 ]
+  %381 = phi i64 [ %187, %335 ], [ %1909, %1914 ]
+  %382 = phi i64 [ %186, %335 ], [ %1908, %1914 ]
+  %383 = phi i32 [ %185, %335 ], [ %1907, %1914 ]
+  %384 = phi double [ %184, %335 ], [ %1906, %1914 ]
+  %385 = load ptr, ptr %93, align 8
+  %386 = getelementptr inbounds i8, ptr %385, i64 8
+  %387 = load i64, ptr %386, align 8
+  %388 = icmp sgt i64 %387, 0
+  br i1 %388, label %389, label %394
 
-388:                                              ; preds = %375
-  %389 = load i64, ptr %384, align 8
-  %390 = add nsw i64 %389, 3
-  %391 = icmp slt i64 %386, %390
-  %392 = zext i1 %391 to i32
-  br label %393
+389:                                              ; preds = %376
+  %390 = load i64, ptr %385, align 8
+  %391 = add nsw i64 %390, 3
+  %392 = icmp slt i64 %387, %391
+  %393 = zext i1 %392 to i32
+  br label %394
 
-393:                                              ; preds = %375, %388
-  %394 = phi i32 [ 0, %375 ], [ %392, %388 ]
-  %395 = icmp eq i32 %394, 0
-  br i1 %395, label %397, label %396
+394:                                              ; preds = %376, %389
+  %395 = phi i32 [ 0, %376 ], [ %393, %389 ]
+  %396 = icmp eq i32 %395, 0
+  br i1 %396, label %398, label %397
 
-396:                                              ; preds = %393
-  store double %379, ptr %225, align 8
-  br label %1910
+397:                                              ; preds = %394
+  store double %380, ptr %225, align 8
+  br label %1917
 
-397:                                              ; preds = %393
-  %398 = add nsw i64 %376, -1
-  store i64 %398, ptr %192, align 8
-  %399 = load i64, ptr %335, align 8
+398:                                              ; preds = %394
+  %399 = add nsw i64 %377, -1
+  store i64 %399, ptr %192, align 8
   %400 = load i64, ptr %336, align 8
-  %401 = add nsw i64 %400, %399
-  %402 = load i64, ptr %337, align 8
-  %403 = icmp slt i64 %401, %402
-  br i1 %403, label %405, label %404
+  %401 = load i64, ptr %337, align 8
+  %402 = add nsw i64 %401, %400
+  %403 = load i64, ptr %338, align 8
+  %404 = icmp slt i64 %402, %403
+  br i1 %404, label %406, label %405
 
-404:                                              ; preds = %397
-  store double %379, ptr %225, align 8
-  br label %1910
+405:                                              ; preds = %398
+  store double %380, ptr %225, align 8
+  br label %1917
 
-405:                                              ; preds = %397
-  %406 = load double, ptr %338, align 8
-  %407 = fcmp olt double %379, %406
-  %408 = select i1 %407, double %379, double %406
-  %409 = fadd double %378, %408
-  %410 = fmul double %408, 1.000000e-03
-  %411 = fsub double %203, %410
-  %412 = fcmp ule double %409, %411
-  %413 = select i1 %412, double %409, double %203
-  %414 = fsub double %413, %378
-  %415 = fmul double %414, 6.250000e-02
-  %416 = fadd double %378, %415
-  %417 = fcmp ule double %416, %378
-  %418 = fcmp une double %413, %203
-  %419 = and i1 %418, %417
-  br i1 %419, label %420, label %421
+406:                                              ; preds = %398
+  %407 = load double, ptr %339, align 8
+  %408 = fcmp olt double %380, %407
+  %409 = select i1 %408, double %380, double %407
+  %410 = fadd double %379, %409
+  %411 = fmul double %409, 1.000000e-03
+  %412 = fsub double %203, %411
+  %413 = fcmp ule double %410, %412
+  %414 = select i1 %413, double %410, double %203
+  %415 = fsub double %414, %379
+  %416 = fmul double %415, 6.250000e-02
+  %417 = fadd double %379, %416
+  %418 = fcmp ule double %417, %379
+  %419 = fcmp une double %414, %203
+  %420 = and i1 %419, %418
+  br i1 %420, label %421, label %422
 
-420:                                              ; preds = %405
-  store double %414, ptr %225, align 8
-  br label %1898
+421:                                              ; preds = %406
+  store double %415, ptr %225, align 8
+  br label %1905
 
-421:                                              ; preds = %405
-  %422 = load i64, ptr %339, align 8
-  %423 = icmp eq i64 %422, 1
-  br i1 %423, label %424, label %542
+422:                                              ; preds = %406
+  %423 = load i64, ptr %340, align 8
+  %424 = icmp eq i64 %423, 1
+  br i1 %424, label %425, label %545
 
-424:                                              ; preds = %421
-  %425 = load ptr, ptr %81, align 8
-  %426 = getelementptr inbounds i8, ptr %425, i64 32
-  %427 = load i64, ptr %426, align 8
-  %428 = add nsw i64 %427, 1
-  store i64 %428, ptr %426, align 8
-  %429 = load ptr, ptr %76, align 8
-  %430 = getelementptr inbounds i8, ptr %429, i64 8
-  %431 = load i64, ptr %430, align 8
-  %432 = load ptr, ptr %78, align 8
-  %433 = load i64, ptr %432, align 8
-  %434 = icmp eq i64 %433, 0
-  br i1 %434, label %435, label %437
+425:                                              ; preds = %422
+  %426 = load ptr, ptr %81, align 8
+  %427 = getelementptr inbounds i8, ptr %426, i64 32
+  %428 = load i64, ptr %427, align 8
+  %429 = add nsw i64 %428, 1
+  store i64 %429, ptr %427, align 8
+  %430 = load ptr, ptr %76, align 8
+  %431 = getelementptr inbounds i8, ptr %430, i64 8
+  %432 = load i64, ptr %431, align 8
+  %433 = load ptr, ptr %78, align 8
+  %434 = load i64, ptr %433, align 8
+  %435 = icmp eq i64 %434, 0
+  br i1 %435, label %436, label %438
 
-435:                                              ; preds = %424
-  %436 = icmp sgt i64 %431, 0
-  br i1 %436, label %455, label %453
+436:                                              ; preds = %425
+  %437 = icmp sgt i64 %432, 0
+  br i1 %437, label %457, label %455
 
-437:                                              ; preds = %424
-  %438 = load ptr, ptr %95, align 8
-  store double %378, ptr %438, align 8
-  %439 = load i64, ptr %96, align 8
-  %440 = icmp sgt i64 %439, 0
-  br i1 %440, label %441, label %442
+438:                                              ; preds = %425
+  %439 = load ptr, ptr %95, align 8
+  store double %379, ptr %439, align 8
+  %440 = load i64, ptr %96, align 8
+  %441 = icmp sgt i64 %440, 0
+  br i1 %441, label %442, label %443
 
-441:                                              ; preds = %437
+442:                                              ; preds = %438
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %442
+  br label %443
 
-442:                                              ; preds = %441, %437
-  %443 = load ptr, ptr %78, align 8
-  %444 = load i64, ptr %443, align 8
-  %445 = load ptr, ptr %97, align 8
-  %446 = load ptr, ptr %77, align 8
-  %447 = load ptr, ptr %98, align 8
-  %448 = load ptr, ptr %99, align 8
-  %449 = load ptr, ptr %94, align 8
-  %450 = inttoptr i64 %444 to ptr
-  %451 = tail call i32 %450(ptr noundef %445, ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449) #11
-  %452 = sext i32 %451 to i64
-  br label %523
+443:                                              ; preds = %442, %438
+  %444 = load ptr, ptr %78, align 8
+  %445 = load i64, ptr %444, align 8
+  %446 = load ptr, ptr %97, align 8
+  %447 = load ptr, ptr %77, align 8
+  %448 = load ptr, ptr %98, align 8
+  %449 = load ptr, ptr %99, align 8
+  %450 = load ptr, ptr %94, align 8
+  %451 = inttoptr i64 %445 to ptr
+  %452 = load ptr, ptr %451, align 8
+  %453 = tail call i32 %452(ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449, ptr noundef %450) #11
+  %454 = sext i32 %453 to i64
+  br label %526
 
-453:                                              ; preds = %455, %435
-  %454 = icmp sgt i64 %431, 0
-  br i1 %454, label %467, label %523
+455:                                              ; preds = %457, %436
+  %456 = icmp sgt i64 %432, 0
+  br i1 %456, label %469, label %526
 
-455:                                              ; preds = %435, %455
-  %456 = phi i64 [ %462, %455 ], [ 0, %435 ]
-  %457 = load ptr, ptr %77, align 8
-  %458 = getelementptr inbounds double, ptr %457, i64 %456
-  %459 = load double, ptr %458, align 8
-  %460 = load ptr, ptr %100, align 8
-  %461 = getelementptr inbounds double, ptr %460, i64 %456
-  store double %459, ptr %461, align 8
-  %462 = add nuw nsw i64 %456, 1
-  %463 = icmp eq i64 %462, %431
-  br i1 %463, label %453, label %455, !llvm.loop !11
+457:                                              ; preds = %436, %457
+  %458 = phi i64 [ %464, %457 ], [ 0, %436 ]
+  %459 = load ptr, ptr %77, align 8
+  %460 = getelementptr inbounds double, ptr %459, i64 %458
+  %461 = load double, ptr %460, align 8
+  %462 = load ptr, ptr %100, align 8
+  %463 = getelementptr inbounds double, ptr %462, i64 %458
+  store double %461, ptr %463, align 8
+  %464 = add nuw nsw i64 %458, 1
+  %465 = icmp eq i64 %464, %432
+  br i1 %465, label %455, label %457, !llvm.loop !11
 
-464:                                              ; preds = %521
-  %465 = add nuw nsw i64 %469, 1
-  %466 = icmp eq i64 %465, %431
-  br i1 %466, label %523, label %467, !llvm.loop !12
+466:                                              ; preds = %524
+  %467 = add nuw nsw i64 %471, 1
+  %468 = icmp eq i64 %467, %432
+  br i1 %468, label %526, label %469, !llvm.loop !12
 
-467:                                              ; preds = %453, %464
-  %468 = phi i64 [ %522, %464 ], [ undef, %453 ]
-  %469 = phi i64 [ %465, %464 ], [ 0, %453 ]
-  %470 = load ptr, ptr %77, align 8
-  %471 = getelementptr inbounds double, ptr %470, i64 %469
-  %472 = load double, ptr %471, align 8
-  %473 = tail call double @llvm.fabs.f64(double %472)
-  %474 = fcmp olt double %473, 1.000000e-05
-  %475 = select i1 %474, double 1.000000e-05, double %473
-  %476 = fmul double %475, 1.500000e-08
-  %477 = fadd double %472, %476
-  %478 = load ptr, ptr %101, align 8
-  %479 = getelementptr inbounds double, ptr %478, i64 %469
-  store double %477, ptr %479, align 8
-  %480 = load ptr, ptr %81, align 8
-  %481 = getelementptr inbounds i8, ptr %480, i64 24
-  %482 = load i64, ptr %481, align 8
-  %483 = add nsw i64 %482, 1
-  store i64 %483, ptr %481, align 8
-  %484 = load ptr, ptr %101, align 8
-  %485 = load ptr, ptr %102, align 8
-  %486 = load ptr, ptr %103, align 8
-  store double %378, ptr %486, align 8
-  %487 = load i64, ptr %104, align 8
-  %488 = icmp sgt i64 %487, 0
-  br i1 %488, label %489, label %490
+469:                                              ; preds = %455, %466
+  %470 = phi i64 [ %525, %466 ], [ undef, %455 ]
+  %471 = phi i64 [ %467, %466 ], [ 0, %455 ]
+  %472 = load ptr, ptr %77, align 8
+  %473 = getelementptr inbounds double, ptr %472, i64 %471
+  %474 = load double, ptr %473, align 8
+  %475 = tail call double @llvm.fabs.f64(double %474)
+  %476 = fcmp olt double %475, 1.000000e-05
+  %477 = select i1 %476, double 1.000000e-05, double %475
+  %478 = fmul double %477, 1.500000e-08
+  %479 = fadd double %474, %478
+  %480 = load ptr, ptr %101, align 8
+  %481 = getelementptr inbounds double, ptr %480, i64 %471
+  store double %479, ptr %481, align 8
+  %482 = load ptr, ptr %81, align 8
+  %483 = getelementptr inbounds i8, ptr %482, i64 24
+  %484 = load i64, ptr %483, align 8
+  %485 = add nsw i64 %484, 1
+  store i64 %485, ptr %483, align 8
+  %486 = load ptr, ptr %101, align 8
+  %487 = load ptr, ptr %102, align 8
+  %488 = load ptr, ptr %103, align 8
+  store double %379, ptr %488, align 8
+  %489 = load i64, ptr %104, align 8
+  %490 = icmp sgt i64 %489, 0
+  br i1 %490, label %491, label %492
 
-489:                                              ; preds = %467
+491:                                              ; preds = %469
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %490
+  br label %492
 
-490:                                              ; preds = %489, %467
-  %491 = load ptr, ptr %76, align 8
-  %492 = load i64, ptr %491, align 8
-  %493 = load ptr, ptr %103, align 8
-  %494 = load ptr, ptr %105, align 8
-  %495 = load ptr, ptr %106, align 8
-  %496 = inttoptr i64 %492 to ptr
-  %497 = tail call i32 %496(ptr noundef %493, ptr noundef %484, ptr noundef %494, ptr noundef %495, ptr noundef %485) #11
-  %498 = sext i32 %497 to i64
-  %499 = icmp eq i32 %497, 0
-  br i1 %499, label %500, label %521
+492:                                              ; preds = %491, %469
+  %493 = load ptr, ptr %76, align 8
+  %494 = load i64, ptr %493, align 8
+  %495 = load ptr, ptr %103, align 8
+  %496 = load ptr, ptr %105, align 8
+  %497 = load ptr, ptr %106, align 8
+  %498 = inttoptr i64 %494 to ptr
+  %499 = load ptr, ptr %498, align 8
+  %500 = tail call i32 %499(ptr noundef %495, ptr noundef %486, ptr noundef %496, ptr noundef %497, ptr noundef %487) #11
+  %501 = sext i32 %500 to i64
+  %502 = icmp eq i32 %500, 0
+  br i1 %502, label %503, label %524
 
-500:                                              ; preds = %490
-  %501 = fsub double %477, %472
-  br label %505
+503:                                              ; preds = %492
+  %504 = fsub double %479, %474
+  br label %508
 
-502:                                              ; preds = %505
-  %503 = load ptr, ptr %101, align 8
-  %504 = getelementptr inbounds double, ptr %503, i64 %469
-  store double %472, ptr %504, align 8
-  br label %521
+505:                                              ; preds = %508
+  %506 = load ptr, ptr %101, align 8
+  %507 = getelementptr inbounds double, ptr %506, i64 %471
+  store double %474, ptr %507, align 8
+  br label %524
 
-505:                                              ; preds = %500, %505
-  %506 = phi i64 [ 0, %500 ], [ %519, %505 ]
-  %507 = load ptr, ptr %102, align 8
-  %508 = getelementptr inbounds double, ptr %507, i64 %506
-  %509 = load double, ptr %508, align 8
-  %510 = load ptr, ptr %107, align 8
-  %511 = getelementptr inbounds double, ptr %510, i64 %506
+508:                                              ; preds = %503, %508
+  %509 = phi i64 [ 0, %503 ], [ %522, %508 ]
+  %510 = load ptr, ptr %102, align 8
+  %511 = getelementptr inbounds double, ptr %510, i64 %509
   %512 = load double, ptr %511, align 8
-  %513 = fsub double %509, %512
-  %514 = fdiv double %513, %501
-  %515 = load ptr, ptr %94, align 8
-  %516 = mul nuw nsw i64 %506, %431
-  %517 = getelementptr double, ptr %515, i64 %516
-  %518 = getelementptr double, ptr %517, i64 %469
-  store double %514, ptr %518, align 8
-  %519 = add nuw nsw i64 %506, 1
-  %520 = icmp eq i64 %519, %431
-  br i1 %520, label %502, label %505, !llvm.loop !13
+  %513 = load ptr, ptr %107, align 8
+  %514 = getelementptr inbounds double, ptr %513, i64 %509
+  %515 = load double, ptr %514, align 8
+  %516 = fsub double %512, %515
+  %517 = fdiv double %516, %504
+  %518 = load ptr, ptr %94, align 8
+  %519 = mul nuw nsw i64 %509, %432
+  %520 = getelementptr double, ptr %518, i64 %519
+  %521 = getelementptr double, ptr %520, i64 %471
+  store double %517, ptr %521, align 8
+  %522 = add nuw nsw i64 %509, 1
+  %523 = icmp eq i64 %522, %432
+  br i1 %523, label %505, label %508, !llvm.loop !13
 
-521:                                              ; preds = %502, %490
-  %522 = phi i64 [ %468, %502 ], [ %498, %490 ]
-  br i1 %499, label %464, label %523
+524:                                              ; preds = %505, %492
+  %525 = phi i64 [ %470, %505 ], [ %501, %492 ]
+  br i1 %502, label %466, label %526
 
-523:                                              ; preds = %521, %464, %453, %442
-  %524 = phi i64 [ %452, %442 ], [ 0, %453 ], [ 0, %464 ], [ %522, %521 ]
-  %525 = load i64, ptr %108, align 8
-  %526 = icmp sgt i64 %525, 0
-  br i1 %526, label %527, label %539
+526:                                              ; preds = %524, %466, %455, %443
+  %527 = phi i64 [ %454, %443 ], [ 0, %455 ], [ 0, %466 ], [ %525, %524 ]
+  %528 = load i64, ptr %108, align 8
+  %529 = icmp sgt i64 %528, 0
+  br i1 %529, label %530, label %542
 
-527:                                              ; preds = %523, %535
-  %528 = phi i64 [ %536, %535 ], [ 0, %523 ]
-  %529 = load ptr, ptr %94, align 8
-  %530 = getelementptr inbounds double, ptr %529, i64 %528
-  %531 = load double, ptr %530, align 8
-  %532 = tail call double @llvm.fabs.f64(double %531)
-  %533 = fcmp ueq double %532, 0x7FF0000000000000
-  br i1 %533, label %534, label %535
+530:                                              ; preds = %526, %538
+  %531 = phi i64 [ %539, %538 ], [ 0, %526 ]
+  %532 = load ptr, ptr %94, align 8
+  %533 = getelementptr inbounds double, ptr %532, i64 %531
+  %534 = load double, ptr %533, align 8
+  %535 = tail call double @llvm.fabs.f64(double %534)
+  %536 = fcmp ueq double %535, 0x7FF0000000000000
+  br i1 %536, label %537, label %538
 
-534:                                              ; preds = %527
-  store double 0.000000e+00, ptr %530, align 8
-  br label %535
+537:                                              ; preds = %530
+  store double 0.000000e+00, ptr %533, align 8
+  br label %538
 
-535:                                              ; preds = %534, %527
-  %536 = add nuw nsw i64 %528, 1
-  %537 = load i64, ptr %108, align 8
-  %538 = icmp slt i64 %536, %537
-  br i1 %538, label %527, label %539, !llvm.loop !14
+538:                                              ; preds = %537, %530
+  %539 = add nuw nsw i64 %531, 1
+  %540 = load i64, ptr %108, align 8
+  %541 = icmp slt i64 %539, %540
+  br i1 %541, label %530, label %542, !llvm.loop !14
 
-539:                                              ; preds = %535, %523
-  %540 = icmp slt i64 %524, 0
-  br i1 %540, label %1898, label %541
+542:                                              ; preds = %538, %526
+  %543 = icmp slt i64 %527, 0
+  br i1 %543, label %1905, label %544
 
-541:                                              ; preds = %539
-  store i64 0, ptr %339, align 8
-  store i64 1, ptr %340, align 8
-  store i64 0, ptr %341, align 8
-  br label %542
-
-542:                                              ; preds = %541, %421
-  %543 = load i64, ptr %342, align 8
-  %544 = icmp eq i64 %543, 0
-  br i1 %544, label %552, label %545
-
-545:                                              ; preds = %542
-  %546 = tail call double @llvm.fabs.f64(double %413)
-  %547 = fmul double %546, 0x3CB0000000000000
-  %548 = load double, ptr %189, align 8
-  %549 = fsub double %414, %548
-  %550 = tail call double @llvm.fabs.f64(double %549)
-  %551 = fcmp ogt double %550, %547
-  br i1 %551, label %552, label %615
-
-552:                                              ; preds = %545, %542
-  %553 = load i64, ptr %343, align 8
-  %554 = add nsw i64 %553, 1
-  store i64 %554, ptr %343, align 8
-  %555 = load i64, ptr %110, align 8
-  %556 = load ptr, ptr %111, align 8
-  %557 = load ptr, ptr %112, align 8
-  %558 = icmp sgt i64 %555, 0
-  br i1 %558, label %559, label %567
-
-559:                                              ; preds = %552
-  %560 = fdiv double 0x400D1A48D83E731D, %414
-  %561 = add nuw i64 %555, 1
-  %562 = fdiv double 0x400572DB93E0C672, %414
-  %563 = fdiv double 0x40086747F2C3FCB6, %414
-  br label %564
-
-564:                                              ; preds = %559, %571
-  %565 = phi i64 [ 0, %559 ], [ %582, %571 ]
-  %566 = mul nuw nsw i64 %565, %555
-  br label %584
-
-567:                                              ; preds = %571, %552
-  %568 = load ptr, ptr %109, align 8
-  %569 = tail call fastcc i32 @real_factorise(ptr noundef %556, i64 noundef %555, ptr noundef %568) #10
-  %570 = icmp eq i32 %569, 0
-  br i1 %570, label %605, label %600
-
-571:                                              ; preds = %584
-  %572 = mul i64 %565, %561
-  %573 = getelementptr inbounds double, ptr %556, i64 %572
-  %574 = load double, ptr %573, align 8
-  %575 = fadd double %560, %574
-  store double %575, ptr %573, align 8
-  %576 = getelementptr inbounds { double, double }, ptr %557, i64 %572
-  %577 = load double, ptr %576, align 8
-  %578 = getelementptr inbounds i8, ptr %576, i64 8
-  %579 = load double, ptr %578, align 8
-  %580 = fadd double %562, %577
-  %581 = fsub double %579, %563
-  store double %580, ptr %576, align 8
-  store double %581, ptr %578, align 8
-  %582 = add nuw nsw i64 %565, 1
-  %583 = icmp eq i64 %582, %555
-  br i1 %583, label %567, label %564, !llvm.loop !15
-
-584:                                              ; preds = %564, %584
-  %585 = phi i64 [ 0, %564 ], [ %598, %584 ]
-  %586 = load ptr, ptr %113, align 8
-  %587 = add nuw nsw i64 %585, %566
-  %588 = getelementptr inbounds double, ptr %586, i64 %587
-  %589 = load double, ptr %588, align 8
-  %590 = fneg double %589
-  %591 = getelementptr inbounds double, ptr %556, i64 %587
-  store double %590, ptr %591, align 8
-  %592 = load ptr, ptr %113, align 8
-  %593 = getelementptr inbounds double, ptr %592, i64 %587
-  %594 = load double, ptr %593, align 8
-  %595 = fneg double %594
-  %596 = getelementptr inbounds { double, double }, ptr %557, i64 %587
-  %597 = getelementptr inbounds i8, ptr %596, i64 8
-  store double %595, ptr %596, align 8
-  store double 0.000000e+00, ptr %597, align 8
-  %598 = add nuw nsw i64 %585, 1
-  %599 = icmp eq i64 %598, %555
-  br i1 %599, label %571, label %584, !llvm.loop !16
-
-600:                                              ; preds = %567
-  %601 = load ptr, ptr %114, align 8
-  %602 = tail call fastcc i32 @pair_factorise(ptr noundef %557, i64 noundef %555, ptr noundef %601) #10
-  %603 = icmp ne i32 %602, 0
-  %604 = zext i1 %603 to i32
-  br label %605
-
-605:                                              ; preds = %567, %600
-  %606 = phi i32 [ 0, %567 ], [ %604, %600 ]
-  %607 = icmp eq i32 %606, 0
-  br i1 %607, label %608, label %614
-
-608:                                              ; preds = %605
-  store i64 4, ptr %367, align 8
-  %609 = load i64, ptr %336, align 8
-  %610 = add nsw i64 %609, 1
-  store i64 %610, ptr %336, align 8
-  %611 = fmul double %414, 5.000000e-01
-  %612 = load i64, ptr %368, align 8
-  %613 = sub nsw i64 1, %612
-  store i64 %613, ptr %339, align 8
+544:                                              ; preds = %542
+  store i64 0, ptr %340, align 8
+  store i64 1, ptr %341, align 8
   store i64 0, ptr %342, align 8
-  br label %1898, !llvm.loop !17
+  br label %545
 
-614:                                              ; preds = %605
-  store i64 1, ptr %342, align 8
-  store double %414, ptr %189, align 8
-  br label %615
+545:                                              ; preds = %544, %422
+  %546 = load i64, ptr %343, align 8
+  %547 = icmp eq i64 %546, 0
+  br i1 %547, label %555, label %548
 
-615:                                              ; preds = %614, %545
-  %616 = load double, ptr %344, align 8
-  %617 = load ptr, ptr %76, align 8
-  %618 = getelementptr inbounds i8, ptr %617, i64 8
-  %619 = load i64, ptr %618, align 8
-  %620 = load ptr, ptr %115, align 8
-  %621 = load ptr, ptr %77, align 8
-  %622 = load ptr, ptr %116, align 8
-  %623 = load ptr, ptr %117, align 8
-  %624 = fcmp ogt double %616, 0.000000e+00
-  %625 = icmp sgt i64 %619, 0
-  %626 = shl i64 %619, 4
-  %627 = getelementptr i8, ptr %620, i64 %626
-  %628 = mul i64 %619, 24
-  %629 = getelementptr i8, ptr %620, i64 %628
-  %630 = getelementptr double, ptr %620, i64 %619
-  br label %636
+548:                                              ; preds = %545
+  %549 = tail call double @llvm.fabs.f64(double %414)
+  %550 = fmul double %549, 0x3CB0000000000000
+  %551 = load double, ptr %189, align 8
+  %552 = fsub double %415, %551
+  %553 = tail call double @llvm.fabs.f64(double %552)
+  %554 = fcmp ogt double %553, %550
+  br i1 %554, label %555, label %618
 
-631:                                              ; preds = %650
-  %632 = icmp sgt i64 %619, 0
-  %633 = getelementptr double, ptr %622, i64 %619
-  %634 = shl i64 %619, 4
-  %635 = getelementptr i8, ptr %622, i64 %634
+555:                                              ; preds = %548, %545
+  %556 = load i64, ptr %344, align 8
+  %557 = add nsw i64 %556, 1
+  store i64 %557, ptr %344, align 8
+  %558 = load i64, ptr %110, align 8
+  %559 = load ptr, ptr %111, align 8
+  %560 = load ptr, ptr %112, align 8
+  %561 = icmp sgt i64 %558, 0
+  br i1 %561, label %562, label %570
+
+562:                                              ; preds = %555
+  %563 = fdiv double 0x400D1A48D83E731D, %415
+  %564 = add nuw i64 %558, 1
+  %565 = fdiv double 0x400572DB93E0C672, %415
+  %566 = fdiv double 0x40086747F2C3FCB6, %415
+  br label %567
+
+567:                                              ; preds = %562, %574
+  %568 = phi i64 [ 0, %562 ], [ %585, %574 ]
+  %569 = mul nuw nsw i64 %568, %558
+  br label %587
+
+570:                                              ; preds = %574, %555
+  %571 = load ptr, ptr %109, align 8
+  %572 = tail call fastcc i32 @real_factorise(ptr noundef %559, i64 noundef %558, ptr noundef %571) #10
+  %573 = icmp eq i32 %572, 0
+  br i1 %573, label %608, label %603
+
+574:                                              ; preds = %587
+  %575 = mul i64 %568, %564
+  %576 = getelementptr inbounds double, ptr %559, i64 %575
+  %577 = load double, ptr %576, align 8
+  %578 = fadd double %563, %577
+  store double %578, ptr %576, align 8
+  %579 = getelementptr inbounds { double, double }, ptr %560, i64 %575
+  %580 = load double, ptr %579, align 8
+  %581 = getelementptr inbounds i8, ptr %579, i64 8
+  %582 = load double, ptr %581, align 8
+  %583 = fadd double %565, %580
+  %584 = fsub double %582, %566
+  store double %583, ptr %579, align 8
+  store double %584, ptr %581, align 8
+  %585 = add nuw nsw i64 %568, 1
+  %586 = icmp eq i64 %585, %558
+  br i1 %586, label %570, label %567, !llvm.loop !15
+
+587:                                              ; preds = %567, %587
+  %588 = phi i64 [ 0, %567 ], [ %601, %587 ]
+  %589 = load ptr, ptr %113, align 8
+  %590 = add nuw nsw i64 %588, %569
+  %591 = getelementptr inbounds double, ptr %589, i64 %590
+  %592 = load double, ptr %591, align 8
+  %593 = fneg double %592
+  %594 = getelementptr inbounds double, ptr %559, i64 %590
+  store double %593, ptr %594, align 8
+  %595 = load ptr, ptr %113, align 8
+  %596 = getelementptr inbounds double, ptr %595, i64 %590
+  %597 = load double, ptr %596, align 8
+  %598 = fneg double %597
+  %599 = getelementptr inbounds { double, double }, ptr %560, i64 %590
+  %600 = getelementptr inbounds i8, ptr %599, i64 8
+  store double %598, ptr %599, align 8
+  store double 0.000000e+00, ptr %600, align 8
+  %601 = add nuw nsw i64 %588, 1
+  %602 = icmp eq i64 %601, %558
+  br i1 %602, label %574, label %587, !llvm.loop !16
+
+603:                                              ; preds = %570
+  %604 = load ptr, ptr %114, align 8
+  %605 = tail call fastcc i32 @pair_factorise(ptr noundef %560, i64 noundef %558, ptr noundef %604) #10
+  %606 = icmp ne i32 %605, 0
+  %607 = zext i1 %606 to i32
+  br label %608
+
+608:                                              ; preds = %570, %603
+  %609 = phi i32 [ 0, %570 ], [ %607, %603 ]
+  %610 = icmp eq i32 %609, 0
+  br i1 %610, label %611, label %617
+
+611:                                              ; preds = %608
+  store i64 4, ptr %368, align 8
+  %612 = load i64, ptr %337, align 8
+  %613 = add nsw i64 %612, 1
+  store i64 %613, ptr %337, align 8
+  %614 = fmul double %415, 5.000000e-01
+  %615 = load i64, ptr %369, align 8
+  %616 = sub nsw i64 1, %615
+  store i64 %616, ptr %340, align 8
+  store i64 0, ptr %343, align 8
+  br label %1905, !llvm.loop !17
+
+617:                                              ; preds = %608
+  store i64 1, ptr %343, align 8
+  store double %415, ptr %189, align 8
+  br label %618
+
+618:                                              ; preds = %617, %548
+  %619 = load double, ptr %345, align 8
+  %620 = load ptr, ptr %76, align 8
+  %621 = getelementptr inbounds i8, ptr %620, i64 8
+  %622 = load i64, ptr %621, align 8
+  %623 = load ptr, ptr %115, align 8
+  %624 = load ptr, ptr %77, align 8
+  %625 = load ptr, ptr %116, align 8
+  %626 = load ptr, ptr %117, align 8
+  %627 = fcmp ogt double %619, 0.000000e+00
+  %628 = icmp sgt i64 %622, 0
+  %629 = shl i64 %622, 4
+  %630 = getelementptr i8, ptr %623, i64 %629
+  %631 = mul i64 %622, 24
+  %632 = getelementptr i8, ptr %623, i64 %631
+  %633 = getelementptr double, ptr %623, i64 %622
+  br label %639
+
+634:                                              ; preds = %653
+  %635 = icmp sgt i64 %622, 0
+  %636 = getelementptr double, ptr %625, i64 %622
+  %637 = shl i64 %622, 4
+  %638 = getelementptr i8, ptr %625, i64 %637
+  br label %680
+
+639:                                              ; preds = %618, %653
+  %640 = phi i64 [ 0, %618 ], [ %654, %653 ]
+  br i1 %627, label %641, label %647
+
+641:                                              ; preds = %639
+  %642 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %640
+  %643 = load double, ptr %642, align 8
+  %644 = fmul double %415, %643
+  %645 = fdiv double %644, %619
+  %646 = fadd double %645, 1.000000e+00
+  br label %647
+
+647:                                              ; preds = %641, %639
+  %648 = phi double [ %646, %641 ], [ 0.000000e+00, %639 ]
+  br i1 %628, label %649, label %653
+
+649:                                              ; preds = %647
+  %650 = mul nuw nsw i64 %622, %640
+  %651 = getelementptr double, ptr %625, i64 %650
+  %652 = fsub double 1.000000e+00, %648
+  br label %656
+
+653:                                              ; preds = %677, %647
+  %654 = add nuw nsw i64 %640, 1
+  %655 = icmp eq i64 %654, 3
+  br i1 %655, label %634, label %639, !llvm.loop !18
+
+656:                                              ; preds = %649, %677
+  %657 = phi i64 [ 0, %649 ], [ %678, %677 ]
+  %658 = getelementptr double, ptr %651, i64 %657
+  store double 0.000000e+00, ptr %658, align 8
+  br i1 %627, label %659, label %677
+
+659:                                              ; preds = %656
+  %660 = getelementptr double, ptr %630, i64 %657
+  %661 = load double, ptr %660, align 8
+  %662 = getelementptr double, ptr %632, i64 %657
+  %663 = load double, ptr %662, align 8
+  %664 = fmul double %648, %663
+  %665 = fadd double %661, %664
+  %666 = fmul double %652, %665
+  %667 = getelementptr inbounds double, ptr %623, i64 %657
+  %668 = load double, ptr %667, align 8
+  %669 = getelementptr double, ptr %633, i64 %657
+  %670 = load double, ptr %669, align 8
+  %671 = fadd double %670, %666
+  %672 = fmul double %648, %671
+  %673 = fadd double %668, %672
+  %674 = getelementptr inbounds double, ptr %624, i64 %657
+  %675 = load double, ptr %674, align 8
+  %676 = fsub double %673, %675
+  store double %676, ptr %658, align 8
   br label %677
 
-636:                                              ; preds = %615, %650
-  %637 = phi i64 [ 0, %615 ], [ %651, %650 ]
-  br i1 %624, label %638, label %644
+677:                                              ; preds = %659, %656
+  %678 = add nuw nsw i64 %657, 1
+  %679 = icmp eq i64 %678, %622
+  br i1 %679, label %653, label %656, !llvm.loop !19
 
-638:                                              ; preds = %636
-  %639 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %637
-  %640 = load double, ptr %639, align 8
-  %641 = fmul double %414, %640
-  %642 = fdiv double %641, %616
-  %643 = fadd double %642, 1.000000e+00
-  br label %644
+680:                                              ; preds = %634, %691
+  %681 = phi i64 [ 0, %634 ], [ %692, %691 ]
+  br i1 %635, label %682, label %691
 
-644:                                              ; preds = %638, %636
-  %645 = phi double [ %643, %638 ], [ 0.000000e+00, %636 ]
-  br i1 %625, label %646, label %650
+682:                                              ; preds = %680
+  %683 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %681
+  %684 = load double, ptr %683, align 8
+  %685 = getelementptr inbounds i8, ptr %683, i64 8
+  %686 = load double, ptr %685, align 8
+  %687 = getelementptr inbounds i8, ptr %683, i64 16
+  %688 = load double, ptr %687, align 8
+  %689 = mul nuw nsw i64 %622, %681
+  %690 = getelementptr double, ptr %626, i64 %689
+  br label %694
 
-646:                                              ; preds = %644
-  %647 = mul nuw nsw i64 %619, %637
-  %648 = getelementptr double, ptr %622, i64 %647
-  %649 = fsub double 1.000000e+00, %645
-  br label %653
+691:                                              ; preds = %694, %680
+  %692 = add nuw nsw i64 %681, 1
+  %693 = icmp eq i64 %692, 3
+  br i1 %693, label %710, label %680, !llvm.loop !20
 
-650:                                              ; preds = %674, %644
-  %651 = add nuw nsw i64 %637, 1
-  %652 = icmp eq i64 %651, 3
-  br i1 %652, label %631, label %636, !llvm.loop !18
-
-653:                                              ; preds = %646, %674
-  %654 = phi i64 [ 0, %646 ], [ %675, %674 ]
-  %655 = getelementptr double, ptr %648, i64 %654
-  store double 0.000000e+00, ptr %655, align 8
-  br i1 %624, label %656, label %674
-
-656:                                              ; preds = %653
-  %657 = getelementptr double, ptr %627, i64 %654
-  %658 = load double, ptr %657, align 8
-  %659 = getelementptr double, ptr %629, i64 %654
-  %660 = load double, ptr %659, align 8
-  %661 = fmul double %645, %660
-  %662 = fadd double %658, %661
-  %663 = fmul double %649, %662
-  %664 = getelementptr inbounds double, ptr %620, i64 %654
-  %665 = load double, ptr %664, align 8
-  %666 = getelementptr double, ptr %630, i64 %654
-  %667 = load double, ptr %666, align 8
-  %668 = fadd double %667, %663
-  %669 = fmul double %645, %668
-  %670 = fadd double %665, %669
-  %671 = getelementptr inbounds double, ptr %621, i64 %654
-  %672 = load double, ptr %671, align 8
-  %673 = fsub double %670, %672
-  store double %673, ptr %655, align 8
-  br label %674
-
-674:                                              ; preds = %656, %653
-  %675 = add nuw nsw i64 %654, 1
-  %676 = icmp eq i64 %675, %619
-  br i1 %676, label %650, label %653, !llvm.loop !19
-
-677:                                              ; preds = %631, %688
-  %678 = phi i64 [ 0, %631 ], [ %689, %688 ]
-  br i1 %632, label %679, label %688
-
-679:                                              ; preds = %677
-  %680 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %678
-  %681 = load double, ptr %680, align 8
-  %682 = getelementptr inbounds i8, ptr %680, i64 8
-  %683 = load double, ptr %682, align 8
-  %684 = getelementptr inbounds i8, ptr %680, i64 16
-  %685 = load double, ptr %684, align 8
-  %686 = mul nuw nsw i64 %619, %678
-  %687 = getelementptr double, ptr %623, i64 %686
-  br label %691
-
-688:                                              ; preds = %691, %677
-  %689 = add nuw nsw i64 %678, 1
-  %690 = icmp eq i64 %689, 3
-  br i1 %690, label %707, label %677, !llvm.loop !20
-
-691:                                              ; preds = %679, %691
-  %692 = phi i64 [ 0, %679 ], [ %705, %691 ]
-  %693 = getelementptr inbounds double, ptr %622, i64 %692
-  %694 = load double, ptr %693, align 8
-  %695 = fmul double %681, %694
-  %696 = getelementptr double, ptr %633, i64 %692
+694:                                              ; preds = %682, %694
+  %695 = phi i64 [ 0, %682 ], [ %708, %694 ]
+  %696 = getelementptr inbounds double, ptr %625, i64 %695
   %697 = load double, ptr %696, align 8
-  %698 = fmul double %683, %697
-  %699 = fadd double %695, %698
-  %700 = getelementptr double, ptr %635, i64 %692
-  %701 = load double, ptr %700, align 8
-  %702 = fmul double %685, %701
-  %703 = fadd double %699, %702
-  %704 = getelementptr double, ptr %687, i64 %692
-  store double %703, ptr %704, align 8
-  %705 = add nuw nsw i64 %692, 1
-  %706 = icmp eq i64 %705, %619
-  br i1 %706, label %688, label %691, !llvm.loop !21
+  %698 = fmul double %684, %697
+  %699 = getelementptr double, ptr %636, i64 %695
+  %700 = load double, ptr %699, align 8
+  %701 = fmul double %686, %700
+  %702 = fadd double %698, %701
+  %703 = getelementptr double, ptr %638, i64 %695
+  %704 = load double, ptr %703, align 8
+  %705 = fmul double %688, %704
+  %706 = fadd double %702, %705
+  %707 = getelementptr double, ptr %690, i64 %695
+  store double %706, ptr %707, align 8
+  %708 = add nuw nsw i64 %695, 1
+  %709 = icmp eq i64 %708, %622
+  br i1 %709, label %691, label %694, !llvm.loop !21
 
-707:                                              ; preds = %688
-  %708 = load ptr, ptr %76, align 8, !noalias !22
-  %709 = getelementptr inbounds i8, ptr %708, i64 8
-  %710 = load i64, ptr %709, align 8, !noalias !22
-  %711 = load ptr, ptr %78, align 8, !noalias !22
-  %712 = getelementptr inbounds i8, ptr %711, i64 40
+710:                                              ; preds = %691
+  %711 = load ptr, ptr %76, align 8, !noalias !22
+  %712 = getelementptr inbounds i8, ptr %711, i64 8
   %713 = load i64, ptr %712, align 8, !noalias !22
-  %714 = load ptr, ptr %116, align 8, !noalias !22
-  %715 = load ptr, ptr %117, align 8, !noalias !22
-  %716 = load ptr, ptr %118, align 8, !noalias !22
-  %717 = load ptr, ptr %119, align 8, !noalias !22
-  %718 = load ptr, ptr %120, align 8, !noalias !22
-  %719 = icmp sgt i64 %713, 0
-  %720 = select i1 %719, i64 10, i64 6
-  %721 = icmp sgt i64 %710, 0
-  %722 = fdiv double 0x400D1A48D83E731D, %414
-  %723 = fdiv double 0x400572DB93E0C672, %414
-  %724 = fdiv double 0xC0086747F2C3FCB6, %414
-  %725 = icmp sgt i64 %710, 0
-  %726 = getelementptr double, ptr %715, i64 %710
-  %727 = shl i64 %710, 4
-  %728 = getelementptr i8, ptr %715, i64 %727
-  %729 = icmp eq i64 %713, 0
-  br label %730
+  %714 = load ptr, ptr %78, align 8, !noalias !22
+  %715 = getelementptr inbounds i8, ptr %714, i64 40
+  %716 = load i64, ptr %715, align 8, !noalias !22
+  %717 = load ptr, ptr %116, align 8, !noalias !22
+  %718 = load ptr, ptr %117, align 8, !noalias !22
+  %719 = load ptr, ptr %118, align 8, !noalias !22
+  %720 = load ptr, ptr %119, align 8, !noalias !22
+  %721 = load ptr, ptr %120, align 8, !noalias !22
+  %722 = icmp sgt i64 %716, 0
+  %723 = select i1 %722, i64 10, i64 6
+  %724 = icmp sgt i64 %713, 0
+  %725 = fdiv double 0x400D1A48D83E731D, %415
+  %726 = fdiv double 0x400572DB93E0C672, %415
+  %727 = fdiv double 0xC0086747F2C3FCB6, %415
+  %728 = icmp sgt i64 %713, 0
+  %729 = getelementptr double, ptr %718, i64 %713
+  %730 = shl i64 %713, 4
+  %731 = getelementptr i8, ptr %718, i64 %730
+  %732 = icmp eq i64 %716, 0
+  br label %733
 
-730:                                              ; preds = %707, %1133
-  %731 = phi double [ -1.000000e+00, %707 ], [ %1132, %1133 ]
-  %732 = phi double [ 0.000000e+00, %707 ], [ %1131, %1133 ]
-  %733 = phi i64 [ 0, %707 ], [ %1130, %1133 ]
-  %734 = phi i64 [ 0, %707 ], [ %1134, %1133 ]
-  %735 = phi i64 [ %380, %707 ], [ %1127, %1133 ]
-  %736 = phi i64 [ %381, %707 ], [ %1126, %1133 ]
-  %737 = phi i32 [ %382, %707 ], [ %1125, %1133 ]
-  %738 = phi double [ %383, %707 ], [ %1124, %1133 ]
-  %739 = icmp ugt i64 %734, 5
-  %740 = icmp eq i64 %733, 0
-  %741 = select i1 %739, i1 %740, i1 false
-  br i1 %741, label %1136, label %746
+733:                                              ; preds = %710, %1137
+  %734 = phi double [ -1.000000e+00, %710 ], [ %1136, %1137 ]
+  %735 = phi double [ 0.000000e+00, %710 ], [ %1135, %1137 ]
+  %736 = phi i64 [ 0, %710 ], [ %1134, %1137 ]
+  %737 = phi i64 [ 0, %710 ], [ %1138, %1137 ]
+  %738 = phi i64 [ %381, %710 ], [ %1131, %1137 ]
+  %739 = phi i64 [ %382, %710 ], [ %1130, %1137 ]
+  %740 = phi i32 [ %383, %710 ], [ %1129, %1137 ]
+  %741 = phi double [ %384, %710 ], [ %1128, %1137 ]
+  %742 = icmp ugt i64 %737, 5
+  %743 = icmp eq i64 %736, 0
+  %744 = select i1 %742, i1 %743, i1 false
+  br i1 %744, label %1140, label %749
 
-742:                                              ; preds = %768
-  %743 = add nuw nsw i64 %747, 1
-  %744 = icmp ugt i64 %747, 1
-  %745 = icmp eq i64 %743, 3
-  br i1 %745, label %791, label %746, !llvm.loop !25
+745:                                              ; preds = %771
+  %746 = add nuw nsw i64 %750, 1
+  %747 = icmp ugt i64 %750, 1
+  %748 = icmp eq i64 %746, 3
+  br i1 %748, label %795, label %749, !llvm.loop !25
 
-746:                                              ; preds = %730, %742
-  %747 = phi i64 [ %743, %742 ], [ 0, %730 ]
-  %748 = phi i1 [ %744, %742 ], [ false, %730 ]
-  br i1 %721, label %749, label %752
+749:                                              ; preds = %733, %745
+  %750 = phi i64 [ %746, %745 ], [ 0, %733 ]
+  %751 = phi i1 [ %747, %745 ], [ false, %733 ]
+  br i1 %724, label %752, label %755
 
-749:                                              ; preds = %746
-  %750 = mul nuw nsw i64 %710, %747
-  %751 = getelementptr double, ptr %714, i64 %750
-  br label %777
+752:                                              ; preds = %749
+  %753 = mul nuw nsw i64 %713, %750
+  %754 = getelementptr double, ptr %717, i64 %753
+  br label %781
 
-752:                                              ; preds = %777, %746
-  %753 = load ptr, ptr %81, align 8, !noalias !22
-  %754 = getelementptr inbounds i8, ptr %753, i64 24
-  %755 = load i64, ptr %754, align 8, !noalias !22
-  %756 = add nsw i64 %755, 1
-  store i64 %756, ptr %754, align 8, !noalias !22
-  %757 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %747
-  %758 = load double, ptr %757, align 8, !noalias !22
-  %759 = fmul double %414, %758
-  %760 = fadd double %378, %759
-  %761 = load ptr, ptr %121, align 8, !noalias !22
-  %762 = mul nsw i64 %710, %747
-  %763 = getelementptr inbounds double, ptr %716, i64 %762
-  %764 = load ptr, ptr %122, align 8, !noalias !22
-  store double %760, ptr %764, align 8, !noalias !22
-  %765 = load i64, ptr %123, align 8, !noalias !22
-  %766 = icmp sgt i64 %765, 0
-  br i1 %766, label %767, label %768
+755:                                              ; preds = %781, %749
+  %756 = load ptr, ptr %81, align 8, !noalias !22
+  %757 = getelementptr inbounds i8, ptr %756, i64 24
+  %758 = load i64, ptr %757, align 8, !noalias !22
+  %759 = add nsw i64 %758, 1
+  store i64 %759, ptr %757, align 8, !noalias !22
+  %760 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %750
+  %761 = load double, ptr %760, align 8, !noalias !22
+  %762 = fmul double %415, %761
+  %763 = fadd double %379, %762
+  %764 = load ptr, ptr %121, align 8, !noalias !22
+  %765 = mul nsw i64 %713, %750
+  %766 = getelementptr inbounds double, ptr %719, i64 %765
+  %767 = load ptr, ptr %122, align 8, !noalias !22
+  store double %763, ptr %767, align 8, !noalias !22
+  %768 = load i64, ptr %123, align 8, !noalias !22
+  %769 = icmp sgt i64 %768, 0
+  br i1 %769, label %770, label %771
 
-767:                                              ; preds = %752
+770:                                              ; preds = %755
   tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
-  br label %768
+  br label %771
 
-768:                                              ; preds = %752, %767
-  %769 = load ptr, ptr %76, align 8, !noalias !22
-  %770 = load i64, ptr %769, align 8, !noalias !22
-  %771 = load ptr, ptr %122, align 8, !noalias !22
-  %772 = load ptr, ptr %125, align 8, !noalias !22
-  %773 = load ptr, ptr %126, align 8, !noalias !22
-  %774 = inttoptr i64 %770 to ptr
-  %775 = tail call i32 %774(ptr noundef %771, ptr noundef %761, ptr noundef %772, ptr noundef %773, ptr noundef %763) #11, !noalias !22
-  %776 = icmp eq i32 %775, 0
-  br i1 %776, label %742, label %789
+771:                                              ; preds = %755, %770
+  %772 = load ptr, ptr %76, align 8, !noalias !22
+  %773 = load i64, ptr %772, align 8, !noalias !22
+  %774 = load ptr, ptr %122, align 8, !noalias !22
+  %775 = load ptr, ptr %125, align 8, !noalias !22
+  %776 = load ptr, ptr %126, align 8, !noalias !22
+  %777 = inttoptr i64 %773 to ptr
+  %778 = load ptr, ptr %777, align 8, !noalias !22
+  %779 = tail call i32 %778(ptr noundef %774, ptr noundef %764, ptr noundef %775, ptr noundef %776, ptr noundef %766) #11, !noalias !22
+  %780 = icmp eq i32 %779, 0
+  br i1 %780, label %745, label %793
 
-777:                                              ; preds = %749, %777
-  %778 = phi i64 [ 0, %749 ], [ %787, %777 ]
-  %779 = load ptr, ptr %77, align 8, !noalias !22
-  %780 = getelementptr inbounds double, ptr %779, i64 %778
-  %781 = load double, ptr %780, align 8, !noalias !22
-  %782 = getelementptr double, ptr %751, i64 %778
-  %783 = load double, ptr %782, align 8, !noalias !22
-  %784 = fadd double %781, %783
-  %785 = load ptr, ptr %124, align 8, !noalias !22
-  %786 = getelementptr inbounds double, ptr %785, i64 %778
-  store double %784, ptr %786, align 8, !noalias !22
-  %787 = add nuw nsw i64 %778, 1
-  %788 = icmp eq i64 %787, %710
-  br i1 %788, label %752, label %777, !llvm.loop !26
+781:                                              ; preds = %752, %781
+  %782 = phi i64 [ 0, %752 ], [ %791, %781 ]
+  %783 = load ptr, ptr %77, align 8, !noalias !22
+  %784 = getelementptr inbounds double, ptr %783, i64 %782
+  %785 = load double, ptr %784, align 8, !noalias !22
+  %786 = getelementptr double, ptr %754, i64 %782
+  %787 = load double, ptr %786, align 8, !noalias !22
+  %788 = fadd double %785, %787
+  %789 = load ptr, ptr %124, align 8, !noalias !22
+  %790 = getelementptr inbounds double, ptr %789, i64 %782
+  store double %788, ptr %790, align 8, !noalias !22
+  %791 = add nuw nsw i64 %782, 1
+  %792 = icmp eq i64 %791, %713
+  br i1 %792, label %755, label %781, !llvm.loop !26
 
-789:                                              ; preds = %768
-  %790 = sext i32 %775 to i64
-  br label %791
+793:                                              ; preds = %771
+  %794 = sext i32 %779 to i64
+  br label %795
 
-791:                                              ; preds = %742, %789
-  %792 = phi i1 [ %748, %789 ], [ %744, %742 ]
-  %793 = phi double [ 0.000000e+00, %789 ], [ %738, %742 ]
-  %794 = phi i32 [ 0, %789 ], [ %737, %742 ]
-  %795 = phi i64 [ %734, %789 ], [ %736, %742 ]
-  %796 = phi i64 [ %790, %789 ], [ %735, %742 ]
-  %797 = phi i32 [ 1, %789 ], [ 5, %742 ]
-  br i1 %792, label %798, label %1136
+795:                                              ; preds = %745, %793
+  %796 = phi i1 [ %751, %793 ], [ %747, %745 ]
+  %797 = phi double [ 0.000000e+00, %793 ], [ %741, %745 ]
+  %798 = phi i32 [ 0, %793 ], [ %740, %745 ]
+  %799 = phi i64 [ %737, %793 ], [ %739, %745 ]
+  %800 = phi i64 [ %794, %793 ], [ %738, %745 ]
+  %801 = phi i32 [ 1, %793 ], [ 5, %745 ]
+  br i1 %796, label %802, label %1140
 
-798:                                              ; preds = %791
-  %799 = load ptr, ptr %76, align 8, !noalias !22
-  %800 = getelementptr inbounds i8, ptr %799, i64 8
-  %801 = load i64, ptr %800, align 8, !noalias !22
-  %802 = load ptr, ptr %118, align 8, !noalias !22
-  %803 = load ptr, ptr %117, align 8, !noalias !22
-  %804 = load ptr, ptr %119, align 8, !noalias !22
-  %805 = load ptr, ptr %120, align 8, !noalias !22
-  %806 = icmp sgt i64 %801, 0
-  br i1 %806, label %807, label %912
+802:                                              ; preds = %795
+  %803 = load ptr, ptr %76, align 8, !noalias !22
+  %804 = getelementptr inbounds i8, ptr %803, i64 8
+  %805 = load i64, ptr %804, align 8, !noalias !22
+  %806 = load ptr, ptr %118, align 8, !noalias !22
+  %807 = load ptr, ptr %117, align 8, !noalias !22
+  %808 = load ptr, ptr %119, align 8, !noalias !22
+  %809 = load ptr, ptr %120, align 8, !noalias !22
+  %810 = icmp sgt i64 %805, 0
+  br i1 %810, label %811, label %916
 
-807:                                              ; preds = %798
-  %808 = shl nuw nsw i64 %801, 1
-  %809 = getelementptr double, ptr %802, i64 %801
-  %810 = shl i64 %801, 4
-  %811 = getelementptr i8, ptr %802, i64 %810
-  %812 = load double, ptr %802, align 8, !noalias !22
-  %813 = getelementptr inbounds double, ptr %802, i64 %801
-  %814 = load double, ptr %813, align 8, !noalias !22
-  %815 = fadd double %812, %814
-  %816 = getelementptr inbounds double, ptr %802, i64 %808
-  %817 = load double, ptr %816, align 8, !noalias !22
-  %818 = fadd double %815, %817
-  %819 = tail call double @llvm.fabs.f64(double %818)
-  %820 = fcmp ueq double %819, 0x7FF0000000000000
-  br i1 %820, label %909, label %821
+811:                                              ; preds = %802
+  %812 = shl nuw nsw i64 %805, 1
+  %813 = getelementptr double, ptr %806, i64 %805
+  %814 = shl i64 %805, 4
+  %815 = getelementptr i8, ptr %806, i64 %814
+  %816 = load double, ptr %806, align 8, !noalias !22
+  %817 = getelementptr inbounds double, ptr %806, i64 %805
+  %818 = load double, ptr %817, align 8, !noalias !22
+  %819 = fadd double %816, %818
+  %820 = getelementptr inbounds double, ptr %806, i64 %812
+  %821 = load double, ptr %820, align 8, !noalias !22
+  %822 = fadd double %819, %821
+  %823 = tail call double @llvm.fabs.f64(double %822)
+  %824 = fcmp ueq double %823, 0x7FF0000000000000
+  br i1 %824, label %913, label %825
 
-821:                                              ; preds = %807
-  %822 = getelementptr double, ptr %803, i64 %801
-  %823 = getelementptr inbounds double, ptr %803, i64 %808
-  %824 = getelementptr double, ptr %802, i64 %801
-  %825 = getelementptr inbounds double, ptr %802, i64 %808
-  br label %837
+825:                                              ; preds = %811
+  %826 = getelementptr double, ptr %807, i64 %805
+  %827 = getelementptr inbounds double, ptr %807, i64 %812
+  %828 = getelementptr double, ptr %806, i64 %805
+  %829 = getelementptr inbounds double, ptr %806, i64 %812
+  br label %841
 
-826:                                              ; preds = %837
-  %827 = getelementptr inbounds double, ptr %802, i64 %905
-  %828 = load double, ptr %827, align 8, !noalias !22
-  %829 = getelementptr double, ptr %824, i64 %905
-  %830 = load double, ptr %829, align 8, !noalias !22
-  %831 = fadd double %828, %830
-  %832 = getelementptr inbounds double, ptr %825, i64 %905
-  %833 = load double, ptr %832, align 8, !noalias !22
-  %834 = fadd double %831, %833
-  %835 = tail call double @llvm.fabs.f64(double %834)
-  %836 = fcmp ueq double %835, 0x7FF0000000000000
-  br i1 %836, label %907, label %837, !llvm.loop !27
+830:                                              ; preds = %841
+  %831 = getelementptr inbounds double, ptr %806, i64 %909
+  %832 = load double, ptr %831, align 8, !noalias !22
+  %833 = getelementptr double, ptr %828, i64 %909
+  %834 = load double, ptr %833, align 8, !noalias !22
+  %835 = fadd double %832, %834
+  %836 = getelementptr inbounds double, ptr %829, i64 %909
+  %837 = load double, ptr %836, align 8, !noalias !22
+  %838 = fadd double %835, %837
+  %839 = tail call double @llvm.fabs.f64(double %838)
+  %840 = fcmp ueq double %839, 0x7FF0000000000000
+  br i1 %840, label %911, label %841, !llvm.loop !27
 
-837:                                              ; preds = %821, %826
-  %838 = phi double [ %828, %826 ], [ %812, %821 ]
-  %839 = phi double [ %904, %826 ], [ 0.000000e+00, %821 ]
-  %840 = phi i64 [ %905, %826 ], [ 0, %821 ]
-  %841 = getelementptr inbounds double, ptr %802, i64 %840
-  %842 = fmul double %838, 0x4010B70201A79C46
-  %843 = getelementptr double, ptr %809, i64 %840
-  %844 = load double, ptr %843, align 8, !noalias !22
-  %845 = fmul double %844, 0x3FD4F8C15DA84E86
-  %846 = fadd double %842, %845
-  %847 = getelementptr double, ptr %811, i64 %840
+841:                                              ; preds = %825, %830
+  %842 = phi double [ %832, %830 ], [ %816, %825 ]
+  %843 = phi double [ %908, %830 ], [ 0.000000e+00, %825 ]
+  %844 = phi i64 [ %909, %830 ], [ 0, %825 ]
+  %845 = getelementptr inbounds double, ptr %806, i64 %844
+  %846 = fmul double %842, 0x4010B70201A79C46
+  %847 = getelementptr double, ptr %813, i64 %844
   %848 = load double, ptr %847, align 8, !noalias !22
-  %849 = fmul double %848, 0x3FE0BF7FF59D56EF
+  %849 = fmul double %848, 0x3FD4F8C15DA84E86
   %850 = fadd double %846, %849
-  %851 = getelementptr inbounds double, ptr %803, i64 %840
+  %851 = getelementptr double, ptr %815, i64 %844
   %852 = load double, ptr %851, align 8, !noalias !22
-  %853 = fmul double %722, %852
-  %854 = fsub double %850, %853
-  %855 = getelementptr inbounds double, ptr %804, i64 %840
-  store double %854, ptr %855, align 8, !noalias !22
-  %856 = load double, ptr %841, align 8, !noalias !22
-  %857 = fmul double %856, 0xC010B70201A79C46
-  %858 = load double, ptr %843, align 8, !noalias !22
-  %859 = fmul double %858, 0x3FD4F8C15DA84E86
-  %860 = fsub double %857, %859
-  %861 = load double, ptr %847, align 8, !noalias !22
-  %862 = fmul double %861, 0x3FDE810014C55221
-  %863 = fadd double %860, %862
-  %864 = fmul double %856, 0x3FE017885A24A7F2
-  %865 = fmul double %858, 0x4004934E6FCAA598
-  %866 = fsub double %864, %865
-  %867 = fmul double %861, 0x3FE312C0CF7BDFD1
-  %868 = fadd double %866, %867
-  %869 = getelementptr double, ptr %822, i64 %840
-  %870 = load double, ptr %869, align 8, !noalias !22
-  %871 = getelementptr inbounds double, ptr %823, i64 %840
-  %872 = load double, ptr %871, align 8, !noalias !22
-  %873 = fmul double %723, %870
-  %874 = fmul double %724, %872
-  %875 = fmul double %723, %872
-  %876 = fmul double %724, %870
-  %877 = fsub double %873, %874
-  %878 = fadd double %876, %875
-  %879 = fsub double %863, %877
-  %880 = fsub double %868, %878
-  %881 = getelementptr inbounds { double, double }, ptr %805, i64 %840
-  %882 = getelementptr inbounds i8, ptr %881, i64 8
-  store double %879, ptr %881, align 8, !noalias !22
-  store double %880, ptr %882, align 8, !noalias !22
-  %883 = load double, ptr %855, align 8, !noalias !22
-  %884 = tail call double @llvm.fabs.f64(double %883)
-  %885 = tail call double @llvm.fabs.f64(double %879)
-  %886 = fadd double %884, %885
-  %887 = tail call double @llvm.fabs.f64(double %880)
-  %888 = fadd double %887, %886
-  %889 = fmul double %414, %888
-  %890 = load ptr, ptr %77, align 8, !noalias !22
-  %891 = getelementptr inbounds double, ptr %890, i64 %840
-  %892 = load double, ptr %891, align 8, !noalias !22
-  %893 = load ptr, ptr %127, align 8, !noalias !22
-  %894 = getelementptr inbounds double, ptr %893, i64 %840
-  %895 = load double, ptr %894, align 8, !noalias !22
-  %896 = load ptr, ptr %128, align 8, !noalias !22
-  %897 = getelementptr inbounds double, ptr %896, i64 %840
-  %898 = load double, ptr %897, align 8, !noalias !22
-  %899 = tail call double @llvm.fabs.f64(double %892)
-  %900 = fmul double %899, %898
-  %901 = fadd double %895, %900
-  %902 = fdiv double %889, %901
-  %903 = fmul double %902, %902
-  %904 = fadd double %839, %903
-  %905 = add nuw nsw i64 %840, 1
-  %906 = icmp eq i64 %905, %801
-  br i1 %906, label %912, label %826, !llvm.loop !27
+  %853 = fmul double %852, 0x3FE0BF7FF59D56EF
+  %854 = fadd double %850, %853
+  %855 = getelementptr inbounds double, ptr %807, i64 %844
+  %856 = load double, ptr %855, align 8, !noalias !22
+  %857 = fmul double %725, %856
+  %858 = fsub double %854, %857
+  %859 = getelementptr inbounds double, ptr %808, i64 %844
+  store double %858, ptr %859, align 8, !noalias !22
+  %860 = load double, ptr %845, align 8, !noalias !22
+  %861 = fmul double %860, 0xC010B70201A79C46
+  %862 = load double, ptr %847, align 8, !noalias !22
+  %863 = fmul double %862, 0x3FD4F8C15DA84E86
+  %864 = fsub double %861, %863
+  %865 = load double, ptr %851, align 8, !noalias !22
+  %866 = fmul double %865, 0x3FDE810014C55221
+  %867 = fadd double %864, %866
+  %868 = fmul double %860, 0x3FE017885A24A7F2
+  %869 = fmul double %862, 0x4004934E6FCAA598
+  %870 = fsub double %868, %869
+  %871 = fmul double %865, 0x3FE312C0CF7BDFD1
+  %872 = fadd double %870, %871
+  %873 = getelementptr double, ptr %826, i64 %844
+  %874 = load double, ptr %873, align 8, !noalias !22
+  %875 = getelementptr inbounds double, ptr %827, i64 %844
+  %876 = load double, ptr %875, align 8, !noalias !22
+  %877 = fmul double %726, %874
+  %878 = fmul double %727, %876
+  %879 = fmul double %726, %876
+  %880 = fmul double %727, %874
+  %881 = fsub double %877, %878
+  %882 = fadd double %880, %879
+  %883 = fsub double %867, %881
+  %884 = fsub double %872, %882
+  %885 = getelementptr inbounds { double, double }, ptr %809, i64 %844
+  %886 = getelementptr inbounds i8, ptr %885, i64 8
+  store double %883, ptr %885, align 8, !noalias !22
+  store double %884, ptr %886, align 8, !noalias !22
+  %887 = load double, ptr %859, align 8, !noalias !22
+  %888 = tail call double @llvm.fabs.f64(double %887)
+  %889 = tail call double @llvm.fabs.f64(double %883)
+  %890 = fadd double %888, %889
+  %891 = tail call double @llvm.fabs.f64(double %884)
+  %892 = fadd double %891, %890
+  %893 = fmul double %415, %892
+  %894 = load ptr, ptr %77, align 8, !noalias !22
+  %895 = getelementptr inbounds double, ptr %894, i64 %844
+  %896 = load double, ptr %895, align 8, !noalias !22
+  %897 = load ptr, ptr %127, align 8, !noalias !22
+  %898 = getelementptr inbounds double, ptr %897, i64 %844
+  %899 = load double, ptr %898, align 8, !noalias !22
+  %900 = load ptr, ptr %128, align 8, !noalias !22
+  %901 = getelementptr inbounds double, ptr %900, i64 %844
+  %902 = load double, ptr %901, align 8, !noalias !22
+  %903 = tail call double @llvm.fabs.f64(double %896)
+  %904 = fmul double %903, %902
+  %905 = fadd double %899, %904
+  %906 = fdiv double %893, %905
+  %907 = fmul double %906, %906
+  %908 = fadd double %843, %907
+  %909 = add nuw nsw i64 %844, 1
+  %910 = icmp eq i64 %909, %805
+  br i1 %910, label %916, label %830, !llvm.loop !27
 
-907:                                              ; preds = %826
-  %908 = icmp slt i64 %905, %801
-  br label %909
+911:                                              ; preds = %830
+  %912 = icmp slt i64 %909, %805
+  br label %913
 
-909:                                              ; preds = %907, %807
-  %910 = phi i1 [ %908, %907 ], [ %806, %807 ]
-  %911 = phi double [ %904, %907 ], [ 0.000000e+00, %807 ]
-  br i1 %910, label %1136, label %912
+913:                                              ; preds = %911, %811
+  %914 = phi i1 [ %912, %911 ], [ %810, %811 ]
+  %915 = phi double [ %908, %911 ], [ 0.000000e+00, %811 ]
+  br i1 %914, label %1140, label %916
 
-912:                                              ; preds = %837, %798, %909
-  %913 = phi double [ %911, %909 ], [ 0.000000e+00, %798 ], [ %904, %837 ]
-  %914 = load ptr, ptr %76, align 8, !noalias !22
-  %915 = getelementptr inbounds i8, ptr %914, i64 8
-  %916 = load i64, ptr %915, align 8, !noalias !22
-  %917 = load i64, ptr %130, align 8, !noalias !22
-  %918 = load ptr, ptr %78, align 8, !noalias !22
-  %919 = getelementptr inbounds i8, ptr %918, i64 40
+916:                                              ; preds = %841, %802, %913
+  %917 = phi double [ %915, %913 ], [ 0.000000e+00, %802 ], [ %908, %841 ]
+  %918 = load ptr, ptr %76, align 8, !noalias !22
+  %919 = getelementptr inbounds i8, ptr %918, i64 8
   %920 = load i64, ptr %919, align 8, !noalias !22
-  %921 = load ptr, ptr %119, align 8, !noalias !22
-  %922 = load ptr, ptr %120, align 8, !noalias !22
-  %923 = load ptr, ptr %131, align 8, !noalias !22
-  %924 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %923, i64 noundef %917, ptr noundef %924, ptr noundef %921) #10, !noalias !22
-  %925 = load ptr, ptr %132, align 8, !noalias !22
-  %926 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %925, i64 noundef %917, ptr noundef %926, ptr noundef %922) #10, !noalias !22
-  %927 = icmp sgt i64 %920, 0
-  br i1 %927, label %928, label %933
+  %921 = load i64, ptr %130, align 8, !noalias !22
+  %922 = load ptr, ptr %78, align 8, !noalias !22
+  %923 = getelementptr inbounds i8, ptr %922, i64 40
+  %924 = load i64, ptr %923, align 8, !noalias !22
+  %925 = load ptr, ptr %119, align 8, !noalias !22
+  %926 = load ptr, ptr %120, align 8, !noalias !22
+  %927 = load ptr, ptr %131, align 8, !noalias !22
+  %928 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %927, i64 noundef %921, ptr noundef %928, ptr noundef %925) #10, !noalias !22
+  %929 = load ptr, ptr %132, align 8, !noalias !22
+  %930 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve(ptr noundef %929, i64 noundef %921, ptr noundef %930, ptr noundef %926) #10, !noalias !22
+  %931 = icmp sgt i64 %924, 0
+  br i1 %931, label %932, label %937
 
-928:                                              ; preds = %912
-  %929 = load ptr, ptr %131, align 8, !noalias !22
-  %930 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %929, i64 noundef %917, ptr noundef %930, ptr noundef %921, i64 noundef %920) #10, !noalias !22
-  %931 = load ptr, ptr %132, align 8, !noalias !22
-  %932 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %931, i64 noundef %917, ptr noundef %932, ptr noundef %922, i64 noundef %920) #10, !noalias !22
-  br label %933
+932:                                              ; preds = %916
+  %933 = load ptr, ptr %131, align 8, !noalias !22
+  %934 = load ptr, ptr %129, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %933, i64 noundef %921, ptr noundef %934, ptr noundef %925, i64 noundef %924) #10, !noalias !22
+  %935 = load ptr, ptr %132, align 8, !noalias !22
+  %936 = load ptr, ptr %133, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %935, i64 noundef %921, ptr noundef %936, ptr noundef %926, i64 noundef %924) #10, !noalias !22
+  br label %937
 
-933:                                              ; preds = %928, %912
-  %934 = icmp sgt i64 %916, 0
-  br i1 %934, label %935, label %968
+937:                                              ; preds = %932, %916
+  %938 = icmp sgt i64 %920, 0
+  br i1 %938, label %939, label %972
 
-935:                                              ; preds = %933
-  %936 = load ptr, ptr %77, align 8, !noalias !22
-  %937 = load ptr, ptr %134, align 8, !noalias !22
-  %938 = load ptr, ptr %135, align 8, !noalias !22
-  br label %939
+939:                                              ; preds = %937
+  %940 = load ptr, ptr %77, align 8, !noalias !22
+  %941 = load ptr, ptr %134, align 8, !noalias !22
+  %942 = load ptr, ptr %135, align 8, !noalias !22
+  br label %943
 
-939:                                              ; preds = %935, %939
-  %940 = phi double [ 0.000000e+00, %935 ], [ %965, %939 ]
-  %941 = phi i64 [ 0, %935 ], [ %966, %939 ]
-  %942 = getelementptr inbounds double, ptr %936, i64 %941
-  %943 = load double, ptr %942, align 8, !noalias !22
-  %944 = getelementptr inbounds double, ptr %937, i64 %941
-  %945 = load double, ptr %944, align 8, !noalias !22
-  %946 = getelementptr inbounds double, ptr %938, i64 %941
+943:                                              ; preds = %939, %943
+  %944 = phi double [ 0.000000e+00, %939 ], [ %969, %943 ]
+  %945 = phi i64 [ 0, %939 ], [ %970, %943 ]
+  %946 = getelementptr inbounds double, ptr %940, i64 %945
   %947 = load double, ptr %946, align 8, !noalias !22
-  %948 = tail call double @llvm.fabs.f64(double %943)
-  %949 = fmul double %948, %947
-  %950 = fadd double %945, %949
-  %951 = getelementptr inbounds double, ptr %921, i64 %941
-  %952 = load double, ptr %951, align 8, !noalias !22
-  %953 = fdiv double %952, %950
-  %954 = getelementptr inbounds { double, double }, ptr %922, i64 %941
-  %955 = load double, ptr %954, align 8, !noalias !22
-  %956 = getelementptr inbounds i8, ptr %954, i64 8
-  %957 = fdiv double %955, %950
-  %958 = load double, ptr %956, align 8, !noalias !22
-  %959 = fdiv double %958, %950
-  %960 = fmul double %953, %953
-  %961 = fmul double %957, %957
-  %962 = fadd double %960, %961
-  %963 = fmul double %959, %959
-  %964 = fadd double %962, %963
-  %965 = fadd double %940, %964
-  %966 = add nuw nsw i64 %941, 1
-  %967 = icmp eq i64 %966, %916
-  br i1 %967, label %968, label %939, !llvm.loop !28
+  %948 = getelementptr inbounds double, ptr %941, i64 %945
+  %949 = load double, ptr %948, align 8, !noalias !22
+  %950 = getelementptr inbounds double, ptr %942, i64 %945
+  %951 = load double, ptr %950, align 8, !noalias !22
+  %952 = tail call double @llvm.fabs.f64(double %947)
+  %953 = fmul double %952, %951
+  %954 = fadd double %949, %953
+  %955 = getelementptr inbounds double, ptr %925, i64 %945
+  %956 = load double, ptr %955, align 8, !noalias !22
+  %957 = fdiv double %956, %954
+  %958 = getelementptr inbounds { double, double }, ptr %926, i64 %945
+  %959 = load double, ptr %958, align 8, !noalias !22
+  %960 = getelementptr inbounds i8, ptr %958, i64 8
+  %961 = fdiv double %959, %954
+  %962 = load double, ptr %960, align 8, !noalias !22
+  %963 = fdiv double %962, %954
+  %964 = fmul double %957, %957
+  %965 = fmul double %961, %961
+  %966 = fadd double %964, %965
+  %967 = fmul double %963, %963
+  %968 = fadd double %966, %967
+  %969 = fadd double %944, %968
+  %970 = add nuw nsw i64 %945, 1
+  %971 = icmp eq i64 %970, %920
+  br i1 %971, label %972, label %943, !llvm.loop !28
 
-968:                                              ; preds = %939, %933
-  %969 = phi double [ 0.000000e+00, %933 ], [ %965, %939 ]
-  %970 = mul nsw i64 %916, 3
-  %971 = sitofp i64 %970 to double
-  %972 = fdiv double %969, %971
-  %973 = tail call double @llvm.sqrt.f64(double %972)
-  %974 = fcmp oeq double %973, 0.000000e+00
-  %975 = fcmp ogt double %913, 0.000000e+00
-  %976 = select i1 %974, i1 %975, i1 false
-  br i1 %976, label %977, label %979
+972:                                              ; preds = %943, %937
+  %973 = phi double [ 0.000000e+00, %937 ], [ %969, %943 ]
+  %974 = mul nsw i64 %920, 3
+  %975 = sitofp i64 %974 to double
+  %976 = fdiv double %973, %975
+  %977 = tail call double @llvm.sqrt.f64(double %976)
+  %978 = fcmp oeq double %977, 0.000000e+00
+  %979 = fcmp ogt double %917, 0.000000e+00
+  %980 = select i1 %978, i1 %979, i1 false
+  br i1 %980, label %981, label %983
 
-977:                                              ; preds = %968
-  %978 = add nuw nsw i64 %734, 1
-  br label %1123
+981:                                              ; preds = %972
+  %982 = add nuw nsw i64 %737, 1
+  br label %1127
 
-979:                                              ; preds = %968
-  %980 = fcmp ogt double %731, 0.000000e+00
-  %981 = select i1 %980, i1 %740, i1 false
-  br i1 %981, label %982, label %995
+983:                                              ; preds = %972
+  %984 = fcmp ogt double %734, 0.000000e+00
+  %985 = select i1 %984, i1 %743, i1 false
+  br i1 %985, label %986, label %999
 
-982:                                              ; preds = %979
-  %983 = fdiv double %973, %731
-  %984 = fcmp ult double %983, 1.000000e+00
-  br i1 %984, label %985, label %993
+986:                                              ; preds = %983
+  %987 = fdiv double %977, %734
+  %988 = fcmp ult double %987, 1.000000e+00
+  br i1 %988, label %989, label %997
 
-985:                                              ; preds = %982
-  %986 = sub nsw i64 5, %734
-  %987 = sitofp i64 %986 to double
-  %988 = tail call double @llvm.pow.f64(double %983, double %987)
-  %989 = fsub double 1.000000e+00, %983
-  %990 = fdiv double %988, %989
-  %991 = fmul double %973, %990
-  %992 = fcmp ogt double %991, %223
-  br i1 %992, label %993, label %995
+989:                                              ; preds = %986
+  %990 = sub nsw i64 5, %737
+  %991 = sitofp i64 %990 to double
+  %992 = tail call double @llvm.pow.f64(double %987, double %991)
+  %993 = fsub double 1.000000e+00, %987
+  %994 = fdiv double %992, %993
+  %995 = fmul double %977, %994
+  %996 = fcmp ogt double %995, %223
+  br i1 %996, label %997, label %999
 
-993:                                              ; preds = %985, %982
-  %994 = add nuw nsw i64 %734, 1
-  br label %1123
+997:                                              ; preds = %989, %986
+  %998 = add nuw nsw i64 %737, 1
+  br label %1127
 
-995:                                              ; preds = %985, %979
-  %996 = phi double [ %732, %979 ], [ %983, %985 ]
-  br i1 %725, label %1008, label %997
+999:                                              ; preds = %989, %983
+  %1000 = phi double [ %735, %983 ], [ %987, %989 ]
+  br i1 %728, label %1012, label %1001
 
-997:                                              ; preds = %1026, %995
-  %998 = fsub double 1.000000e+00, %996
-  %999 = fdiv double %996, %998
-  %1000 = fmul double %973, %999
-  %1001 = fcmp olt double %1000, %223
-  %1002 = select i1 %980, i1 %1001, i1 false
-  %1003 = select i1 %974, i1 true, i1 %1002
-  %1004 = add nuw nsw i64 %734, 1
-  %1005 = select i1 %1003, i64 %1004, i64 0
-  %1006 = select i1 %740, i64 %1005, i64 %733
-  %1007 = icmp sgt i64 %1006, 0
-  br i1 %1007, label %1049, label %1122
+1001:                                             ; preds = %1030, %999
+  %1002 = fsub double 1.000000e+00, %1000
+  %1003 = fdiv double %1000, %1002
+  %1004 = fmul double %977, %1003
+  %1005 = fcmp olt double %1004, %223
+  %1006 = select i1 %984, i1 %1005, i1 false
+  %1007 = select i1 %978, i1 true, i1 %1006
+  %1008 = add nuw nsw i64 %737, 1
+  %1009 = select i1 %1007, i64 %1008, i64 0
+  %1010 = select i1 %743, i64 %1009, i64 %736
+  %1011 = icmp sgt i64 %1010, 0
+  br i1 %1011, label %1053, label %1126
 
-1008:                                             ; preds = %995, %1026
-  %1009 = phi i64 [ %1027, %1026 ], [ 0, %995 ]
-  %1010 = getelementptr inbounds double, ptr %717, i64 %1009
-  %1011 = load double, ptr %1010, align 8, !noalias !22
-  %1012 = getelementptr inbounds double, ptr %715, i64 %1009
-  %1013 = load double, ptr %1012, align 8, !noalias !22
-  %1014 = fadd double %1011, %1013
-  store double %1014, ptr %1012, align 8, !noalias !22
-  %1015 = getelementptr inbounds { double, double }, ptr %718, i64 %1009
-  %1016 = load double, ptr %1015, align 8, !noalias !22
-  %1017 = getelementptr inbounds i8, ptr %1015, i64 8
-  %1018 = getelementptr double, ptr %726, i64 %1009
-  %1019 = load double, ptr %1018, align 8, !noalias !22
-  %1020 = fadd double %1016, %1019
-  store double %1020, ptr %1018, align 8, !noalias !22
-  %1021 = load double, ptr %1017, align 8, !noalias !22
-  %1022 = getelementptr double, ptr %728, i64 %1009
+1012:                                             ; preds = %999, %1030
+  %1013 = phi i64 [ %1031, %1030 ], [ 0, %999 ]
+  %1014 = getelementptr inbounds double, ptr %720, i64 %1013
+  %1015 = load double, ptr %1014, align 8, !noalias !22
+  %1016 = getelementptr inbounds double, ptr %718, i64 %1013
+  %1017 = load double, ptr %1016, align 8, !noalias !22
+  %1018 = fadd double %1015, %1017
+  store double %1018, ptr %1016, align 8, !noalias !22
+  %1019 = getelementptr inbounds { double, double }, ptr %721, i64 %1013
+  %1020 = load double, ptr %1019, align 8, !noalias !22
+  %1021 = getelementptr inbounds i8, ptr %1019, i64 8
+  %1022 = getelementptr double, ptr %729, i64 %1013
   %1023 = load double, ptr %1022, align 8, !noalias !22
-  %1024 = fadd double %1021, %1023
+  %1024 = fadd double %1020, %1023
   store double %1024, ptr %1022, align 8, !noalias !22
-  %1025 = getelementptr double, ptr %714, i64 %1009
-  br label %1029
+  %1025 = load double, ptr %1021, align 8, !noalias !22
+  %1026 = getelementptr double, ptr %731, i64 %1013
+  %1027 = load double, ptr %1026, align 8, !noalias !22
+  %1028 = fadd double %1025, %1027
+  store double %1028, ptr %1026, align 8, !noalias !22
+  %1029 = getelementptr double, ptr %717, i64 %1013
+  br label %1033
 
-1026:                                             ; preds = %1029
-  %1027 = add nuw nsw i64 %1009, 1
-  %1028 = icmp eq i64 %1027, %710
-  br i1 %1028, label %997, label %1008, !llvm.loop !29
+1030:                                             ; preds = %1033
+  %1031 = add nuw nsw i64 %1013, 1
+  %1032 = icmp eq i64 %1031, %713
+  br i1 %1032, label %1001, label %1012, !llvm.loop !29
 
-1029:                                             ; preds = %1008, %1029
-  %1030 = phi i64 [ 0, %1008 ], [ %1047, %1029 ]
-  %1031 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1030
-  %1032 = load double, ptr %1031, align 8, !noalias !22
-  %1033 = load double, ptr %1012, align 8, !noalias !22
-  %1034 = fmul double %1032, %1033
-  %1035 = getelementptr inbounds i8, ptr %1031, i64 8
+1033:                                             ; preds = %1012, %1033
+  %1034 = phi i64 [ 0, %1012 ], [ %1051, %1033 ]
+  %1035 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1034
   %1036 = load double, ptr %1035, align 8, !noalias !22
-  %1037 = load double, ptr %1018, align 8, !noalias !22
+  %1037 = load double, ptr %1016, align 8, !noalias !22
   %1038 = fmul double %1036, %1037
-  %1039 = fadd double %1034, %1038
-  %1040 = getelementptr inbounds i8, ptr %1031, i64 16
-  %1041 = load double, ptr %1040, align 8, !noalias !22
-  %1042 = load double, ptr %1022, align 8, !noalias !22
-  %1043 = fmul double %1041, %1042
-  %1044 = fadd double %1039, %1043
-  %1045 = mul nuw nsw i64 %710, %1030
-  %1046 = getelementptr double, ptr %1025, i64 %1045
-  store double %1044, ptr %1046, align 8, !noalias !22
-  %1047 = add nuw nsw i64 %1030, 1
-  %1048 = icmp eq i64 %1047, 3
-  br i1 %1048, label %1026, label %1029, !llvm.loop !30
+  %1039 = getelementptr inbounds i8, ptr %1035, i64 8
+  %1040 = load double, ptr %1039, align 8, !noalias !22
+  %1041 = load double, ptr %1022, align 8, !noalias !22
+  %1042 = fmul double %1040, %1041
+  %1043 = fadd double %1038, %1042
+  %1044 = getelementptr inbounds i8, ptr %1035, i64 16
+  %1045 = load double, ptr %1044, align 8, !noalias !22
+  %1046 = load double, ptr %1026, align 8, !noalias !22
+  %1047 = fmul double %1045, %1046
+  %1048 = fadd double %1043, %1047
+  %1049 = mul nuw nsw i64 %713, %1034
+  %1050 = getelementptr double, ptr %1029, i64 %1049
+  store double %1048, ptr %1050, align 8, !noalias !22
+  %1051 = add nuw nsw i64 %1034, 1
+  %1052 = icmp eq i64 %1051, 3
+  br i1 %1052, label %1030, label %1033, !llvm.loop !30
 
-1049:                                             ; preds = %997
-  br i1 %729, label %1123, label %1050
+1053:                                             ; preds = %1001
+  br i1 %732, label %1127, label %1054
 
-1050:                                             ; preds = %1049
-  %1051 = load i64, ptr %136, align 8, !noalias !22
-  %1052 = load ptr, ptr %78, align 8, !noalias !22
-  %1053 = getelementptr inbounds i8, ptr %1052, i64 40
-  %1054 = load i64, ptr %1053, align 8, !noalias !22
-  %1055 = load ptr, ptr %139, align 8, !noalias !22
-  %1056 = load ptr, ptr %137, align 8, !noalias !22
-  %1057 = load ptr, ptr %140, align 8, !noalias !22
-  %1058 = icmp sgt i64 %1054, 0
-  br i1 %1058, label %1059, label %1119
+1054:                                             ; preds = %1053
+  %1055 = load i64, ptr %136, align 8, !noalias !22
+  %1056 = load ptr, ptr %78, align 8, !noalias !22
+  %1057 = getelementptr inbounds i8, ptr %1056, i64 40
+  %1058 = load i64, ptr %1057, align 8, !noalias !22
+  %1059 = load ptr, ptr %139, align 8, !noalias !22
+  %1060 = load ptr, ptr %137, align 8, !noalias !22
+  %1061 = load ptr, ptr %140, align 8, !noalias !22
+  %1062 = icmp sgt i64 %1058, 0
+  br i1 %1062, label %1063, label %1123
 
-1059:                                             ; preds = %1050
-  %1060 = load i64, ptr %138, align 8, !noalias !22
-  %1061 = icmp sgt i64 %1051, 0
-  %1062 = getelementptr double, ptr %1056, i64 %1060
-  %1063 = shl i64 %1060, 4
-  %1064 = getelementptr i8, ptr %1056, i64 %1063
-  br label %1065
+1063:                                             ; preds = %1054
+  %1064 = load i64, ptr %138, align 8, !noalias !22
+  %1065 = icmp sgt i64 %1055, 0
+  %1066 = getelementptr double, ptr %1060, i64 %1064
+  %1067 = shl i64 %1064, 4
+  %1068 = getelementptr i8, ptr %1060, i64 %1067
+  br label %1069
 
-1065:                                             ; preds = %1059, %1115
-  %1066 = phi double [ 0.000000e+00, %1059 ], [ %1116, %1115 ]
-  %1067 = phi i64 [ 0, %1059 ], [ %1117, %1115 ]
-  br i1 %1061, label %1068, label %1071
+1069:                                             ; preds = %1063, %1119
+  %1070 = phi double [ 0.000000e+00, %1063 ], [ %1120, %1119 ]
+  %1071 = phi i64 [ 0, %1063 ], [ %1121, %1119 ]
+  br i1 %1065, label %1072, label %1075
 
-1068:                                             ; preds = %1065
-  %1069 = add nuw i64 %1067, %1051
-  %1070 = load ptr, ptr %77, align 8, !noalias !22
-  br label %1076
+1072:                                             ; preds = %1069
+  %1073 = add nuw i64 %1071, %1055
+  %1074 = load ptr, ptr %77, align 8, !noalias !22
+  br label %1080
 
-1071:                                             ; preds = %1076, %1065
-  %1072 = phi double [ 0.000000e+00, %1065 ], [ %1108, %1076 ]
-  %1073 = phi double [ 0.000000e+00, %1065 ], [ %1092, %1076 ]
-  %1074 = fmul double %1066, %1072
-  %1075 = fcmp ogt double %1073, %1074
-  br i1 %1075, label %1111, label %1115
+1075:                                             ; preds = %1080, %1069
+  %1076 = phi double [ 0.000000e+00, %1069 ], [ %1112, %1080 ]
+  %1077 = phi double [ 0.000000e+00, %1069 ], [ %1096, %1080 ]
+  %1078 = fmul double %1070, %1076
+  %1079 = fcmp ogt double %1077, %1078
+  br i1 %1079, label %1115, label %1119
 
-1076:                                             ; preds = %1068, %1076
-  %1077 = phi double [ 0.000000e+00, %1068 ], [ %1092, %1076 ]
-  %1078 = phi double [ 0.000000e+00, %1068 ], [ %1108, %1076 ]
-  %1079 = phi i64 [ 0, %1068 ], [ %1109, %1076 ]
-  %1080 = mul nuw nsw i64 %1079, %1054
-  %1081 = add i64 %1069, %1080
-  %1082 = getelementptr inbounds double, ptr %1055, i64 %1081
-  %1083 = load double, ptr %1082, align 8, !noalias !22
-  %1084 = fmul double %1083, %1083
-  %1085 = getelementptr inbounds { double, double }, ptr %1057, i64 %1081
-  %1086 = load double, ptr %1085, align 8, !noalias !22
-  %1087 = getelementptr inbounds i8, ptr %1085, i64 8
-  %1088 = load double, ptr %1087, align 8, !noalias !22
-  %1089 = tail call double @hypot(double noundef %1086, double noundef %1088) #13
-  %1090 = fmul double %1089, %1089
-  %1091 = fadd double %1084, %1090
-  %1092 = fadd double %1077, %1091
-  %1093 = getelementptr inbounds double, ptr %1070, i64 %1081
-  %1094 = load double, ptr %1093, align 8, !noalias !22
-  %1095 = fmul double %1094, %1094
-  %1096 = fadd double %1078, %1095
-  %1097 = getelementptr inbounds double, ptr %1056, i64 %1081
+1080:                                             ; preds = %1072, %1080
+  %1081 = phi double [ 0.000000e+00, %1072 ], [ %1096, %1080 ]
+  %1082 = phi double [ 0.000000e+00, %1072 ], [ %1112, %1080 ]
+  %1083 = phi i64 [ 0, %1072 ], [ %1113, %1080 ]
+  %1084 = mul nuw nsw i64 %1083, %1058
+  %1085 = add i64 %1073, %1084
+  %1086 = getelementptr inbounds double, ptr %1059, i64 %1085
+  %1087 = load double, ptr %1086, align 8, !noalias !22
+  %1088 = fmul double %1087, %1087
+  %1089 = getelementptr inbounds { double, double }, ptr %1061, i64 %1085
+  %1090 = load double, ptr %1089, align 8, !noalias !22
+  %1091 = getelementptr inbounds i8, ptr %1089, i64 8
+  %1092 = load double, ptr %1091, align 8, !noalias !22
+  %1093 = tail call double @hypot(double noundef %1090, double noundef %1092) #13
+  %1094 = fmul double %1093, %1093
+  %1095 = fadd double %1088, %1094
+  %1096 = fadd double %1081, %1095
+  %1097 = getelementptr inbounds double, ptr %1074, i64 %1085
   %1098 = load double, ptr %1097, align 8, !noalias !22
   %1099 = fmul double %1098, %1098
-  %1100 = getelementptr double, ptr %1062, i64 %1081
-  %1101 = load double, ptr %1100, align 8, !noalias !22
-  %1102 = fmul double %1101, %1101
-  %1103 = fadd double %1099, %1102
-  %1104 = getelementptr double, ptr %1064, i64 %1081
+  %1100 = fadd double %1082, %1099
+  %1101 = getelementptr inbounds double, ptr %1060, i64 %1085
+  %1102 = load double, ptr %1101, align 8, !noalias !22
+  %1103 = fmul double %1102, %1102
+  %1104 = getelementptr double, ptr %1066, i64 %1085
   %1105 = load double, ptr %1104, align 8, !noalias !22
   %1106 = fmul double %1105, %1105
   %1107 = fadd double %1103, %1106
-  %1108 = fadd double %1096, %1107
-  %1109 = add nuw nsw i64 %1079, 1
-  %1110 = icmp eq i64 %1109, %1051
-  br i1 %1110, label %1071, label %1076, !llvm.loop !31
+  %1108 = getelementptr double, ptr %1068, i64 %1085
+  %1109 = load double, ptr %1108, align 8, !noalias !22
+  %1110 = fmul double %1109, %1109
+  %1111 = fadd double %1107, %1110
+  %1112 = fadd double %1100, %1111
+  %1113 = add nuw nsw i64 %1083, 1
+  %1114 = icmp eq i64 %1113, %1055
+  br i1 %1114, label %1075, label %1080, !llvm.loop !31
 
-1111:                                             ; preds = %1071
-  %1112 = fcmp ogt double %1072, 0.000000e+00
-  %1113 = fdiv double %1073, %1072
-  %1114 = select i1 %1112, double %1113, double 1.000000e+00
-  br label %1115
+1115:                                             ; preds = %1075
+  %1116 = fcmp ogt double %1076, 0.000000e+00
+  %1117 = fdiv double %1077, %1076
+  %1118 = select i1 %1116, double %1117, double 1.000000e+00
+  br label %1119
 
-1115:                                             ; preds = %1111, %1071
-  %1116 = phi double [ %1114, %1111 ], [ %1066, %1071 ]
-  %1117 = add nuw nsw i64 %1067, 1
-  %1118 = icmp eq i64 %1117, %1054
-  br i1 %1118, label %1119, label %1065, !llvm.loop !32
+1119:                                             ; preds = %1115, %1075
+  %1120 = phi double [ %1118, %1115 ], [ %1070, %1075 ]
+  %1121 = add nuw nsw i64 %1071, 1
+  %1122 = icmp eq i64 %1121, %1058
+  br i1 %1122, label %1123, label %1069, !llvm.loop !32
 
-1119:                                             ; preds = %1115, %1050
-  %1120 = phi double [ 0.000000e+00, %1050 ], [ %1116, %1115 ]
-  %1121 = fcmp ugt double %1120, %346
-  br i1 %1121, label %1122, label %1123
+1123:                                             ; preds = %1119, %1054
+  %1124 = phi double [ 0.000000e+00, %1054 ], [ %1120, %1119 ]
+  %1125 = fcmp ugt double %1124, %347
+  br i1 %1125, label %1126, label %1127
 
-1122:                                             ; preds = %1119, %997
-  br label %1123
+1126:                                             ; preds = %1123, %1001
+  br label %1127
 
-1123:                                             ; preds = %1122, %1119, %1049, %993, %977
-  %1124 = phi double [ %732, %977 ], [ %983, %993 ], [ %793, %1049 ], [ %793, %1122 ], [ %793, %1119 ]
-  %1125 = phi i32 [ 0, %977 ], [ 0, %993 ], [ %794, %1049 ], [ %794, %1122 ], [ %794, %1119 ]
-  %1126 = phi i64 [ %978, %977 ], [ %994, %993 ], [ %795, %1049 ], [ %795, %1122 ], [ %795, %1119 ]
-  %1127 = phi i64 [ 0, %977 ], [ 0, %993 ], [ %796, %1049 ], [ %796, %1122 ], [ %796, %1119 ]
-  %1128 = phi i1 [ false, %977 ], [ false, %993 ], [ false, %1049 ], [ true, %1122 ], [ false, %1119 ]
-  %1129 = phi i32 [ 1, %977 ], [ 1, %993 ], [ 2, %1049 ], [ 0, %1122 ], [ 2, %1119 ]
-  %1130 = phi i64 [ %733, %977 ], [ 0, %993 ], [ %1006, %1049 ], [ %1006, %1122 ], [ %1006, %1119 ]
-  %1131 = phi double [ %732, %977 ], [ %983, %993 ], [ %996, %1049 ], [ %996, %1122 ], [ %996, %1119 ]
-  %1132 = phi double [ %731, %977 ], [ %731, %993 ], [ %731, %1049 ], [ %973, %1122 ], [ %731, %1119 ]
-  br i1 %1128, label %1133, label %1136
+1127:                                             ; preds = %1126, %1123, %1053, %997, %981
+  %1128 = phi double [ %735, %981 ], [ %987, %997 ], [ %797, %1053 ], [ %797, %1126 ], [ %797, %1123 ]
+  %1129 = phi i32 [ 0, %981 ], [ 0, %997 ], [ %798, %1053 ], [ %798, %1126 ], [ %798, %1123 ]
+  %1130 = phi i64 [ %982, %981 ], [ %998, %997 ], [ %799, %1053 ], [ %799, %1126 ], [ %799, %1123 ]
+  %1131 = phi i64 [ 0, %981 ], [ 0, %997 ], [ %800, %1053 ], [ %800, %1126 ], [ %800, %1123 ]
+  %1132 = phi i1 [ false, %981 ], [ false, %997 ], [ false, %1053 ], [ true, %1126 ], [ false, %1123 ]
+  %1133 = phi i32 [ 1, %981 ], [ 1, %997 ], [ 2, %1053 ], [ 0, %1126 ], [ 2, %1123 ]
+  %1134 = phi i64 [ %736, %981 ], [ 0, %997 ], [ %1010, %1053 ], [ %1010, %1126 ], [ %1010, %1123 ]
+  %1135 = phi double [ %735, %981 ], [ %987, %997 ], [ %1000, %1053 ], [ %1000, %1126 ], [ %1000, %1123 ]
+  %1136 = phi double [ %734, %981 ], [ %734, %997 ], [ %734, %1053 ], [ %977, %1126 ], [ %734, %1123 ]
+  br i1 %1132, label %1137, label %1140
 
-1133:                                             ; preds = %1123
-  %1134 = add nuw nsw i64 %734, 1
-  %1135 = icmp eq i64 %1134, %720
-  br i1 %1135, label %1136, label %730, !llvm.loop !33
+1137:                                             ; preds = %1127
+  %1138 = add nuw nsw i64 %737, 1
+  %1139 = icmp eq i64 %1138, %723
+  br i1 %1139, label %1140, label %733, !llvm.loop !33
 
-1136:                                             ; preds = %909, %1123, %791, %730, %1133
-  %1137 = phi double [ %738, %730 ], [ %1124, %1123 ], [ %793, %791 ], [ %1124, %1133 ], [ 0x7FF0000000000000, %909 ]
-  %1138 = phi i32 [ %737, %730 ], [ %1125, %1123 ], [ %794, %791 ], [ %1125, %1133 ], [ 0, %909 ]
-  %1139 = phi i64 [ %736, %730 ], [ %1126, %1123 ], [ %795, %791 ], [ %1126, %1133 ], [ %734, %909 ]
-  %1140 = phi i64 [ %735, %730 ], [ %1127, %1123 ], [ %796, %791 ], [ %1127, %1133 ], [ 0, %909 ]
-  %1141 = phi i32 [ 2, %730 ], [ %1129, %1123 ], [ %797, %791 ], [ 2, %1133 ], [ 1, %909 ]
-  %1142 = phi i64 [ 0, %730 ], [ %1130, %1123 ], [ %733, %791 ], [ %1130, %1133 ], [ %733, %909 ]
-  %1143 = phi double [ %732, %730 ], [ %1131, %1123 ], [ %732, %791 ], [ %1131, %1133 ], [ %732, %909 ]
-  %1144 = icmp eq i32 %1141, 2
-  br i1 %1144, label %1145, label %1149
+1140:                                             ; preds = %913, %1127, %795, %733, %1137
+  %1141 = phi double [ %741, %733 ], [ %1128, %1127 ], [ %797, %795 ], [ %1128, %1137 ], [ 0x7FF0000000000000, %913 ]
+  %1142 = phi i32 [ %740, %733 ], [ %1129, %1127 ], [ %798, %795 ], [ %1129, %1137 ], [ 0, %913 ]
+  %1143 = phi i64 [ %739, %733 ], [ %1130, %1127 ], [ %799, %795 ], [ %1130, %1137 ], [ %737, %913 ]
+  %1144 = phi i64 [ %738, %733 ], [ %1131, %1127 ], [ %800, %795 ], [ %1131, %1137 ], [ 0, %913 ]
+  %1145 = phi i32 [ 2, %733 ], [ %1133, %1127 ], [ %801, %795 ], [ 2, %1137 ], [ 1, %913 ]
+  %1146 = phi i64 [ 0, %733 ], [ %1134, %1127 ], [ %736, %795 ], [ %1134, %1137 ], [ %736, %913 ]
+  %1147 = phi double [ %735, %733 ], [ %1135, %1127 ], [ %735, %795 ], [ %1135, %1137 ], [ %735, %913 ]
+  %1148 = icmp eq i32 %1145, 2
+  br i1 %1148, label %1149, label %1153
 
-1145:                                             ; preds = %1136
-  %1146 = icmp sgt i64 %1142, 0
-  %1147 = select i1 %1146, i64 %1142, i64 6
-  %1148 = zext i1 %1146 to i32
-  br label %1149
+1149:                                             ; preds = %1140
+  %1150 = icmp sgt i64 %1146, 0
+  %1151 = select i1 %1150, i64 %1146, i64 6
+  %1152 = zext i1 %1150 to i32
+  br label %1153
 
-1149:                                             ; preds = %1136, %1145
-  %1150 = phi double [ %1143, %1145 ], [ %1137, %1136 ]
-  %1151 = phi i32 [ %1148, %1145 ], [ %1138, %1136 ]
-  %1152 = phi i64 [ %1147, %1145 ], [ %1139, %1136 ]
-  %1153 = phi i64 [ 0, %1145 ], [ %1140, %1136 ]
-  %1154 = icmp slt i64 %1153, 0
-  br i1 %1154, label %1898, label %1155
+1153:                                             ; preds = %1140, %1149
+  %1154 = phi double [ %1147, %1149 ], [ %1141, %1140 ]
+  %1155 = phi i32 [ %1152, %1149 ], [ %1142, %1140 ]
+  %1156 = phi i64 [ %1151, %1149 ], [ %1143, %1140 ]
+  %1157 = phi i64 [ 0, %1149 ], [ %1144, %1140 ]
+  %1158 = icmp slt i64 %1157, 0
+  br i1 %1158, label %1905, label %1159
 
-1155:                                             ; preds = %1149
-  %1156 = icmp eq i32 %1151, 0
-  br i1 %1156, label %1158, label %1157
+1159:                                             ; preds = %1153
+  %1160 = icmp eq i32 %1155, 0
+  br i1 %1160, label %1162, label %1161
 
-1157:                                             ; preds = %1155
-  br i1 %347, label %1309, label %1208
+1161:                                             ; preds = %1159
+  br i1 %348, label %1314, label %1212
 
-1158:                                             ; preds = %1155
-  %1159 = load i64, ptr %336, align 8
-  %1160 = add nsw i64 %1159, 1
-  store i64 %1160, ptr %336, align 8
-  %1161 = tail call double @llvm.fabs.f64(double %1150)
-  %1162 = fcmp ueq double %1161, 0x7FF0000000000000
-  %1163 = select i1 %1162, i64 4, i64 7
-  %1164 = icmp eq i64 %1153, 0
-  %1165 = select i1 %1164, i64 %1163, i64 3
-  store i64 %1165, ptr %365, align 8
-  %1166 = load i64, ptr %366, align 8
-  %1167 = icmp eq i64 %1166, 1
-  %1168 = and i1 %1164, %1167
-  br i1 %1168, label %1169, label %1195
+1162:                                             ; preds = %1159
+  %1163 = load i64, ptr %337, align 8
+  %1164 = add nsw i64 %1163, 1
+  store i64 %1164, ptr %337, align 8
+  %1165 = tail call double @llvm.fabs.f64(double %1154)
+  %1166 = fcmp ueq double %1165, 0x7FF0000000000000
+  %1167 = select i1 %1166, i64 4, i64 7
+  %1168 = icmp eq i64 %1157, 0
+  %1169 = select i1 %1168, i64 %1167, i64 3
+  store i64 %1169, ptr %366, align 8
+  %1170 = load i64, ptr %367, align 8
+  %1171 = icmp eq i64 %1170, 1
+  %1172 = and i1 %1168, %1171
+  br i1 %1172, label %1173, label %1199
 
-1169:                                             ; preds = %1158
-  %1170 = load i64, ptr %181, align 8
-  %1171 = icmp sgt i64 %1170, 0
-  br i1 %1171, label %1172, label %1189
+1173:                                             ; preds = %1162
+  %1174 = load i64, ptr %181, align 8
+  %1175 = icmp sgt i64 %1174, 0
+  br i1 %1175, label %1176, label %1193
 
-1172:                                             ; preds = %1169, %1181
-  %1173 = phi i64 [ %1186, %1181 ], [ 0, %1169 ]
-  %1174 = phi i32 [ %1183, %1181 ], [ 0, %1169 ]
-  %1175 = icmp eq i32 %1174, 0
-  br i1 %1175, label %1176, label %1181
+1176:                                             ; preds = %1173, %1185
+  %1177 = phi i64 [ %1190, %1185 ], [ 0, %1173 ]
+  %1178 = phi i32 [ %1187, %1185 ], [ 0, %1173 ]
+  %1179 = icmp eq i32 %1178, 0
+  br i1 %1179, label %1180, label %1185
 
-1176:                                             ; preds = %1172
-  %1177 = load ptr, ptr %180, align 8
-  %1178 = getelementptr inbounds double, ptr %1177, i64 %1173
-  %1179 = load double, ptr %1178, align 8
-  %1180 = fcmp une double %1179, 0.000000e+00
-  br label %1181
+1180:                                             ; preds = %1176
+  %1181 = load ptr, ptr %180, align 8
+  %1182 = getelementptr inbounds double, ptr %1181, i64 %1177
+  %1183 = load double, ptr %1182, align 8
+  %1184 = fcmp une double %1183, 0.000000e+00
+  br label %1185
 
-1181:                                             ; preds = %1176, %1172
-  %1182 = phi i1 [ true, %1172 ], [ %1180, %1176 ]
-  %1183 = zext i1 %1182 to i32
-  %1184 = load ptr, ptr %180, align 8
-  %1185 = getelementptr inbounds double, ptr %1184, i64 %1173
-  store double 0.000000e+00, ptr %1185, align 8
-  %1186 = add nuw nsw i64 %1173, 1
-  %1187 = load i64, ptr %181, align 8
-  %1188 = icmp slt i64 %1186, %1187
-  br i1 %1188, label %1172, label %1189, !llvm.loop !34
+1185:                                             ; preds = %1180, %1176
+  %1186 = phi i1 [ true, %1176 ], [ %1184, %1180 ]
+  %1187 = zext i1 %1186 to i32
+  %1188 = load ptr, ptr %180, align 8
+  %1189 = getelementptr inbounds double, ptr %1188, i64 %1177
+  store double 0.000000e+00, ptr %1189, align 8
+  %1190 = add nuw nsw i64 %1177, 1
+  %1191 = load i64, ptr %181, align 8
+  %1192 = icmp slt i64 %1190, %1191
+  br i1 %1192, label %1176, label %1193, !llvm.loop !34
 
-1189:                                             ; preds = %1181, %1169
-  %1190 = phi i32 [ 0, %1169 ], [ %1183, %1181 ]
-  %1191 = icmp eq i32 %1190, 0
-  br i1 %1191, label %1193, label %1192
+1193:                                             ; preds = %1185, %1173
+  %1194 = phi i32 [ 0, %1173 ], [ %1187, %1185 ]
+  %1195 = icmp eq i32 %1194, 0
+  br i1 %1195, label %1197, label %1196
 
-1192:                                             ; preds = %1189
-  store i64 0, ptr %342, align 8
-  br label %1898, !llvm.loop !17
+1196:                                             ; preds = %1193
+  store i64 0, ptr %343, align 8
+  br label %1905, !llvm.loop !17
 
-1193:                                             ; preds = %1189
-  store i64 0, ptr %366, align 8
-  %1194 = fmul double %414, 5.000000e-01
-  br label %1195
+1197:                                             ; preds = %1193
+  store i64 0, ptr %367, align 8
+  %1198 = fmul double %415, 5.000000e-01
+  br label %1199
 
-1195:                                             ; preds = %1193, %1158
-  %1196 = phi double [ %1194, %1193 ], [ %379, %1158 ]
-  %1197 = load i64, ptr %366, align 8
-  %1198 = icmp eq i64 %1197, 1
-  %1199 = icmp ne i64 %1153, 0
-  %1200 = or i1 %1199, %1198
-  br i1 %1200, label %1201, label %1204
+1199:                                             ; preds = %1197, %1162
+  %1200 = phi double [ %1198, %1197 ], [ %380, %1162 ]
+  %1201 = load i64, ptr %367, align 8
+  %1202 = icmp eq i64 %1201, 1
+  %1203 = icmp ne i64 %1157, 0
+  %1204 = or i1 %1203, %1202
+  br i1 %1204, label %1205, label %1208
 
-1201:                                             ; preds = %1195
-  %1202 = select i1 %1164, double 5.000000e-01, double 2.500000e-01
-  %1203 = fmul double %414, %1202
-  store double 0.000000e+00, ptr %344, align 8
-  br label %1204
+1205:                                             ; preds = %1199
+  %1206 = select i1 %1168, double 5.000000e-01, double 2.500000e-01
+  %1207 = fmul double %415, %1206
+  store double 0.000000e+00, ptr %345, align 8
+  br label %1208
 
-1204:                                             ; preds = %1201, %1195
-  %1205 = phi double [ %1203, %1201 ], [ %1196, %1195 ]
-  %1206 = load i64, ptr %366, align 8
-  %1207 = sub nsw i64 1, %1206
-  store i64 %1207, ptr %339, align 8
-  br label %1898, !llvm.loop !17
+1208:                                             ; preds = %1205, %1199
+  %1209 = phi double [ %1207, %1205 ], [ %1200, %1199 ]
+  %1210 = load i64, ptr %367, align 8
+  %1211 = sub nsw i64 1, %1210
+  store i64 %1211, ptr %340, align 8
+  br label %1905, !llvm.loop !17
 
-1208:                                             ; preds = %1309, %1157
-  %1209 = load i64, ptr %349, align 8
-  %1210 = icmp eq i64 %1209, 1
-  %1211 = load ptr, ptr %76, align 8
-  %1212 = getelementptr inbounds i8, ptr %1211, i64 8
-  %1213 = load i64, ptr %1212, align 8
-  %1214 = load i64, ptr %143, align 8
-  %1215 = load ptr, ptr %144, align 8
-  %1216 = load ptr, ptr %119, align 8
-  %1217 = icmp sgt i64 %1213, 0
-  br i1 %1217, label %1218, label %1220
+1212:                                             ; preds = %1314, %1161
+  %1213 = load i64, ptr %350, align 8
+  %1214 = icmp eq i64 %1213, 1
+  %1215 = load ptr, ptr %76, align 8
+  %1216 = getelementptr inbounds i8, ptr %1215, i64 8
+  %1217 = load i64, ptr %1216, align 8
+  %1218 = load i64, ptr %143, align 8
+  %1219 = load ptr, ptr %144, align 8
+  %1220 = load ptr, ptr %119, align 8
+  %1221 = icmp sgt i64 %1217, 0
+  br i1 %1221, label %1222, label %1224
 
-1218:                                             ; preds = %1208
-  %1219 = shl i64 %1213, 4
-  br label %1229
+1222:                                             ; preds = %1212
+  %1223 = shl i64 %1217, 4
+  br label %1233
 
-1220:                                             ; preds = %1229, %1208
-  %1221 = load ptr, ptr %146, align 8
-  %1222 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1221, i64 noundef %1214, ptr noundef %1222, ptr noundef %1216) #10
-  %1223 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1216, ptr noundef %1223, ptr noundef nonnull %77, i64 noundef %1213) #10
-  %1224 = load double, ptr %6, align 8
-  %1225 = fcmp uge double %1224, 1.000000e+00
-  %1226 = and i1 %1210, %1225
-  br i1 %1226, label %1227, label %1305
+1224:                                             ; preds = %1233, %1212
+  %1225 = load ptr, ptr %146, align 8
+  %1226 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1225, i64 noundef %1218, ptr noundef %1226, ptr noundef %1220) #10
+  %1227 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1220, ptr noundef %1227, ptr noundef nonnull %77, i64 noundef %1217) #10
+  %1228 = load double, ptr %6, align 8
+  %1229 = fcmp uge double %1228, 1.000000e+00
+  %1230 = and i1 %1214, %1229
+  br i1 %1230, label %1231, label %1310
 
-1227:                                             ; preds = %1220
-  %1228 = icmp sgt i64 %1213, 0
-  br i1 %1228, label %1277, label %1254
+1231:                                             ; preds = %1224
+  %1232 = icmp sgt i64 %1217, 0
+  br i1 %1232, label %1282, label %1258
 
-1229:                                             ; preds = %1218, %1229
-  %1230 = phi i64 [ 0, %1218 ], [ %1252, %1229 ]
-  %1231 = load ptr, ptr %116, align 8
-  %1232 = getelementptr inbounds double, ptr %1231, i64 %1230
-  %1233 = load double, ptr %1232, align 8
-  %1234 = fmul double %1233, 0x402418FD8BAFFE05
-  %1235 = getelementptr double, ptr %1231, i64 %1213
-  %1236 = getelementptr double, ptr %1235, i64 %1230
+1233:                                             ; preds = %1222, %1233
+  %1234 = phi i64 [ 0, %1222 ], [ %1256, %1233 ]
+  %1235 = load ptr, ptr %116, align 8
+  %1236 = getelementptr inbounds double, ptr %1235, i64 %1234
   %1237 = load double, ptr %1236, align 8
-  %1238 = fmul double %1237, 0x3FF61D41B2D54580
-  %1239 = fsub double %1238, %1234
-  %1240 = getelementptr i8, ptr %1231, i64 %1219
-  %1241 = getelementptr double, ptr %1240, i64 %1230
-  %1242 = load double, ptr %1241, align 8
-  %1243 = fmul double %1242, 0x3FD5555555555555
-  %1244 = fsub double %1239, %1243
-  %1245 = fdiv double %1244, %414
-  %1246 = getelementptr inbounds double, ptr %1215, i64 %1230
-  store double %1245, ptr %1246, align 8
-  %1247 = load ptr, ptr %145, align 8
-  %1248 = getelementptr inbounds double, ptr %1247, i64 %1230
-  %1249 = load double, ptr %1248, align 8
-  %1250 = fadd double %1249, %1245
-  %1251 = getelementptr inbounds double, ptr %1216, i64 %1230
-  store double %1250, ptr %1251, align 8
-  %1252 = add nuw nsw i64 %1230, 1
-  %1253 = icmp eq i64 %1252, %1213
-  br i1 %1253, label %1220, label %1229, !llvm.loop !35
+  %1238 = fmul double %1237, 0x402418FD8BAFFE05
+  %1239 = getelementptr double, ptr %1235, i64 %1217
+  %1240 = getelementptr double, ptr %1239, i64 %1234
+  %1241 = load double, ptr %1240, align 8
+  %1242 = fmul double %1241, 0x3FF61D41B2D54580
+  %1243 = fsub double %1242, %1238
+  %1244 = getelementptr i8, ptr %1235, i64 %1223
+  %1245 = getelementptr double, ptr %1244, i64 %1234
+  %1246 = load double, ptr %1245, align 8
+  %1247 = fmul double %1246, 0x3FD5555555555555
+  %1248 = fsub double %1243, %1247
+  %1249 = fdiv double %1248, %415
+  %1250 = getelementptr inbounds double, ptr %1219, i64 %1234
+  store double %1249, ptr %1250, align 8
+  %1251 = load ptr, ptr %145, align 8
+  %1252 = getelementptr inbounds double, ptr %1251, i64 %1234
+  %1253 = load double, ptr %1252, align 8
+  %1254 = fadd double %1253, %1249
+  %1255 = getelementptr inbounds double, ptr %1220, i64 %1234
+  store double %1254, ptr %1255, align 8
+  %1256 = add nuw nsw i64 %1234, 1
+  %1257 = icmp eq i64 %1256, %1217
+  br i1 %1257, label %1224, label %1233, !llvm.loop !35
 
-1254:                                             ; preds = %1277, %1227
-  %1255 = load ptr, ptr %81, align 8
-  %1256 = getelementptr inbounds i8, ptr %1255, i64 24
-  %1257 = load i64, ptr %1256, align 8
-  %1258 = add nsw i64 %1257, 1
-  store i64 %1258, ptr %1256, align 8
-  %1259 = load ptr, ptr %149, align 8
-  %1260 = load ptr, ptr %118, align 8
-  %1261 = load ptr, ptr %150, align 8
-  store double %378, ptr %1261, align 8
-  %1262 = load i64, ptr %151, align 8
-  %1263 = icmp sgt i64 %1262, 0
-  br i1 %1263, label %1264, label %1265
+1258:                                             ; preds = %1282, %1231
+  %1259 = load ptr, ptr %81, align 8
+  %1260 = getelementptr inbounds i8, ptr %1259, i64 24
+  %1261 = load i64, ptr %1260, align 8
+  %1262 = add nsw i64 %1261, 1
+  store i64 %1262, ptr %1260, align 8
+  %1263 = load ptr, ptr %149, align 8
+  %1264 = load ptr, ptr %118, align 8
+  %1265 = load ptr, ptr %150, align 8
+  store double %379, ptr %1265, align 8
+  %1266 = load i64, ptr %151, align 8
+  %1267 = icmp sgt i64 %1266, 0
+  br i1 %1267, label %1268, label %1269
 
-1264:                                             ; preds = %1254
+1268:                                             ; preds = %1258
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1265
+  br label %1269
 
-1265:                                             ; preds = %1254, %1264
-  %1266 = load ptr, ptr %76, align 8
-  %1267 = load i64, ptr %1266, align 8
-  %1268 = load ptr, ptr %150, align 8
-  %1269 = load ptr, ptr %152, align 8
-  %1270 = load ptr, ptr %153, align 8
-  %1271 = inttoptr i64 %1267 to ptr
-  %1272 = tail call i32 %1271(ptr noundef %1268, ptr noundef %1259, ptr noundef %1269, ptr noundef %1270, ptr noundef %1260) #11
-  %1273 = sext i32 %1272 to i64
-  %1274 = icmp eq i32 %1272, 0
-  br i1 %1274, label %1275, label %1305
+1269:                                             ; preds = %1258, %1268
+  %1270 = load ptr, ptr %76, align 8
+  %1271 = load i64, ptr %1270, align 8
+  %1272 = load ptr, ptr %150, align 8
+  %1273 = load ptr, ptr %152, align 8
+  %1274 = load ptr, ptr %153, align 8
+  %1275 = inttoptr i64 %1271 to ptr
+  %1276 = load ptr, ptr %1275, align 8
+  %1277 = tail call i32 %1276(ptr noundef %1272, ptr noundef %1263, ptr noundef %1273, ptr noundef %1274, ptr noundef %1264) #11
+  %1278 = sext i32 %1277 to i64
+  %1279 = icmp eq i32 %1277, 0
+  br i1 %1279, label %1280, label %1310
 
-1275:                                             ; preds = %1265
-  %1276 = icmp sgt i64 %1213, 0
-  br i1 %1276, label %1294, label %1289
+1280:                                             ; preds = %1269
+  %1281 = icmp sgt i64 %1217, 0
+  br i1 %1281, label %1299, label %1294
 
-1277:                                             ; preds = %1227, %1277
-  %1278 = phi i64 [ %1287, %1277 ], [ 0, %1227 ]
-  %1279 = load ptr, ptr %77, align 8
-  %1280 = getelementptr inbounds double, ptr %1279, i64 %1278
-  %1281 = load double, ptr %1280, align 8
-  %1282 = getelementptr inbounds double, ptr %1216, i64 %1278
-  %1283 = load double, ptr %1282, align 8
-  %1284 = fadd double %1281, %1283
-  %1285 = load ptr, ptr %148, align 8
-  %1286 = getelementptr inbounds double, ptr %1285, i64 %1278
-  store double %1284, ptr %1286, align 8
-  %1287 = add nuw nsw i64 %1278, 1
-  %1288 = icmp eq i64 %1287, %1213
-  br i1 %1288, label %1254, label %1277, !llvm.loop !36
+1282:                                             ; preds = %1231, %1282
+  %1283 = phi i64 [ %1292, %1282 ], [ 0, %1231 ]
+  %1284 = load ptr, ptr %77, align 8
+  %1285 = getelementptr inbounds double, ptr %1284, i64 %1283
+  %1286 = load double, ptr %1285, align 8
+  %1287 = getelementptr inbounds double, ptr %1220, i64 %1283
+  %1288 = load double, ptr %1287, align 8
+  %1289 = fadd double %1286, %1288
+  %1290 = load ptr, ptr %148, align 8
+  %1291 = getelementptr inbounds double, ptr %1290, i64 %1283
+  store double %1289, ptr %1291, align 8
+  %1292 = add nuw nsw i64 %1283, 1
+  %1293 = icmp eq i64 %1292, %1217
+  br i1 %1293, label %1258, label %1282, !llvm.loop !36
 
-1289:                                             ; preds = %1294, %1275
-  %1290 = load ptr, ptr %146, align 8
-  %1291 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1290, i64 noundef %1214, ptr noundef %1291, ptr noundef %1216) #10
-  %1292 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1216, ptr noundef %1292, ptr noundef nonnull %77, i64 noundef %1213) #10
-  %1293 = load double, ptr %7, align 8
-  br label %1305
+1294:                                             ; preds = %1299, %1280
+  %1295 = load ptr, ptr %146, align 8
+  %1296 = load ptr, ptr %142, align 8
+  tail call fastcc void @real_solve(ptr noundef %1295, i64 noundef %1218, ptr noundef %1296, ptr noundef %1220) #10
+  %1297 = load ptr, ptr %147, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1220, ptr noundef %1297, ptr noundef nonnull %77, i64 noundef %1217) #10
+  %1298 = load double, ptr %7, align 8
+  br label %1310
 
-1294:                                             ; preds = %1275, %1294
-  %1295 = phi i64 [ %1303, %1294 ], [ 0, %1275 ]
-  %1296 = load ptr, ptr %118, align 8
-  %1297 = getelementptr inbounds double, ptr %1296, i64 %1295
-  %1298 = load double, ptr %1297, align 8
-  %1299 = getelementptr inbounds double, ptr %1215, i64 %1295
-  %1300 = load double, ptr %1299, align 8
-  %1301 = fadd double %1298, %1300
-  %1302 = getelementptr inbounds double, ptr %1216, i64 %1295
-  store double %1301, ptr %1302, align 8
-  %1303 = add nuw nsw i64 %1295, 1
-  %1304 = icmp eq i64 %1303, %1213
-  br i1 %1304, label %1289, label %1294, !llvm.loop !37
+1299:                                             ; preds = %1280, %1299
+  %1300 = phi i64 [ %1308, %1299 ], [ 0, %1280 ]
+  %1301 = load ptr, ptr %118, align 8
+  %1302 = getelementptr inbounds double, ptr %1301, i64 %1300
+  %1303 = load double, ptr %1302, align 8
+  %1304 = getelementptr inbounds double, ptr %1219, i64 %1300
+  %1305 = load double, ptr %1304, align 8
+  %1306 = fadd double %1303, %1305
+  %1307 = getelementptr inbounds double, ptr %1220, i64 %1300
+  store double %1306, ptr %1307, align 8
+  %1308 = add nuw nsw i64 %1300, 1
+  %1309 = icmp eq i64 %1308, %1217
+  br i1 %1309, label %1294, label %1299, !llvm.loop !37
 
-1305:                                             ; preds = %1220, %1265, %1289
-  %1306 = phi double [ %1293, %1289 ], [ %1224, %1265 ], [ %1224, %1220 ]
-  %1307 = phi i64 [ 0, %1289 ], [ %1273, %1265 ], [ 0, %1220 ]
-  %1308 = icmp slt i64 %1307, 0
-  br i1 %1308, label %1898, label %1323
+1310:                                             ; preds = %1224, %1269, %1294
+  %1311 = phi double [ %1298, %1294 ], [ %1228, %1269 ], [ %1228, %1224 ]
+  %1312 = phi i64 [ 0, %1294 ], [ %1278, %1269 ], [ 0, %1224 ]
+  %1313 = icmp slt i64 %1312, 0
+  br i1 %1313, label %1905, label %1328
 
-1309:                                             ; preds = %1157, %1309
-  %1310 = phi i64 [ %1321, %1309 ], [ 0, %1157 ]
-  %1311 = load ptr, ptr %77, align 8
-  %1312 = getelementptr inbounds double, ptr %1311, i64 %1310
-  %1313 = load double, ptr %1312, align 8
-  %1314 = load ptr, ptr %116, align 8
-  %1315 = getelementptr i8, ptr %1314, i64 %348
-  %1316 = getelementptr double, ptr %1315, i64 %1310
-  %1317 = load double, ptr %1316, align 8
-  %1318 = fadd double %1313, %1317
-  %1319 = load ptr, ptr %141, align 8
-  %1320 = getelementptr inbounds double, ptr %1319, i64 %1310
-  store double %1318, ptr %1320, align 8
-  %1321 = add nuw nsw i64 %1310, 1
-  %1322 = icmp eq i64 %1321, %198
-  br i1 %1322, label %1208, label %1309, !llvm.loop !38
+1314:                                             ; preds = %1161, %1314
+  %1315 = phi i64 [ %1326, %1314 ], [ 0, %1161 ]
+  %1316 = load ptr, ptr %77, align 8
+  %1317 = getelementptr inbounds double, ptr %1316, i64 %1315
+  %1318 = load double, ptr %1317, align 8
+  %1319 = load ptr, ptr %116, align 8
+  %1320 = getelementptr i8, ptr %1319, i64 %349
+  %1321 = getelementptr double, ptr %1320, i64 %1315
+  %1322 = load double, ptr %1321, align 8
+  %1323 = fadd double %1318, %1322
+  %1324 = load ptr, ptr %141, align 8
+  %1325 = getelementptr inbounds double, ptr %1324, i64 %1315
+  store double %1323, ptr %1325, align 8
+  %1326 = add nuw nsw i64 %1315, 1
+  %1327 = icmp eq i64 %1326, %198
+  br i1 %1327, label %1212, label %1314, !llvm.loop !38
 
-1323:                                             ; preds = %1305
-  %1324 = add nsw i64 %1152, 12
-  %1325 = sitofp i64 %1324 to double
-  %1326 = fdiv double 0x4027666666666667, %1325
-  %1327 = fcmp olt double %1306, 1.000000e-10
-  %1328 = select i1 %1327, double 1.000000e-10, double %1306
-  %1329 = tail call double @llvm.pow.f64(double %1328, double -2.500000e-01)
-  %1330 = icmp eq i64 %1307, 0
-  %1331 = fcmp olt double %1306, 1.000000e+00
-  %1332 = select i1 %1330, i1 %1331, i1 false
-  br i1 %1332, label %1348, label %1333
+1328:                                             ; preds = %1310
+  %1329 = add nsw i64 %1156, 12
+  %1330 = sitofp i64 %1329 to double
+  %1331 = fdiv double 0x4027666666666667, %1330
+  %1332 = fcmp olt double %1311, 1.000000e-10
+  %1333 = select i1 %1332, double 1.000000e-10, double %1311
+  %1334 = tail call double @llvm.pow.f64(double %1333, double -2.500000e-01)
+  %1335 = icmp eq i64 %1312, 0
+  %1336 = fcmp olt double %1311, 1.000000e+00
+  %1337 = select i1 %1335, i1 %1336, i1 false
+  br i1 %1337, label %1353, label %1338
 
-1333:                                             ; preds = %1323
-  %1334 = load i64, ptr %336, align 8
-  %1335 = add nsw i64 %1334, 1
-  store i64 %1335, ptr %336, align 8
-  %1336 = select i1 %1330, i64 2, i64 3
-  store i64 %1336, ptr %350, align 8
-  %1337 = tail call double @llvm.fabs.f64(double %1306)
-  %1338 = fcmp ueq double %1337, 0x7FF0000000000000
-  br i1 %1338, label %1343, label %1339
+1338:                                             ; preds = %1328
+  %1339 = load i64, ptr %337, align 8
+  %1340 = add nsw i64 %1339, 1
+  store i64 %1340, ptr %337, align 8
+  %1341 = select i1 %1335, i64 2, i64 3
+  store i64 %1341, ptr %351, align 8
+  %1342 = tail call double @llvm.fabs.f64(double %1311)
+  %1343 = fcmp ueq double %1342, 0x7FF0000000000000
+  br i1 %1343, label %1348, label %1344
 
-1339:                                             ; preds = %1333
-  %1340 = fmul double %1326, %1329
-  %1341 = fcmp ogt double %1340, 2.000000e-01
-  %1342 = select i1 %1341, double %1340, double 2.000000e-01
-  br label %1343
+1344:                                             ; preds = %1338
+  %1345 = fmul double %1331, %1334
+  %1346 = fcmp ogt double %1345, 2.000000e-01
+  %1347 = select i1 %1346, double %1345, double 2.000000e-01
+  br label %1348
 
-1343:                                             ; preds = %1333, %1339
-  %1344 = phi double [ %1342, %1339 ], [ 2.500000e-01, %1333 ]
-  %1345 = fmul double %414, %1344
-  store i64 1, ptr %349, align 8
-  %1346 = load i64, ptr %351, align 8
-  %1347 = sub nsw i64 1, %1346
-  store i64 %1347, ptr %339, align 8
-  br label %1898, !llvm.loop !17
+1348:                                             ; preds = %1338, %1344
+  %1349 = phi double [ %1347, %1344 ], [ 2.500000e-01, %1338 ]
+  %1350 = fmul double %415, %1349
+  store i64 1, ptr %350, align 8
+  %1351 = load i64, ptr %352, align 8
+  %1352 = sub nsw i64 1, %1351
+  store i64 %1352, ptr %340, align 8
+  br label %1905, !llvm.loop !17
 
-1348:                                             ; preds = %1323
-  br i1 %206, label %1349, label %1364
+1353:                                             ; preds = %1328
+  br i1 %206, label %1354, label %1369
 
-1349:                                             ; preds = %1348
-  %1350 = load ptr, ptr %147, align 8
-  %1351 = load ptr, ptr %77, align 8
-  %1352 = load ptr, ptr %84, align 8
-  %1353 = getelementptr inbounds i8, ptr %1352, i64 56
-  %1354 = load i64, ptr %1353, align 8
-  %1355 = inttoptr i64 %1354 to ptr
-  %1356 = tail call i64 %1355(ptr noundef %0, double noundef %413, ptr noundef %1350, ptr noundef %1351) #11
-  %1357 = icmp eq i64 %1356, 0
-  br i1 %1357, label %1364, label %1358
+1354:                                             ; preds = %1353
+  %1355 = load ptr, ptr %147, align 8
+  %1356 = load ptr, ptr %77, align 8
+  %1357 = load ptr, ptr %84, align 8
+  %1358 = getelementptr inbounds i8, ptr %1357, i64 56
+  %1359 = load i64, ptr %1358, align 8
+  %1360 = inttoptr i64 %1359 to ptr
+  %1361 = tail call i64 %1360(ptr noundef %0, double noundef %414, ptr noundef %1355, ptr noundef %1356) #11
+  %1362 = icmp eq i64 %1361, 0
+  br i1 %1362, label %1369, label %1363
 
-1358:                                             ; preds = %1349
-  %1359 = load i64, ptr %336, align 8
-  %1360 = add nsw i64 %1359, 1
-  store i64 %1360, ptr %336, align 8
-  store i64 6, ptr %352, align 8
-  %1361 = fmul double %414, 2.500000e-01
-  store i64 1, ptr %349, align 8
-  %1362 = load i64, ptr %353, align 8
-  %1363 = sub nsw i64 1, %1362
-  store i64 %1363, ptr %339, align 8
-  br label %1898, !llvm.loop !17
+1363:                                             ; preds = %1354
+  %1364 = load i64, ptr %337, align 8
+  %1365 = add nsw i64 %1364, 1
+  store i64 %1365, ptr %337, align 8
+  store i64 6, ptr %353, align 8
+  %1366 = fmul double %415, 2.500000e-01
+  store i64 1, ptr %350, align 8
+  %1367 = load i64, ptr %354, align 8
+  %1368 = sub nsw i64 1, %1367
+  store i64 %1368, ptr %340, align 8
+  br label %1905, !llvm.loop !17
 
-1364:                                             ; preds = %1349, %1348
-  %1365 = load i64, ptr %335, align 8
-  %1366 = add nsw i64 %1365, 1
-  store i64 %1366, ptr %335, align 8
-  %1367 = load double, ptr %354, align 8
-  %1368 = fcmp ogt double %1367, 0.000000e+00
-  br i1 %1368, label %1369, label %1378
-
-1369:                                             ; preds = %1364
-  %1370 = fdiv double %1367, %1328
-  %1371 = tail call double @llvm.pow.f64(double %1370, double 2.500000e-01)
+1369:                                             ; preds = %1354, %1353
+  %1370 = load i64, ptr %336, align 8
+  %1371 = add nsw i64 %1370, 1
+  store i64 %1371, ptr %336, align 8
   %1372 = load double, ptr %355, align 8
-  %1373 = fdiv double %414, %1372
-  %1374 = fmul double %1371, %1373
-  %1375 = fcmp olt double %1374, 1.000000e+00
-  %1376 = select i1 %1375, double %1374, double 1.000000e+00
-  %1377 = fmul double %1329, %1376
-  br label %1378
+  %1373 = fcmp ogt double %1372, 0.000000e+00
+  br i1 %1373, label %1374, label %1383
 
-1378:                                             ; preds = %1369, %1364
-  %1379 = phi double [ %1377, %1369 ], [ %1329, %1364 ]
-  %1380 = fmul double %1326, %1379
-  %1381 = fcmp olt double %1380, 1.000000e+01
-  store double %413, ptr %188, align 8
-  store double %414, ptr %356, align 8
-  store double %1328, ptr %354, align 8
-  %1382 = load ptr, ptr %76, align 8
-  %1383 = getelementptr inbounds i8, ptr %1382, i64 8
-  %1384 = load i64, ptr %1383, align 8
-  %1385 = load i64, ptr %154, align 8
-  %1386 = load ptr, ptr %116, align 8
-  %1387 = load ptr, ptr %155, align 8
-  %1388 = load ptr, ptr %115, align 8
-  br label %1405
+1374:                                             ; preds = %1369
+  %1375 = fdiv double %1372, %1333
+  %1376 = tail call double @llvm.pow.f64(double %1375, double 2.500000e-01)
+  %1377 = load double, ptr %356, align 8
+  %1378 = fdiv double %415, %1377
+  %1379 = fmul double %1376, %1378
+  %1380 = fcmp olt double %1379, 1.000000e+00
+  %1381 = select i1 %1380, double %1379, double 1.000000e+00
+  %1382 = fmul double %1334, %1381
+  br label %1383
 
-1389:                                             ; preds = %1405
-  %1390 = select i1 %1381, double %1380, double 1.000000e+01
-  %1391 = icmp sgt i64 %1384, 0
-  br i1 %1391, label %1392, label %1465
+1383:                                             ; preds = %1374, %1369
+  %1384 = phi double [ %1382, %1374 ], [ %1334, %1369 ]
+  %1385 = fmul double %1331, %1384
+  %1386 = fcmp olt double %1385, 1.000000e+01
+  store double %414, ptr %188, align 8
+  store double %415, ptr %357, align 8
+  store double %1333, ptr %355, align 8
+  %1387 = load ptr, ptr %76, align 8
+  %1388 = getelementptr inbounds i8, ptr %1387, i64 8
+  %1389 = load i64, ptr %1388, align 8
+  %1390 = load i64, ptr %154, align 8
+  %1391 = load ptr, ptr %116, align 8
+  %1392 = load ptr, ptr %155, align 8
+  %1393 = load ptr, ptr %115, align 8
+  br label %1410
 
-1392:                                             ; preds = %1389
-  %1393 = load double, ptr %8, align 16
-  %1394 = load double, ptr %156, align 8
-  %1395 = getelementptr double, ptr %1386, i64 %1384
-  %1396 = load double, ptr %157, align 16
-  %1397 = shl i64 %1384, 4
-  %1398 = getelementptr i8, ptr %1386, i64 %1397
-  %1399 = load double, ptr %9, align 16
-  %1400 = load double, ptr %158, align 8
-  %1401 = load double, ptr %159, align 16
-  %1402 = getelementptr double, ptr %1387, i64 %1385
-  %1403 = shl i64 %1385, 4
-  %1404 = getelementptr i8, ptr %1387, i64 %1403
-  br label %1416
+1394:                                             ; preds = %1410
+  %1395 = select i1 %1386, double %1385, double 1.000000e+01
+  %1396 = icmp sgt i64 %1389, 0
+  br i1 %1396, label %1397, label %1470
 
-1405:                                             ; preds = %1378, %1405
-  %1406 = phi i64 [ 0, %1378 ], [ %1414, %1405 ]
-  %1407 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1406
-  %1408 = getelementptr inbounds i8, ptr %1407, i64 8
-  %1409 = load double, ptr %1408, align 8
-  %1410 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1406
-  store double %1409, ptr %1410, align 8
-  %1411 = getelementptr inbounds i8, ptr %1407, i64 16
-  %1412 = load double, ptr %1411, align 8
-  %1413 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1406
-  store double %1412, ptr %1413, align 8
-  %1414 = add nuw nsw i64 %1406, 1
-  %1415 = icmp eq i64 %1414, 3
-  br i1 %1415, label %1389, label %1405, !llvm.loop !39
+1397:                                             ; preds = %1394
+  %1398 = load double, ptr %8, align 16
+  %1399 = load double, ptr %156, align 8
+  %1400 = getelementptr double, ptr %1391, i64 %1389
+  %1401 = load double, ptr %157, align 16
+  %1402 = shl i64 %1389, 4
+  %1403 = getelementptr i8, ptr %1391, i64 %1402
+  %1404 = load double, ptr %9, align 16
+  %1405 = load double, ptr %158, align 8
+  %1406 = load double, ptr %159, align 16
+  %1407 = getelementptr double, ptr %1392, i64 %1390
+  %1408 = shl i64 %1390, 4
+  %1409 = getelementptr i8, ptr %1392, i64 %1408
+  br label %1421
 
-1416:                                             ; preds = %1392, %1453
-  %1417 = phi i64 [ 0, %1392 ], [ %1454, %1453 ]
-  %1418 = getelementptr inbounds double, ptr %1386, i64 %1417
-  %1419 = load double, ptr %1418, align 8
-  %1420 = fmul double %1393, %1419
-  %1421 = getelementptr double, ptr %1395, i64 %1417
-  %1422 = load double, ptr %1421, align 8
-  %1423 = fmul double %1394, %1422
-  %1424 = fadd double %1420, %1423
-  %1425 = getelementptr double, ptr %1398, i64 %1417
-  %1426 = load double, ptr %1425, align 8
-  %1427 = fmul double %1396, %1426
-  %1428 = fadd double %1424, %1427
-  %1429 = fmul double %1419, %1399
-  %1430 = fmul double %1422, %1400
-  %1431 = fadd double %1429, %1430
-  %1432 = fmul double %1426, %1401
-  %1433 = fadd double %1431, %1432
-  %1434 = load ptr, ptr %147, align 8
-  %1435 = getelementptr inbounds double, ptr %1434, i64 %1417
-  %1436 = load double, ptr %1435, align 8
-  %1437 = load ptr, ptr %77, align 8
-  %1438 = getelementptr inbounds double, ptr %1437, i64 %1417
-  %1439 = load double, ptr %1438, align 8
-  %1440 = fsub double %1436, %1439
-  %1441 = getelementptr inbounds double, ptr %1387, i64 %1417
-  store double %1440, ptr %1441, align 8
-  %1442 = fneg double %1428
-  %1443 = fsub double %1442, %1433
-  %1444 = getelementptr double, ptr %1402, i64 %1417
-  store double %1443, ptr %1444, align 8
-  %1445 = fneg double %1433
-  %1446 = getelementptr double, ptr %1404, i64 %1417
+1410:                                             ; preds = %1383, %1410
+  %1411 = phi i64 [ 0, %1383 ], [ %1419, %1410 ]
+  %1412 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1411
+  %1413 = getelementptr inbounds i8, ptr %1412, i64 8
+  %1414 = load double, ptr %1413, align 8
+  %1415 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1411
+  store double %1414, ptr %1415, align 8
+  %1416 = getelementptr inbounds i8, ptr %1412, i64 16
+  %1417 = load double, ptr %1416, align 8
+  %1418 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1411
+  store double %1417, ptr %1418, align 8
+  %1419 = add nuw nsw i64 %1411, 1
+  %1420 = icmp eq i64 %1419, 3
+  br i1 %1420, label %1394, label %1410, !llvm.loop !39
+
+1421:                                             ; preds = %1397, %1458
+  %1422 = phi i64 [ 0, %1397 ], [ %1459, %1458 ]
+  %1423 = getelementptr inbounds double, ptr %1391, i64 %1422
+  %1424 = load double, ptr %1423, align 8
+  %1425 = fmul double %1398, %1424
+  %1426 = getelementptr double, ptr %1400, i64 %1422
+  %1427 = load double, ptr %1426, align 8
+  %1428 = fmul double %1399, %1427
+  %1429 = fadd double %1425, %1428
+  %1430 = getelementptr double, ptr %1403, i64 %1422
+  %1431 = load double, ptr %1430, align 8
+  %1432 = fmul double %1401, %1431
+  %1433 = fadd double %1429, %1432
+  %1434 = fmul double %1424, %1404
+  %1435 = fmul double %1427, %1405
+  %1436 = fadd double %1434, %1435
+  %1437 = fmul double %1431, %1406
+  %1438 = fadd double %1436, %1437
+  %1439 = load ptr, ptr %147, align 8
+  %1440 = getelementptr inbounds double, ptr %1439, i64 %1422
+  %1441 = load double, ptr %1440, align 8
+  %1442 = load ptr, ptr %77, align 8
+  %1443 = getelementptr inbounds double, ptr %1442, i64 %1422
+  %1444 = load double, ptr %1443, align 8
+  %1445 = fsub double %1441, %1444
+  %1446 = getelementptr inbounds double, ptr %1392, i64 %1422
   store double %1445, ptr %1446, align 8
-  %1447 = load ptr, ptr %77, align 8
-  %1448 = getelementptr inbounds double, ptr %1447, i64 %1417
-  %1449 = load double, ptr %1448, align 8
-  %1450 = getelementptr inbounds double, ptr %1388, i64 %1417
-  store double %1449, ptr %1450, align 8
-  %1451 = getelementptr double, ptr %1387, i64 %1417
-  %1452 = getelementptr double, ptr %1388, i64 %1417
-  br label %1456
+  %1447 = fneg double %1433
+  %1448 = fsub double %1447, %1438
+  %1449 = getelementptr double, ptr %1407, i64 %1422
+  store double %1448, ptr %1449, align 8
+  %1450 = fneg double %1438
+  %1451 = getelementptr double, ptr %1409, i64 %1422
+  store double %1450, ptr %1451, align 8
+  %1452 = load ptr, ptr %77, align 8
+  %1453 = getelementptr inbounds double, ptr %1452, i64 %1422
+  %1454 = load double, ptr %1453, align 8
+  %1455 = getelementptr inbounds double, ptr %1393, i64 %1422
+  store double %1454, ptr %1455, align 8
+  %1456 = getelementptr double, ptr %1392, i64 %1422
+  %1457 = getelementptr double, ptr %1393, i64 %1422
+  br label %1461
 
-1453:                                             ; preds = %1456
-  %1454 = add nuw nsw i64 %1417, 1
-  %1455 = icmp eq i64 %1454, %1384
-  br i1 %1455, label %1465, label %1416, !llvm.loop !40
+1458:                                             ; preds = %1461
+  %1459 = add nuw nsw i64 %1422, 1
+  %1460 = icmp eq i64 %1459, %1389
+  br i1 %1460, label %1470, label %1421, !llvm.loop !40
 
-1456:                                             ; preds = %1416, %1456
-  %1457 = phi i64 [ 0, %1416 ], [ %1461, %1456 ]
-  %1458 = mul nsw i64 %1385, %1457
-  %1459 = getelementptr double, ptr %1451, i64 %1458
-  %1460 = load double, ptr %1459, align 8
-  %1461 = add nuw nsw i64 %1457, 1
-  %1462 = mul nuw nsw i64 %1384, %1461
-  %1463 = getelementptr double, ptr %1452, i64 %1462
-  store double %1460, ptr %1463, align 8
-  %1464 = icmp eq i64 %1461, 3
-  br i1 %1464, label %1453, label %1456, !llvm.loop !41
+1461:                                             ; preds = %1421, %1461
+  %1462 = phi i64 [ 0, %1421 ], [ %1466, %1461 ]
+  %1463 = mul nsw i64 %1390, %1462
+  %1464 = getelementptr double, ptr %1456, i64 %1463
+  %1465 = load double, ptr %1464, align 8
+  %1466 = add nuw nsw i64 %1462, 1
+  %1467 = mul nuw nsw i64 %1389, %1466
+  %1468 = getelementptr double, ptr %1457, i64 %1467
+  store double %1465, ptr %1468, align 8
+  %1469 = icmp eq i64 %1466, 3
+  br i1 %1469, label %1458, label %1461, !llvm.loop !41
 
-1465:                                             ; preds = %1453, %1389
-  store double %414, ptr %344, align 8
-  %1466 = load ptr, ptr %0, align 8
-  %1467 = getelementptr inbounds i8, ptr %1466, i64 24
-  %1468 = load i64, ptr %1467, align 8
-  %1469 = load ptr, ptr %93, align 8
-  %1470 = getelementptr inbounds i8, ptr %1469, i64 8
-  %1471 = load i64, ptr %1470, align 8
-  %1472 = icmp eq i64 %1471, 0
-  br i1 %1472, label %1519, label %1473
+1470:                                             ; preds = %1458, %1394
+  store double %415, ptr %345, align 8
+  %1471 = load ptr, ptr %0, align 8
+  %1472 = getelementptr inbounds i8, ptr %1471, i64 24
+  %1473 = load i64, ptr %1472, align 8
+  %1474 = load ptr, ptr %93, align 8
+  %1475 = getelementptr inbounds i8, ptr %1474, i64 8
+  %1476 = load i64, ptr %1475, align 8
+  %1477 = icmp eq i64 %1476, 0
+  br i1 %1477, label %1524, label %1478
 
-1473:                                             ; preds = %1465
-  %1474 = load i64, ptr %1469, align 8
-  %1475 = load ptr, ptr %76, align 8
-  %1476 = getelementptr inbounds i8, ptr %1475, i64 8
-  %1477 = load i64, ptr %1476, align 8
-  %1478 = load ptr, ptr %160, align 8
-  %1479 = load i64, ptr %161, align 8
-  %1480 = mul nsw i64 %1479, %1474
-  %1481 = getelementptr inbounds double, ptr %1478, i64 %1480
-  %1482 = getelementptr inbounds double, ptr %1481, i64 %1479
-  store double %378, ptr %1481, align 8
-  %1483 = getelementptr inbounds i8, ptr %1481, i64 8
-  store double %414, ptr %1483, align 8
-  store double %413, ptr %1482, align 8
-  %1484 = getelementptr inbounds i8, ptr %1482, i64 8
-  store double 0.000000e+00, ptr %1484, align 8
-  %1485 = icmp sgt i64 %1477, 0
-  br i1 %1485, label %1486, label %1489
+1478:                                             ; preds = %1470
+  %1479 = load i64, ptr %1474, align 8
+  %1480 = load ptr, ptr %76, align 8
+  %1481 = getelementptr inbounds i8, ptr %1480, i64 8
+  %1482 = load i64, ptr %1481, align 8
+  %1483 = load ptr, ptr %160, align 8
+  %1484 = load i64, ptr %161, align 8
+  %1485 = mul nsw i64 %1484, %1479
+  %1486 = getelementptr inbounds double, ptr %1483, i64 %1485
+  %1487 = getelementptr inbounds double, ptr %1486, i64 %1484
+  store double %379, ptr %1486, align 8
+  %1488 = getelementptr inbounds i8, ptr %1486, i64 8
+  store double %415, ptr %1488, align 8
+  store double %414, ptr %1487, align 8
+  %1489 = getelementptr inbounds i8, ptr %1487, i64 8
+  store double 0.000000e+00, ptr %1489, align 8
+  %1490 = icmp sgt i64 %1482, 0
+  br i1 %1490, label %1491, label %1494
 
-1486:                                             ; preds = %1473
-  %1487 = getelementptr i8, ptr %1481, i64 16
-  %1488 = icmp sgt i64 %1468, 0
-  br label %1492
+1491:                                             ; preds = %1478
+  %1492 = getelementptr i8, ptr %1486, i64 16
+  %1493 = icmp sgt i64 %1473, 0
+  br label %1497
 
-1489:                                             ; preds = %1504, %1473
-  %1490 = add nsw i64 %1474, 1
-  %1491 = load ptr, ptr %93, align 8
-  store i64 %1490, ptr %1491, align 8
-  br label %1519
+1494:                                             ; preds = %1509, %1478
+  %1495 = add nsw i64 %1479, 1
+  %1496 = load ptr, ptr %93, align 8
+  store i64 %1495, ptr %1496, align 8
+  br label %1524
 
-1492:                                             ; preds = %1486, %1504
-  %1493 = phi i64 [ 0, %1486 ], [ %1505, %1504 ]
-  %1494 = load ptr, ptr %77, align 8
-  %1495 = getelementptr inbounds double, ptr %1494, i64 %1493
-  %1496 = load double, ptr %1495, align 8
-  %1497 = add nuw nsw i64 %1493, 2
-  %1498 = getelementptr inbounds double, ptr %1481, i64 %1497
-  store double %1496, ptr %1498, align 8
-  %1499 = load ptr, ptr %147, align 8
-  %1500 = getelementptr inbounds double, ptr %1499, i64 %1493
+1497:                                             ; preds = %1491, %1509
+  %1498 = phi i64 [ 0, %1491 ], [ %1510, %1509 ]
+  %1499 = load ptr, ptr %77, align 8
+  %1500 = getelementptr inbounds double, ptr %1499, i64 %1498
   %1501 = load double, ptr %1500, align 8
-  %1502 = getelementptr inbounds double, ptr %1482, i64 %1497
-  store double %1501, ptr %1502, align 8
-  %1503 = getelementptr double, ptr %1487, i64 %1493
-  br i1 %1488, label %1507, label %1504
+  %1502 = add nuw nsw i64 %1498, 2
+  %1503 = getelementptr inbounds double, ptr %1486, i64 %1502
+  store double %1501, ptr %1503, align 8
+  %1504 = load ptr, ptr %147, align 8
+  %1505 = getelementptr inbounds double, ptr %1504, i64 %1498
+  %1506 = load double, ptr %1505, align 8
+  %1507 = getelementptr inbounds double, ptr %1487, i64 %1502
+  store double %1506, ptr %1507, align 8
+  %1508 = getelementptr double, ptr %1492, i64 %1498
+  br i1 %1493, label %1512, label %1509
 
-1504:                                             ; preds = %1507, %1492
-  %1505 = add nuw nsw i64 %1493, 1
-  %1506 = icmp eq i64 %1505, %1477
-  br i1 %1506, label %1489, label %1492, !llvm.loop !42
+1509:                                             ; preds = %1512, %1497
+  %1510 = add nuw nsw i64 %1498, 1
+  %1511 = icmp eq i64 %1510, %1482
+  br i1 %1511, label %1494, label %1497, !llvm.loop !42
 
-1507:                                             ; preds = %1492, %1507
-  %1508 = phi i64 [ %1515, %1507 ], [ 0, %1492 ]
-  %1509 = load ptr, ptr %155, align 8
-  %1510 = load i64, ptr %154, align 8
-  %1511 = mul nsw i64 %1510, %1508
-  %1512 = getelementptr double, ptr %1509, i64 %1511
-  %1513 = getelementptr double, ptr %1512, i64 %1493
-  %1514 = load double, ptr %1513, align 8
-  %1515 = add nuw nsw i64 %1508, 1
-  %1516 = mul nuw nsw i64 %1515, %1477
-  %1517 = getelementptr double, ptr %1503, i64 %1516
-  store double %1514, ptr %1517, align 8
-  %1518 = icmp eq i64 %1515, %1468
-  br i1 %1518, label %1504, label %1507, !llvm.loop !43
+1512:                                             ; preds = %1497, %1512
+  %1513 = phi i64 [ %1520, %1512 ], [ 0, %1497 ]
+  %1514 = load ptr, ptr %155, align 8
+  %1515 = load i64, ptr %154, align 8
+  %1516 = mul nsw i64 %1515, %1513
+  %1517 = getelementptr double, ptr %1514, i64 %1516
+  %1518 = getelementptr double, ptr %1517, i64 %1498
+  %1519 = load double, ptr %1518, align 8
+  %1520 = add nuw nsw i64 %1513, 1
+  %1521 = mul nuw nsw i64 %1520, %1482
+  %1522 = getelementptr double, ptr %1508, i64 %1521
+  store double %1519, ptr %1522, align 8
+  %1523 = icmp eq i64 %1520, %1473
+  br i1 %1523, label %1509, label %1512, !llvm.loop !43
 
-1519:                                             ; preds = %1465, %1489
-  br i1 %210, label %1520, label %1627
+1524:                                             ; preds = %1470, %1494
+  br i1 %210, label %1525, label %1633
 
-1520:                                             ; preds = %1519
-  %1521 = load ptr, ptr %85, align 8
-  %1522 = load ptr, ptr %76, align 8
-  %1523 = getelementptr inbounds i8, ptr %1522, i64 8
-  %1524 = load i64, ptr %1523, align 8
-  %1525 = load ptr, ptr %162, align 8
-  %1526 = getelementptr inbounds i8, ptr %1521, i64 32
-  %1527 = load i64, ptr %1526, align 8
-  %1528 = getelementptr inbounds double, ptr %1525, i64 %1527
-  %1529 = load ptr, ptr %116, align 8
-  %1530 = getelementptr inbounds i8, ptr %1521, i64 24
-  %1531 = load i64, ptr %1530, align 8
-  %1532 = icmp eq i64 %1531, 0
-  br i1 %1532, label %1624, label %1533
+1525:                                             ; preds = %1524
+  %1526 = load ptr, ptr %85, align 8
+  %1527 = load ptr, ptr %76, align 8
+  %1528 = getelementptr inbounds i8, ptr %1527, i64 8
+  %1529 = load i64, ptr %1528, align 8
+  %1530 = load ptr, ptr %162, align 8
+  %1531 = getelementptr inbounds i8, ptr %1526, i64 32
+  %1532 = load i64, ptr %1531, align 8
+  %1533 = getelementptr inbounds double, ptr %1530, i64 %1532
+  %1534 = load ptr, ptr %116, align 8
+  %1535 = getelementptr inbounds i8, ptr %1526, i64 24
+  %1536 = load i64, ptr %1535, align 8
+  %1537 = icmp eq i64 %1536, 0
+  br i1 %1537, label %1630, label %1538
 
-1533:                                             ; preds = %1520
-  %1534 = getelementptr inbounds i8, ptr %1521, i64 40
-  %1535 = load i64, ptr %1534, align 8
-  %1536 = icmp sgt i64 %1535, 0
-  br i1 %1536, label %1537, label %1541
+1538:                                             ; preds = %1525
+  %1539 = getelementptr inbounds i8, ptr %1526, i64 40
+  %1540 = load i64, ptr %1539, align 8
+  %1541 = icmp sgt i64 %1540, 0
+  br i1 %1541, label %1542, label %1546
 
-1537:                                             ; preds = %1533
-  %1538 = getelementptr double, ptr %1529, i64 %1524
-  %1539 = shl i64 %1524, 4
-  %1540 = getelementptr i8, ptr %1529, i64 %1539
-  br label %1594
+1542:                                             ; preds = %1538
+  %1543 = getelementptr double, ptr %1534, i64 %1529
+  %1544 = shl i64 %1529, 4
+  %1545 = getelementptr i8, ptr %1534, i64 %1544
+  br label %1600
 
-1541:                                             ; preds = %1594, %1533
-  %1542 = load ptr, ptr %163, align 8
-  %1543 = load ptr, ptr %85, align 8
-  %1544 = getelementptr inbounds i8, ptr %1543, i64 8
-  %1545 = load i64, ptr %1544, align 8
-  %1546 = load ptr, ptr %164, align 8
-  %1547 = load ptr, ptr %162, align 8
-  %1548 = getelementptr inbounds i8, ptr %1543, i64 32
-  %1549 = load i64, ptr %1548, align 8
-  %1550 = getelementptr inbounds i8, ptr %1543, i64 40
-  %1551 = load i64, ptr %1550, align 8
-  %1552 = getelementptr double, ptr %1547, i64 %1549
-  %1553 = getelementptr double, ptr %1552, i64 %1551
-  store double %414, ptr %1553, align 8
-  %1554 = load ptr, ptr %163, align 8
-  store double %378, ptr %1554, align 8
-  %1555 = load ptr, ptr %85, align 8
-  %1556 = getelementptr inbounds i8, ptr %1555, i64 24
-  %1557 = load i64, ptr %1556, align 8
-  %1558 = load ptr, ptr %77, align 8
-  %1559 = load ptr, ptr %162, align 8
-  %1560 = load ptr, ptr %165, align 8
-  %1561 = inttoptr i64 %1557 to ptr
-  %1562 = tail call i32 %1561(ptr noundef %1542, ptr noundef %1558, ptr noundef %1559, ptr noundef %1560, ptr noundef %1546) #11
-  %1563 = icmp eq i32 %1562, 0
-  br i1 %1563, label %1564, label %1624
+1546:                                             ; preds = %1600, %1538
+  %1547 = load ptr, ptr %163, align 8
+  %1548 = load ptr, ptr %85, align 8
+  %1549 = getelementptr inbounds i8, ptr %1548, i64 8
+  %1550 = load i64, ptr %1549, align 8
+  %1551 = load ptr, ptr %164, align 8
+  %1552 = load ptr, ptr %162, align 8
+  %1553 = getelementptr inbounds i8, ptr %1548, i64 32
+  %1554 = load i64, ptr %1553, align 8
+  %1555 = getelementptr inbounds i8, ptr %1548, i64 40
+  %1556 = load i64, ptr %1555, align 8
+  %1557 = getelementptr double, ptr %1552, i64 %1554
+  %1558 = getelementptr double, ptr %1557, i64 %1556
+  store double %415, ptr %1558, align 8
+  %1559 = load ptr, ptr %163, align 8
+  store double %379, ptr %1559, align 8
+  %1560 = load ptr, ptr %85, align 8
+  %1561 = getelementptr inbounds i8, ptr %1560, i64 24
+  %1562 = load i64, ptr %1561, align 8
+  %1563 = load ptr, ptr %77, align 8
+  %1564 = load ptr, ptr %162, align 8
+  %1565 = load ptr, ptr %165, align 8
+  %1566 = inttoptr i64 %1562 to ptr
+  %1567 = load ptr, ptr %1566, align 8
+  %1568 = tail call i32 %1567(ptr noundef %1547, ptr noundef %1563, ptr noundef %1564, ptr noundef %1565, ptr noundef %1551) #11
+  %1569 = icmp eq i32 %1568, 0
+  br i1 %1569, label %1570, label %1630
 
-1564:                                             ; preds = %1541
-  %1565 = icmp slt i64 %1545, 1
-  br i1 %1565, label %1591, label %1566
+1570:                                             ; preds = %1546
+  %1571 = icmp slt i64 %1550, 1
+  br i1 %1571, label %1597, label %1572
 
-1566:                                             ; preds = %1564
-  %1567 = load ptr, ptr %166, align 8
-  %1568 = getelementptr double, ptr %1546, i64 %1545
-  br label %1569
+1572:                                             ; preds = %1570
+  %1573 = load ptr, ptr %166, align 8
+  %1574 = getelementptr double, ptr %1551, i64 %1550
+  br label %1575
 
-1569:                                             ; preds = %1566, %1587
-  %1570 = phi i1 [ %1565, %1566 ], [ %1589, %1587 ]
-  %1571 = phi i64 [ 0, %1566 ], [ %1588, %1587 ]
-  %1572 = getelementptr inbounds i64, ptr %1567, i64 %1571
-  %1573 = load i64, ptr %1572, align 8
-  %1574 = and i64 %1573, 2
-  %1575 = icmp eq i64 %1574, 0
-  br i1 %1575, label %1576, label %1587
+1575:                                             ; preds = %1572, %1593
+  %1576 = phi i1 [ %1571, %1572 ], [ %1595, %1593 ]
+  %1577 = phi i64 [ 0, %1572 ], [ %1594, %1593 ]
+  %1578 = getelementptr inbounds i64, ptr %1573, i64 %1577
+  %1579 = load i64, ptr %1578, align 8
+  %1580 = and i64 %1579, 2
+  %1581 = icmp eq i64 %1580, 0
+  br i1 %1581, label %1582, label %1593
 
-1576:                                             ; preds = %1569
-  %1577 = getelementptr inbounds double, ptr %1546, i64 %1571
-  %1578 = load double, ptr %1577, align 8
-  %1579 = load ptr, ptr %167, align 8
-  %1580 = getelementptr inbounds i64, ptr %1579, i64 %1571
-  %1581 = load i64, ptr %1580, align 8
-  %1582 = sitofp i64 %1581 to double
-  %1583 = fmul double %1578, %1582
-  %1584 = getelementptr double, ptr %1568, i64 %1571
-  %1585 = load double, ptr %1584, align 8
-  %1586 = fcmp ogt double %1583, %1585
-  br i1 %1586, label %1587, label %1591
+1582:                                             ; preds = %1575
+  %1583 = getelementptr inbounds double, ptr %1551, i64 %1577
+  %1584 = load double, ptr %1583, align 8
+  %1585 = load ptr, ptr %167, align 8
+  %1586 = getelementptr inbounds i64, ptr %1585, i64 %1577
+  %1587 = load i64, ptr %1586, align 8
+  %1588 = sitofp i64 %1587 to double
+  %1589 = fmul double %1584, %1588
+  %1590 = getelementptr double, ptr %1574, i64 %1577
+  %1591 = load double, ptr %1590, align 8
+  %1592 = fcmp ogt double %1589, %1591
+  br i1 %1592, label %1593, label %1597
 
-1587:                                             ; preds = %1576, %1569
-  %1588 = add nuw nsw i64 %1571, 1
-  %1589 = icmp sge i64 %1588, %1545
-  %1590 = icmp eq i64 %1588, %1545
-  br i1 %1590, label %1591, label %1569, !llvm.loop !44
+1593:                                             ; preds = %1582, %1575
+  %1594 = add nuw nsw i64 %1577, 1
+  %1595 = icmp sge i64 %1594, %1550
+  %1596 = icmp eq i64 %1594, %1550
+  br i1 %1596, label %1597, label %1575, !llvm.loop !44
 
-1591:                                             ; preds = %1587, %1576, %1564
-  %1592 = phi i1 [ %1565, %1564 ], [ %1589, %1587 ], [ %1570, %1576 ]
-  %1593 = zext i1 %1592 to i32
-  br label %1624
+1597:                                             ; preds = %1593, %1582, %1570
+  %1598 = phi i1 [ %1571, %1570 ], [ %1595, %1593 ], [ %1576, %1582 ]
+  %1599 = zext i1 %1598 to i32
+  br label %1630
 
-1594:                                             ; preds = %1537, %1594
-  %1595 = phi i64 [ 0, %1537 ], [ %1621, %1594 ]
-  %1596 = load ptr, ptr %147, align 8
-  %1597 = getelementptr inbounds double, ptr %1596, i64 %1595
-  %1598 = load double, ptr %1597, align 8
-  %1599 = load ptr, ptr %77, align 8
-  %1600 = getelementptr inbounds double, ptr %1599, i64 %1595
-  %1601 = load double, ptr %1600, align 8
-  %1602 = fsub double %1598, %1601
-  %1603 = tail call double @llvm.fabs.f64(double %1602)
-  %1604 = getelementptr inbounds double, ptr %1529, i64 %1595
-  %1605 = load double, ptr %1604, align 8
-  %1606 = tail call double @llvm.fabs.f64(double %1605)
-  %1607 = getelementptr double, ptr %1538, i64 %1595
-  %1608 = load double, ptr %1607, align 8
+1600:                                             ; preds = %1542, %1600
+  %1601 = phi i64 [ 0, %1542 ], [ %1627, %1600 ]
+  %1602 = load ptr, ptr %147, align 8
+  %1603 = getelementptr inbounds double, ptr %1602, i64 %1601
+  %1604 = load double, ptr %1603, align 8
+  %1605 = load ptr, ptr %77, align 8
+  %1606 = getelementptr inbounds double, ptr %1605, i64 %1601
+  %1607 = load double, ptr %1606, align 8
+  %1608 = fsub double %1604, %1607
   %1609 = tail call double @llvm.fabs.f64(double %1608)
-  %1610 = fcmp ogt double %1606, %1609
-  %1611 = select i1 %1610, double %1606, double %1609
-  %1612 = getelementptr double, ptr %1540, i64 %1595
-  %1613 = load double, ptr %1612, align 8
-  %1614 = tail call double @llvm.fabs.f64(double %1613)
-  %1615 = fcmp ogt double %1611, %1614
-  %1616 = select i1 %1615, double %1611, double %1614
-  %1617 = fcmp ogt double %1616, %1603
-  %1618 = select i1 %1617, double %1616, double %1603
-  %1619 = fmul double %1618, 8.000000e+00
-  %1620 = getelementptr inbounds double, ptr %1528, i64 %1595
-  store double %1619, ptr %1620, align 8
-  %1621 = add nuw nsw i64 %1595, 1
-  %1622 = load i64, ptr %1534, align 8
-  %1623 = icmp slt i64 %1621, %1622
-  br i1 %1623, label %1594, label %1541, !llvm.loop !45
+  %1610 = getelementptr inbounds double, ptr %1534, i64 %1601
+  %1611 = load double, ptr %1610, align 8
+  %1612 = tail call double @llvm.fabs.f64(double %1611)
+  %1613 = getelementptr double, ptr %1543, i64 %1601
+  %1614 = load double, ptr %1613, align 8
+  %1615 = tail call double @llvm.fabs.f64(double %1614)
+  %1616 = fcmp ogt double %1612, %1615
+  %1617 = select i1 %1616, double %1612, double %1615
+  %1618 = getelementptr double, ptr %1545, i64 %1601
+  %1619 = load double, ptr %1618, align 8
+  %1620 = tail call double @llvm.fabs.f64(double %1619)
+  %1621 = fcmp ogt double %1617, %1620
+  %1622 = select i1 %1621, double %1617, double %1620
+  %1623 = fcmp ogt double %1622, %1609
+  %1624 = select i1 %1623, double %1622, double %1609
+  %1625 = fmul double %1624, 8.000000e+00
+  %1626 = getelementptr inbounds double, ptr %1533, i64 %1601
+  store double %1625, ptr %1626, align 8
+  %1627 = add nuw nsw i64 %1601, 1
+  %1628 = load i64, ptr %1539, align 8
+  %1629 = icmp slt i64 %1627, %1628
+  br i1 %1629, label %1600, label %1546, !llvm.loop !45
 
-1624:                                             ; preds = %1591, %1541, %1520
-  %1625 = phi i32 [ 0, %1520 ], [ 0, %1541 ], [ %1593, %1591 ]
-  %1626 = icmp eq i32 %1625, 0
-  br label %1627
+1630:                                             ; preds = %1597, %1546, %1525
+  %1631 = phi i32 [ 0, %1525 ], [ 0, %1546 ], [ %1599, %1597 ]
+  %1632 = icmp eq i32 %1631, 0
+  br label %1633
 
-1627:                                             ; preds = %1624, %1519
-  %1628 = phi i1 [ false, %1519 ], [ %1626, %1624 ]
-  br i1 %1628, label %1634, label %1629
+1633:                                             ; preds = %1630, %1524
+  %1634 = phi i1 [ false, %1524 ], [ %1632, %1630 ]
+  br i1 %1634, label %1640, label %1635
 
-1629:                                             ; preds = %1627
-  %1630 = load i64, ptr %357, align 8
-  %1631 = getelementptr inbounds double, ptr %199, i64 %1630
-  %1632 = load double, ptr %1631, align 8
-  %1633 = fcmp ugt double %1632, %413
-  br i1 %1633, label %1846, label %1634
+1635:                                             ; preds = %1633
+  %1636 = load i64, ptr %358, align 8
+  %1637 = getelementptr inbounds double, ptr %199, i64 %1636
+  %1638 = load double, ptr %1637, align 8
+  %1639 = fcmp ugt double %1638, %414
+  br i1 %1639, label %1852, label %1640
 
-1634:                                             ; preds = %1629, %1627
-  %1635 = load ptr, ptr %79, align 8
-  br i1 %1628, label %1636, label %1647
+1640:                                             ; preds = %1635, %1633
+  %1641 = load ptr, ptr %79, align 8
+  br i1 %1634, label %1642, label %1653
 
-1636:                                             ; preds = %1634
-  %1637 = load ptr, ptr %85, align 8
-  %1638 = getelementptr inbounds i8, ptr %1637, i64 16
-  %1639 = load i64, ptr %1638, align 8
-  %1640 = inttoptr i64 %1639 to ptr
-  %1641 = tail call i64 %1640(ptr noundef %0, double noundef %378, double noundef %414) #11
-  %1642 = icmp eq i64 %1641, -6
-  br i1 %1642, label %1643, label %1644
+1642:                                             ; preds = %1640
+  %1643 = load ptr, ptr %85, align 8
+  %1644 = getelementptr inbounds i8, ptr %1643, i64 16
+  %1645 = load i64, ptr %1644, align 8
+  %1646 = inttoptr i64 %1645 to ptr
+  %1647 = tail call i64 %1646(ptr noundef %0, double noundef %379, double noundef %415) #11
+  %1648 = icmp eq i64 %1647, -6
+  br i1 %1648, label %1649, label %1650
 
-1643:                                             ; preds = %1636
-  store double %378, ptr %1635, align 8
-  br label %1822
+1649:                                             ; preds = %1642
+  store double %379, ptr %1641, align 8
+  br label %1828
 
-1644:                                             ; preds = %1636
-  %1645 = getelementptr inbounds i8, ptr %1635, i64 48
-  %1646 = load double, ptr %1645, align 8
-  br label %1647
+1650:                                             ; preds = %1642
+  %1651 = getelementptr inbounds i8, ptr %1641, i64 48
+  %1652 = load double, ptr %1651, align 8
+  br label %1653
 
-1647:                                             ; preds = %1644, %1634
-  %1648 = phi double [ %1646, %1644 ], [ 1.000000e+00, %1634 ]
-  %1649 = phi i64 [ %1641, %1644 ], [ 0, %1634 ]
-  %1650 = fcmp oeq double %1648, 1.000000e+00
-  br i1 %1650, label %1651, label %1653
+1653:                                             ; preds = %1650, %1640
+  %1654 = phi double [ %1652, %1650 ], [ 1.000000e+00, %1640 ]
+  %1655 = phi i64 [ %1647, %1650 ], [ 0, %1640 ]
+  %1656 = fcmp oeq double %1654, 1.000000e+00
+  br i1 %1656, label %1657, label %1659
 
-1651:                                             ; preds = %1647
-  %1652 = load double, ptr %1635, align 8
-  br label %1656
+1657:                                             ; preds = %1653
+  %1658 = load double, ptr %1641, align 8
+  br label %1662
 
-1653:                                             ; preds = %1647
-  %1654 = fmul double %414, %1648
-  %1655 = fadd double %378, %1654
-  br label %1656
+1659:                                             ; preds = %1653
+  %1660 = fmul double %415, %1654
+  %1661 = fadd double %379, %1660
+  br label %1662
 
-1656:                                             ; preds = %1653, %1651
-  %1657 = phi double [ %1652, %1651 ], [ %1655, %1653 ]
-  %1658 = icmp eq i64 %1649, -4
-  %1659 = select i1 %1658, i64 -4, i64 0
-  br i1 %1658, label %1717, label %1660
+1662:                                             ; preds = %1659, %1657
+  %1663 = phi double [ %1658, %1657 ], [ %1661, %1659 ]
+  %1664 = icmp eq i64 %1655, -4
+  %1665 = select i1 %1664, i64 -4, i64 0
+  br i1 %1664, label %1723, label %1666
 
-1660:                                             ; preds = %1656
-  %1661 = fcmp olt double %1648, 1.000000e+00
-  %1662 = load ptr, ptr %76, align 8
-  %1663 = getelementptr inbounds i8, ptr %1662, i64 8
-  %1664 = load i64, ptr %1663, align 8
-  %1665 = load i64, ptr %83, align 8
-  %1666 = load ptr, ptr %82, align 8
-  %1667 = load ptr, ptr %81, align 8
-  %1668 = getelementptr inbounds i8, ptr %1667, i64 48
-  %1669 = load i64, ptr %1668, align 8
-  %1670 = icmp slt i64 %1669, %1665
-  br i1 %1670, label %1671, label %1713
+1666:                                             ; preds = %1662
+  %1667 = fcmp olt double %1654, 1.000000e+00
+  %1668 = load ptr, ptr %76, align 8
+  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
+  %1670 = load i64, ptr %1669, align 8
+  %1671 = load i64, ptr %83, align 8
+  %1672 = load ptr, ptr %82, align 8
+  %1673 = load ptr, ptr %81, align 8
+  %1674 = getelementptr inbounds i8, ptr %1673, i64 48
+  %1675 = load i64, ptr %1674, align 8
+  %1676 = icmp slt i64 %1675, %1671
+  br i1 %1676, label %1677, label %1719
 
-1671:                                             ; preds = %1660, %1709
-  %1672 = phi i64 [ %1710, %1709 ], [ undef, %1660 ]
-  %1673 = phi i64 [ %1711, %1709 ], [ %1669, %1660 ]
-  %1674 = getelementptr inbounds double, ptr %1666, i64 %1673
-  %1675 = load double, ptr %1674, align 8
-  %1676 = fcmp olt double %1675, %1657
-  %1677 = fcmp oeq double %1675, %1657
-  %1678 = and i1 %1661, %1677
-  %1679 = or i1 %1676, %1678
-  br i1 %1679, label %1680, label %1713
+1677:                                             ; preds = %1666, %1715
+  %1678 = phi i64 [ %1716, %1715 ], [ undef, %1666 ]
+  %1679 = phi i64 [ %1717, %1715 ], [ %1675, %1666 ]
+  %1680 = getelementptr inbounds double, ptr %1672, i64 %1679
+  %1681 = load double, ptr %1680, align 8
+  %1682 = fcmp olt double %1681, %1663
+  %1683 = fcmp oeq double %1681, %1663
+  %1684 = and i1 %1667, %1683
+  %1685 = or i1 %1682, %1684
+  br i1 %1685, label %1686, label %1719
 
-1680:                                             ; preds = %1671
-  %1681 = fsub double %1675, %378
-  %1682 = fdiv double %1681, %414
-  %1683 = mul nsw i64 %1673, %1664
-  %1684 = getelementptr inbounds double, ptr %1, i64 %1683
-  %1685 = load ptr, ptr %168, align 8
-  %1686 = insertelement <8 x double> poison, double %1682, i64 0
-  %1687 = shufflevector <8 x double> %1686, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1687, ptr %1685, align 8
-  %1688 = load ptr, ptr %77, align 8
-  %1689 = load ptr, ptr %169, align 8
-  %1690 = load i64, ptr %170, align 8
-  %1691 = load ptr, ptr %0, align 8
-  %1692 = getelementptr inbounds i8, ptr %1691, i64 24
-  %1693 = load i64, ptr %1692, align 8
-  %1694 = load ptr, ptr %168, align 8
-  %1695 = load ptr, ptr %76, align 8
-  %1696 = getelementptr inbounds i8, ptr %1695, i64 16
-  %1697 = load i64, ptr %1696, align 8
-  tail call fastcc void @nested(ptr noundef %1684, ptr noundef %1688, ptr noundef %1689, i64 noundef %1690, i64 noundef %1693, ptr noundef %1694, i64 noundef %1697) #10
-  %1698 = load ptr, ptr %84, align 8
+1686:                                             ; preds = %1677
+  %1687 = fsub double %1681, %379
+  %1688 = fdiv double %1687, %415
+  %1689 = mul nsw i64 %1679, %1670
+  %1690 = getelementptr inbounds double, ptr %1, i64 %1689
+  %1691 = load ptr, ptr %168, align 8
+  %1692 = insertelement <8 x double> poison, double %1688, i64 0
+  %1693 = shufflevector <8 x double> %1692, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1693, ptr %1691, align 8
+  %1694 = load ptr, ptr %77, align 8
+  %1695 = load ptr, ptr %169, align 8
+  %1696 = load i64, ptr %170, align 8
+  %1697 = load ptr, ptr %0, align 8
+  %1698 = getelementptr inbounds i8, ptr %1697, i64 24
   %1699 = load i64, ptr %1698, align 8
-  %1700 = icmp eq i64 %1699, 1
-  br i1 %1700, label %1701, label %1709
+  %1700 = load ptr, ptr %168, align 8
+  %1701 = load ptr, ptr %76, align 8
+  %1702 = getelementptr inbounds i8, ptr %1701, i64 16
+  %1703 = load i64, ptr %1702, align 8
+  tail call fastcc void @nested(ptr noundef %1690, ptr noundef %1694, ptr noundef %1695, i64 noundef %1696, i64 noundef %1699, ptr noundef %1700, i64 noundef %1703) #10
+  %1704 = load ptr, ptr %84, align 8
+  %1705 = load i64, ptr %1704, align 8
+  %1706 = icmp eq i64 %1705, 1
+  br i1 %1706, label %1707, label %1715
 
-1701:                                             ; preds = %1680
-  %1702 = load double, ptr %1674, align 8
-  %1703 = getelementptr inbounds i8, ptr %1698, i64 56
-  %1704 = load i64, ptr %1703, align 8
-  %1705 = inttoptr i64 %1704 to ptr
-  %1706 = tail call i64 %1705(ptr noundef %0, double noundef %1702, ptr noundef %1684, ptr noundef null) #11
-  %1707 = icmp eq i64 %1706, 0
-  %1708 = select i1 %1707, i64 %1672, i64 %1706
-  br i1 %1707, label %1709, label %1717
+1707:                                             ; preds = %1686
+  %1708 = load double, ptr %1680, align 8
+  %1709 = getelementptr inbounds i8, ptr %1704, i64 56
+  %1710 = load i64, ptr %1709, align 8
+  %1711 = inttoptr i64 %1710 to ptr
+  %1712 = tail call i64 %1711(ptr noundef %0, double noundef %1708, ptr noundef %1690, ptr noundef null) #11
+  %1713 = icmp eq i64 %1712, 0
+  %1714 = select i1 %1713, i64 %1678, i64 %1712
+  br i1 %1713, label %1715, label %1723
 
-1709:                                             ; preds = %1701, %1680
-  %1710 = phi i64 [ %1708, %1701 ], [ %1672, %1680 ]
-  %1711 = add i64 %1673, 1
-  %1712 = icmp eq i64 %1711, %1665
-  br i1 %1712, label %1713, label %1671, !llvm.loop !46
+1715:                                             ; preds = %1707, %1686
+  %1716 = phi i64 [ %1714, %1707 ], [ %1678, %1686 ]
+  %1717 = add i64 %1679, 1
+  %1718 = icmp eq i64 %1717, %1671
+  br i1 %1718, label %1719, label %1677, !llvm.loop !46
 
-1713:                                             ; preds = %1709, %1671, %1660
-  %1714 = phi i64 [ %1669, %1660 ], [ %1665, %1709 ], [ %1673, %1671 ]
-  %1715 = load ptr, ptr %81, align 8
-  %1716 = getelementptr inbounds i8, ptr %1715, i64 48
-  store i64 %1714, ptr %1716, align 8
-  br label %1717
+1719:                                             ; preds = %1715, %1677, %1666
+  %1720 = phi i64 [ %1675, %1666 ], [ %1671, %1715 ], [ %1679, %1677 ]
+  %1721 = load ptr, ptr %81, align 8
+  %1722 = getelementptr inbounds i8, ptr %1721, i64 48
+  store i64 %1720, ptr %1722, align 8
+  br label %1723
 
-1717:                                             ; preds = %1701, %1713, %1656
-  %1718 = phi i64 [ %1659, %1656 ], [ 0, %1713 ], [ %1708, %1701 ]
-  %1719 = icmp eq i64 %1718, 0
-  %1720 = icmp ne i64 %1649, 0
-  %1721 = fcmp olt double %1648, 1.000000e+00
-  %1722 = and i1 %1721, %1719
-  %1723 = and i1 %1720, %1722
-  br i1 %1723, label %1724, label %1761
+1723:                                             ; preds = %1707, %1719, %1662
+  %1724 = phi i64 [ %1665, %1662 ], [ 0, %1719 ], [ %1714, %1707 ]
+  %1725 = icmp eq i64 %1724, 0
+  %1726 = icmp ne i64 %1655, 0
+  %1727 = fcmp olt double %1654, 1.000000e+00
+  %1728 = and i1 %1727, %1725
+  %1729 = and i1 %1726, %1728
+  br i1 %1729, label %1730, label %1767
 
-1724:                                             ; preds = %1717
-  %1725 = load ptr, ptr %171, align 8
-  %1726 = load ptr, ptr %172, align 8
-  %1727 = insertelement <8 x double> poison, double %1648, i64 0
-  %1728 = shufflevector <8 x double> %1727, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1728, ptr %1726, align 8
-  %1729 = load ptr, ptr %77, align 8
-  %1730 = load ptr, ptr %173, align 8
-  %1731 = load i64, ptr %174, align 8
-  %1732 = load ptr, ptr %0, align 8
-  %1733 = getelementptr inbounds i8, ptr %1732, i64 24
-  %1734 = load i64, ptr %1733, align 8
-  %1735 = load ptr, ptr %172, align 8
-  %1736 = load ptr, ptr %76, align 8
-  %1737 = getelementptr inbounds i8, ptr %1736, i64 16
-  %1738 = load i64, ptr %1737, align 8
-  tail call fastcc void @nested(ptr noundef %1725, ptr noundef %1729, ptr noundef %1730, i64 noundef %1731, i64 noundef %1734, ptr noundef %1735, i64 noundef %1738) #10
-  %1739 = load i64, ptr %154, align 8
-  %1740 = icmp sgt i64 %1739, 0
-  br i1 %1740, label %1745, label %1741
+1730:                                             ; preds = %1723
+  %1731 = load ptr, ptr %171, align 8
+  %1732 = load ptr, ptr %172, align 8
+  %1733 = insertelement <8 x double> poison, double %1654, i64 0
+  %1734 = shufflevector <8 x double> %1733, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1734, ptr %1732, align 8
+  %1735 = load ptr, ptr %77, align 8
+  %1736 = load ptr, ptr %173, align 8
+  %1737 = load i64, ptr %174, align 8
+  %1738 = load ptr, ptr %0, align 8
+  %1739 = getelementptr inbounds i8, ptr %1738, i64 24
+  %1740 = load i64, ptr %1739, align 8
+  %1741 = load ptr, ptr %172, align 8
+  %1742 = load ptr, ptr %76, align 8
+  %1743 = getelementptr inbounds i8, ptr %1742, i64 16
+  %1744 = load i64, ptr %1743, align 8
+  tail call fastcc void @nested(ptr noundef %1731, ptr noundef %1735, ptr noundef %1736, i64 noundef %1737, i64 noundef %1740, ptr noundef %1741, i64 noundef %1744) #10
+  %1745 = load i64, ptr %154, align 8
+  %1746 = icmp sgt i64 %1745, 0
+  br i1 %1746, label %1751, label %1747
 
-1741:                                             ; preds = %1745, %1724
-  %1742 = load ptr, ptr %84, align 8
-  %1743 = load i64, ptr %1742, align 8
-  %1744 = icmp eq i64 %1743, 1
-  br i1 %1744, label %1755, label %1761
+1747:                                             ; preds = %1751, %1730
+  %1748 = load ptr, ptr %84, align 8
+  %1749 = load i64, ptr %1748, align 8
+  %1750 = icmp eq i64 %1749, 1
+  br i1 %1750, label %1761, label %1767
 
-1745:                                             ; preds = %1724, %1745
-  %1746 = phi i64 [ %1752, %1745 ], [ 0, %1724 ]
-  %1747 = load ptr, ptr %171, align 8
-  %1748 = getelementptr inbounds double, ptr %1747, i64 %1746
-  %1749 = load double, ptr %1748, align 8
-  %1750 = load ptr, ptr %147, align 8
-  %1751 = getelementptr inbounds double, ptr %1750, i64 %1746
-  store double %1749, ptr %1751, align 8
-  %1752 = add nuw nsw i64 %1746, 1
-  %1753 = load i64, ptr %154, align 8
-  %1754 = icmp slt i64 %1752, %1753
-  br i1 %1754, label %1745, label %1741, !llvm.loop !47
-
-1755:                                             ; preds = %1741
+1751:                                             ; preds = %1730, %1751
+  %1752 = phi i64 [ %1758, %1751 ], [ 0, %1730 ]
+  %1753 = load ptr, ptr %171, align 8
+  %1754 = getelementptr inbounds double, ptr %1753, i64 %1752
+  %1755 = load double, ptr %1754, align 8
   %1756 = load ptr, ptr %147, align 8
-  %1757 = getelementptr inbounds i8, ptr %1742, i64 56
-  %1758 = load i64, ptr %1757, align 8
-  %1759 = inttoptr i64 %1758 to ptr
-  %1760 = tail call i64 %1759(ptr noundef %0, double noundef %1657, ptr noundef %1756, ptr noundef null) #11
-  br label %1761
+  %1757 = getelementptr inbounds double, ptr %1756, i64 %1752
+  store double %1755, ptr %1757, align 8
+  %1758 = add nuw nsw i64 %1752, 1
+  %1759 = load i64, ptr %154, align 8
+  %1760 = icmp slt i64 %1758, %1759
+  br i1 %1760, label %1751, label %1747, !llvm.loop !47
 
-1761:                                             ; preds = %1755, %1741, %1717
-  %1762 = phi i64 [ %1760, %1755 ], [ 0, %1741 ], [ %1718, %1717 ]
-  %1763 = icmp eq i64 %1762, 0
-  br i1 %1763, label %1766, label %1764
+1761:                                             ; preds = %1747
+  %1762 = load ptr, ptr %147, align 8
+  %1763 = getelementptr inbounds i8, ptr %1748, i64 56
+  %1764 = load i64, ptr %1763, align 8
+  %1765 = inttoptr i64 %1764 to ptr
+  %1766 = tail call i64 %1765(ptr noundef %0, double noundef %1663, ptr noundef %1762, ptr noundef null) #11
+  br label %1767
 
-1764:                                             ; preds = %1761
-  store double %378, ptr %1635, align 8
-  %1765 = getelementptr inbounds i8, ptr %1635, i64 8
-  store double %414, ptr %1765, align 8
-  br label %1822
+1767:                                             ; preds = %1761, %1747, %1723
+  %1768 = phi i64 [ %1766, %1761 ], [ 0, %1747 ], [ %1724, %1723 ]
+  %1769 = icmp eq i64 %1768, 0
+  br i1 %1769, label %1772, label %1770
 
-1766:                                             ; preds = %1761
-  br i1 %1650, label %1767, label %1805
+1770:                                             ; preds = %1767
+  store double %379, ptr %1641, align 8
+  %1771 = getelementptr inbounds i8, ptr %1641, i64 8
+  store double %415, ptr %1771, align 8
+  br label %1828
 
-1767:                                             ; preds = %1766
-  %1768 = load ptr, ptr %147, align 8
-  %1769 = load ptr, ptr %76, align 8
-  %1770 = getelementptr inbounds i8, ptr %1769, i64 8
-  %1771 = load i64, ptr %1770, align 8
-  %1772 = load i64, ptr %83, align 8
-  %1773 = load ptr, ptr %82, align 8
-  %1774 = load ptr, ptr %81, align 8
-  %1775 = getelementptr inbounds i8, ptr %1774, i64 48
-  %1776 = load i64, ptr %1775, align 8
-  %1777 = icmp slt i64 %1776, %1772
-  br i1 %1777, label %1778, label %1801
+1772:                                             ; preds = %1767
+  br i1 %1656, label %1773, label %1811
 
-1778:                                             ; preds = %1767
-  %1779 = icmp sgt i64 %1771, 0
-  br label %1780
+1773:                                             ; preds = %1772
+  %1774 = load ptr, ptr %147, align 8
+  %1775 = load ptr, ptr %76, align 8
+  %1776 = getelementptr inbounds i8, ptr %1775, i64 8
+  %1777 = load i64, ptr %1776, align 8
+  %1778 = load i64, ptr %83, align 8
+  %1779 = load ptr, ptr %82, align 8
+  %1780 = load ptr, ptr %81, align 8
+  %1781 = getelementptr inbounds i8, ptr %1780, i64 48
+  %1782 = load i64, ptr %1781, align 8
+  %1783 = icmp slt i64 %1782, %1778
+  br i1 %1783, label %1784, label %1807
 
-1780:                                             ; preds = %1778, %1791
-  %1781 = phi i64 [ %1776, %1778 ], [ %1792, %1791 ]
-  %1782 = getelementptr inbounds double, ptr %1773, i64 %1781
-  %1783 = load double, ptr %1782, align 8
-  %1784 = load ptr, ptr %79, align 8
-  %1785 = load double, ptr %1784, align 8
-  %1786 = fcmp ugt double %1783, %1785
-  br i1 %1786, label %1801, label %1787
+1784:                                             ; preds = %1773
+  %1785 = icmp sgt i64 %1777, 0
+  br label %1786
 
-1787:                                             ; preds = %1780
-  br i1 %1779, label %1788, label %1791
+1786:                                             ; preds = %1784, %1797
+  %1787 = phi i64 [ %1782, %1784 ], [ %1798, %1797 ]
+  %1788 = getelementptr inbounds double, ptr %1779, i64 %1787
+  %1789 = load double, ptr %1788, align 8
+  %1790 = load ptr, ptr %79, align 8
+  %1791 = load double, ptr %1790, align 8
+  %1792 = fcmp ugt double %1789, %1791
+  br i1 %1792, label %1807, label %1793
 
-1788:                                             ; preds = %1787
-  %1789 = mul nsw i64 %1781, %1771
-  %1790 = getelementptr double, ptr %1, i64 %1789
-  br label %1794
+1793:                                             ; preds = %1786
+  br i1 %1785, label %1794, label %1797
 
-1791:                                             ; preds = %1794, %1787
-  %1792 = add i64 %1781, 1
-  %1793 = icmp eq i64 %1792, %1772
-  br i1 %1793, label %1801, label %1780, !llvm.loop !9
+1794:                                             ; preds = %1793
+  %1795 = mul nsw i64 %1787, %1777
+  %1796 = getelementptr double, ptr %1, i64 %1795
+  br label %1800
 
-1794:                                             ; preds = %1788, %1794
-  %1795 = phi i64 [ 0, %1788 ], [ %1799, %1794 ]
-  %1796 = getelementptr inbounds double, ptr %1768, i64 %1795
-  %1797 = load double, ptr %1796, align 8
-  %1798 = getelementptr double, ptr %1790, i64 %1795
-  store double %1797, ptr %1798, align 8
-  %1799 = add nuw nsw i64 %1795, 1
-  %1800 = icmp eq i64 %1799, %1771
-  br i1 %1800, label %1791, label %1794, !llvm.loop !10
+1797:                                             ; preds = %1800, %1793
+  %1798 = add i64 %1787, 1
+  %1799 = icmp eq i64 %1798, %1778
+  br i1 %1799, label %1807, label %1786, !llvm.loop !9
 
-1801:                                             ; preds = %1791, %1780, %1767
-  %1802 = phi i64 [ %1776, %1767 ], [ %1772, %1791 ], [ %1781, %1780 ]
-  %1803 = load ptr, ptr %81, align 8
-  %1804 = getelementptr inbounds i8, ptr %1803, i64 48
-  store i64 %1802, ptr %1804, align 8
-  br label %1805
+1800:                                             ; preds = %1794, %1800
+  %1801 = phi i64 [ 0, %1794 ], [ %1805, %1800 ]
+  %1802 = getelementptr inbounds double, ptr %1774, i64 %1801
+  %1803 = load double, ptr %1802, align 8
+  %1804 = getelementptr double, ptr %1796, i64 %1801
+  store double %1803, ptr %1804, align 8
+  %1805 = add nuw nsw i64 %1801, 1
+  %1806 = icmp eq i64 %1805, %1777
+  br i1 %1806, label %1797, label %1800, !llvm.loop !10
 
-1805:                                             ; preds = %1801, %1766
-  br i1 %1720, label %1806, label %1822
+1807:                                             ; preds = %1797, %1786, %1773
+  %1808 = phi i64 [ %1782, %1773 ], [ %1778, %1797 ], [ %1787, %1786 ]
+  %1809 = load ptr, ptr %81, align 8
+  %1810 = getelementptr inbounds i8, ptr %1809, i64 48
+  store i64 %1808, ptr %1810, align 8
+  br label %1811
 
-1806:                                             ; preds = %1805
-  %1807 = load i64, ptr %154, align 8
-  %1808 = icmp sgt i64 %1807, 0
-  br i1 %1808, label %1812, label %1809
+1811:                                             ; preds = %1807, %1772
+  br i1 %1726, label %1812, label %1828
 
-1809:                                             ; preds = %1812, %1806
-  store double %1657, ptr %1635, align 8
-  %1810 = getelementptr inbounds i8, ptr %1635, i64 8
-  store double 0.000000e+00, ptr %1810, align 8
-  %1811 = load ptr, ptr %81, align 8
-  store i64 0, ptr %1811, align 8
-  br label %1822
+1812:                                             ; preds = %1811
+  %1813 = load i64, ptr %154, align 8
+  %1814 = icmp sgt i64 %1813, 0
+  br i1 %1814, label %1818, label %1815
 
-1812:                                             ; preds = %1806, %1812
-  %1813 = phi i64 [ %1819, %1812 ], [ 0, %1806 ]
-  %1814 = load ptr, ptr %147, align 8
-  %1815 = getelementptr inbounds double, ptr %1814, i64 %1813
-  %1816 = load double, ptr %1815, align 8
-  %1817 = load ptr, ptr %77, align 8
-  %1818 = getelementptr inbounds double, ptr %1817, i64 %1813
-  store double %1816, ptr %1818, align 8
-  %1819 = add nuw nsw i64 %1813, 1
-  %1820 = load i64, ptr %154, align 8
-  %1821 = icmp slt i64 %1819, %1820
-  br i1 %1821, label %1812, label %1809, !llvm.loop !48
+1815:                                             ; preds = %1818, %1812
+  store double %1663, ptr %1641, align 8
+  %1816 = getelementptr inbounds i8, ptr %1641, i64 8
+  store double 0.000000e+00, ptr %1816, align 8
+  %1817 = load ptr, ptr %81, align 8
+  store i64 0, ptr %1817, align 8
+  br label %1828
 
-1822:                                             ; preds = %1643, %1764, %1805, %1809
-  %1823 = phi i64 [ -6, %1643 ], [ %1762, %1764 ], [ %1649, %1809 ], [ %1649, %1805 ]
-  %1824 = icmp eq i64 %1823, -6
-  br i1 %1824, label %1828, label %1825
+1818:                                             ; preds = %1812, %1818
+  %1819 = phi i64 [ %1825, %1818 ], [ 0, %1812 ]
+  %1820 = load ptr, ptr %147, align 8
+  %1821 = getelementptr inbounds double, ptr %1820, i64 %1819
+  %1822 = load double, ptr %1821, align 8
+  %1823 = load ptr, ptr %77, align 8
+  %1824 = getelementptr inbounds double, ptr %1823, i64 %1819
+  store double %1822, ptr %1824, align 8
+  %1825 = add nuw nsw i64 %1819, 1
+  %1826 = load i64, ptr %154, align 8
+  %1827 = icmp slt i64 %1825, %1826
+  br i1 %1827, label %1818, label %1815, !llvm.loop !48
 
-1825:                                             ; preds = %1822
-  %1826 = icmp ne i64 %1823, 6
-  %1827 = select i1 %1826, i1 true, i1 %210
-  br i1 %1827, label %1840, label %1828
+1828:                                             ; preds = %1649, %1770, %1811, %1815
+  %1829 = phi i64 [ -6, %1649 ], [ %1768, %1770 ], [ %1655, %1815 ], [ %1655, %1811 ]
+  %1830 = icmp eq i64 %1829, -6
+  br i1 %1830, label %1834, label %1831
 
-1828:                                             ; preds = %1825, %1822
-  %1829 = phi i64 [ %1823, %1825 ], [ 2, %1822 ]
-  %1830 = load i64, ptr %335, align 8
-  %1831 = add nsw i64 %1830, -1
-  store i64 %1831, ptr %335, align 8
-  %1832 = load ptr, ptr %93, align 8
-  %1833 = load i64, ptr %1832, align 8
-  %1834 = add nsw i64 %1833, -1
-  store i64 %1834, ptr %1832, align 8
-  store i64 1, ptr %349, align 8
-  %1835 = load i64, ptr %363, align 8
-  %1836 = sub nsw i64 1, %1835
-  store i64 %1836, ptr %339, align 8
-  store double 0.000000e+00, ptr %344, align 8
-  %1837 = load i64, ptr %336, align 8
-  %1838 = add nsw i64 %1837, 1
-  store i64 %1838, ptr %336, align 8
-  store i64 %1829, ptr %364, align 8
-  %1839 = fmul double %414, 2.500000e-01
-  br label %1898, !llvm.loop !17
+1831:                                             ; preds = %1828
+  %1832 = icmp ne i64 %1829, 6
+  %1833 = select i1 %1832, i1 true, i1 %210
+  br i1 %1833, label %1846, label %1834
 
-1840:                                             ; preds = %1825
-  %1841 = icmp eq i64 %1823, 0
-  br i1 %1841, label %1846, label %1842
+1834:                                             ; preds = %1831, %1828
+  %1835 = phi i64 [ %1829, %1831 ], [ 2, %1828 ]
+  %1836 = load i64, ptr %336, align 8
+  %1837 = add nsw i64 %1836, -1
+  store i64 %1837, ptr %336, align 8
+  %1838 = load ptr, ptr %93, align 8
+  %1839 = load i64, ptr %1838, align 8
+  %1840 = add nsw i64 %1839, -1
+  store i64 %1840, ptr %1838, align 8
+  store i64 1, ptr %350, align 8
+  %1841 = load i64, ptr %364, align 8
+  %1842 = sub nsw i64 1, %1841
+  store i64 %1842, ptr %340, align 8
+  store double 0.000000e+00, ptr %345, align 8
+  %1843 = load i64, ptr %337, align 8
+  %1844 = add nsw i64 %1843, 1
+  store i64 %1844, ptr %337, align 8
+  store i64 %1835, ptr %365, align 8
+  %1845 = fmul double %415, 2.500000e-01
+  br label %1905, !llvm.loop !17
 
-1842:                                             ; preds = %1840
-  %1843 = load ptr, ptr %93, align 8
-  %1844 = load i64, ptr %1843, align 8
-  %1845 = add nsw i64 %1844, 1
-  store i64 %1845, ptr %1843, align 8
-  br label %1898
+1846:                                             ; preds = %1831
+  %1847 = icmp eq i64 %1829, 0
+  br i1 %1847, label %1852, label %1848
 
-1846:                                             ; preds = %1840, %1629
-  br i1 %358, label %1865, label %1847
+1848:                                             ; preds = %1846
+  %1849 = load ptr, ptr %93, align 8
+  %1850 = load i64, ptr %1849, align 8
+  %1851 = add nsw i64 %1850, 1
+  store i64 %1851, ptr %1849, align 8
+  br label %1905
 
-1847:                                             ; preds = %1865, %1846
-  %1848 = load i64, ptr %359, align 8
-  %1849 = add nsw i64 %1848, 1
-  store i64 %1849, ptr %359, align 8
-  %1850 = load ptr, ptr %77, align 8
-  %1851 = load ptr, ptr %175, align 8
-  %1852 = load ptr, ptr %176, align 8
-  store double %413, ptr %1852, align 8
-  %1853 = load i64, ptr %177, align 8
-  %1854 = icmp sgt i64 %1853, 0
-  br i1 %1854, label %1855, label %1856
+1852:                                             ; preds = %1846, %1635
+  br i1 %359, label %1872, label %1853
 
-1855:                                             ; preds = %1847
+1853:                                             ; preds = %1872, %1852
+  %1854 = load i64, ptr %360, align 8
+  %1855 = add nsw i64 %1854, 1
+  store i64 %1855, ptr %360, align 8
+  %1856 = load ptr, ptr %77, align 8
+  %1857 = load ptr, ptr %175, align 8
+  %1858 = load ptr, ptr %176, align 8
+  store double %414, ptr %1858, align 8
+  %1859 = load i64, ptr %177, align 8
+  %1860 = icmp sgt i64 %1859, 0
+  br i1 %1860, label %1861, label %1862
+
+1861:                                             ; preds = %1853
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1856
+  br label %1862
 
-1856:                                             ; preds = %1847, %1855
-  %1857 = load ptr, ptr %76, align 8
-  %1858 = load i64, ptr %1857, align 8
-  %1859 = load ptr, ptr %176, align 8
-  %1860 = load ptr, ptr %178, align 8
-  %1861 = load ptr, ptr %179, align 8
-  %1862 = inttoptr i64 %1858 to ptr
-  %1863 = tail call i32 %1862(ptr noundef %1859, ptr noundef %1850, ptr noundef %1860, ptr noundef %1861, ptr noundef %1851) #11
-  %1864 = icmp eq i32 %1863, 0
-  br i1 %1864, label %1877, label %1874
+1862:                                             ; preds = %1853, %1861
+  %1863 = load ptr, ptr %76, align 8
+  %1864 = load i64, ptr %1863, align 8
+  %1865 = load ptr, ptr %176, align 8
+  %1866 = load ptr, ptr %178, align 8
+  %1867 = load ptr, ptr %179, align 8
+  %1868 = inttoptr i64 %1864 to ptr
+  %1869 = load ptr, ptr %1868, align 8
+  %1870 = tail call i32 %1869(ptr noundef %1865, ptr noundef %1856, ptr noundef %1866, ptr noundef %1867, ptr noundef %1857) #11
+  %1871 = icmp eq i32 %1870, 0
+  br i1 %1871, label %1884, label %1881
 
-1865:                                             ; preds = %1846, %1865
-  %1866 = phi i64 [ %1872, %1865 ], [ 0, %1846 ]
-  %1867 = load ptr, ptr %147, align 8
-  %1868 = getelementptr inbounds double, ptr %1867, i64 %1866
-  %1869 = load double, ptr %1868, align 8
-  %1870 = load ptr, ptr %77, align 8
-  %1871 = getelementptr inbounds double, ptr %1870, i64 %1866
-  store double %1869, ptr %1871, align 8
-  %1872 = add nuw nsw i64 %1866, 1
-  %1873 = icmp eq i64 %1872, %198
-  br i1 %1873, label %1847, label %1865, !llvm.loop !49
+1872:                                             ; preds = %1852, %1872
+  %1873 = phi i64 [ %1879, %1872 ], [ 0, %1852 ]
+  %1874 = load ptr, ptr %147, align 8
+  %1875 = getelementptr inbounds double, ptr %1874, i64 %1873
+  %1876 = load double, ptr %1875, align 8
+  %1877 = load ptr, ptr %77, align 8
+  %1878 = getelementptr inbounds double, ptr %1877, i64 %1873
+  store double %1876, ptr %1878, align 8
+  %1879 = add nuw nsw i64 %1873, 1
+  %1880 = icmp eq i64 %1879, %198
+  br i1 %1880, label %1853, label %1872, !llvm.loop !49
 
-1874:                                             ; preds = %1856
-  store i64 3, ptr %360, align 8
-  store double %414, ptr %225, align 8
-  %1875 = icmp slt i32 %1863, 0
-  %1876 = select i1 %1875, i64 -4, i64 2
-  br label %1898
+1881:                                             ; preds = %1862
+  store i64 3, ptr %361, align 8
+  store double %415, ptr %225, align 8
+  %1882 = icmp slt i32 %1870, 0
+  %1883 = select i1 %1882, i64 -4, i64 2
+  br label %1905
 
-1877:                                             ; preds = %1856
-  %1878 = icmp sgt i64 %1152, 2
-  %1879 = fcmp ogt double %1150, 1.000000e-03
-  %1880 = select i1 %1878, i1 %1879, i1 false
-  %1881 = zext i1 %1880 to i64
-  store i64 %1881, ptr %339, align 8
-  store i64 0, ptr %361, align 8
-  store i64 0, ptr %349, align 8
-  %1882 = fcmp ule double %1390, 1.000000e+00
-  %1883 = fcmp uge double %1390, 1.200000e+00
-  %1884 = or i1 %1882, %1883
-  %1885 = select i1 %1884, i1 true, i1 %1880
-  br i1 %1885, label %1888, label %1886
+1884:                                             ; preds = %1862
+  %1885 = icmp sgt i64 %1156, 2
+  %1886 = fcmp ogt double %1154, 1.000000e-03
+  %1887 = select i1 %1885, i1 %1886, i1 false
+  %1888 = zext i1 %1887 to i64
+  store i64 %1888, ptr %340, align 8
+  store i64 0, ptr %362, align 8
+  store i64 0, ptr %350, align 8
+  %1889 = fcmp ule double %1395, 1.000000e+00
+  %1890 = fcmp uge double %1395, 1.200000e+00
+  %1891 = or i1 %1889, %1890
+  %1892 = select i1 %1891, i1 true, i1 %1887
+  br i1 %1892, label %1895, label %1893
 
-1886:                                             ; preds = %1877
-  %1887 = load double, ptr %189, align 8
-  br label %1892
+1893:                                             ; preds = %1884
+  %1894 = load double, ptr %189, align 8
+  br label %1899
 
-1888:                                             ; preds = %1877
-  %1889 = fcmp ogt double %1390, 2.000000e-01
-  %1890 = select i1 %1889, double %1390, double 2.000000e-01
-  %1891 = fmul double %414, %1890
-  br label %1892
+1895:                                             ; preds = %1884
+  %1896 = fcmp ogt double %1395, 2.000000e-01
+  %1897 = select i1 %1896, double %1395, double 2.000000e-01
+  %1898 = fmul double %415, %1897
+  br label %1899
 
-1892:                                             ; preds = %1888, %1886
-  %1893 = phi double [ %1887, %1886 ], [ %1891, %1888 ]
-  %1894 = load i64, ptr %362, align 8
-  %1895 = load i64, ptr %83, align 8
-  %1896 = icmp eq i64 %1894, %1895
-  br i1 %1896, label %1897, label %1898
+1899:                                             ; preds = %1895, %1893
+  %1900 = phi double [ %1894, %1893 ], [ %1898, %1895 ]
+  %1901 = load i64, ptr %363, align 8
+  %1902 = load i64, ptr %83, align 8
+  %1903 = icmp eq i64 %1901, %1902
+  br i1 %1903, label %1904, label %1905
 
-1897:                                             ; preds = %1892
-  store double %1893, ptr %225, align 8
-  br label %1898
+1904:                                             ; preds = %1899
+  store double %1900, ptr %225, align 8
+  br label %1905
 
-1898:                                             ; preds = %1149, %1192, %1204, %1897, %1892, %1874, %1842, %1828, %1358, %1343, %1305, %608, %539, %420
-  %1899 = phi double [ %383, %420 ], [ %383, %539 ], [ %383, %608 ], [ %1150, %1305 ], [ %1150, %1343 ], [ %1150, %1358 ], [ %1150, %1828 ], [ %1150, %1842 ], [ %1150, %1874 ], [ %1150, %1892 ], [ %1150, %1897 ], [ %1150, %1204 ], [ %1150, %1192 ], [ %1150, %1149 ]
-  %1900 = phi i32 [ %382, %420 ], [ %382, %539 ], [ %382, %608 ], [ %1151, %1305 ], [ %1151, %1343 ], [ %1151, %1358 ], [ %1151, %1828 ], [ %1151, %1842 ], [ %1151, %1874 ], [ %1151, %1892 ], [ %1151, %1897 ], [ %1151, %1204 ], [ %1151, %1192 ], [ %1151, %1149 ]
-  %1901 = phi i64 [ %381, %420 ], [ %381, %539 ], [ %381, %608 ], [ %1152, %1305 ], [ %1152, %1343 ], [ %1152, %1358 ], [ %1152, %1828 ], [ %1152, %1842 ], [ %1152, %1874 ], [ %1152, %1892 ], [ %1152, %1897 ], [ %1152, %1204 ], [ %1152, %1192 ], [ %1152, %1149 ]
-  %1902 = phi i64 [ %380, %420 ], [ %380, %539 ], [ %380, %608 ], [ %1153, %1305 ], [ %1153, %1343 ], [ %1153, %1358 ], [ %1153, %1828 ], [ %1153, %1842 ], [ %1153, %1874 ], [ %1153, %1892 ], [ %1153, %1897 ], [ %1153, %1204 ], [ %1153, %1192 ], [ %1153, %1149 ]
-  %1903 = phi double [ %379, %420 ], [ %379, %539 ], [ %611, %608 ], [ %379, %1305 ], [ %1345, %1343 ], [ %1361, %1358 ], [ %1839, %1828 ], [ %379, %1842 ], [ %379, %1874 ], [ %1893, %1892 ], [ %1893, %1897 ], [ %1205, %1204 ], [ %379, %1192 ], [ %379, %1149 ]
-  %1904 = phi double [ %378, %420 ], [ %378, %539 ], [ %378, %608 ], [ %378, %1305 ], [ %378, %1343 ], [ %378, %1358 ], [ %378, %1828 ], [ %378, %1842 ], [ %413, %1874 ], [ %413, %1892 ], [ %413, %1897 ], [ %378, %1204 ], [ %378, %1192 ], [ %378, %1149 ]
-  %1905 = phi i32 [ 1, %420 ], [ 1, %539 ], [ 6, %608 ], [ 1, %1305 ], [ 6, %1343 ], [ 6, %1358 ], [ 6, %1828 ], [ 1, %1842 ], [ 1, %1874 ], [ 0, %1892 ], [ 1, %1897 ], [ 6, %1204 ], [ 6, %1192 ], [ 1, %1149 ]
-  %1906 = phi i64 [ 2, %420 ], [ -4, %539 ], [ %377, %608 ], [ -4, %1305 ], [ %377, %1343 ], [ %377, %1358 ], [ %377, %1828 ], [ %1823, %1842 ], [ %1876, %1874 ], [ %377, %1892 ], [ 0, %1897 ], [ %377, %1204 ], [ %377, %1192 ], [ -4, %1149 ]
-  switch i32 %1905, label %1910 [
-    i32 0, label %1907
-    i32 6, label %1907
+1905:                                             ; preds = %1153, %1196, %1208, %1904, %1899, %1881, %1848, %1834, %1363, %1348, %1310, %611, %542, %421
+  %1906 = phi double [ %384, %421 ], [ %384, %542 ], [ %384, %611 ], [ %1154, %1310 ], [ %1154, %1348 ], [ %1154, %1363 ], [ %1154, %1834 ], [ %1154, %1848 ], [ %1154, %1881 ], [ %1154, %1899 ], [ %1154, %1904 ], [ %1154, %1208 ], [ %1154, %1196 ], [ %1154, %1153 ]
+  %1907 = phi i32 [ %383, %421 ], [ %383, %542 ], [ %383, %611 ], [ %1155, %1310 ], [ %1155, %1348 ], [ %1155, %1363 ], [ %1155, %1834 ], [ %1155, %1848 ], [ %1155, %1881 ], [ %1155, %1899 ], [ %1155, %1904 ], [ %1155, %1208 ], [ %1155, %1196 ], [ %1155, %1153 ]
+  %1908 = phi i64 [ %382, %421 ], [ %382, %542 ], [ %382, %611 ], [ %1156, %1310 ], [ %1156, %1348 ], [ %1156, %1363 ], [ %1156, %1834 ], [ %1156, %1848 ], [ %1156, %1881 ], [ %1156, %1899 ], [ %1156, %1904 ], [ %1156, %1208 ], [ %1156, %1196 ], [ %1156, %1153 ]
+  %1909 = phi i64 [ %381, %421 ], [ %381, %542 ], [ %381, %611 ], [ %1157, %1310 ], [ %1157, %1348 ], [ %1157, %1363 ], [ %1157, %1834 ], [ %1157, %1848 ], [ %1157, %1881 ], [ %1157, %1899 ], [ %1157, %1904 ], [ %1157, %1208 ], [ %1157, %1196 ], [ %1157, %1153 ]
+  %1910 = phi double [ %380, %421 ], [ %380, %542 ], [ %614, %611 ], [ %380, %1310 ], [ %1350, %1348 ], [ %1366, %1363 ], [ %1845, %1834 ], [ %380, %1848 ], [ %380, %1881 ], [ %1900, %1899 ], [ %1900, %1904 ], [ %1209, %1208 ], [ %380, %1196 ], [ %380, %1153 ]
+  %1911 = phi double [ %379, %421 ], [ %379, %542 ], [ %379, %611 ], [ %379, %1310 ], [ %379, %1348 ], [ %379, %1363 ], [ %379, %1834 ], [ %379, %1848 ], [ %414, %1881 ], [ %414, %1899 ], [ %414, %1904 ], [ %379, %1208 ], [ %379, %1196 ], [ %379, %1153 ]
+  %1912 = phi i32 [ 1, %421 ], [ 1, %542 ], [ 6, %611 ], [ 1, %1310 ], [ 6, %1348 ], [ 6, %1363 ], [ 6, %1834 ], [ 1, %1848 ], [ 1, %1881 ], [ 0, %1899 ], [ 1, %1904 ], [ 6, %1208 ], [ 6, %1196 ], [ 1, %1153 ]
+  %1913 = phi i64 [ 2, %421 ], [ -4, %542 ], [ %378, %611 ], [ -4, %1310 ], [ %378, %1348 ], [ %378, %1363 ], [ %378, %1834 ], [ %1829, %1848 ], [ %1883, %1881 ], [ %378, %1899 ], [ 0, %1904 ], [ %378, %1208 ], [ %378, %1196 ], [ -4, %1153 ]
+  switch i32 %1912, label %1917 [
+    i32 0, label %1914
+    i32 6, label %1914
   ]
 
-1907:                                             ; preds = %1898, %1898
-  %1908 = load i64, ptr %192, align 8
-  %1909 = icmp eq i64 %1908, 0
-  br i1 %1909, label %369, label %375, !llvm.loop !17
+1914:                                             ; preds = %1905, %1905
+  %1915 = load i64, ptr %192, align 8
+  %1916 = icmp eq i64 %1915, 0
+  br i1 %1916, label %370, label %376, !llvm.loop !17
 
-1910:                                             ; preds = %1898, %183, %257, %299, %369, %396, %404
-  %1911 = phi double [ %184, %183 ], [ %370, %369 ], [ %383, %404 ], [ %383, %396 ], [ %184, %299 ], [ %184, %257 ], [ %1899, %1898 ]
-  %1912 = phi i32 [ %185, %183 ], [ %371, %369 ], [ %382, %404 ], [ %382, %396 ], [ %185, %299 ], [ %185, %257 ], [ %1900, %1898 ]
-  %1913 = phi i64 [ %186, %183 ], [ %372, %369 ], [ %381, %404 ], [ %381, %396 ], [ %186, %299 ], [ %186, %257 ], [ %1901, %1898 ]
-  %1914 = phi i64 [ %187, %183 ], [ %373, %369 ], [ %380, %404 ], [ %380, %396 ], [ %187, %299 ], [ %187, %257 ], [ %1902, %1898 ]
-  %1915 = phi i64 [ -1, %183 ], [ -1, %369 ], [ 1, %404 ], [ -5, %396 ], [ 0, %299 ], [ %260, %257 ], [ %1906, %1898 ]
-  %1916 = load ptr, ptr %182, align 8
-  %1917 = getelementptr inbounds i8, ptr %1916, i64 48
-  %1918 = load i64, ptr %1917, align 8
-  %1919 = icmp ne i64 %1915, -2
-  %1920 = icmp eq i64 %1918, 0
-  %1921 = select i1 %1919, i1 true, i1 %1920
-  br i1 %1921, label %1929, label %1922
+1917:                                             ; preds = %1905, %183, %258, %300, %370, %397, %405
+  %1918 = phi double [ %184, %183 ], [ %371, %370 ], [ %384, %405 ], [ %384, %397 ], [ %184, %300 ], [ %184, %258 ], [ %1906, %1905 ]
+  %1919 = phi i32 [ %185, %183 ], [ %372, %370 ], [ %383, %405 ], [ %383, %397 ], [ %185, %300 ], [ %185, %258 ], [ %1907, %1905 ]
+  %1920 = phi i64 [ %186, %183 ], [ %373, %370 ], [ %382, %405 ], [ %382, %397 ], [ %186, %300 ], [ %186, %258 ], [ %1908, %1905 ]
+  %1921 = phi i64 [ %187, %183 ], [ %374, %370 ], [ %381, %405 ], [ %381, %397 ], [ %187, %300 ], [ %187, %258 ], [ %1909, %1905 ]
+  %1922 = phi i64 [ -1, %183 ], [ -1, %370 ], [ 1, %405 ], [ -5, %397 ], [ 0, %300 ], [ %261, %258 ], [ %1913, %1905 ]
+  %1923 = load ptr, ptr %182, align 8
+  %1924 = getelementptr inbounds i8, ptr %1923, i64 48
+  %1925 = load i64, ptr %1924, align 8
+  %1926 = icmp ne i64 %1922, -2
+  %1927 = icmp eq i64 %1925, 0
+  %1928 = select i1 %1926, i1 true, i1 %1927
+  br i1 %1928, label %1936, label %1929
 
-1922:                                             ; preds = %1910
-  %1923 = inttoptr i64 %1918 to ptr
-  %1924 = tail call i64 %1923(ptr noundef %0) #11
-  %1925 = icmp eq i64 %1924, 8
-  %1926 = select i1 %1925, i64 8, i64 %1915
-  %1927 = icmp eq i64 %1924, 1
-  %1928 = zext i1 %1927 to i32
-  br label %1929
+1929:                                             ; preds = %1917
+  %1930 = inttoptr i64 %1925 to ptr
+  %1931 = tail call i64 %1930(ptr noundef %0) #11
+  %1932 = icmp eq i64 %1931, 8
+  %1933 = select i1 %1932, i64 8, i64 %1922
+  %1934 = icmp eq i64 %1931, 1
+  %1935 = zext i1 %1934 to i32
+  br label %1936
 
-1929:                                             ; preds = %1910, %1922
-  %1930 = phi i64 [ %1915, %1910 ], [ %1926, %1922 ]
-  %1931 = phi i32 [ 0, %1910 ], [ %1928, %1922 ]
-  %1932 = icmp eq i32 %1931, 0
-  br i1 %1932, label %1933, label %183, !llvm.loop !50
+1936:                                             ; preds = %1917, %1929
+  %1937 = phi i64 [ %1922, %1917 ], [ %1933, %1929 ]
+  %1938 = phi i32 [ 0, %1917 ], [ %1935, %1929 ]
+  %1939 = icmp eq i32 %1938, 0
+  br i1 %1939, label %1940, label %183, !llvm.loop !50
 
-1933:                                             ; preds = %1929
-  ret i64 %1930
+1940:                                             ; preds = %1936
+  ret i64 %1937
 }
 
 

@@ -1,4 +1,4 @@
-; sources 2cdadf43e411ed42e130b602e263b93a388fe137e66c47c79143ed07ac165b63
+; sources 4cf1e51928eb55ab41db168399657bad5b0b811711564e30ee6478ae6b6657c3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
@@ -48,231 +48,233 @@ define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
   %43 = getelementptr inbounds i8, ptr %0, i64 384
   br label %45
 
-44:                                               ; preds = %118, %1
+44:                                               ; preds = %119, %1
   ret i64 0
 
-45:                                               ; preds = %21, %118
-  %46 = phi i64 [ %8, %21 ], [ %121, %118 ]
-  %47 = phi i64 [ 0, %21 ], [ %119, %118 ]
+45:                                               ; preds = %21, %119
+  %46 = phi i64 [ %8, %21 ], [ %122, %119 ]
+  %47 = phi i64 [ 0, %21 ], [ %120, %119 ]
   %48 = tail call i64 @llvm.smin.i64(i64 %46, i64 8)
   %49 = tail call i64 @llvm.smax.i64(i64 %48, i64 1)
   %50 = sub nsw i64 %8, %47
   %51 = tail call i64 @llvm.smin.i64(i64 %50, i64 8)
   %52 = add nsw i64 %51, -1
-  br label %75
+  br label %76
 
-53:                                               ; preds = %113
+53:                                               ; preds = %114
   %54 = load i64, ptr %27, align 8
   %55 = icmp sgt i64 %54, 0
   br i1 %55, label %60, label %56
 
 56:                                               ; preds = %60, %53
-  br i1 %30, label %57, label %118
+  br i1 %30, label %57, label %119
 
 57:                                               ; preds = %56
   %58 = add nsw i64 %51, -1
   %59 = icmp sgt i64 %50, 0
-  br label %116
+  br label %117
 
 60:                                               ; preds = %53, %60
-  %61 = phi i64 [ %72, %60 ], [ 0, %53 ]
+  %61 = phi i64 [ %73, %60 ], [ 0, %53 ]
   %62 = load ptr, ptr %28, align 8
   %63 = shl nuw nsw i64 %61, 1
   %64 = getelementptr inbounds i64, ptr %62, i64 %63
   %65 = load i64, ptr %64, align 8
   %66 = inttoptr i64 %65 to ptr
-  %67 = load ptr, ptr %29, align 8
-  %68 = or disjoint i64 %63, 1
-  %69 = getelementptr inbounds i64, ptr %62, i64 %68
-  %70 = load i64, ptr %69, align 8
-  %71 = inttoptr i64 %70 to ptr
-  tail call void %66(ptr noundef %67, ptr noundef %71) #3
-  %72 = add nuw nsw i64 %61, 1
-  %73 = load i64, ptr %27, align 8
-  %74 = icmp slt i64 %72, %73
-  br i1 %74, label %60, label %56, !llvm.loop !3
+  %67 = load ptr, ptr %66, align 8
+  %68 = load ptr, ptr %29, align 8
+  %69 = or disjoint i64 %63, 1
+  %70 = getelementptr inbounds i64, ptr %62, i64 %69
+  %71 = load i64, ptr %70, align 8
+  %72 = inttoptr i64 %71 to ptr
+  tail call void %67(ptr noundef %68, ptr noundef %72) #3
+  %73 = add nuw nsw i64 %61, 1
+  %74 = load i64, ptr %27, align 8
+  %75 = icmp slt i64 %73, %74
+  br i1 %75, label %60, label %56, !llvm.loop !3
 
-75:                                               ; preds = %45, %113
-  %76 = phi i64 [ 0, %45 ], [ %114, %113 ]
-  %77 = icmp sgt i64 %50, %76
-  %78 = select i1 %77, i64 %76, i64 %52
-  %79 = add nsw i64 %78, %47
-  %80 = load ptr, ptr %22, align 8
-  %81 = load ptr, ptr %6, align 8
-  %82 = load i64, ptr %23, align 8
-  %83 = mul nsw i64 %82, %79
-  %84 = getelementptr inbounds double, ptr %81, i64 %83
-  %85 = getelementptr double, ptr %80, i64 %76
-  %86 = icmp sgt i64 %82, 0
-  br i1 %86, label %87, label %96
+76:                                               ; preds = %45, %114
+  %77 = phi i64 [ 0, %45 ], [ %115, %114 ]
+  %78 = icmp sgt i64 %50, %77
+  %79 = select i1 %78, i64 %77, i64 %52
+  %80 = add nsw i64 %79, %47
+  %81 = load ptr, ptr %22, align 8
+  %82 = load ptr, ptr %6, align 8
+  %83 = load i64, ptr %23, align 8
+  %84 = mul nsw i64 %83, %80
+  %85 = getelementptr inbounds double, ptr %82, i64 %84
+  %86 = getelementptr double, ptr %81, i64 %77
+  %87 = icmp sgt i64 %83, 0
+  br i1 %87, label %88, label %97
 
-87:                                               ; preds = %75, %87
-  %88 = phi i64 [ %93, %87 ], [ 0, %75 ]
-  %89 = getelementptr inbounds double, ptr %84, i64 %88
-  %90 = load double, ptr %89, align 8
-  %91 = shl i64 %88, 6
-  %92 = getelementptr i8, ptr %85, i64 %91
-  store double %90, ptr %92, align 8
-  %93 = add nuw nsw i64 %88, 1
-  %94 = load i64, ptr %23, align 8
-  %95 = icmp slt i64 %93, %94
-  br i1 %95, label %87, label %96, !llvm.loop !6
+88:                                               ; preds = %76, %88
+  %89 = phi i64 [ %94, %88 ], [ 0, %76 ]
+  %90 = getelementptr inbounds double, ptr %85, i64 %89
+  %91 = load double, ptr %90, align 8
+  %92 = shl i64 %89, 6
+  %93 = getelementptr i8, ptr %86, i64 %92
+  store double %91, ptr %93, align 8
+  %94 = add nuw nsw i64 %89, 1
+  %95 = load i64, ptr %23, align 8
+  %96 = icmp slt i64 %94, %95
+  br i1 %96, label %88, label %97, !llvm.loop !6
 
-96:                                               ; preds = %87, %75
-  %97 = load ptr, ptr %25, align 8
-  %98 = load ptr, ptr %24, align 8
-  %99 = load i64, ptr %26, align 8
-  %100 = mul nsw i64 %99, %79
-  %101 = getelementptr inbounds double, ptr %98, i64 %100
-  %102 = getelementptr double, ptr %97, i64 %76
-  %103 = icmp sgt i64 %99, 0
-  br i1 %103, label %104, label %113
+97:                                               ; preds = %88, %76
+  %98 = load ptr, ptr %25, align 8
+  %99 = load ptr, ptr %24, align 8
+  %100 = load i64, ptr %26, align 8
+  %101 = mul nsw i64 %100, %80
+  %102 = getelementptr inbounds double, ptr %99, i64 %101
+  %103 = getelementptr double, ptr %98, i64 %77
+  %104 = icmp sgt i64 %100, 0
+  br i1 %104, label %105, label %114
 
-104:                                              ; preds = %96, %104
-  %105 = phi i64 [ %110, %104 ], [ 0, %96 ]
-  %106 = getelementptr inbounds double, ptr %101, i64 %105
-  %107 = load double, ptr %106, align 8
-  %108 = shl i64 %105, 6
-  %109 = getelementptr i8, ptr %102, i64 %108
-  store double %107, ptr %109, align 8
-  %110 = add nuw nsw i64 %105, 1
-  %111 = load i64, ptr %26, align 8
-  %112 = icmp slt i64 %110, %111
-  br i1 %112, label %104, label %113, !llvm.loop !6
+105:                                              ; preds = %97, %105
+  %106 = phi i64 [ %111, %105 ], [ 0, %97 ]
+  %107 = getelementptr inbounds double, ptr %102, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = shl i64 %106, 6
+  %110 = getelementptr i8, ptr %103, i64 %109
+  store double %108, ptr %110, align 8
+  %111 = add nuw nsw i64 %106, 1
+  %112 = load i64, ptr %26, align 8
+  %113 = icmp slt i64 %111, %112
+  br i1 %113, label %105, label %114, !llvm.loop !6
 
-113:                                              ; preds = %104, %96
-  %114 = add nuw nsw i64 %76, 1
-  %115 = icmp eq i64 %114, 8
-  br i1 %115, label %53, label %75, !llvm.loop !8
+114:                                              ; preds = %105, %97
+  %115 = add nuw nsw i64 %77, 1
+  %116 = icmp eq i64 %115, 8
+  br i1 %116, label %53, label %76, !llvm.loop !8
 
-116:                                              ; preds = %57, %169
-  %117 = phi i64 [ 0, %57 ], [ %170, %169 ]
-  br label %143
+117:                                              ; preds = %57, %171
+  %118 = phi i64 [ 0, %57 ], [ %172, %171 ]
+  br label %145
 
-118:                                              ; preds = %169, %56
-  %119 = add nuw nsw i64 %47, 8
-  %120 = icmp slt i64 %119, %8
-  %121 = add i64 %46, -8
-  br i1 %120, label %45, label %44, !llvm.loop !9
+119:                                              ; preds = %171, %56
+  %120 = add nuw nsw i64 %47, 8
+  %121 = icmp slt i64 %120, %8
+  %122 = add i64 %46, -8
+  br i1 %121, label %45, label %44, !llvm.loop !9
 
-122:                                              ; preds = %154
-  %123 = load ptr, ptr %9, align 8
-  %124 = getelementptr inbounds double, ptr %123, i64 %117
-  %125 = load double, ptr %124, align 8
-  %126 = insertelement <8 x double> poison, double %125, i64 0
-  %127 = shufflevector <8 x double> %126, <8 x double> poison, <8 x i32> zeroinitializer
-  %128 = load ptr, ptr %36, align 8
-  %129 = load ptr, ptr %12, align 8
-  %130 = load ptr, ptr %37, align 8
-  store <8 x double> %127, ptr %130, align 8
-  %131 = load i64, ptr %38, align 8
-  %132 = icmp sgt i64 %131, 0
-  br i1 %132, label %133, label %134
+123:                                              ; preds = %156
+  %124 = load ptr, ptr %9, align 8
+  %125 = getelementptr inbounds double, ptr %124, i64 %118
+  %126 = load double, ptr %125, align 8
+  %127 = insertelement <8 x double> poison, double %126, i64 0
+  %128 = shufflevector <8 x double> %127, <8 x double> poison, <8 x i32> zeroinitializer
+  %129 = load ptr, ptr %36, align 8
+  %130 = load ptr, ptr %12, align 8
+  %131 = load ptr, ptr %37, align 8
+  store <8 x double> %128, ptr %131, align 8
+  %132 = load i64, ptr %38, align 8
+  %133 = icmp sgt i64 %132, 0
+  br i1 %133, label %134, label %135
 
-133:                                              ; preds = %122
+134:                                              ; preds = %123
   tail call fastcc void @sample(ptr noundef %0) #4
-  br label %134
+  br label %135
 
-134:                                              ; preds = %122, %133
-  %135 = load ptr, ptr %0, align 8
-  %136 = load i64, ptr %135, align 8
-  %137 = load ptr, ptr %37, align 8
-  %138 = load ptr, ptr %39, align 8
-  %139 = load ptr, ptr %40, align 8
-  %140 = inttoptr i64 %136 to ptr
-  %141 = tail call i32 %140(ptr noundef %137, ptr noundef %128, ptr noundef %138, ptr noundef %139, ptr noundef %129) #3
-  %142 = sext i32 %141 to i64
-  br i1 %59, label %172, label %169
+135:                                              ; preds = %123, %134
+  %136 = load ptr, ptr %0, align 8
+  %137 = load i64, ptr %136, align 8
+  %138 = load ptr, ptr %37, align 8
+  %139 = load ptr, ptr %39, align 8
+  %140 = load ptr, ptr %40, align 8
+  %141 = inttoptr i64 %137 to ptr
+  %142 = load ptr, ptr %141, align 8
+  %143 = tail call i32 %142(ptr noundef %138, ptr noundef %129, ptr noundef %139, ptr noundef %140, ptr noundef %130) #3
+  %144 = sext i32 %143 to i64
+  br i1 %59, label %174, label %171
 
-143:                                              ; preds = %116, %154
-  %144 = phi i64 [ 0, %116 ], [ %155, %154 ]
-  %145 = icmp sgt i64 %50, %144
-  %146 = select i1 %145, i64 %144, i64 %58
-  %147 = add nsw i64 %146, %47
-  %148 = load i64, ptr %31, align 8
-  %149 = mul nsw i64 %148, %147
-  %150 = getelementptr inbounds double, ptr %19, i64 %149
-  %151 = load i64, ptr %32, align 8
-  %152 = mul nsw i64 %151, %117
-  %153 = getelementptr inbounds double, ptr %150, i64 %152
-  br i1 %33, label %157, label %154
+145:                                              ; preds = %117, %156
+  %146 = phi i64 [ 0, %117 ], [ %157, %156 ]
+  %147 = icmp sgt i64 %50, %146
+  %148 = select i1 %147, i64 %146, i64 %58
+  %149 = add nsw i64 %148, %47
+  %150 = load i64, ptr %31, align 8
+  %151 = mul nsw i64 %150, %149
+  %152 = getelementptr inbounds double, ptr %19, i64 %151
+  %153 = load i64, ptr %32, align 8
+  %154 = mul nsw i64 %153, %118
+  %155 = getelementptr inbounds double, ptr %152, i64 %154
+  br i1 %33, label %159, label %156
 
-154:                                              ; preds = %157, %143
-  %155 = add nuw nsw i64 %144, 1
-  %156 = icmp eq i64 %155, 8
-  br i1 %156, label %122, label %143, !llvm.loop !10
+156:                                              ; preds = %159, %145
+  %157 = add nuw nsw i64 %146, 1
+  %158 = icmp eq i64 %157, 8
+  br i1 %158, label %123, label %145, !llvm.loop !10
 
-157:                                              ; preds = %143, %157
-  %158 = phi i64 [ %167, %157 ], [ 0, %143 ]
-  %159 = load i64, ptr %34, align 8
-  %160 = mul nsw i64 %159, %158
-  %161 = getelementptr inbounds double, ptr %153, i64 %160
-  %162 = load double, ptr %161, align 8
-  %163 = load ptr, ptr %35, align 8
-  %164 = shl nsw i64 %158, 6
-  %165 = getelementptr inbounds i8, ptr %163, i64 %164
-  %166 = getelementptr inbounds double, ptr %165, i64 %144
-  store double %162, ptr %166, align 8
-  %167 = add nuw nsw i64 %158, 1
-  %168 = icmp eq i64 %167, %5
-  br i1 %168, label %154, label %157, !llvm.loop !11
+159:                                              ; preds = %145, %159
+  %160 = phi i64 [ %169, %159 ], [ 0, %145 ]
+  %161 = load i64, ptr %34, align 8
+  %162 = mul nsw i64 %161, %160
+  %163 = getelementptr inbounds double, ptr %155, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = load ptr, ptr %35, align 8
+  %166 = shl nsw i64 %160, 6
+  %167 = getelementptr inbounds i8, ptr %165, i64 %166
+  %168 = getelementptr inbounds double, ptr %167, i64 %146
+  store double %164, ptr %168, align 8
+  %169 = add nuw nsw i64 %160, 1
+  %170 = icmp eq i64 %169, %5
+  br i1 %170, label %156, label %159, !llvm.loop !11
 
-169:                                              ; preds = %188, %134
-  %170 = add nuw nsw i64 %117, 1
-  %171 = icmp eq i64 %170, %11
-  br i1 %171, label %118, label %116, !llvm.loop !12
+171:                                              ; preds = %190, %135
+  %172 = add nuw nsw i64 %118, 1
+  %173 = icmp eq i64 %172, %11
+  br i1 %173, label %119, label %117, !llvm.loop !12
 
-172:                                              ; preds = %134, %188
-  %173 = phi i64 [ %189, %188 ], [ 0, %134 ]
-  %174 = shl nuw i64 1, %173
-  %175 = and i64 %174, %142
-  %176 = icmp ne i64 %175, 0
-  %177 = select i1 %176, i1 true, i1 %41
-  br i1 %177, label %183, label %178
+174:                                              ; preds = %135, %190
+  %175 = phi i64 [ %191, %190 ], [ 0, %135 ]
+  %176 = shl nuw i64 1, %175
+  %177 = and i64 %176, %144
+  %178 = icmp ne i64 %177, 0
+  %179 = select i1 %178, i1 true, i1 %41
+  br i1 %179, label %185, label %180
 
-178:                                              ; preds = %172
-  %179 = load ptr, ptr %36, align 8
-  %180 = getelementptr inbounds double, ptr %179, i64 %173
-  %181 = load double, ptr %180, align 8
-  %182 = fcmp uno double %181, 0.000000e+00
-  br label %183
+180:                                              ; preds = %174
+  %181 = load ptr, ptr %36, align 8
+  %182 = getelementptr inbounds double, ptr %181, i64 %175
+  %183 = load double, ptr %182, align 8
+  %184 = fcmp uno double %183, 0.000000e+00
+  br label %185
 
-183:                                              ; preds = %172, %178
-  %184 = phi i1 [ %176, %172 ], [ %182, %178 ]
-  %185 = getelementptr inbounds double, ptr %17, i64 %173
-  br i1 %42, label %186, label %188
+185:                                              ; preds = %174, %180
+  %186 = phi i1 [ %178, %174 ], [ %184, %180 ]
+  %187 = getelementptr inbounds double, ptr %17, i64 %175
+  br i1 %42, label %188, label %190
 
-186:                                              ; preds = %183
-  %187 = add nuw nsw i64 %173, %47
-  br label %191
+188:                                              ; preds = %185
+  %189 = add nuw nsw i64 %175, %47
+  br label %193
 
-188:                                              ; preds = %197, %183
-  %189 = add nuw nsw i64 %173, 1
-  %190 = icmp eq i64 %189, %49
-  br i1 %190, label %169, label %172, !llvm.loop !13
+190:                                              ; preds = %199, %185
+  %191 = add nuw nsw i64 %175, 1
+  %192 = icmp eq i64 %191, %49
+  br i1 %192, label %171, label %174, !llvm.loop !13
 
-191:                                              ; preds = %186, %197
-  %192 = phi i64 [ 0, %186 ], [ %205, %197 ]
-  br i1 %184, label %197, label %193
+193:                                              ; preds = %188, %199
+  %194 = phi i64 [ 0, %188 ], [ %207, %199 ]
+  br i1 %186, label %199, label %195
 
-193:                                              ; preds = %191
-  %194 = shl nsw i64 %192, 6
-  %195 = getelementptr inbounds i8, ptr %185, i64 %194
-  %196 = load double, ptr %195, align 8
-  br label %197
+195:                                              ; preds = %193
+  %196 = shl nsw i64 %194, 6
+  %197 = getelementptr inbounds i8, ptr %187, i64 %196
+  %198 = load double, ptr %197, align 8
+  br label %199
 
-197:                                              ; preds = %191, %193
-  %198 = phi double [ %196, %193 ], [ 0x7FF8000000000000, %191 ]
-  %199 = load ptr, ptr %43, align 8
-  %200 = mul nuw nsw i64 %192, %8
-  %201 = add nuw i64 %187, %200
-  %202 = mul nsw i64 %201, %11
-  %203 = getelementptr double, ptr %199, i64 %202
-  %204 = getelementptr double, ptr %203, i64 %117
-  store double %198, ptr %204, align 8
-  %205 = add nuw nsw i64 %192, 1
-  %206 = icmp eq i64 %205, %15
-  br i1 %206, label %188, label %191, !llvm.loop !14
+199:                                              ; preds = %193, %195
+  %200 = phi double [ %198, %195 ], [ 0x7FF8000000000000, %193 ]
+  %201 = load ptr, ptr %43, align 8
+  %202 = mul nuw nsw i64 %194, %8
+  %203 = add nuw i64 %189, %202
+  %204 = mul nsw i64 %203, %11
+  %205 = getelementptr double, ptr %201, i64 %204
+  %206 = getelementptr double, ptr %205, i64 %118
+  store double %200, ptr %206, align 8
+  %207 = add nuw nsw i64 %194, 1
+  %208 = icmp eq i64 %207, %15
+  br i1 %208, label %190, label %193, !llvm.loop !14
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {

@@ -1,4 +1,4 @@
-; sources 88e4028e718f8f7983890f61c2a5f626d08c631428097f31511ef71377df2e9d
+; sources 76a0c8435a22e836496abcc3aebb9dbf1a85d56b825cbb6d85a2634ac34fe7b5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
@@ -12,7 +12,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %10 = getelementptr inbounds i8, ptr %1, i64 32
   %11 = load i64, ptr %10, align 8
   %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %13, label %530
+  br i1 %12, label %13, label %534
 
 13:                                               ; preds = %2
   %14 = getelementptr inbounds i8, ptr %1, i64 24
@@ -63,10 +63,10 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %59 = icmp sgt i64 %7, 0
   br label %60
 
-60:                                               ; preds = %13, %526
-  %61 = phi i64 [ undef, %13 ], [ %525, %526 ]
-  %62 = phi i64 [ -1, %13 ], [ %524, %526 ]
-  %63 = phi i64 [ 0, %13 ], [ %527, %526 ]
+60:                                               ; preds = %13, %530
+  %61 = phi i64 [ undef, %13 ], [ %529, %530 ]
+  %62 = phi i64 [ -1, %13 ], [ %528, %530 ]
+  %63 = phi i64 [ 0, %13 ], [ %531, %530 ]
   %64 = load ptr, ptr %15, align 8
   %65 = getelementptr inbounds i64, ptr %64, i64 %63
   %66 = load i64, ptr %65, align 8
@@ -86,7 +86,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
 
 79:                                               ; preds = %60
   %80 = getelementptr inbounds i8, ptr %69, i64 16
-  br i1 %59, label %81, label %522
+  br i1 %59, label %81, label %526
 
 81:                                               ; preds = %79, %81
   %82 = phi i64 [ %86, %81 ], [ 0, %79 ]
@@ -96,11 +96,11 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   store double %84, ptr %85, align 8
   %86 = add nuw nsw i64 %82, 1
   %87 = icmp eq i64 %86, %7
-  br i1 %87, label %522, label %81, !llvm.loop !3
+  br i1 %87, label %526, label %81, !llvm.loop !3
 
 88:                                               ; preds = %60
   %89 = icmp eq i64 %66, %62
-  br i1 %89, label %492, label %90
+  br i1 %89, label %496, label %90
 
 90:                                               ; preds = %88
   %91 = getelementptr inbounds double, ptr %69, i64 %9
@@ -126,7 +126,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %107 = getelementptr inbounds i8, ptr %106, i64 24
   %108 = load i64, ptr %107, align 8
   %109 = icmp sgt i64 %108, 0
-  br i1 %109, label %110, label %488
+  br i1 %109, label %110, label %492
 
 110:                                              ; preds = %105
   %111 = getelementptr i8, ptr %69, i64 16
@@ -161,7 +161,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %131 = getelementptr inbounds i8, ptr %130, i64 24
   %132 = load i64, ptr %131, align 8
   %133 = icmp slt i64 %129, %132
-  br i1 %133, label %121, label %488, !llvm.loop !7
+  br i1 %133, label %121, label %492, !llvm.loop !7
 
 134:                                              ; preds = %123, %134
   %135 = phi i64 [ 0, %123 ], [ %141, %134 ]
@@ -195,478 +195,482 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %154 = load ptr, ptr %22, align 8
   %155 = load ptr, ptr %23, align 8
   %156 = inttoptr i64 %152 to ptr
-  %157 = tail call i32 %156(ptr noundef %153, ptr noundef %144, ptr noundef %154, ptr noundef %155, ptr noundef %145) #6
-  %158 = sext i32 %157 to i64
-  %159 = icmp eq i32 %157, 0
-  br i1 %159, label %160, label %312
+  %157 = load ptr, ptr %156, align 8
+  %158 = tail call i32 %157(ptr noundef %153, ptr noundef %144, ptr noundef %154, ptr noundef %155, ptr noundef %145) #6
+  %159 = sext i32 %158 to i64
+  %160 = icmp eq i32 %158, 0
+  br i1 %160, label %161, label %314
 
-160:                                              ; preds = %150
-  %161 = load ptr, ptr %0, align 8
-  %162 = load i64, ptr %161, align 8
-  %163 = load ptr, ptr %24, align 8
-  %164 = insertelement <8 x double> poison, double %77, i64 0
-  %165 = shufflevector <8 x double> %164, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %165, ptr %163, align 8
-  %166 = icmp sgt i64 %162, 1
-  br i1 %166, label %171, label %255
+161:                                              ; preds = %150
+  %162 = load ptr, ptr %0, align 8
+  %163 = load i64, ptr %162, align 8
+  %164 = load ptr, ptr %24, align 8
+  %165 = insertelement <8 x double> poison, double %77, i64 0
+  %166 = shufflevector <8 x double> %165, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %166, ptr %164, align 8
+  %167 = icmp sgt i64 %163, 1
+  br i1 %167, label %172, label %257
 
-167:                                              ; preds = %244
-  %168 = add nuw nsw i64 %174, 1
-  %169 = icmp slt i64 %168, %162
-  %170 = icmp eq i64 %168, %162
-  br i1 %170, label %255, label %171, !llvm.loop !9
+168:                                              ; preds = %245
+  %169 = add nuw nsw i64 %175, 1
+  %170 = icmp slt i64 %169, %163
+  %171 = icmp eq i64 %169, %163
+  br i1 %171, label %257, label %172, !llvm.loop !9
 
-171:                                              ; preds = %160, %167
-  %172 = phi i1 [ %169, %167 ], [ %166, %160 ]
-  %173 = phi i64 [ %254, %167 ], [ undef, %160 ]
-  %174 = phi i64 [ %168, %167 ], [ 1, %160 ]
-  %175 = load ptr, ptr %25, align 8
-  %176 = load ptr, ptr %4, align 8
-  %177 = load ptr, ptr %3, align 8
-  %178 = getelementptr inbounds i8, ptr %177, i64 16
-  %179 = load i64, ptr %178, align 8
-  %180 = icmp sgt i64 %179, 1
-  %181 = zext i1 %180 to i64
-  %182 = load ptr, ptr %26, align 8
-  %183 = getelementptr inbounds i64, ptr %182, i64 %174
-  %184 = load i64, ptr %183, align 8
-  %185 = getelementptr i8, ptr %183, i64 8
-  %186 = load i64, ptr %185, align 8
-  %187 = xor i64 %184, -1
-  %188 = add i64 %186, %187
-  %189 = load ptr, ptr %24, align 8
-  %190 = load ptr, ptr %27, align 8
-  %191 = load ptr, ptr %28, align 8
-  %192 = getelementptr inbounds i64, ptr %191, i64 %184
-  %193 = load ptr, ptr %29, align 8
-  %194 = getelementptr inbounds double, ptr %193, i64 %184
-  tail call fastcc void @combine(ptr noundef %175, ptr noundef %176, ptr noundef %189, ptr noundef %190, ptr noundef %192, ptr noundef %194, i64 noundef %188, i64 noundef %181, i64 noundef %179) #5
-  %195 = icmp eq i64 %179, 1
-  br i1 %195, label %196, label %227
+172:                                              ; preds = %161, %168
+  %173 = phi i1 [ %170, %168 ], [ %167, %161 ]
+  %174 = phi i64 [ %256, %168 ], [ undef, %161 ]
+  %175 = phi i64 [ %169, %168 ], [ 1, %161 ]
+  %176 = load ptr, ptr %25, align 8
+  %177 = load ptr, ptr %4, align 8
+  %178 = load ptr, ptr %3, align 8
+  %179 = getelementptr inbounds i8, ptr %178, i64 16
+  %180 = load i64, ptr %179, align 8
+  %181 = icmp sgt i64 %180, 1
+  %182 = zext i1 %181 to i64
+  %183 = load ptr, ptr %26, align 8
+  %184 = getelementptr inbounds i64, ptr %183, i64 %175
+  %185 = load i64, ptr %184, align 8
+  %186 = getelementptr i8, ptr %184, i64 8
+  %187 = load i64, ptr %186, align 8
+  %188 = xor i64 %185, -1
+  %189 = add i64 %187, %188
+  %190 = load ptr, ptr %24, align 8
+  %191 = load ptr, ptr %27, align 8
+  %192 = load ptr, ptr %28, align 8
+  %193 = getelementptr inbounds i64, ptr %192, i64 %185
+  %194 = load ptr, ptr %29, align 8
+  %195 = getelementptr inbounds double, ptr %194, i64 %185
+  tail call fastcc void @combine(ptr noundef %176, ptr noundef %177, ptr noundef %190, ptr noundef %191, ptr noundef %193, ptr noundef %195, i64 noundef %189, i64 noundef %182, i64 noundef %180) #5
+  %196 = icmp eq i64 %180, 1
+  br i1 %196, label %197, label %228
 
-196:                                              ; preds = %171
-  %197 = load ptr, ptr %26, align 8
-  %198 = getelementptr i64, ptr %197, i64 %174
-  %199 = getelementptr i8, ptr %198, i64 8
-  %200 = load i64, ptr %199, align 8
-  %201 = add nsw i64 %200, -1
-  %202 = load ptr, ptr %29, align 8
-  %203 = getelementptr inbounds double, ptr %202, i64 %201
-  %204 = load double, ptr %203, align 8
-  %205 = fmul double %77, %204
-  %206 = load ptr, ptr %27, align 8
-  %207 = load ptr, ptr %28, align 8
-  %208 = getelementptr inbounds i64, ptr %207, i64 %201
-  %209 = load i64, ptr %208, align 8
-  %210 = getelementptr inbounds double, ptr %206, i64 %209
-  %211 = load ptr, ptr %3, align 8
-  %212 = getelementptr inbounds i8, ptr %211, i64 8
-  %213 = load i64, ptr %212, align 8
-  %214 = icmp sgt i64 %213, 0
-  br i1 %214, label %215, label %227
+197:                                              ; preds = %172
+  %198 = load ptr, ptr %26, align 8
+  %199 = getelementptr i64, ptr %198, i64 %175
+  %200 = getelementptr i8, ptr %199, i64 8
+  %201 = load i64, ptr %200, align 8
+  %202 = add nsw i64 %201, -1
+  %203 = load ptr, ptr %29, align 8
+  %204 = getelementptr inbounds double, ptr %203, i64 %202
+  %205 = load double, ptr %204, align 8
+  %206 = fmul double %77, %205
+  %207 = load ptr, ptr %27, align 8
+  %208 = load ptr, ptr %28, align 8
+  %209 = getelementptr inbounds i64, ptr %208, i64 %202
+  %210 = load i64, ptr %209, align 8
+  %211 = getelementptr inbounds double, ptr %207, i64 %210
+  %212 = load ptr, ptr %3, align 8
+  %213 = getelementptr inbounds i8, ptr %212, i64 8
+  %214 = load i64, ptr %213, align 8
+  %215 = icmp sgt i64 %214, 0
+  br i1 %215, label %216, label %228
 
-215:                                              ; preds = %196, %215
-  %216 = phi i64 [ %222, %215 ], [ 0, %196 ]
-  %217 = getelementptr inbounds double, ptr %210, i64 %216
-  %218 = load double, ptr %217, align 8
-  %219 = getelementptr inbounds double, ptr %175, i64 %216
-  %220 = load double, ptr %219, align 8
-  %221 = tail call double @llvm.fma.f64(double %205, double %218, double %220)
-  store double %221, ptr %219, align 8
-  %222 = add nuw nsw i64 %216, 1
-  %223 = load ptr, ptr %3, align 8
-  %224 = getelementptr inbounds i8, ptr %223, i64 8
-  %225 = load i64, ptr %224, align 8
-  %226 = icmp slt i64 %222, %225
-  br i1 %226, label %215, label %227, !llvm.loop !10
+216:                                              ; preds = %197, %216
+  %217 = phi i64 [ %223, %216 ], [ 0, %197 ]
+  %218 = getelementptr inbounds double, ptr %211, i64 %217
+  %219 = load double, ptr %218, align 8
+  %220 = getelementptr inbounds double, ptr %176, i64 %217
+  %221 = load double, ptr %220, align 8
+  %222 = tail call double @llvm.fma.f64(double %206, double %219, double %221)
+  store double %222, ptr %220, align 8
+  %223 = add nuw nsw i64 %217, 1
+  %224 = load ptr, ptr %3, align 8
+  %225 = getelementptr inbounds i8, ptr %224, i64 8
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp slt i64 %223, %226
+  br i1 %227, label %216, label %228, !llvm.loop !10
 
-227:                                              ; preds = %215, %196, %171
-  %228 = load ptr, ptr %27, align 8
-  %229 = load i64, ptr %30, align 8
-  %230 = mul nsw i64 %229, %174
-  %231 = getelementptr inbounds double, ptr %228, i64 %230
-  %232 = load i64, ptr %100, align 8
-  %233 = add nsw i64 %232, 1
-  store i64 %233, ptr %100, align 8
-  %234 = load ptr, ptr %31, align 8
-  %235 = getelementptr inbounds double, ptr %234, i64 %174
-  %236 = load double, ptr %235, align 8
-  %237 = fmul double %77, %236
-  %238 = fadd double %98, %237
-  %239 = load ptr, ptr %25, align 8
-  %240 = load ptr, ptr %20, align 8
-  store double %238, ptr %240, align 8
-  %241 = load i64, ptr %21, align 8
-  %242 = icmp sgt i64 %241, 0
-  br i1 %242, label %243, label %244
+228:                                              ; preds = %216, %197, %172
+  %229 = load ptr, ptr %27, align 8
+  %230 = load i64, ptr %30, align 8
+  %231 = mul nsw i64 %230, %175
+  %232 = getelementptr inbounds double, ptr %229, i64 %231
+  %233 = load i64, ptr %100, align 8
+  %234 = add nsw i64 %233, 1
+  store i64 %234, ptr %100, align 8
+  %235 = load ptr, ptr %31, align 8
+  %236 = getelementptr inbounds double, ptr %235, i64 %175
+  %237 = load double, ptr %236, align 8
+  %238 = fmul double %77, %237
+  %239 = fadd double %98, %238
+  %240 = load ptr, ptr %25, align 8
+  %241 = load ptr, ptr %20, align 8
+  store double %239, ptr %241, align 8
+  %242 = load i64, ptr %21, align 8
+  %243 = icmp sgt i64 %242, 0
+  br i1 %243, label %244, label %245
 
-243:                                              ; preds = %227
+244:                                              ; preds = %228
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %244
+  br label %245
 
-244:                                              ; preds = %227, %243
-  %245 = load ptr, ptr %3, align 8
-  %246 = load i64, ptr %245, align 8
-  %247 = load ptr, ptr %20, align 8
-  %248 = load ptr, ptr %22, align 8
-  %249 = load ptr, ptr %23, align 8
-  %250 = inttoptr i64 %246 to ptr
-  %251 = tail call i32 %250(ptr noundef %247, ptr noundef %239, ptr noundef %248, ptr noundef %249, ptr noundef %231) #6
-  %252 = sext i32 %251 to i64
-  %253 = icmp eq i32 %251, 0
-  %254 = select i1 %253, i64 %173, i64 %252
-  br i1 %253, label %167, label %255
+245:                                              ; preds = %228, %244
+  %246 = load ptr, ptr %3, align 8
+  %247 = load i64, ptr %246, align 8
+  %248 = load ptr, ptr %20, align 8
+  %249 = load ptr, ptr %22, align 8
+  %250 = load ptr, ptr %23, align 8
+  %251 = inttoptr i64 %247 to ptr
+  %252 = load ptr, ptr %251, align 8
+  %253 = tail call i32 %252(ptr noundef %248, ptr noundef %240, ptr noundef %249, ptr noundef %250, ptr noundef %232) #6
+  %254 = sext i32 %253 to i64
+  %255 = icmp eq i32 %253, 0
+  %256 = select i1 %255, i64 %174, i64 %254
+  br i1 %255, label %168, label %257
 
-255:                                              ; preds = %167, %244, %160
-  %256 = phi i1 [ %166, %160 ], [ %169, %167 ], [ %172, %244 ]
-  %257 = phi i64 [ 0, %160 ], [ %252, %244 ], [ %252, %167 ]
-  %258 = phi i64 [ undef, %160 ], [ %254, %244 ], [ %254, %167 ]
-  br i1 %256, label %312, label %259
+257:                                              ; preds = %168, %245, %161
+  %258 = phi i1 [ %167, %161 ], [ %170, %168 ], [ %173, %245 ]
+  %259 = phi i64 [ 0, %161 ], [ %254, %245 ], [ %254, %168 ]
+  %260 = phi i64 [ undef, %161 ], [ %256, %245 ], [ %256, %168 ]
+  br i1 %258, label %314, label %261
 
-259:                                              ; preds = %255
-  %260 = load ptr, ptr %32, align 8
-  %261 = load ptr, ptr %4, align 8
-  %262 = load ptr, ptr %3, align 8
-  %263 = getelementptr inbounds i8, ptr %262, i64 16
-  %264 = load i64, ptr %263, align 8
-  %265 = icmp sgt i64 %264, 1
-  %266 = zext i1 %265 to i64
-  %267 = load ptr, ptr %33, align 8
-  %268 = getelementptr inbounds i64, ptr %267, i64 %162
-  %269 = load i64, ptr %268, align 8
-  %270 = getelementptr i8, ptr %268, i64 8
+261:                                              ; preds = %257
+  %262 = load ptr, ptr %32, align 8
+  %263 = load ptr, ptr %4, align 8
+  %264 = load ptr, ptr %3, align 8
+  %265 = getelementptr inbounds i8, ptr %264, i64 16
+  %266 = load i64, ptr %265, align 8
+  %267 = icmp sgt i64 %266, 1
+  %268 = zext i1 %267 to i64
+  %269 = load ptr, ptr %33, align 8
+  %270 = getelementptr inbounds i64, ptr %269, i64 %163
   %271 = load i64, ptr %270, align 8
-  %272 = xor i64 %269, -1
-  %273 = add i64 %271, %272
-  %274 = load ptr, ptr %24, align 8
-  %275 = load ptr, ptr %34, align 8
-  %276 = load ptr, ptr %35, align 8
-  %277 = getelementptr inbounds i64, ptr %276, i64 %269
-  %278 = load ptr, ptr %36, align 8
-  %279 = getelementptr inbounds double, ptr %278, i64 %269
-  tail call fastcc void @combine(ptr noundef %260, ptr noundef %261, ptr noundef %274, ptr noundef %275, ptr noundef %277, ptr noundef %279, i64 noundef %273, i64 noundef %266, i64 noundef %264) #5
-  %280 = icmp eq i64 %264, 1
-  br i1 %280, label %281, label %312
+  %272 = getelementptr i8, ptr %270, i64 8
+  %273 = load i64, ptr %272, align 8
+  %274 = xor i64 %271, -1
+  %275 = add i64 %273, %274
+  %276 = load ptr, ptr %24, align 8
+  %277 = load ptr, ptr %34, align 8
+  %278 = load ptr, ptr %35, align 8
+  %279 = getelementptr inbounds i64, ptr %278, i64 %271
+  %280 = load ptr, ptr %36, align 8
+  %281 = getelementptr inbounds double, ptr %280, i64 %271
+  tail call fastcc void @combine(ptr noundef %262, ptr noundef %263, ptr noundef %276, ptr noundef %277, ptr noundef %279, ptr noundef %281, i64 noundef %275, i64 noundef %268, i64 noundef %266) #5
+  %282 = icmp eq i64 %266, 1
+  br i1 %282, label %283, label %314
 
-281:                                              ; preds = %259
-  %282 = load ptr, ptr %33, align 8
-  %283 = getelementptr i64, ptr %282, i64 %162
-  %284 = getelementptr i8, ptr %283, i64 8
-  %285 = load i64, ptr %284, align 8
-  %286 = add nsw i64 %285, -1
-  %287 = load ptr, ptr %36, align 8
-  %288 = getelementptr inbounds double, ptr %287, i64 %286
-  %289 = load double, ptr %288, align 8
-  %290 = fmul double %77, %289
-  %291 = load ptr, ptr %34, align 8
-  %292 = load ptr, ptr %35, align 8
-  %293 = getelementptr inbounds i64, ptr %292, i64 %286
-  %294 = load i64, ptr %293, align 8
-  %295 = getelementptr inbounds double, ptr %291, i64 %294
-  %296 = load ptr, ptr %3, align 8
-  %297 = getelementptr inbounds i8, ptr %296, i64 8
-  %298 = load i64, ptr %297, align 8
-  %299 = icmp sgt i64 %298, 0
-  br i1 %299, label %300, label %312
+283:                                              ; preds = %261
+  %284 = load ptr, ptr %33, align 8
+  %285 = getelementptr i64, ptr %284, i64 %163
+  %286 = getelementptr i8, ptr %285, i64 8
+  %287 = load i64, ptr %286, align 8
+  %288 = add nsw i64 %287, -1
+  %289 = load ptr, ptr %36, align 8
+  %290 = getelementptr inbounds double, ptr %289, i64 %288
+  %291 = load double, ptr %290, align 8
+  %292 = fmul double %77, %291
+  %293 = load ptr, ptr %34, align 8
+  %294 = load ptr, ptr %35, align 8
+  %295 = getelementptr inbounds i64, ptr %294, i64 %288
+  %296 = load i64, ptr %295, align 8
+  %297 = getelementptr inbounds double, ptr %293, i64 %296
+  %298 = load ptr, ptr %3, align 8
+  %299 = getelementptr inbounds i8, ptr %298, i64 8
+  %300 = load i64, ptr %299, align 8
+  %301 = icmp sgt i64 %300, 0
+  br i1 %301, label %302, label %314
 
-300:                                              ; preds = %281, %300
-  %301 = phi i64 [ %307, %300 ], [ 0, %281 ]
-  %302 = getelementptr inbounds double, ptr %295, i64 %301
-  %303 = load double, ptr %302, align 8
-  %304 = getelementptr inbounds double, ptr %260, i64 %301
+302:                                              ; preds = %283, %302
+  %303 = phi i64 [ %309, %302 ], [ 0, %283 ]
+  %304 = getelementptr inbounds double, ptr %297, i64 %303
   %305 = load double, ptr %304, align 8
-  %306 = tail call double @llvm.fma.f64(double %290, double %303, double %305)
-  store double %306, ptr %304, align 8
-  %307 = add nuw nsw i64 %301, 1
-  %308 = load ptr, ptr %3, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 8
-  %310 = load i64, ptr %309, align 8
-  %311 = icmp slt i64 %307, %310
-  br i1 %311, label %300, label %312, !llvm.loop !10
+  %306 = getelementptr inbounds double, ptr %262, i64 %303
+  %307 = load double, ptr %306, align 8
+  %308 = tail call double @llvm.fma.f64(double %292, double %305, double %307)
+  store double %308, ptr %306, align 8
+  %309 = add nuw nsw i64 %303, 1
+  %310 = load ptr, ptr %3, align 8
+  %311 = getelementptr inbounds i8, ptr %310, i64 8
+  %312 = load i64, ptr %311, align 8
+  %313 = icmp slt i64 %309, %312
+  br i1 %313, label %302, label %314, !llvm.loop !10
 
-312:                                              ; preds = %300, %281, %255, %259, %150
-  %313 = phi i64 [ %158, %150 ], [ %258, %255 ], [ %257, %259 ], [ %257, %281 ], [ %257, %300 ]
-  %314 = icmp eq i64 %313, 0
-  br i1 %314, label %315, label %488
+314:                                              ; preds = %302, %283, %257, %261, %150
+  %315 = phi i64 [ %159, %150 ], [ %260, %257 ], [ %259, %261 ], [ %259, %283 ], [ %259, %302 ]
+  %316 = icmp eq i64 %315, 0
+  br i1 %316, label %317, label %492
 
-315:                                              ; preds = %312
-  %316 = getelementptr inbounds i8, ptr %91, i64 16
-  %317 = icmp sgt i64 %94, 0
-  br i1 %317, label %338, label %318
+317:                                              ; preds = %314
+  %318 = getelementptr inbounds i8, ptr %91, i64 16
+  %319 = icmp sgt i64 %94, 0
+  br i1 %319, label %341, label %320
 
-318:                                              ; preds = %338, %315
-  %319 = load double, ptr %91, align 8
-  %320 = load ptr, ptr %38, align 8
-  %321 = load ptr, ptr %19, align 8
-  %322 = mul nsw i64 %97, %95
-  %323 = getelementptr inbounds double, ptr %321, i64 %322
-  %324 = load ptr, ptr %20, align 8
-  store double %319, ptr %324, align 8
-  %325 = load i64, ptr %21, align 8
-  %326 = icmp sgt i64 %325, 0
-  br i1 %326, label %327, label %328
+320:                                              ; preds = %341, %317
+  %321 = load double, ptr %91, align 8
+  %322 = load ptr, ptr %38, align 8
+  %323 = load ptr, ptr %19, align 8
+  %324 = mul nsw i64 %97, %95
+  %325 = getelementptr inbounds double, ptr %323, i64 %324
+  %326 = load ptr, ptr %20, align 8
+  store double %321, ptr %326, align 8
+  %327 = load i64, ptr %21, align 8
+  %328 = icmp sgt i64 %327, 0
+  br i1 %328, label %329, label %330
 
-327:                                              ; preds = %318
+329:                                              ; preds = %320
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %328
+  br label %330
 
-328:                                              ; preds = %318, %327
-  %329 = load ptr, ptr %3, align 8
-  %330 = load i64, ptr %329, align 8
-  %331 = load ptr, ptr %20, align 8
-  %332 = load ptr, ptr %22, align 8
-  %333 = load ptr, ptr %23, align 8
-  %334 = inttoptr i64 %330 to ptr
-  %335 = tail call i32 %334(ptr noundef %331, ptr noundef %320, ptr noundef %332, ptr noundef %333, ptr noundef %323) #6
-  %336 = sext i32 %335 to i64
-  %337 = icmp eq i32 %335, 0
-  br i1 %337, label %346, label %488
+330:                                              ; preds = %320, %329
+  %331 = load ptr, ptr %3, align 8
+  %332 = load i64, ptr %331, align 8
+  %333 = load ptr, ptr %20, align 8
+  %334 = load ptr, ptr %22, align 8
+  %335 = load ptr, ptr %23, align 8
+  %336 = inttoptr i64 %332 to ptr
+  %337 = load ptr, ptr %336, align 8
+  %338 = tail call i32 %337(ptr noundef %333, ptr noundef %322, ptr noundef %334, ptr noundef %335, ptr noundef %325) #6
+  %339 = sext i32 %338 to i64
+  %340 = icmp eq i32 %338, 0
+  br i1 %340, label %349, label %492
 
-338:                                              ; preds = %315, %338
-  %339 = phi i64 [ %344, %338 ], [ 0, %315 ]
-  %340 = getelementptr inbounds double, ptr %316, i64 %339
-  %341 = load double, ptr %340, align 8
-  %342 = load ptr, ptr %37, align 8
-  %343 = getelementptr inbounds double, ptr %342, i64 %339
-  store double %341, ptr %343, align 8
-  %344 = add nuw nsw i64 %339, 1
-  %345 = icmp eq i64 %344, %94
-  br i1 %345, label %318, label %338, !llvm.loop !11
+341:                                              ; preds = %317, %341
+  %342 = phi i64 [ %347, %341 ], [ 0, %317 ]
+  %343 = getelementptr inbounds double, ptr %318, i64 %342
+  %344 = load double, ptr %343, align 8
+  %345 = load ptr, ptr %37, align 8
+  %346 = getelementptr inbounds double, ptr %345, i64 %342
+  store double %344, ptr %346, align 8
+  %347 = add nuw nsw i64 %342, 1
+  %348 = icmp eq i64 %347, %94
+  br i1 %348, label %320, label %341, !llvm.loop !11
 
-346:                                              ; preds = %328
-  %347 = load ptr, ptr %0, align 8
-  %348 = load ptr, ptr %3, align 8
-  %349 = getelementptr inbounds i8, ptr %348, i64 16
-  %350 = load i64, ptr %349, align 8
-  %351 = load i64, ptr %347, align 8
-  %352 = load i64, ptr %39, align 8
-  %353 = load ptr, ptr %40, align 8
-  %354 = mul nsw i64 %352, %351
-  %355 = getelementptr inbounds double, ptr %353, i64 %354
-  %356 = load ptr, ptr %41, align 8
-  %357 = add nsw i64 %351, 1
-  %358 = getelementptr inbounds i8, ptr %347, i64 16
-  %359 = load i64, ptr %358, align 8
-  %360 = icmp sgt i64 %359, 0
-  br i1 %360, label %361, label %415
+349:                                              ; preds = %330
+  %350 = load ptr, ptr %0, align 8
+  %351 = load ptr, ptr %3, align 8
+  %352 = getelementptr inbounds i8, ptr %351, i64 16
+  %353 = load i64, ptr %352, align 8
+  %354 = load i64, ptr %350, align 8
+  %355 = load i64, ptr %39, align 8
+  %356 = load ptr, ptr %40, align 8
+  %357 = mul nsw i64 %355, %354
+  %358 = getelementptr inbounds double, ptr %356, i64 %357
+  %359 = load ptr, ptr %41, align 8
+  %360 = add nsw i64 %354, 1
+  %361 = getelementptr inbounds i8, ptr %350, i64 16
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp sgt i64 %362, 0
+  br i1 %363, label %364, label %419
 
-361:                                              ; preds = %346
-  %362 = getelementptr inbounds i8, ptr %347, i64 8
-  br label %368
+364:                                              ; preds = %349
+  %365 = getelementptr inbounds i8, ptr %350, i64 8
+  br label %371
 
-363:                                              ; preds = %404
-  %364 = add nsw i64 %371, 1
-  %365 = load i64, ptr %358, align 8
-  %366 = add nsw i64 %365, %357
-  %367 = icmp slt i64 %364, %366
-  br i1 %367, label %368, label %415, !llvm.loop !12
+366:                                              ; preds = %407
+  %367 = add nsw i64 %374, 1
+  %368 = load i64, ptr %361, align 8
+  %369 = add nsw i64 %368, %360
+  %370 = icmp slt i64 %367, %369
+  br i1 %370, label %371, label %419, !llvm.loop !12
 
-368:                                              ; preds = %361, %363
-  %369 = phi i1 [ %360, %361 ], [ %367, %363 ]
-  %370 = phi i64 [ undef, %361 ], [ %414, %363 ]
-  %371 = phi i64 [ %357, %361 ], [ %364, %363 ]
-  %372 = load i64, ptr %362, align 8
-  %373 = load ptr, ptr %42, align 8
-  %374 = load ptr, ptr %4, align 8
-  %375 = load ptr, ptr %43, align 8
-  %376 = getelementptr i64, ptr %375, i64 %371
-  %377 = getelementptr i64, ptr %376, i64 %372
-  %378 = load i64, ptr %377, align 8
-  %379 = getelementptr i8, ptr %377, i64 8
-  %380 = load i64, ptr %379, align 8
-  %381 = xor i64 %378, -1
-  %382 = add i64 %380, %381
-  %383 = load ptr, ptr %44, align 8
-  %384 = load ptr, ptr %40, align 8
-  %385 = load ptr, ptr %45, align 8
-  %386 = getelementptr inbounds i64, ptr %385, i64 %378
-  %387 = load ptr, ptr %46, align 8
-  %388 = getelementptr inbounds double, ptr %387, i64 %378
-  tail call fastcc void @combine(ptr noundef %373, ptr noundef %374, ptr noundef %383, ptr noundef %384, ptr noundef %386, ptr noundef %388, i64 noundef %382, i64 noundef 1, i64 noundef %350) #5
-  %389 = load ptr, ptr %40, align 8
-  %390 = mul nsw i64 %371, %352
-  %391 = getelementptr inbounds double, ptr %389, i64 %390
-  %392 = load i64, ptr %100, align 8
-  %393 = add nsw i64 %392, 1
-  store i64 %393, ptr %100, align 8
-  %394 = load ptr, ptr %47, align 8
-  %395 = getelementptr inbounds double, ptr %394, i64 %371
-  %396 = load double, ptr %395, align 8
-  %397 = fmul double %77, %396
-  %398 = fadd double %98, %397
-  %399 = load ptr, ptr %42, align 8
-  %400 = load ptr, ptr %20, align 8
-  store double %398, ptr %400, align 8
-  %401 = load i64, ptr %21, align 8
-  %402 = icmp sgt i64 %401, 0
-  br i1 %402, label %403, label %404
+371:                                              ; preds = %364, %366
+  %372 = phi i1 [ %363, %364 ], [ %370, %366 ]
+  %373 = phi i64 [ undef, %364 ], [ %418, %366 ]
+  %374 = phi i64 [ %360, %364 ], [ %367, %366 ]
+  %375 = load i64, ptr %365, align 8
+  %376 = load ptr, ptr %42, align 8
+  %377 = load ptr, ptr %4, align 8
+  %378 = load ptr, ptr %43, align 8
+  %379 = getelementptr i64, ptr %378, i64 %374
+  %380 = getelementptr i64, ptr %379, i64 %375
+  %381 = load i64, ptr %380, align 8
+  %382 = getelementptr i8, ptr %380, i64 8
+  %383 = load i64, ptr %382, align 8
+  %384 = xor i64 %381, -1
+  %385 = add i64 %383, %384
+  %386 = load ptr, ptr %44, align 8
+  %387 = load ptr, ptr %40, align 8
+  %388 = load ptr, ptr %45, align 8
+  %389 = getelementptr inbounds i64, ptr %388, i64 %381
+  %390 = load ptr, ptr %46, align 8
+  %391 = getelementptr inbounds double, ptr %390, i64 %381
+  tail call fastcc void @combine(ptr noundef %376, ptr noundef %377, ptr noundef %386, ptr noundef %387, ptr noundef %389, ptr noundef %391, i64 noundef %385, i64 noundef 1, i64 noundef %353) #5
+  %392 = load ptr, ptr %40, align 8
+  %393 = mul nsw i64 %374, %355
+  %394 = getelementptr inbounds double, ptr %392, i64 %393
+  %395 = load i64, ptr %100, align 8
+  %396 = add nsw i64 %395, 1
+  store i64 %396, ptr %100, align 8
+  %397 = load ptr, ptr %47, align 8
+  %398 = getelementptr inbounds double, ptr %397, i64 %374
+  %399 = load double, ptr %398, align 8
+  %400 = fmul double %77, %399
+  %401 = fadd double %98, %400
+  %402 = load ptr, ptr %42, align 8
+  %403 = load ptr, ptr %20, align 8
+  store double %401, ptr %403, align 8
+  %404 = load i64, ptr %21, align 8
+  %405 = icmp sgt i64 %404, 0
+  br i1 %405, label %406, label %407
 
-403:                                              ; preds = %368
+406:                                              ; preds = %371
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %404
+  br label %407
 
-404:                                              ; preds = %368, %403
-  %405 = load ptr, ptr %3, align 8
-  %406 = load i64, ptr %405, align 8
-  %407 = load ptr, ptr %20, align 8
-  %408 = load ptr, ptr %22, align 8
-  %409 = load ptr, ptr %23, align 8
-  %410 = inttoptr i64 %406 to ptr
-  %411 = tail call i32 %410(ptr noundef %407, ptr noundef %399, ptr noundef %408, ptr noundef %409, ptr noundef %391) #6
-  %412 = sext i32 %411 to i64
-  %413 = icmp eq i32 %411, 0
-  %414 = select i1 %413, i64 %370, i64 %412
-  br i1 %413, label %363, label %415
+407:                                              ; preds = %371, %406
+  %408 = load ptr, ptr %3, align 8
+  %409 = load i64, ptr %408, align 8
+  %410 = load ptr, ptr %20, align 8
+  %411 = load ptr, ptr %22, align 8
+  %412 = load ptr, ptr %23, align 8
+  %413 = inttoptr i64 %409 to ptr
+  %414 = load ptr, ptr %413, align 8
+  %415 = tail call i32 %414(ptr noundef %410, ptr noundef %402, ptr noundef %411, ptr noundef %412, ptr noundef %394) #6
+  %416 = sext i32 %415 to i64
+  %417 = icmp eq i32 %415, 0
+  %418 = select i1 %417, i64 %373, i64 %416
+  br i1 %417, label %366, label %419
 
-415:                                              ; preds = %363, %404, %346
-  %416 = phi i1 [ %360, %346 ], [ %367, %363 ], [ %369, %404 ]
-  %417 = phi i64 [ 0, %346 ], [ %412, %404 ], [ %412, %363 ]
-  %418 = phi i64 [ undef, %346 ], [ %414, %404 ], [ %414, %363 ]
-  %419 = getelementptr inbounds i8, ptr %347, i64 16
-  br i1 %416, label %488, label %420
+419:                                              ; preds = %366, %407, %349
+  %420 = phi i1 [ %363, %349 ], [ %370, %366 ], [ %372, %407 ]
+  %421 = phi i64 [ 0, %349 ], [ %416, %407 ], [ %416, %366 ]
+  %422 = phi i64 [ undef, %349 ], [ %418, %407 ], [ %418, %366 ]
+  %423 = getelementptr inbounds i8, ptr %350, i64 16
+  br i1 %420, label %492, label %424
 
-420:                                              ; preds = %415
-  %421 = load ptr, ptr %3, align 8
-  %422 = getelementptr inbounds i8, ptr %421, i64 8
-  %423 = load i64, ptr %422, align 8
-  %424 = icmp sgt i64 %423, 0
-  br i1 %424, label %425, label %429
+424:                                              ; preds = %419
+  %425 = load ptr, ptr %3, align 8
+  %426 = getelementptr inbounds i8, ptr %425, i64 8
+  %427 = load i64, ptr %426, align 8
+  %428 = icmp sgt i64 %427, 0
+  br i1 %428, label %429, label %433
 
-425:                                              ; preds = %420
-  %426 = getelementptr inbounds double, ptr %356, i64 %352
-  %427 = shl nsw i64 %352, 4
-  %428 = getelementptr inbounds i8, ptr %356, i64 %427
-  br label %436
+429:                                              ; preds = %424
+  %430 = getelementptr inbounds double, ptr %359, i64 %355
+  %431 = shl nsw i64 %355, 4
+  %432 = getelementptr inbounds i8, ptr %359, i64 %431
+  br label %440
 
-429:                                              ; preds = %436, %420
-  %430 = getelementptr inbounds i8, ptr %347, i64 8
-  %431 = load i64, ptr %430, align 8
-  %432 = load i64, ptr %419, align 8
-  %433 = getelementptr inbounds i8, ptr %347, i64 24
-  %434 = load i64, ptr %433, align 8
-  %435 = icmp sgt i64 %434, 3
-  br i1 %435, label %463, label %488
+433:                                              ; preds = %440, %424
+  %434 = getelementptr inbounds i8, ptr %350, i64 8
+  %435 = load i64, ptr %434, align 8
+  %436 = load i64, ptr %423, align 8
+  %437 = getelementptr inbounds i8, ptr %350, i64 24
+  %438 = load i64, ptr %437, align 8
+  %439 = icmp sgt i64 %438, 3
+  br i1 %439, label %467, label %492
 
-436:                                              ; preds = %425, %436
-  %437 = phi i64 [ 0, %425 ], [ %458, %436 ]
-  %438 = load ptr, ptr %48, align 8
-  %439 = getelementptr inbounds double, ptr %438, i64 %437
-  %440 = load double, ptr %439, align 8
-  %441 = load ptr, ptr %4, align 8
-  %442 = getelementptr inbounds double, ptr %441, i64 %437
-  %443 = load double, ptr %442, align 8
-  %444 = fsub double %440, %443
-  %445 = load ptr, ptr %40, align 8
-  %446 = getelementptr inbounds double, ptr %445, i64 %437
+440:                                              ; preds = %429, %440
+  %441 = phi i64 [ 0, %429 ], [ %462, %440 ]
+  %442 = load ptr, ptr %48, align 8
+  %443 = getelementptr inbounds double, ptr %442, i64 %441
+  %444 = load double, ptr %443, align 8
+  %445 = load ptr, ptr %4, align 8
+  %446 = getelementptr inbounds double, ptr %445, i64 %441
   %447 = load double, ptr %446, align 8
-  %448 = fmul double %77, %447
-  %449 = fsub double %448, %444
-  %450 = getelementptr inbounds double, ptr %356, i64 %437
-  store double %444, ptr %450, align 8
-  %451 = getelementptr inbounds double, ptr %426, i64 %437
-  store double %449, ptr %451, align 8
-  %452 = fsub double %444, %449
-  %453 = getelementptr inbounds double, ptr %355, i64 %437
-  %454 = load double, ptr %453, align 8
-  %455 = fmul double %77, %454
-  %456 = fsub double %452, %455
-  %457 = getelementptr inbounds double, ptr %428, i64 %437
-  store double %456, ptr %457, align 8
-  %458 = add nuw nsw i64 %437, 1
-  %459 = load ptr, ptr %3, align 8
-  %460 = getelementptr inbounds i8, ptr %459, i64 8
-  %461 = load i64, ptr %460, align 8
-  %462 = icmp slt i64 %458, %461
-  br i1 %462, label %436, label %429, !llvm.loop !13
+  %448 = fsub double %444, %447
+  %449 = load ptr, ptr %40, align 8
+  %450 = getelementptr inbounds double, ptr %449, i64 %441
+  %451 = load double, ptr %450, align 8
+  %452 = fmul double %77, %451
+  %453 = fsub double %452, %448
+  %454 = getelementptr inbounds double, ptr %359, i64 %441
+  store double %448, ptr %454, align 8
+  %455 = getelementptr inbounds double, ptr %430, i64 %441
+  store double %453, ptr %455, align 8
+  %456 = fsub double %448, %453
+  %457 = getelementptr inbounds double, ptr %358, i64 %441
+  %458 = load double, ptr %457, align 8
+  %459 = fmul double %77, %458
+  %460 = fsub double %456, %459
+  %461 = getelementptr inbounds double, ptr %432, i64 %441
+  store double %460, ptr %461, align 8
+  %462 = add nuw nsw i64 %441, 1
+  %463 = load ptr, ptr %3, align 8
+  %464 = getelementptr inbounds i8, ptr %463, i64 8
+  %465 = load i64, ptr %464, align 8
+  %466 = icmp slt i64 %462, %465
+  br i1 %466, label %440, label %433, !llvm.loop !13
 
-463:                                              ; preds = %429, %463
-  %464 = phi i64 [ %485, %463 ], [ 3, %429 ]
-  %465 = mul nsw i64 %464, %352
-  %466 = getelementptr inbounds double, ptr %356, i64 %465
-  %467 = load ptr, ptr %49, align 8
-  %468 = load ptr, ptr %50, align 8
-  %469 = getelementptr i64, ptr %468, i64 %357
-  %470 = getelementptr i64, ptr %469, i64 %431
-  %471 = getelementptr i64, ptr %470, i64 %432
-  %472 = getelementptr i64, ptr %471, i64 %464
-  %473 = getelementptr i8, ptr %472, i64 -24
-  %474 = load i64, ptr %473, align 8
-  %475 = getelementptr i8, ptr %472, i64 -16
-  %476 = load i64, ptr %475, align 8
-  %477 = xor i64 %474, -1
-  %478 = add i64 %476, %477
-  %479 = load ptr, ptr %51, align 8
-  %480 = load ptr, ptr %40, align 8
-  %481 = load ptr, ptr %52, align 8
-  %482 = getelementptr inbounds i64, ptr %481, i64 %474
-  %483 = load ptr, ptr %53, align 8
-  %484 = getelementptr inbounds double, ptr %483, i64 %474
-  tail call fastcc void @combine(ptr noundef %466, ptr noundef %467, ptr noundef %479, ptr noundef %480, ptr noundef %482, ptr noundef %484, i64 noundef %478, i64 noundef 1, i64 noundef %350) #5
-  %485 = add nuw nsw i64 %464, 1
-  %486 = load i64, ptr %433, align 8
-  %487 = icmp slt i64 %485, %486
-  br i1 %487, label %463, label %488, !llvm.loop !14
+467:                                              ; preds = %433, %467
+  %468 = phi i64 [ %489, %467 ], [ 3, %433 ]
+  %469 = mul nsw i64 %468, %355
+  %470 = getelementptr inbounds double, ptr %359, i64 %469
+  %471 = load ptr, ptr %49, align 8
+  %472 = load ptr, ptr %50, align 8
+  %473 = getelementptr i64, ptr %472, i64 %360
+  %474 = getelementptr i64, ptr %473, i64 %435
+  %475 = getelementptr i64, ptr %474, i64 %436
+  %476 = getelementptr i64, ptr %475, i64 %468
+  %477 = getelementptr i8, ptr %476, i64 -24
+  %478 = load i64, ptr %477, align 8
+  %479 = getelementptr i8, ptr %476, i64 -16
+  %480 = load i64, ptr %479, align 8
+  %481 = xor i64 %478, -1
+  %482 = add i64 %480, %481
+  %483 = load ptr, ptr %51, align 8
+  %484 = load ptr, ptr %40, align 8
+  %485 = load ptr, ptr %52, align 8
+  %486 = getelementptr inbounds i64, ptr %485, i64 %478
+  %487 = load ptr, ptr %53, align 8
+  %488 = getelementptr inbounds double, ptr %487, i64 %478
+  tail call fastcc void @combine(ptr noundef %470, ptr noundef %471, ptr noundef %483, ptr noundef %484, ptr noundef %486, ptr noundef %488, i64 noundef %482, i64 noundef 1, i64 noundef %353) #5
+  %489 = add nuw nsw i64 %468, 1
+  %490 = load i64, ptr %437, align 8
+  %491 = icmp slt i64 %489, %490
+  br i1 %491, label %467, label %492, !llvm.loop !14
 
-488:                                              ; preds = %463, %128, %429, %105, %415, %312, %328
-  %489 = phi i64 [ %313, %312 ], [ %336, %328 ], [ %418, %415 ], [ 0, %105 ], [ %417, %429 ], [ 0, %128 ], [ %417, %463 ]
-  %490 = icmp eq i64 %489, 0
-  %491 = select i1 %490, i64 %61, i64 %489
-  br i1 %490, label %492, label %522
+492:                                              ; preds = %467, %128, %433, %105, %419, %314, %330
+  %493 = phi i64 [ %315, %314 ], [ %339, %330 ], [ %422, %419 ], [ 0, %105 ], [ %421, %433 ], [ 0, %128 ], [ %421, %467 ]
+  %494 = icmp eq i64 %493, 0
+  %495 = select i1 %494, i64 %61, i64 %493
+  br i1 %494, label %496, label %526
 
-492:                                              ; preds = %488, %88
-  %493 = phi i64 [ %66, %488 ], [ %62, %88 ]
-  %494 = phi i64 [ %491, %488 ], [ %61, %88 ]
-  %495 = load double, ptr %69, align 8
-  %496 = fsub double %72, %495
-  %497 = load double, ptr %76, align 8
-  %498 = fdiv double %496, %497
-  %499 = load ptr, ptr %55, align 8
-  %500 = insertelement <8 x double> poison, double %498, i64 0
-  %501 = shufflevector <8 x double> %500, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %501, ptr %499, align 8
-  %502 = load ptr, ptr %4, align 8
-  %503 = load ptr, ptr %56, align 8
-  %504 = load i64, ptr %57, align 8
-  %505 = load ptr, ptr %0, align 8
-  %506 = getelementptr inbounds i8, ptr %505, i64 24
-  %507 = load i64, ptr %506, align 8
-  %508 = load ptr, ptr %55, align 8
-  %509 = load ptr, ptr %3, align 8
-  %510 = getelementptr inbounds i8, ptr %509, i64 16
+496:                                              ; preds = %492, %88
+  %497 = phi i64 [ %66, %492 ], [ %62, %88 ]
+  %498 = phi i64 [ %495, %492 ], [ %61, %88 ]
+  %499 = load double, ptr %69, align 8
+  %500 = fsub double %72, %499
+  %501 = load double, ptr %76, align 8
+  %502 = fdiv double %500, %501
+  %503 = load ptr, ptr %55, align 8
+  %504 = insertelement <8 x double> poison, double %502, i64 0
+  %505 = shufflevector <8 x double> %504, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %505, ptr %503, align 8
+  %506 = load ptr, ptr %4, align 8
+  %507 = load ptr, ptr %56, align 8
+  %508 = load i64, ptr %57, align 8
+  %509 = load ptr, ptr %0, align 8
+  %510 = getelementptr inbounds i8, ptr %509, i64 24
   %511 = load i64, ptr %510, align 8
-  tail call fastcc void @nested(ptr noundef %75, ptr noundef %502, ptr noundef %503, i64 noundef %504, i64 noundef %507, ptr noundef %508, i64 noundef %511) #5
-  %512 = load ptr, ptr %58, align 8
-  %513 = load i64, ptr %512, align 8
-  %514 = icmp eq i64 %513, 1
-  %515 = fcmp ogt double %498, 0.000000e+00
-  %516 = and i1 %515, %514
-  br i1 %516, label %517, label %522
+  %512 = load ptr, ptr %55, align 8
+  %513 = load ptr, ptr %3, align 8
+  %514 = getelementptr inbounds i8, ptr %513, i64 16
+  %515 = load i64, ptr %514, align 8
+  tail call fastcc void @nested(ptr noundef %75, ptr noundef %506, ptr noundef %507, i64 noundef %508, i64 noundef %511, ptr noundef %512, i64 noundef %515) #5
+  %516 = load ptr, ptr %58, align 8
+  %517 = load i64, ptr %516, align 8
+  %518 = icmp eq i64 %517, 1
+  %519 = fcmp ogt double %502, 0.000000e+00
+  %520 = and i1 %519, %518
+  br i1 %520, label %521, label %526
 
-517:                                              ; preds = %492
-  %518 = getelementptr inbounds i8, ptr %512, i64 56
-  %519 = load i64, ptr %518, align 8
-  %520 = inttoptr i64 %519 to ptr
-  %521 = tail call i64 %520(ptr noundef %0, double noundef %72, ptr noundef %75, ptr noundef null) #6
-  br label %522
+521:                                              ; preds = %496
+  %522 = getelementptr inbounds i8, ptr %516, i64 56
+  %523 = load i64, ptr %522, align 8
+  %524 = inttoptr i64 %523 to ptr
+  %525 = tail call i64 %524(ptr noundef %0, double noundef %72, ptr noundef %75, ptr noundef null) #6
+  br label %526
 
-522:                                              ; preds = %81, %79, %492, %517, %488
-  %523 = phi i32 [ 1, %488 ], [ 0, %517 ], [ 0, %492 ], [ 4, %79 ], [ 4, %81 ]
-  %524 = phi i64 [ %66, %488 ], [ %493, %517 ], [ %493, %492 ], [ %62, %79 ], [ %62, %81 ]
-  %525 = phi i64 [ %491, %488 ], [ %494, %517 ], [ %494, %492 ], [ %61, %79 ], [ %61, %81 ]
-  switch i32 %523, label %530 [
-    i32 0, label %526
-    i32 4, label %526
+526:                                              ; preds = %81, %79, %496, %521, %492
+  %527 = phi i32 [ 1, %492 ], [ 0, %521 ], [ 0, %496 ], [ 4, %79 ], [ 4, %81 ]
+  %528 = phi i64 [ %66, %492 ], [ %497, %521 ], [ %497, %496 ], [ %62, %79 ], [ %62, %81 ]
+  %529 = phi i64 [ %495, %492 ], [ %498, %521 ], [ %498, %496 ], [ %61, %79 ], [ %61, %81 ]
+  switch i32 %527, label %534 [
+    i32 0, label %530
+    i32 4, label %530
   ]
 
-526:                                              ; preds = %522, %522
-  %527 = add nuw nsw i64 %63, 1
-  %528 = load i64, ptr %10, align 8
-  %529 = icmp slt i64 %527, %528
-  br i1 %529, label %60, label %530, !llvm.loop !15
+530:                                              ; preds = %526, %526
+  %531 = add nuw nsw i64 %63, 1
+  %532 = load i64, ptr %10, align 8
+  %533 = icmp slt i64 %531, %532
+  br i1 %533, label %60, label %534, !llvm.loop !15
 
-530:                                              ; preds = %522, %526, %2
-  %531 = phi i64 [ 0, %2 ], [ %525, %522 ], [ 0, %526 ]
-  ret i64 %531
+534:                                              ; preds = %526, %530, %2
+  %535 = phi i64 [ 0, %2 ], [ %529, %526 ], [ 0, %530 ]
+  ret i64 %535
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {

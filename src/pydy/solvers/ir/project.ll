@@ -1,4 +1,4 @@
-; sources ca41666c1db33fcb01d98278196095a9842f77b8b35efed69f4ecc2b53824e0e
+; sources c681737ea5bfb2a8719a7686a863e8fff270f16f53b258726ed660ce437bde46
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -134,9 +134,9 @@ define range(i64 0, 7) i64 @project(ptr noundef readonly %0, double noundef %1, 
   %93 = load ptr, ptr %92, align 8
   %94 = load i64, ptr %16, align 8
   %95 = icmp sgt i64 %94, 0
-  br i1 %95, label %141, label %96
+  br i1 %95, label %142, label %96
 
-96:                                               ; preds = %141, %89
+96:                                               ; preds = %142, %89
   %97 = getelementptr inbounds i8, ptr %0, i64 168
   %98 = getelementptr inbounds i8, ptr %0, i64 192
   %99 = getelementptr inbounds i8, ptr %0, i64 672
@@ -149,615 +149,617 @@ define range(i64 0, 7) i64 @project(ptr noundef readonly %0, double noundef %1, 
   %106 = load ptr, ptr %98, align 8
   %107 = load ptr, ptr %99, align 8
   %108 = inttoptr i64 %104 to ptr
-  %109 = tail call i32 %108(ptr noundef %105, ptr noundef %2, ptr noundef %106, ptr noundef %107, ptr noundef %100) #8
-  %110 = icmp slt i32 %109, 0
-  br i1 %110, label %324, label %111
+  %109 = load ptr, ptr %108, align 8
+  %110 = tail call i32 %109(ptr noundef %105, ptr noundef %2, ptr noundef %106, ptr noundef %107, ptr noundef %100) #8
+  %111 = icmp slt i32 %110, 0
+  br i1 %111, label %326, label %112
 
-111:                                              ; preds = %96
-  %112 = icmp eq i64 %33, %94
-  %113 = load i64, ptr %16, align 8
-  %114 = icmp sgt i64 %113, 0
-  %115 = load ptr, ptr %38, align 8
-  %116 = load ptr, ptr %45, align 8
-  %117 = load ptr, ptr %5, align 8
-  %118 = getelementptr inbounds i8, ptr %117, i64 216
-  %119 = icmp ne ptr %62, null
-  %120 = load i64, ptr %22, align 8
-  %121 = load ptr, ptr %41, align 8
-  %122 = load i64, ptr %31, align 8
-  %123 = icmp slt i64 %122, %113
-  %124 = icmp sgt i64 %113, 0
-  %125 = icmp sgt i64 %120, 0
-  %126 = getelementptr inbounds i8, ptr %0, i64 552
-  %127 = getelementptr inbounds i8, ptr %0, i64 528
-  %128 = select i1 %123, double 1.000000e-05, double 0x3CE0000000000000
-  %129 = load ptr, ptr %45, align 8
-  %130 = load i64, ptr %25, align 8
-  %131 = add nsw i64 %130, %120
-  %132 = sitofp i64 %131 to double
-  %133 = icmp eq i64 %30, 1
-  %134 = getelementptr inbounds i8, ptr %91, i64 8
-  %135 = getelementptr inbounds i8, ptr %91, i64 16
-  %136 = getelementptr inbounds i8, ptr %91, i64 24
-  %137 = getelementptr inbounds i8, ptr %91, i64 32
-  %138 = getelementptr inbounds i8, ptr %91, i64 40
-  %139 = getelementptr inbounds i8, ptr %91, i64 144
-  %140 = icmp sgt i64 %113, 0
-  br label %157
+112:                                              ; preds = %96
+  %113 = icmp eq i64 %33, %94
+  %114 = load i64, ptr %16, align 8
+  %115 = icmp sgt i64 %114, 0
+  %116 = load ptr, ptr %38, align 8
+  %117 = load ptr, ptr %45, align 8
+  %118 = load ptr, ptr %5, align 8
+  %119 = getelementptr inbounds i8, ptr %118, i64 216
+  %120 = icmp ne ptr %62, null
+  %121 = load i64, ptr %22, align 8
+  %122 = load ptr, ptr %41, align 8
+  %123 = load i64, ptr %31, align 8
+  %124 = icmp slt i64 %123, %114
+  %125 = icmp sgt i64 %114, 0
+  %126 = icmp sgt i64 %121, 0
+  %127 = getelementptr inbounds i8, ptr %0, i64 552
+  %128 = getelementptr inbounds i8, ptr %0, i64 528
+  %129 = select i1 %124, double 1.000000e-05, double 0x3CE0000000000000
+  %130 = load ptr, ptr %45, align 8
+  %131 = load i64, ptr %25, align 8
+  %132 = add nsw i64 %131, %121
+  %133 = sitofp i64 %132 to double
+  %134 = icmp eq i64 %30, 1
+  %135 = getelementptr inbounds i8, ptr %91, i64 8
+  %136 = getelementptr inbounds i8, ptr %91, i64 16
+  %137 = getelementptr inbounds i8, ptr %91, i64 24
+  %138 = getelementptr inbounds i8, ptr %91, i64 32
+  %139 = getelementptr inbounds i8, ptr %91, i64 40
+  %140 = getelementptr inbounds i8, ptr %91, i64 144
+  %141 = icmp sgt i64 %114, 0
+  br label %159
 
-141:                                              ; preds = %89, %141
-  %142 = phi i64 [ %144, %141 ], [ 0, %89 ]
-  %143 = getelementptr inbounds double, ptr %93, i64 %142
-  store double 0.000000e+00, ptr %143, align 8
-  %144 = add nuw nsw i64 %142, 1
-  %145 = icmp eq i64 %144, %94
-  br i1 %145, label %96, label %141, !llvm.loop !10
+142:                                              ; preds = %89, %142
+  %143 = phi i64 [ %145, %142 ], [ 0, %89 ]
+  %144 = getelementptr inbounds double, ptr %93, i64 %143
+  store double 0.000000e+00, ptr %144, align 8
+  %145 = add nuw nsw i64 %143, 1
+  %146 = icmp eq i64 %145, %94
+  br i1 %146, label %96, label %142, !llvm.loop !10
 
-146:                                              ; preds = %321
-  %147 = add nuw nsw i32 %161, 1
-  %148 = load ptr, ptr %11, align 8
-  %149 = getelementptr inbounds i8, ptr %148, i64 8
-  %150 = load i64, ptr %149, align 8
-  %151 = load ptr, ptr %97, align 8
-  %152 = load ptr, ptr %98, align 8
-  %153 = load ptr, ptr %99, align 8
-  %154 = inttoptr i64 %150 to ptr
-  %155 = tail call i32 %154(ptr noundef %151, ptr noundef %2, ptr noundef %152, ptr noundef %153, ptr noundef %100) #8
-  %156 = icmp slt i32 %155, 0
-  br i1 %156, label %324, label %157, !llvm.loop !11
+147:                                              ; preds = %323
+  %148 = add nuw nsw i32 %163, 1
+  %149 = load ptr, ptr %11, align 8
+  %150 = getelementptr inbounds i8, ptr %149, i64 8
+  %151 = load i64, ptr %150, align 8
+  %152 = load ptr, ptr %97, align 8
+  %153 = load ptr, ptr %98, align 8
+  %154 = load ptr, ptr %99, align 8
+  %155 = inttoptr i64 %151 to ptr
+  %156 = load ptr, ptr %155, align 8
+  %157 = tail call i32 %156(ptr noundef %152, ptr noundef %2, ptr noundef %153, ptr noundef %154, ptr noundef %100) #8
+  %158 = icmp slt i32 %157, 0
+  br i1 %158, label %326, label %159, !llvm.loop !11
 
-157:                                              ; preds = %111, %146
-  %158 = phi i64 [ undef, %111 ], [ %323, %146 ]
-  %159 = phi i64 [ 0, %111 ], [ %273, %146 ]
-  %160 = phi double [ 0x7FF0000000000000, %111 ], [ %322, %146 ]
-  %161 = phi i32 [ 0, %111 ], [ %147, %146 ]
-  %162 = phi double [ 0.000000e+00, %111 ], [ %259, %146 ]
-  %163 = phi i64 [ %101, %111 ], [ %271, %146 ]
-  %164 = icmp eq i32 %161, 0
-  %165 = select i1 %164, i1 true, i1 %112
-  br i1 %114, label %176, label %166
+159:                                              ; preds = %112, %147
+  %160 = phi i64 [ undef, %112 ], [ %325, %147 ]
+  %161 = phi i64 [ 0, %112 ], [ %275, %147 ]
+  %162 = phi double [ 0x7FF0000000000000, %112 ], [ %324, %147 ]
+  %163 = phi i32 [ 0, %112 ], [ %148, %147 ]
+  %164 = phi double [ 0.000000e+00, %112 ], [ %261, %147 ]
+  %165 = phi i64 [ %101, %112 ], [ %273, %147 ]
+  %166 = icmp eq i32 %163, 0
+  %167 = select i1 %166, i1 true, i1 %113
+  br i1 %115, label %178, label %168
 
-166:                                              ; preds = %197, %157
-  %167 = phi double [ 0.000000e+00, %157 ], [ %202, %197 ]
-  %168 = phi i32 [ 1, %157 ], [ %204, %197 ]
-  %169 = xor i32 %168, -1
-  %170 = sext i32 %169 to i64
-  %171 = and i64 %163, %170
-  %172 = or i64 %171, %159
-  %173 = and i1 %119, %164
-  %174 = and i1 %124, %173
-  %175 = select i1 %173, double 0.000000e+00, double %162
-  br i1 %174, label %207, label %258
+168:                                              ; preds = %199, %159
+  %169 = phi double [ 0.000000e+00, %159 ], [ %204, %199 ]
+  %170 = phi i32 [ 1, %159 ], [ %206, %199 ]
+  %171 = xor i32 %170, -1
+  %172 = sext i32 %171 to i64
+  %173 = and i64 %165, %172
+  %174 = or i64 %173, %161
+  %175 = and i1 %120, %166
+  %176 = and i1 %125, %175
+  %177 = select i1 %175, double 0.000000e+00, double %164
+  br i1 %176, label %209, label %260
 
-176:                                              ; preds = %157, %197
-  %177 = phi i64 [ %205, %197 ], [ 0, %157 ]
-  %178 = phi i32 [ %204, %197 ], [ 1, %157 ]
-  %179 = phi double [ %202, %197 ], [ 0.000000e+00, %157 ]
-  %180 = getelementptr inbounds double, ptr %115, i64 %177
-  %181 = load double, ptr %180, align 8
-  %182 = tail call double @llvm.fabs.f64(double %181)
-  %183 = getelementptr inbounds double, ptr %116, i64 %177
-  %184 = load double, ptr %183, align 8
-  %185 = getelementptr inbounds double, ptr %93, i64 %177
+178:                                              ; preds = %159, %199
+  %179 = phi i64 [ %207, %199 ], [ 0, %159 ]
+  %180 = phi i32 [ %206, %199 ], [ 1, %159 ]
+  %181 = phi double [ %204, %199 ], [ 0.000000e+00, %159 ]
+  %182 = getelementptr inbounds double, ptr %116, i64 %179
+  %183 = load double, ptr %182, align 8
+  %184 = tail call double @llvm.fabs.f64(double %183)
+  %185 = getelementptr inbounds double, ptr %117, i64 %179
   %186 = load double, ptr %185, align 8
-  %187 = fcmp ogt double %184, %186
-  %188 = select i1 %187, double %184, double %186
-  %189 = fmul double %188, 0x3CB0000000000000
-  %190 = fcmp une double %181, 0.000000e+00
-  br i1 %165, label %197, label %191
+  %187 = getelementptr inbounds double, ptr %93, i64 %179
+  %188 = load double, ptr %187, align 8
+  %189 = fcmp ogt double %186, %188
+  %190 = select i1 %189, double %186, double %188
+  %191 = fmul double %190, 0x3CB0000000000000
+  %192 = fcmp une double %183, 0.000000e+00
+  br i1 %167, label %199, label %193
 
-191:                                              ; preds = %176
-  %192 = load ptr, ptr %118, align 8
-  %193 = getelementptr inbounds double, ptr %192, i64 %177
-  %194 = load double, ptr %193, align 8
-  %195 = fcmp ogt double %194, 0.000000e+00
-  %196 = and i1 %190, %195
-  br label %197
+193:                                              ; preds = %178
+  %194 = load ptr, ptr %119, align 8
+  %195 = getelementptr inbounds double, ptr %194, i64 %179
+  %196 = load double, ptr %195, align 8
+  %197 = fcmp ogt double %196, 0.000000e+00
+  %198 = and i1 %192, %197
+  br label %199
 
-197:                                              ; preds = %191, %176
-  %198 = phi i1 [ %190, %176 ], [ %196, %191 ]
-  %199 = fdiv double %182, %189
-  %200 = fcmp ogt double %199, %179
-  %201 = select i1 %198, i1 %200, i1 false
-  %202 = select i1 %201, double %199, double %179
-  %203 = fcmp one double %182, 0x7FF0000000000000
-  %204 = select i1 %203, i32 %178, i32 0
-  %205 = add nuw nsw i64 %177, 1
-  %206 = icmp eq i64 %205, %113
-  br i1 %206, label %166, label %176, !llvm.loop !12
+199:                                              ; preds = %193, %178
+  %200 = phi i1 [ %192, %178 ], [ %198, %193 ]
+  %201 = fdiv double %184, %191
+  %202 = fcmp ogt double %201, %181
+  %203 = select i1 %200, i1 %202, i1 false
+  %204 = select i1 %203, double %201, double %181
+  %205 = fcmp one double %184, 0x7FF0000000000000
+  %206 = select i1 %205, i32 %180, i32 0
+  %207 = add nuw nsw i64 %179, 1
+  %208 = icmp eq i64 %207, %114
+  br i1 %208, label %168, label %178, !llvm.loop !12
 
-207:                                              ; preds = %166, %215
-  %208 = phi double [ %231, %215 ], [ 0.000000e+00, %166 ]
-  %209 = phi i64 [ %232, %215 ], [ 0, %166 ]
-  br i1 %125, label %210, label %215
+209:                                              ; preds = %168, %217
+  %210 = phi double [ %233, %217 ], [ 0.000000e+00, %168 ]
+  %211 = phi i64 [ %234, %217 ], [ 0, %168 ]
+  br i1 %126, label %212, label %217
 
-210:                                              ; preds = %207
-  %211 = mul nuw nsw i64 %209, %120
-  %212 = getelementptr double, ptr %121, i64 %211
-  %213 = load ptr, ptr %126, align 8
-  %214 = load ptr, ptr %127, align 8
-  br label %234
+212:                                              ; preds = %209
+  %213 = mul nuw nsw i64 %211, %121
+  %214 = getelementptr double, ptr %122, i64 %213
+  %215 = load ptr, ptr %127, align 8
+  %216 = load ptr, ptr %128, align 8
+  br label %236
 
-215:                                              ; preds = %234, %207
-  %216 = phi double [ 0.000000e+00, %207 ], [ %255, %234 ]
-  %217 = getelementptr inbounds double, ptr %129, i64 %209
-  %218 = load double, ptr %217, align 8
-  %219 = fmul double %128, %218
-  %220 = fmul double %216, %132
-  %221 = tail call double @llvm.sqrt.f64(double %220)
-  %222 = fmul double %221, 3.000000e+00
-  %223 = fadd double %219, %222
-  %224 = fcmp ule double %216, 0.000000e+00
-  %225 = getelementptr inbounds double, ptr %115, i64 %209
-  %226 = load double, ptr %225, align 8
-  %227 = tail call double @llvm.fabs.f64(double %226)
-  %228 = fdiv double %227, %223
-  %229 = fcmp ogt double %228, %208
-  %230 = select i1 %229, double %228, double %208
-  %231 = select i1 %224, double %208, double %230
-  %232 = add nuw nsw i64 %209, 1
-  %233 = icmp eq i64 %232, %113
-  br i1 %233, label %258, label %207, !llvm.loop !13
+217:                                              ; preds = %236, %209
+  %218 = phi double [ 0.000000e+00, %209 ], [ %257, %236 ]
+  %219 = getelementptr inbounds double, ptr %130, i64 %211
+  %220 = load double, ptr %219, align 8
+  %221 = fmul double %129, %220
+  %222 = fmul double %218, %133
+  %223 = tail call double @llvm.sqrt.f64(double %222)
+  %224 = fmul double %223, 3.000000e+00
+  %225 = fadd double %221, %224
+  %226 = fcmp ule double %218, 0.000000e+00
+  %227 = getelementptr inbounds double, ptr %116, i64 %211
+  %228 = load double, ptr %227, align 8
+  %229 = tail call double @llvm.fabs.f64(double %228)
+  %230 = fdiv double %229, %225
+  %231 = fcmp ogt double %230, %210
+  %232 = select i1 %231, double %230, double %210
+  %233 = select i1 %226, double %210, double %232
+  %234 = add nuw nsw i64 %211, 1
+  %235 = icmp eq i64 %234, %114
+  br i1 %235, label %260, label %209, !llvm.loop !13
 
-234:                                              ; preds = %210, %234
-  %235 = phi double [ 0.000000e+00, %210 ], [ %255, %234 ]
-  %236 = phi i64 [ 0, %210 ], [ %256, %234 ]
-  %237 = getelementptr double, ptr %212, i64 %236
-  %238 = load double, ptr %237, align 8
-  %239 = getelementptr inbounds double, ptr %2, i64 %236
+236:                                              ; preds = %212, %236
+  %237 = phi double [ 0.000000e+00, %212 ], [ %257, %236 ]
+  %238 = phi i64 [ 0, %212 ], [ %258, %236 ]
+  %239 = getelementptr double, ptr %214, i64 %238
   %240 = load double, ptr %239, align 8
-  %241 = getelementptr inbounds double, ptr %62, i64 %236
+  %241 = getelementptr inbounds double, ptr %2, i64 %238
   %242 = load double, ptr %241, align 8
-  %243 = getelementptr inbounds double, ptr %213, i64 %236
+  %243 = getelementptr inbounds double, ptr %62, i64 %238
   %244 = load double, ptr %243, align 8
-  %245 = getelementptr inbounds double, ptr %214, i64 %236
+  %245 = getelementptr inbounds double, ptr %215, i64 %238
   %246 = load double, ptr %245, align 8
-  %247 = tail call double @llvm.fabs.f64(double %242)
-  %248 = tail call double @llvm.fabs.f64(double %240)
-  %249 = fcmp ogt double %247, %248
-  %250 = select i1 %249, double %247, double %248
-  %251 = fmul double %250, %246
-  %252 = fadd double %244, %251
-  %253 = fmul double %238, %252
-  %254 = fmul double %253, %253
-  %255 = fadd double %235, %254
-  %256 = add nuw nsw i64 %236, 1
-  %257 = icmp eq i64 %256, %120
-  br i1 %257, label %215, label %234, !llvm.loop !14
+  %247 = getelementptr inbounds double, ptr %216, i64 %238
+  %248 = load double, ptr %247, align 8
+  %249 = tail call double @llvm.fabs.f64(double %244)
+  %250 = tail call double @llvm.fabs.f64(double %242)
+  %251 = fcmp ogt double %249, %250
+  %252 = select i1 %251, double %249, double %250
+  %253 = fmul double %252, %248
+  %254 = fadd double %246, %253
+  %255 = fmul double %240, %254
+  %256 = fmul double %255, %255
+  %257 = fadd double %237, %256
+  %258 = add nuw nsw i64 %238, 1
+  %259 = icmp eq i64 %258, %121
+  br i1 %259, label %217, label %236, !llvm.loop !14
 
-258:                                              ; preds = %215, %166
-  %259 = phi double [ %175, %166 ], [ %231, %215 ]
-  %260 = fcmp ole double %167, 1.000000e+00
-  %261 = fmul double %160, 5.000000e-01
-  %262 = fcmp oge double %167, %261
-  %263 = fcmp ole double %167, 8.000000e+00
-  %264 = and i1 %262, %263
-  %265 = or i1 %260, %264
-  %266 = zext i1 %265 to i64
-  %267 = or i64 %172, %266
-  %268 = xor i64 %267, -1
-  %269 = and i64 %163, %268
-  %270 = icmp eq i32 %161, 9
-  %271 = select i1 %270, i64 0, i64 %269
-  %272 = select i1 %270, i64 %269, i64 0
-  %273 = or i64 %272, %172
-  store i64 %271, ptr %37, align 8
-  %274 = icmp eq i64 %271, 0
-  br i1 %274, label %321, label %275
+260:                                              ; preds = %217, %168
+  %261 = phi double [ %177, %168 ], [ %233, %217 ]
+  %262 = fcmp ole double %169, 1.000000e+00
+  %263 = fmul double %162, 5.000000e-01
+  %264 = fcmp oge double %169, %263
+  %265 = fcmp ole double %169, 8.000000e+00
+  %266 = and i1 %264, %265
+  %267 = or i1 %262, %266
+  %268 = zext i1 %267 to i64
+  %269 = or i64 %174, %268
+  %270 = xor i64 %269, -1
+  %271 = and i64 %165, %270
+  %272 = icmp eq i32 %163, 9
+  %273 = select i1 %272, i64 0, i64 %271
+  %274 = select i1 %272, i64 %271, i64 0
+  %275 = or i64 %274, %174
+  store i64 %273, ptr %37, align 8
+  %276 = icmp eq i64 %273, 0
+  br i1 %276, label %323, label %277
 
-275:                                              ; preds = %258
-  br i1 %133, label %276, label %294
+277:                                              ; preds = %260
+  br i1 %134, label %278, label %296
 
-276:                                              ; preds = %275
-  %277 = load i64, ptr %134, align 8
-  %278 = load i64, ptr %135, align 8
-  %279 = mul nsw i64 %278, %277
-  %280 = icmp sgt i64 %279, 0
-  br i1 %280, label %281, label %292
+278:                                              ; preds = %277
+  %279 = load i64, ptr %135, align 8
+  %280 = load i64, ptr %136, align 8
+  %281 = mul nsw i64 %280, %279
+  %282 = icmp sgt i64 %281, 0
+  br i1 %282, label %283, label %294
 
-281:                                              ; preds = %276, %281
-  %282 = phi i64 [ %287, %281 ], [ 0, %276 ]
-  %283 = getelementptr inbounds double, ptr %54, i64 %282
-  %284 = load double, ptr %283, align 8
-  %285 = load ptr, ptr %91, align 8
-  %286 = getelementptr inbounds double, ptr %285, i64 %282
-  store double %284, ptr %286, align 8
-  %287 = add nuw nsw i64 %282, 1
-  %288 = load i64, ptr %134, align 8
-  %289 = load i64, ptr %135, align 8
-  %290 = mul nsw i64 %289, %288
-  %291 = icmp slt i64 %287, %290
-  br i1 %291, label %281, label %292, !llvm.loop !15
+283:                                              ; preds = %278, %283
+  %284 = phi i64 [ %289, %283 ], [ 0, %278 ]
+  %285 = getelementptr inbounds double, ptr %54, i64 %284
+  %286 = load double, ptr %285, align 8
+  %287 = load ptr, ptr %91, align 8
+  %288 = getelementptr inbounds double, ptr %287, i64 %284
+  store double %286, ptr %288, align 8
+  %289 = add nuw nsw i64 %284, 1
+  %290 = load i64, ptr %135, align 8
+  %291 = load i64, ptr %136, align 8
+  %292 = mul nsw i64 %291, %290
+  %293 = icmp slt i64 %289, %292
+  br i1 %293, label %283, label %294, !llvm.loop !15
 
-292:                                              ; preds = %281, %276
-  %293 = load ptr, ptr %91, align 8
-  tail call fastcc void @factorise(ptr noundef %293, i64 noundef %73) #7
-  br label %294
+294:                                              ; preds = %283, %278
+  %295 = load ptr, ptr %91, align 8
+  tail call fastcc void @factorise(ptr noundef %295, i64 noundef %73) #7
+  br label %296
 
-294:                                              ; preds = %275, %292
-  %295 = load i64, ptr %137, align 8
-  %296 = load i64, ptr %138, align 8
-  %297 = mul nsw i64 %296, %295
-  %298 = icmp sgt i64 %297, 0
-  br i1 %298, label %299, label %310
+296:                                              ; preds = %277, %294
+  %297 = load i64, ptr %138, align 8
+  %298 = load i64, ptr %139, align 8
+  %299 = mul nsw i64 %298, %297
+  %300 = icmp sgt i64 %299, 0
+  br i1 %300, label %301, label %312
 
-299:                                              ; preds = %294, %299
-  %300 = phi i64 [ %305, %299 ], [ 0, %294 ]
-  %301 = getelementptr inbounds double, ptr %50, i64 %300
-  %302 = load double, ptr %301, align 8
-  %303 = load ptr, ptr %136, align 8
-  %304 = getelementptr inbounds double, ptr %303, i64 %300
-  store double %302, ptr %304, align 8
-  %305 = add nuw nsw i64 %300, 1
-  %306 = load i64, ptr %137, align 8
-  %307 = load i64, ptr %138, align 8
-  %308 = mul nsw i64 %307, %306
-  %309 = icmp slt i64 %305, %308
-  br i1 %309, label %299, label %310, !llvm.loop !15
+301:                                              ; preds = %296, %301
+  %302 = phi i64 [ %307, %301 ], [ 0, %296 ]
+  %303 = getelementptr inbounds double, ptr %50, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = load ptr, ptr %137, align 8
+  %306 = getelementptr inbounds double, ptr %305, i64 %302
+  store double %304, ptr %306, align 8
+  %307 = add nuw nsw i64 %302, 1
+  %308 = load i64, ptr %138, align 8
+  %309 = load i64, ptr %139, align 8
+  %310 = mul nsw i64 %309, %308
+  %311 = icmp slt i64 %307, %310
+  br i1 %311, label %301, label %312, !llvm.loop !15
 
-310:                                              ; preds = %299, %294
-  %311 = load ptr, ptr %139, align 8
-  br i1 %140, label %312, label %320
+312:                                              ; preds = %301, %296
+  %313 = load ptr, ptr %140, align 8
+  br i1 %141, label %314, label %322
 
-312:                                              ; preds = %310, %312
-  %313 = phi i64 [ %318, %312 ], [ 0, %310 ]
-  %314 = getelementptr inbounds double, ptr %100, i64 %313
-  %315 = load double, ptr %314, align 8
-  %316 = fneg double %315
-  %317 = getelementptr inbounds double, ptr %311, i64 %313
-  store double %316, ptr %317, align 8
-  %318 = add nuw nsw i64 %313, 1
-  %319 = icmp eq i64 %318, %113
-  br i1 %319, label %320, label %312, !llvm.loop !16
+314:                                              ; preds = %312, %314
+  %315 = phi i64 [ %320, %314 ], [ 0, %312 ]
+  %316 = getelementptr inbounds double, ptr %100, i64 %315
+  %317 = load double, ptr %316, align 8
+  %318 = fneg double %317
+  %319 = getelementptr inbounds double, ptr %313, i64 %315
+  store double %318, ptr %319, align 8
+  %320 = add nuw nsw i64 %315, 1
+  %321 = icmp eq i64 %320, %114
+  br i1 %321, label %322, label %314, !llvm.loop !16
 
-320:                                              ; preds = %312, %310
+322:                                              ; preds = %314, %312
   call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %2) #7
-  br label %321
+  br label %323
 
-321:                                              ; preds = %320, %258
-  %322 = phi double [ %167, %320 ], [ %160, %258 ]
-  %323 = phi i64 [ %158, %320 ], [ %273, %258 ]
-  br i1 %274, label %324, label %146
+323:                                              ; preds = %322, %260
+  %324 = phi double [ %169, %322 ], [ %162, %260 ]
+  %325 = phi i64 [ %160, %322 ], [ %275, %260 ]
+  br i1 %276, label %326, label %147
 
-324:                                              ; preds = %321, %146, %96
-  %325 = phi double [ 0.000000e+00, %96 ], [ %259, %146 ], [ %259, %321 ]
-  %326 = phi i64 [ %90, %96 ], [ %323, %321 ], [ %90, %146 ]
-  %327 = load i64, ptr %19, align 8
-  %328 = icmp eq i64 %327, 0
-  %329 = icmp eq i64 %326, 1
-  %330 = select i1 %328, i1 true, i1 %329
-  br i1 %330, label %337, label %331
+326:                                              ; preds = %323, %147, %96
+  %327 = phi double [ 0.000000e+00, %96 ], [ %261, %147 ], [ %261, %323 ]
+  %328 = phi i64 [ %90, %96 ], [ %325, %323 ], [ %90, %147 ]
+  %329 = load i64, ptr %19, align 8
+  %330 = icmp eq i64 %329, 0
+  %331 = icmp eq i64 %328, 1
+  %332 = select i1 %330, i1 true, i1 %331
+  br i1 %332, label %339, label %333
 
-331:                                              ; preds = %324
-  %332 = icmp sgt i64 %327, 0
-  br i1 %332, label %333, label %341
+333:                                              ; preds = %326
+  %334 = icmp sgt i64 %329, 0
+  br i1 %334, label %335, label %343
 
-333:                                              ; preds = %331
-  %334 = load ptr, ptr %38, align 8
-  %335 = load i64, ptr %16, align 8
-  %336 = getelementptr double, ptr %334, i64 %335
-  br label %348
+335:                                              ; preds = %333
+  %336 = load ptr, ptr %38, align 8
+  %337 = load i64, ptr %16, align 8
+  %338 = getelementptr double, ptr %336, i64 %337
+  br label %350
 
-337:                                              ; preds = %324
-  %338 = fcmp ogt double %325, 1.000000e+00
-  %339 = zext i1 %338 to i64
-  %340 = or i64 %326, %339
-  br label %589
+339:                                              ; preds = %326
+  %340 = fcmp ogt double %327, 1.000000e+00
+  %341 = zext i1 %340 to i64
+  %342 = or i64 %328, %341
+  br label %591
 
-341:                                              ; preds = %348, %331
-  %342 = phi double [ 0.000000e+00, %331 ], [ %354, %348 ]
-  %343 = load i64, ptr %25, align 8
-  %344 = mul nsw i64 %343, %327
-  %345 = icmp sgt i64 %344, 0
-  br i1 %345, label %346, label %357
+343:                                              ; preds = %350, %333
+  %344 = phi double [ 0.000000e+00, %333 ], [ %356, %350 ]
+  %345 = load i64, ptr %25, align 8
+  %346 = mul nsw i64 %345, %329
+  %347 = icmp sgt i64 %346, 0
+  br i1 %347, label %348, label %359
 
-346:                                              ; preds = %341
-  %347 = load ptr, ptr %43, align 8
-  br label %365
+348:                                              ; preds = %343
+  %349 = load ptr, ptr %43, align 8
+  br label %367
 
-348:                                              ; preds = %333, %348
-  %349 = phi i64 [ 0, %333 ], [ %355, %348 ]
-  %350 = phi double [ 0.000000e+00, %333 ], [ %354, %348 ]
-  %351 = getelementptr double, ptr %336, i64 %349
-  %352 = load double, ptr %351, align 8
-  %353 = fmul double %352, 0.000000e+00
-  %354 = fadd double %350, %353
-  %355 = add nuw nsw i64 %349, 1
-  %356 = icmp eq i64 %355, %327
-  br i1 %356, label %341, label %348, !llvm.loop !17
+350:                                              ; preds = %335, %350
+  %351 = phi i64 [ 0, %335 ], [ %357, %350 ]
+  %352 = phi double [ 0.000000e+00, %335 ], [ %356, %350 ]
+  %353 = getelementptr double, ptr %338, i64 %351
+  %354 = load double, ptr %353, align 8
+  %355 = fmul double %354, 0.000000e+00
+  %356 = fadd double %352, %355
+  %357 = add nuw nsw i64 %351, 1
+  %358 = icmp eq i64 %357, %329
+  br i1 %358, label %343, label %350, !llvm.loop !17
 
-357:                                              ; preds = %365, %341
-  %358 = phi double [ %342, %341 ], [ %371, %365 ]
-  %359 = fcmp une double %358, 0.000000e+00
-  %360 = zext i1 %359 to i64
-  %361 = or i64 %326, %360
-  %362 = and i64 %361, 1
-  %363 = xor i64 %362, 1
-  store i64 %363, ptr %37, align 8
-  %364 = icmp eq ptr %62, null
-  br i1 %364, label %449, label %374
+359:                                              ; preds = %367, %343
+  %360 = phi double [ %344, %343 ], [ %373, %367 ]
+  %361 = fcmp une double %360, 0.000000e+00
+  %362 = zext i1 %361 to i64
+  %363 = or i64 %328, %362
+  %364 = and i64 %363, 1
+  %365 = xor i64 %364, 1
+  store i64 %365, ptr %37, align 8
+  %366 = icmp eq ptr %62, null
+  br i1 %366, label %451, label %376
 
-365:                                              ; preds = %346, %365
-  %366 = phi i64 [ 0, %346 ], [ %372, %365 ]
-  %367 = phi double [ %342, %346 ], [ %371, %365 ]
-  %368 = getelementptr inbounds double, ptr %347, i64 %366
-  %369 = load double, ptr %368, align 8
-  %370 = fmul double %369, 0.000000e+00
-  %371 = fadd double %367, %370
-  %372 = add nuw nsw i64 %366, 1
-  %373 = icmp eq i64 %372, %344
-  br i1 %373, label %357, label %365, !llvm.loop !18
+367:                                              ; preds = %348, %367
+  %368 = phi i64 [ 0, %348 ], [ %374, %367 ]
+  %369 = phi double [ %344, %348 ], [ %373, %367 ]
+  %370 = getelementptr inbounds double, ptr %349, i64 %368
+  %371 = load double, ptr %370, align 8
+  %372 = fmul double %371, 0.000000e+00
+  %373 = fadd double %369, %372
+  %374 = add nuw nsw i64 %368, 1
+  %375 = icmp eq i64 %374, %346
+  br i1 %375, label %359, label %367, !llvm.loop !18
 
-374:                                              ; preds = %357
-  %375 = load i64, ptr %22, align 8
-  %376 = load ptr, ptr %38, align 8
-  %377 = load i64, ptr %16, align 8
-  %378 = getelementptr inbounds double, ptr %376, i64 %377
-  %379 = load ptr, ptr %43, align 8
-  %380 = icmp sgt i64 %327, 0
-  br i1 %380, label %381, label %445
+376:                                              ; preds = %359
+  %377 = load i64, ptr %22, align 8
+  %378 = load ptr, ptr %38, align 8
+  %379 = load i64, ptr %16, align 8
+  %380 = getelementptr inbounds double, ptr %378, i64 %379
+  %381 = load ptr, ptr %43, align 8
+  %382 = icmp sgt i64 %329, 0
+  br i1 %382, label %383, label %447
 
-381:                                              ; preds = %374
-  %382 = load i64, ptr %34, align 8
-  %383 = icmp slt i64 %382, %327
-  %384 = icmp sgt i64 %343, 0
-  %385 = getelementptr inbounds i8, ptr %0, i64 552
-  %386 = getelementptr inbounds i8, ptr %0, i64 528
-  %387 = select i1 %383, double 1.000000e-05, double 0x3CE0000000000000
-  %388 = add nsw i64 %375, %343
-  %389 = sitofp i64 %388 to double
-  br label %390
+383:                                              ; preds = %376
+  %384 = load i64, ptr %34, align 8
+  %385 = icmp slt i64 %384, %329
+  %386 = icmp sgt i64 %345, 0
+  %387 = getelementptr inbounds i8, ptr %0, i64 552
+  %388 = getelementptr inbounds i8, ptr %0, i64 528
+  %389 = select i1 %385, double 1.000000e-05, double 0x3CE0000000000000
+  %390 = add nsw i64 %377, %345
+  %391 = sitofp i64 %390 to double
+  br label %392
 
-390:                                              ; preds = %381, %398
-  %391 = phi double [ 0.000000e+00, %381 ], [ %413, %398 ]
-  %392 = phi i64 [ 0, %381 ], [ %414, %398 ]
-  br i1 %384, label %393, label %398
+392:                                              ; preds = %383, %400
+  %393 = phi double [ 0.000000e+00, %383 ], [ %415, %400 ]
+  %394 = phi i64 [ 0, %383 ], [ %416, %400 ]
+  br i1 %386, label %395, label %400
 
-393:                                              ; preds = %390
-  %394 = mul nuw nsw i64 %392, %343
-  %395 = getelementptr double, ptr %379, i64 %394
-  %396 = load ptr, ptr %385, align 8
-  %397 = load ptr, ptr %386, align 8
-  br label %416
+395:                                              ; preds = %392
+  %396 = mul nuw nsw i64 %394, %345
+  %397 = getelementptr double, ptr %381, i64 %396
+  %398 = load ptr, ptr %387, align 8
+  %399 = load ptr, ptr %388, align 8
+  br label %418
 
-398:                                              ; preds = %416, %390
-  %399 = phi double [ 0.000000e+00, %390 ], [ %442, %416 ]
-  %400 = phi double [ 0.000000e+00, %390 ], [ %439, %416 ]
-  %401 = fmul double %387, %399
-  %402 = fmul double %400, %389
-  %403 = tail call double @llvm.sqrt.f64(double %402)
-  %404 = fmul double %403, 3.000000e+00
-  %405 = fadd double %401, %404
-  %406 = fcmp ule double %400, 0.000000e+00
-  %407 = getelementptr inbounds double, ptr %378, i64 %392
-  %408 = load double, ptr %407, align 8
-  %409 = tail call double @llvm.fabs.f64(double %408)
-  %410 = fdiv double %409, %405
-  %411 = fcmp ogt double %410, %391
-  %412 = select i1 %411, double %410, double %391
-  %413 = select i1 %406, double %391, double %412
-  %414 = add nuw nsw i64 %392, 1
-  %415 = icmp eq i64 %414, %327
-  br i1 %415, label %445, label %390, !llvm.loop !13
+400:                                              ; preds = %418, %392
+  %401 = phi double [ 0.000000e+00, %392 ], [ %444, %418 ]
+  %402 = phi double [ 0.000000e+00, %392 ], [ %441, %418 ]
+  %403 = fmul double %389, %401
+  %404 = fmul double %402, %391
+  %405 = tail call double @llvm.sqrt.f64(double %404)
+  %406 = fmul double %405, 3.000000e+00
+  %407 = fadd double %403, %406
+  %408 = fcmp ule double %402, 0.000000e+00
+  %409 = getelementptr inbounds double, ptr %380, i64 %394
+  %410 = load double, ptr %409, align 8
+  %411 = tail call double @llvm.fabs.f64(double %410)
+  %412 = fdiv double %411, %407
+  %413 = fcmp ogt double %412, %393
+  %414 = select i1 %413, double %412, double %393
+  %415 = select i1 %408, double %393, double %414
+  %416 = add nuw nsw i64 %394, 1
+  %417 = icmp eq i64 %416, %329
+  br i1 %417, label %447, label %392, !llvm.loop !13
 
-416:                                              ; preds = %393, %416
-  %417 = phi double [ 0.000000e+00, %393 ], [ %439, %416 ]
-  %418 = phi i64 [ 0, %393 ], [ %443, %416 ]
-  %419 = phi double [ 0.000000e+00, %393 ], [ %442, %416 ]
-  %420 = getelementptr double, ptr %395, i64 %418
-  %421 = load double, ptr %420, align 8
-  %422 = add nsw i64 %418, %375
-  %423 = getelementptr inbounds double, ptr %2, i64 %422
-  %424 = load double, ptr %423, align 8
-  %425 = getelementptr inbounds double, ptr %62, i64 %422
+418:                                              ; preds = %395, %418
+  %419 = phi double [ 0.000000e+00, %395 ], [ %441, %418 ]
+  %420 = phi i64 [ 0, %395 ], [ %445, %418 ]
+  %421 = phi double [ 0.000000e+00, %395 ], [ %444, %418 ]
+  %422 = getelementptr double, ptr %397, i64 %420
+  %423 = load double, ptr %422, align 8
+  %424 = add nsw i64 %420, %377
+  %425 = getelementptr inbounds double, ptr %2, i64 %424
   %426 = load double, ptr %425, align 8
-  %427 = getelementptr inbounds double, ptr %396, i64 %422
+  %427 = getelementptr inbounds double, ptr %62, i64 %424
   %428 = load double, ptr %427, align 8
-  %429 = getelementptr inbounds double, ptr %397, i64 %422
+  %429 = getelementptr inbounds double, ptr %398, i64 %424
   %430 = load double, ptr %429, align 8
-  %431 = tail call double @llvm.fabs.f64(double %426)
-  %432 = tail call double @llvm.fabs.f64(double %424)
-  %433 = fcmp ogt double %431, %432
-  %434 = select i1 %433, double %431, double %432
-  %435 = fmul double %434, %430
-  %436 = fadd double %428, %435
-  %437 = fmul double %421, %436
-  %438 = fmul double %437, %437
-  %439 = fadd double %417, %438
-  %440 = fmul double %421, %424
-  %441 = tail call double @llvm.fabs.f64(double %440)
-  %442 = fadd double %419, %441
-  %443 = add nuw nsw i64 %418, 1
-  %444 = icmp eq i64 %443, %343
-  br i1 %444, label %398, label %416, !llvm.loop !14
+  %431 = getelementptr inbounds double, ptr %399, i64 %424
+  %432 = load double, ptr %431, align 8
+  %433 = tail call double @llvm.fabs.f64(double %428)
+  %434 = tail call double @llvm.fabs.f64(double %426)
+  %435 = fcmp ogt double %433, %434
+  %436 = select i1 %435, double %433, double %434
+  %437 = fmul double %436, %432
+  %438 = fadd double %430, %437
+  %439 = fmul double %423, %438
+  %440 = fmul double %439, %439
+  %441 = fadd double %419, %440
+  %442 = fmul double %423, %426
+  %443 = tail call double @llvm.fabs.f64(double %442)
+  %444 = fadd double %421, %443
+  %445 = add nuw nsw i64 %420, 1
+  %446 = icmp eq i64 %445, %345
+  br i1 %446, label %400, label %418, !llvm.loop !14
 
-445:                                              ; preds = %398, %374
-  %446 = phi double [ 0.000000e+00, %374 ], [ %413, %398 ]
-  %447 = fcmp ogt double %446, %325
-  %448 = select i1 %447, double %446, double %325
-  br label %449
+447:                                              ; preds = %400, %376
+  %448 = phi double [ 0.000000e+00, %376 ], [ %415, %400 ]
+  %449 = fcmp ogt double %448, %327
+  %450 = select i1 %449, double %448, double %327
+  br label %451
 
-449:                                              ; preds = %445, %357
-  %450 = phi double [ %325, %357 ], [ %448, %445 ]
-  %451 = load i64, ptr %28, align 8
-  %452 = icmp eq i64 %451, 1
-  br i1 %452, label %453, label %477
+451:                                              ; preds = %447, %359
+  %452 = phi double [ %327, %359 ], [ %450, %447 ]
+  %453 = load i64, ptr %28, align 8
+  %454 = icmp eq i64 %453, 1
+  br i1 %454, label %455, label %479
 
-453:                                              ; preds = %449
-  %454 = load ptr, ptr %44, align 8
-  %455 = load ptr, ptr %5, align 8
-  %456 = getelementptr inbounds i8, ptr %455, i64 8
-  %457 = getelementptr inbounds i8, ptr %455, i64 16
-  %458 = load i64, ptr %456, align 8
-  %459 = load i64, ptr %457, align 8
-  %460 = mul nsw i64 %459, %458
-  %461 = icmp sgt i64 %460, 0
-  br i1 %461, label %462, label %473
+455:                                              ; preds = %451
+  %456 = load ptr, ptr %44, align 8
+  %457 = load ptr, ptr %5, align 8
+  %458 = getelementptr inbounds i8, ptr %457, i64 8
+  %459 = getelementptr inbounds i8, ptr %457, i64 16
+  %460 = load i64, ptr %458, align 8
+  %461 = load i64, ptr %459, align 8
+  %462 = mul nsw i64 %461, %460
+  %463 = icmp sgt i64 %462, 0
+  br i1 %463, label %464, label %475
 
-462:                                              ; preds = %453, %462
-  %463 = phi i64 [ %468, %462 ], [ 0, %453 ]
-  %464 = getelementptr inbounds double, ptr %454, i64 %463
-  %465 = load double, ptr %464, align 8
-  %466 = load ptr, ptr %455, align 8
-  %467 = getelementptr inbounds double, ptr %466, i64 %463
-  store double %465, ptr %467, align 8
-  %468 = add nuw nsw i64 %463, 1
-  %469 = load i64, ptr %456, align 8
-  %470 = load i64, ptr %457, align 8
-  %471 = mul nsw i64 %470, %469
-  %472 = icmp slt i64 %468, %471
-  br i1 %472, label %462, label %473, !llvm.loop !15
+464:                                              ; preds = %455, %464
+  %465 = phi i64 [ %470, %464 ], [ 0, %455 ]
+  %466 = getelementptr inbounds double, ptr %456, i64 %465
+  %467 = load double, ptr %466, align 8
+  %468 = load ptr, ptr %457, align 8
+  %469 = getelementptr inbounds double, ptr %468, i64 %465
+  store double %467, ptr %469, align 8
+  %470 = add nuw nsw i64 %465, 1
+  %471 = load i64, ptr %458, align 8
+  %472 = load i64, ptr %459, align 8
+  %473 = mul nsw i64 %472, %471
+  %474 = icmp slt i64 %470, %473
+  br i1 %474, label %464, label %475, !llvm.loop !15
 
-473:                                              ; preds = %462, %453
-  %474 = load ptr, ptr %5, align 8
-  %475 = load ptr, ptr %474, align 8
-  %476 = load i64, ptr %25, align 8
-  tail call fastcc void @factorise(ptr noundef %475, i64 noundef %476) #7
-  br label %477
+475:                                              ; preds = %464, %455
+  %476 = load ptr, ptr %5, align 8
+  %477 = load ptr, ptr %476, align 8
+  %478 = load i64, ptr %25, align 8
+  tail call fastcc void @factorise(ptr noundef %477, i64 noundef %478) #7
+  br label %479
 
-477:                                              ; preds = %449, %473
-  %478 = load ptr, ptr %38, align 8
-  %479 = load i64, ptr %16, align 8
-  %480 = getelementptr inbounds double, ptr %478, i64 %479
-  %481 = load i64, ptr %19, align 8
-  %482 = load ptr, ptr %5, align 8
-  %483 = getelementptr inbounds i8, ptr %482, i64 144
-  %484 = load ptr, ptr %483, align 8
-  %485 = icmp sgt i64 %481, 0
-  br i1 %485, label %486, label %494
+479:                                              ; preds = %451, %475
+  %480 = load ptr, ptr %38, align 8
+  %481 = load i64, ptr %16, align 8
+  %482 = getelementptr inbounds double, ptr %480, i64 %481
+  %483 = load i64, ptr %19, align 8
+  %484 = load ptr, ptr %5, align 8
+  %485 = getelementptr inbounds i8, ptr %484, i64 144
+  %486 = load ptr, ptr %485, align 8
+  %487 = icmp sgt i64 %483, 0
+  br i1 %487, label %488, label %496
 
-486:                                              ; preds = %477, %486
-  %487 = phi i64 [ %492, %486 ], [ 0, %477 ]
-  %488 = getelementptr inbounds double, ptr %480, i64 %487
-  %489 = load double, ptr %488, align 8
-  %490 = fneg double %489
-  %491 = getelementptr inbounds double, ptr %484, i64 %487
-  store double %490, ptr %491, align 8
-  %492 = add nuw nsw i64 %487, 1
-  %493 = icmp eq i64 %492, %481
-  br i1 %493, label %494, label %486, !llvm.loop !16
+488:                                              ; preds = %479, %488
+  %489 = phi i64 [ %494, %488 ], [ 0, %479 ]
+  %490 = getelementptr inbounds double, ptr %482, i64 %489
+  %491 = load double, ptr %490, align 8
+  %492 = fneg double %491
+  %493 = getelementptr inbounds double, ptr %486, i64 %489
+  store double %492, ptr %493, align 8
+  %494 = add nuw nsw i64 %489, 1
+  %495 = icmp eq i64 %494, %483
+  br i1 %495, label %496, label %488, !llvm.loop !16
 
-494:                                              ; preds = %486, %477
+496:                                              ; preds = %488, %479
   call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %2) #7
-  %495 = load ptr, ptr %63, align 8
-  %496 = getelementptr inbounds i8, ptr %495, i64 8
-  %497 = load i64, ptr %496, align 8
-  %498 = load ptr, ptr %46, align 8
-  %499 = load i64, ptr %37, align 8
-  %500 = trunc i64 %499 to i32
-  %501 = load i64, ptr %19, align 8
-  %502 = icmp sgt i64 %501, 0
-  br i1 %502, label %503, label %510
+  %497 = load ptr, ptr %63, align 8
+  %498 = getelementptr inbounds i8, ptr %497, i64 8
+  %499 = load i64, ptr %498, align 8
+  %500 = load ptr, ptr %46, align 8
+  %501 = load i64, ptr %37, align 8
+  %502 = trunc i64 %501 to i32
+  %503 = load i64, ptr %19, align 8
+  %504 = icmp sgt i64 %503, 0
+  br i1 %504, label %505, label %512
 
-503:                                              ; preds = %494
-  %504 = load ptr, ptr %5, align 8
-  %505 = getelementptr inbounds i8, ptr %504, i64 216
-  %506 = getelementptr double, ptr %498, i64 %497
-  %507 = getelementptr i8, ptr %506, i64 32
-  %508 = getelementptr inbounds i8, ptr %504, i64 192
-  %509 = icmp eq i32 %500, 0
-  br label %550
+505:                                              ; preds = %496
+  %506 = load ptr, ptr %5, align 8
+  %507 = getelementptr inbounds i8, ptr %506, i64 216
+  %508 = getelementptr double, ptr %500, i64 %499
+  %509 = getelementptr i8, ptr %508, i64 32
+  %510 = getelementptr inbounds i8, ptr %506, i64 192
+  %511 = icmp eq i32 %502, 0
+  br label %552
 
-510:                                              ; preds = %550, %494
-  %511 = phi double [ 0.000000e+00, %494 ], [ %567, %550 ]
-  %512 = phi double [ 1.000000e+00, %494 ], [ %571, %550 ]
-  %513 = load double, ptr %498, align 8
-  %514 = getelementptr inbounds i8, ptr %498, i64 16
-  %515 = load double, ptr %514, align 8
-  %516 = fcmp ule double %511, %513
-  %517 = and i32 %500, 1
-  %518 = icmp eq i32 %517, 0
-  %519 = select i1 %516, i1 true, i1 %518
-  %520 = select i1 %519, double %513, double %511
-  store double %520, ptr %498, align 8
-  %521 = getelementptr inbounds i8, ptr %498, i64 8
-  %522 = load double, ptr %521, align 8
-  %523 = select i1 %519, double %522, double 1.000000e+00
-  %524 = fcmp uge double %511, %513
-  %525 = select i1 %524, double %512, double 0.000000e+00
-  %526 = fcmp olt double %525, %515
-  %527 = select i1 %526, double %525, double %515
-  %528 = icmp eq i32 %500, 0
-  %529 = select i1 %528, double %515, double %525
-  store double %529, ptr %514, align 8
-  %530 = fcmp oge double %527, 5.000000e-02
-  %531 = fmul double %450, %527
-  %532 = fmul double %531, 5.000000e-02
-  %533 = fcmp ogt double %532, 1.000000e+00
-  %534 = or i1 %530, %533
-  %535 = load i64, ptr %37, align 8
-  %536 = fcmp ogt double %450, 1.000000e+00
-  %537 = and i1 %536, %534
-  %538 = and i64 %535, 1
-  %539 = select i1 %537, i64 %538, i64 0
-  %540 = xor i64 %539, %535
-  %541 = trunc i64 %540 to i32
-  %542 = fcmp olt double %525, %523
-  %543 = and i32 %541, 1
-  %544 = fcmp ogt double %523, 1.000000e-05
-  %545 = and i1 %544, %542
-  %546 = select i1 %545, i32 %543, i32 0
-  %547 = icmp eq i32 %546, 0
-  %548 = select i1 %547, double %523, double %525
-  store double %548, ptr %521, align 8
-  %549 = icmp eq i32 %546, 0
-  br i1 %549, label %587, label %574
+512:                                              ; preds = %552, %496
+  %513 = phi double [ 0.000000e+00, %496 ], [ %569, %552 ]
+  %514 = phi double [ 1.000000e+00, %496 ], [ %573, %552 ]
+  %515 = load double, ptr %500, align 8
+  %516 = getelementptr inbounds i8, ptr %500, i64 16
+  %517 = load double, ptr %516, align 8
+  %518 = fcmp ule double %513, %515
+  %519 = and i32 %502, 1
+  %520 = icmp eq i32 %519, 0
+  %521 = select i1 %518, i1 true, i1 %520
+  %522 = select i1 %521, double %515, double %513
+  store double %522, ptr %500, align 8
+  %523 = getelementptr inbounds i8, ptr %500, i64 8
+  %524 = load double, ptr %523, align 8
+  %525 = select i1 %521, double %524, double 1.000000e+00
+  %526 = fcmp uge double %513, %515
+  %527 = select i1 %526, double %514, double 0.000000e+00
+  %528 = fcmp olt double %527, %517
+  %529 = select i1 %528, double %527, double %517
+  %530 = icmp eq i32 %502, 0
+  %531 = select i1 %530, double %517, double %527
+  store double %531, ptr %516, align 8
+  %532 = fcmp oge double %529, 5.000000e-02
+  %533 = fmul double %452, %529
+  %534 = fmul double %533, 5.000000e-02
+  %535 = fcmp ogt double %534, 1.000000e+00
+  %536 = or i1 %532, %535
+  %537 = load i64, ptr %37, align 8
+  %538 = fcmp ogt double %452, 1.000000e+00
+  %539 = and i1 %538, %536
+  %540 = and i64 %537, 1
+  %541 = select i1 %539, i64 %540, i64 0
+  %542 = xor i64 %541, %537
+  %543 = trunc i64 %542 to i32
+  %544 = fcmp olt double %527, %525
+  %545 = and i32 %543, 1
+  %546 = fcmp ogt double %525, 1.000000e-05
+  %547 = and i1 %546, %544
+  %548 = select i1 %547, i32 %545, i32 0
+  %549 = icmp eq i32 %548, 0
+  %550 = select i1 %549, double %525, double %527
+  store double %550, ptr %523, align 8
+  %551 = icmp eq i32 %548, 0
+  br i1 %551, label %589, label %576
 
-550:                                              ; preds = %503, %550
-  %551 = phi double [ 1.000000e+00, %503 ], [ %571, %550 ]
-  %552 = phi double [ 0.000000e+00, %503 ], [ %567, %550 ]
-  %553 = phi i64 [ 0, %503 ], [ %572, %550 ]
-  %554 = load ptr, ptr %505, align 8
-  %555 = getelementptr inbounds double, ptr %554, i64 %553
-  %556 = load double, ptr %555, align 8
-  %557 = getelementptr double, ptr %507, i64 %553
+552:                                              ; preds = %505, %552
+  %553 = phi double [ 1.000000e+00, %505 ], [ %573, %552 ]
+  %554 = phi double [ 0.000000e+00, %505 ], [ %569, %552 ]
+  %555 = phi i64 [ 0, %505 ], [ %574, %552 ]
+  %556 = load ptr, ptr %507, align 8
+  %557 = getelementptr inbounds double, ptr %556, i64 %555
   %558 = load double, ptr %557, align 8
-  %559 = load ptr, ptr %508, align 8
-  %560 = getelementptr inbounds double, ptr %559, i64 %553
-  %561 = load double, ptr %560, align 8
-  %562 = fcmp ogt double %561, %558
-  %563 = select i1 %562, double %561, double %558
-  %564 = select i1 %509, double %558, double %563
-  store double %564, ptr %557, align 8
-  %565 = fcmp ule double %556, 0.000000e+00
-  %566 = fadd double %552, 1.000000e+00
-  %567 = select i1 %565, double %552, double %566
-  %568 = fdiv double %556, %563
-  %569 = fcmp olt double %568, %551
-  %570 = select i1 %569, double %568, double %551
-  %571 = select i1 %565, double %551, double %570
-  %572 = add nuw nsw i64 %553, 1
-  %573 = icmp eq i64 %572, %501
-  br i1 %573, label %510, label %550, !llvm.loop !19
+  %559 = getelementptr double, ptr %509, i64 %555
+  %560 = load double, ptr %559, align 8
+  %561 = load ptr, ptr %510, align 8
+  %562 = getelementptr inbounds double, ptr %561, i64 %555
+  %563 = load double, ptr %562, align 8
+  %564 = fcmp ogt double %563, %560
+  %565 = select i1 %564, double %563, double %560
+  %566 = select i1 %511, double %560, double %565
+  store double %566, ptr %559, align 8
+  %567 = fcmp ule double %558, 0.000000e+00
+  %568 = fadd double %554, 1.000000e+00
+  %569 = select i1 %567, double %554, double %568
+  %570 = fdiv double %558, %565
+  %571 = fcmp olt double %570, %553
+  %572 = select i1 %571, double %570, double %553
+  %573 = select i1 %567, double %553, double %572
+  %574 = add nuw nsw i64 %555, 1
+  %575 = icmp eq i64 %574, %503
+  br i1 %575, label %512, label %552, !llvm.loop !19
 
-574:                                              ; preds = %510
-  %575 = getelementptr inbounds i8, ptr %498, i64 24
-  store double %1, ptr %575, align 8
-  %576 = getelementptr inbounds i8, ptr %498, i64 32
-  %577 = icmp sgt i64 %497, 0
-  br i1 %577, label %578, label %587
+576:                                              ; preds = %512
+  %577 = getelementptr inbounds i8, ptr %500, i64 24
+  store double %1, ptr %577, align 8
+  %578 = getelementptr inbounds i8, ptr %500, i64 32
+  %579 = icmp sgt i64 %499, 0
+  br i1 %579, label %580, label %589
 
-578:                                              ; preds = %574, %578
-  %579 = phi i64 [ %585, %578 ], [ 0, %574 ]
-  %580 = getelementptr inbounds double, ptr %2, i64 %579
-  %581 = load double, ptr %580, align 8
-  %582 = getelementptr inbounds double, ptr %576, i64 %579
+580:                                              ; preds = %576, %580
+  %581 = phi i64 [ %587, %580 ], [ 0, %576 ]
+  %582 = getelementptr inbounds double, ptr %2, i64 %581
   %583 = load double, ptr %582, align 8
-  %584 = select i1 %547, double %583, double %581
-  store double %584, ptr %582, align 8
-  %585 = add nuw nsw i64 %579, 1
-  %586 = icmp eq i64 %585, %497
-  br i1 %586, label %587, label %578, !llvm.loop !20
+  %584 = getelementptr inbounds double, ptr %578, i64 %581
+  %585 = load double, ptr %584, align 8
+  %586 = select i1 %549, double %585, double %583
+  store double %586, ptr %584, align 8
+  %587 = add nuw nsw i64 %581, 1
+  %588 = icmp eq i64 %587, %499
+  br i1 %588, label %589, label %580, !llvm.loop !20
 
-587:                                              ; preds = %578, %574, %510
-  %588 = or i64 %539, %361
-  br label %589
+589:                                              ; preds = %580, %576, %512
+  %590 = or i64 %541, %363
+  br label %591
 
-589:                                              ; preds = %337, %587
-  %590 = phi i64 [ %340, %337 ], [ %588, %587 ]
-  %591 = icmp eq i64 %590, 0
-  %592 = select i1 %591, i64 0, i64 6
-  ret i64 %592
+591:                                              ; preds = %339, %589
+  %592 = phi i64 [ %342, %339 ], [ %590, %589 ]
+  %593 = icmp eq i64 %592, 0
+  %594 = select i1 %593, i64 0, i64 6
+  ret i64 %594
 }
 
 

@@ -1,4 +1,4 @@
-; sources 846fe128bf597ea5b22a1cf52a53235af94557a890f405afb0facc6c197d5a72
+; sources 050ef51f27994e572a683276f4a3a9deadaf4c67abb50cd0ceee4f2c4006cbb8
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -291,9 +291,10 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @move(ptr noundef 
   %13 = getelementptr inbounds i8, ptr %1, i64 48
   %14 = load ptr, ptr %13, align 8
   %15 = inttoptr i64 %6 to ptr
-  %16 = tail call i32 %15(ptr noundef %8, ptr noundef %2, ptr noundef %10, ptr noundef %12, ptr noundef %14) #8
-  %17 = sext i32 %16 to i64
-  ret i64 %17
+  %16 = load ptr, ptr %15, align 8
+  %17 = tail call i32 %16(ptr noundef %8, ptr noundef %2, ptr noundef %10, ptr noundef %12, ptr noundef %14) #8
+  %18 = sext i32 %17 to i64
+  ret i64 %18
 }
 
 define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef %1, i64 noundef %2) unnamed_addr #3 {

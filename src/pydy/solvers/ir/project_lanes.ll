@@ -1,4 +1,4 @@
-; sources da070b31c30558d9f2a93b5662de09aa3cd0e53beaee6245ce85b098530d5a11
+; sources 54342e80b7b0ff01d257ce5732b08efce6242eec2a6c22fe7ec31ea1af7a4628
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -138,9 +138,9 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %99 = load ptr, ptr %98, align 8
   %100 = load i64, ptr %13, align 8
   %101 = icmp sgt i64 %100, 0
-  br i1 %101, label %151, label %102
+  br i1 %101, label %152, label %102
 
-102:                                              ; preds = %151, %95
+102:                                              ; preds = %152, %95
   %103 = getelementptr inbounds i8, ptr %0, i64 168
   %104 = getelementptr inbounds i8, ptr %0, i64 192
   %105 = getelementptr inbounds i8, ptr %0, i64 1632
@@ -153,663 +153,665 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %112 = load ptr, ptr %104, align 8
   %113 = load ptr, ptr %105, align 8
   %114 = inttoptr i64 %110 to ptr
-  %115 = tail call i32 %114(ptr noundef %111, ptr noundef %2, ptr noundef %112, ptr noundef %113, ptr noundef %106) #9
-  %116 = icmp slt i32 %115, 0
-  br i1 %116, label %347, label %117
+  %115 = load ptr, ptr %114, align 8
+  %116 = tail call i32 %115(ptr noundef %111, ptr noundef %2, ptr noundef %112, ptr noundef %113, ptr noundef %106) #9
+  %117 = icmp slt i32 %116, 0
+  br i1 %117, label %349, label %118
 
-117:                                              ; preds = %102
-  %118 = icmp eq i64 %30, %100
-  %119 = load i64, ptr %13, align 8
-  %120 = icmp sgt i64 %119, 0
-  %121 = load ptr, ptr %35, align 8
-  %122 = load ptr, ptr %42, align 8
-  %123 = load ptr, ptr %6, align 8
-  %124 = getelementptr inbounds i8, ptr %123, i64 216
-  %125 = icmp ne ptr %65, null
-  %126 = load i64, ptr %19, align 8
-  %127 = load ptr, ptr %38, align 8
-  %128 = load i64, ptr %28, align 8
-  %129 = icmp slt i64 %128, %119
-  %130 = icmp sgt i64 %119, 0
-  %131 = icmp sgt i64 %126, 0
-  %132 = getelementptr inbounds i8, ptr %0, i64 624
-  %133 = getelementptr inbounds i8, ptr %0, i64 600
-  %134 = select i1 %129, double 1.000000e-05, double 0x3CE0000000000000
-  %135 = insertelement <8 x double> poison, double %134, i64 0
-  %136 = shufflevector <8 x double> %135, <8 x double> poison, <8 x i32> zeroinitializer
-  %137 = load ptr, ptr %42, align 8
-  %138 = load i64, ptr %22, align 8
-  %139 = add nsw i64 %138, %126
-  %140 = sitofp i64 %139 to double
-  %141 = insertelement <8 x double> poison, double %140, i64 0
-  %142 = shufflevector <8 x double> %141, <8 x double> poison, <8 x i32> zeroinitializer
-  %143 = icmp eq i64 %27, 1
-  %144 = getelementptr inbounds i8, ptr %97, i64 8
-  %145 = getelementptr inbounds i8, ptr %97, i64 16
-  %146 = getelementptr inbounds i8, ptr %97, i64 24
-  %147 = getelementptr inbounds i8, ptr %97, i64 32
-  %148 = getelementptr inbounds i8, ptr %97, i64 40
-  %149 = getelementptr inbounds i8, ptr %97, i64 144
-  %150 = icmp sgt i64 %119, 0
-  br label %168
+118:                                              ; preds = %102
+  %119 = icmp eq i64 %30, %100
+  %120 = load i64, ptr %13, align 8
+  %121 = icmp sgt i64 %120, 0
+  %122 = load ptr, ptr %35, align 8
+  %123 = load ptr, ptr %42, align 8
+  %124 = load ptr, ptr %6, align 8
+  %125 = getelementptr inbounds i8, ptr %124, i64 216
+  %126 = icmp ne ptr %65, null
+  %127 = load i64, ptr %19, align 8
+  %128 = load ptr, ptr %38, align 8
+  %129 = load i64, ptr %28, align 8
+  %130 = icmp slt i64 %129, %120
+  %131 = icmp sgt i64 %120, 0
+  %132 = icmp sgt i64 %127, 0
+  %133 = getelementptr inbounds i8, ptr %0, i64 624
+  %134 = getelementptr inbounds i8, ptr %0, i64 600
+  %135 = select i1 %130, double 1.000000e-05, double 0x3CE0000000000000
+  %136 = insertelement <8 x double> poison, double %135, i64 0
+  %137 = shufflevector <8 x double> %136, <8 x double> poison, <8 x i32> zeroinitializer
+  %138 = load ptr, ptr %42, align 8
+  %139 = load i64, ptr %22, align 8
+  %140 = add nsw i64 %139, %127
+  %141 = sitofp i64 %140 to double
+  %142 = insertelement <8 x double> poison, double %141, i64 0
+  %143 = shufflevector <8 x double> %142, <8 x double> poison, <8 x i32> zeroinitializer
+  %144 = icmp eq i64 %27, 1
+  %145 = getelementptr inbounds i8, ptr %97, i64 8
+  %146 = getelementptr inbounds i8, ptr %97, i64 16
+  %147 = getelementptr inbounds i8, ptr %97, i64 24
+  %148 = getelementptr inbounds i8, ptr %97, i64 32
+  %149 = getelementptr inbounds i8, ptr %97, i64 40
+  %150 = getelementptr inbounds i8, ptr %97, i64 144
+  %151 = icmp sgt i64 %120, 0
+  br label %170
 
-151:                                              ; preds = %95, %151
-  %152 = phi i64 [ %155, %151 ], [ 0, %95 ]
-  %153 = shl nsw i64 %152, 6
-  %154 = getelementptr inbounds i8, ptr %99, i64 %153
-  store <8 x double> zeroinitializer, ptr %154, align 8
-  %155 = add nuw nsw i64 %152, 1
-  %156 = icmp eq i64 %155, %100
-  br i1 %156, label %102, label %151, !llvm.loop !10
+152:                                              ; preds = %95, %152
+  %153 = phi i64 [ %156, %152 ], [ 0, %95 ]
+  %154 = shl nsw i64 %153, 6
+  %155 = getelementptr inbounds i8, ptr %99, i64 %154
+  store <8 x double> zeroinitializer, ptr %155, align 8
+  %156 = add nuw nsw i64 %153, 1
+  %157 = icmp eq i64 %156, %100
+  br i1 %157, label %102, label %152, !llvm.loop !10
 
-157:                                              ; preds = %344
-  %158 = add nuw nsw i32 %172, 1
-  %159 = load ptr, ptr %8, align 8
-  %160 = getelementptr inbounds i8, ptr %159, i64 8
-  %161 = load i64, ptr %160, align 8
-  %162 = load ptr, ptr %103, align 8
-  %163 = load ptr, ptr %104, align 8
-  %164 = load ptr, ptr %105, align 8
-  %165 = inttoptr i64 %161 to ptr
-  %166 = tail call i32 %165(ptr noundef %162, ptr noundef %2, ptr noundef %163, ptr noundef %164, ptr noundef %106) #9
-  %167 = icmp slt i32 %166, 0
-  br i1 %167, label %347, label %168, !llvm.loop !11
+158:                                              ; preds = %346
+  %159 = add nuw nsw i32 %174, 1
+  %160 = load ptr, ptr %8, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 8
+  %162 = load i64, ptr %161, align 8
+  %163 = load ptr, ptr %103, align 8
+  %164 = load ptr, ptr %104, align 8
+  %165 = load ptr, ptr %105, align 8
+  %166 = inttoptr i64 %162 to ptr
+  %167 = load ptr, ptr %166, align 8
+  %168 = tail call i32 %167(ptr noundef %163, ptr noundef %2, ptr noundef %164, ptr noundef %165, ptr noundef %106) #9
+  %169 = icmp slt i32 %168, 0
+  br i1 %169, label %349, label %170, !llvm.loop !11
 
-168:                                              ; preds = %117, %157
-  %169 = phi i64 [ undef, %117 ], [ %346, %157 ]
-  %170 = phi i64 [ 0, %117 ], [ %295, %157 ]
-  %171 = phi <8 x double> [ <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, %117 ], [ %345, %157 ]
-  %172 = phi i32 [ 0, %117 ], [ %158, %157 ]
-  %173 = phi <8 x double> [ zeroinitializer, %117 ], [ %280, %157 ]
-  %174 = phi i64 [ %107, %117 ], [ %293, %157 ]
-  %175 = icmp eq i32 %172, 0
-  %176 = select i1 %175, i1 true, i1 %118
-  br i1 %120, label %189, label %177
+170:                                              ; preds = %118, %158
+  %171 = phi i64 [ undef, %118 ], [ %348, %158 ]
+  %172 = phi i64 [ 0, %118 ], [ %297, %158 ]
+  %173 = phi <8 x double> [ <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, %118 ], [ %347, %158 ]
+  %174 = phi i32 [ 0, %118 ], [ %159, %158 ]
+  %175 = phi <8 x double> [ zeroinitializer, %118 ], [ %282, %158 ]
+  %176 = phi i64 [ %107, %118 ], [ %295, %158 ]
+  %177 = icmp eq i32 %174, 0
+  %178 = select i1 %177, i1 true, i1 %119
+  br i1 %121, label %191, label %179
 
-177:                                              ; preds = %211, %168
-  %178 = phi <8 x double> [ zeroinitializer, %168 ], [ %216, %211 ]
-  %179 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %168 ], [ %218, %211 ]
-  %180 = icmp ne <8 x i64> %179, zeroinitializer
-  %181 = bitcast <8 x i1> %180 to i8
-  %182 = zext i8 %181 to i64
-  %183 = xor i64 %182, -1
-  %184 = and i64 %174, %183
-  %185 = or i64 %184, %170
-  %186 = and i1 %125, %175
-  %187 = select i1 %186, i1 %130, i1 false
-  %188 = select i1 %186, <8 x double> zeroinitializer, <8 x double> %173
-  br i1 %187, label %221, label %279
+179:                                              ; preds = %213, %170
+  %180 = phi <8 x double> [ zeroinitializer, %170 ], [ %218, %213 ]
+  %181 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %170 ], [ %220, %213 ]
+  %182 = icmp ne <8 x i64> %181, zeroinitializer
+  %183 = bitcast <8 x i1> %182 to i8
+  %184 = zext i8 %183 to i64
+  %185 = xor i64 %184, -1
+  %186 = and i64 %176, %185
+  %187 = or i64 %186, %172
+  %188 = and i1 %126, %177
+  %189 = select i1 %188, i1 %131, i1 false
+  %190 = select i1 %188, <8 x double> zeroinitializer, <8 x double> %175
+  br i1 %189, label %223, label %281
 
-189:                                              ; preds = %168, %211
-  %190 = phi i64 [ %219, %211 ], [ 0, %168 ]
-  %191 = phi <8 x i64> [ %218, %211 ], [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %168 ]
-  %192 = phi <8 x double> [ %216, %211 ], [ zeroinitializer, %168 ]
-  %193 = shl nsw i64 %190, 6
-  %194 = getelementptr inbounds i8, ptr %121, i64 %193
-  %195 = load <8 x double>, ptr %194, align 8
-  %196 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %195)
-  %197 = getelementptr inbounds i8, ptr %122, i64 %193
-  %198 = load <8 x double>, ptr %197, align 8
-  %199 = getelementptr inbounds i8, ptr %99, i64 %193
+191:                                              ; preds = %170, %213
+  %192 = phi i64 [ %221, %213 ], [ 0, %170 ]
+  %193 = phi <8 x i64> [ %220, %213 ], [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %170 ]
+  %194 = phi <8 x double> [ %218, %213 ], [ zeroinitializer, %170 ]
+  %195 = shl nsw i64 %192, 6
+  %196 = getelementptr inbounds i8, ptr %122, i64 %195
+  %197 = load <8 x double>, ptr %196, align 8
+  %198 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %197)
+  %199 = getelementptr inbounds i8, ptr %123, i64 %195
   %200 = load <8 x double>, ptr %199, align 8
-  %201 = fcmp ogt <8 x double> %198, %200
-  %202 = select <8 x i1> %201, <8 x double> %198, <8 x double> %200
-  %203 = fmul <8 x double> %202, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
-  %204 = fcmp une <8 x double> %195, zeroinitializer
-  br i1 %176, label %211, label %205
+  %201 = getelementptr inbounds i8, ptr %99, i64 %195
+  %202 = load <8 x double>, ptr %201, align 8
+  %203 = fcmp ogt <8 x double> %200, %202
+  %204 = select <8 x i1> %203, <8 x double> %200, <8 x double> %202
+  %205 = fmul <8 x double> %204, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
+  %206 = fcmp une <8 x double> %197, zeroinitializer
+  br i1 %178, label %213, label %207
 
-205:                                              ; preds = %189
-  %206 = load ptr, ptr %124, align 8
-  %207 = getelementptr inbounds i8, ptr %206, i64 %193
-  %208 = load <8 x double>, ptr %207, align 8
-  %209 = fcmp ogt <8 x double> %208, zeroinitializer
-  %210 = and <8 x i1> %209, %204
-  br label %211
+207:                                              ; preds = %191
+  %208 = load ptr, ptr %125, align 8
+  %209 = getelementptr inbounds i8, ptr %208, i64 %195
+  %210 = load <8 x double>, ptr %209, align 8
+  %211 = fcmp ogt <8 x double> %210, zeroinitializer
+  %212 = and <8 x i1> %211, %206
+  br label %213
 
-211:                                              ; preds = %205, %189
-  %212 = phi <8 x i1> [ %204, %189 ], [ %210, %205 ]
-  %213 = fdiv <8 x double> %196, %203
-  %214 = fcmp ogt <8 x double> %213, %192
-  %215 = select <8 x i1> %212, <8 x i1> %214, <8 x i1> zeroinitializer
-  %216 = select <8 x i1> %215, <8 x double> %213, <8 x double> %192
-  %217 = fcmp one <8 x double> %196, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %218 = select <8 x i1> %217, <8 x i64> %191, <8 x i64> zeroinitializer
-  %219 = add nuw nsw i64 %190, 1
-  %220 = icmp eq i64 %219, %119
-  br i1 %220, label %177, label %189, !llvm.loop !12
+213:                                              ; preds = %207, %191
+  %214 = phi <8 x i1> [ %206, %191 ], [ %212, %207 ]
+  %215 = fdiv <8 x double> %198, %205
+  %216 = fcmp ogt <8 x double> %215, %194
+  %217 = select <8 x i1> %214, <8 x i1> %216, <8 x i1> zeroinitializer
+  %218 = select <8 x i1> %217, <8 x double> %215, <8 x double> %194
+  %219 = fcmp one <8 x double> %198, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %220 = select <8 x i1> %219, <8 x i64> %193, <8 x i64> zeroinitializer
+  %221 = add nuw nsw i64 %192, 1
+  %222 = icmp eq i64 %221, %120
+  br i1 %222, label %179, label %191, !llvm.loop !12
 
-221:                                              ; preds = %177, %228
-  %222 = phi <8 x double> [ %245, %228 ], [ zeroinitializer, %177 ]
-  %223 = phi i64 [ %246, %228 ], [ 0, %177 ]
-  br i1 %131, label %224, label %228
+223:                                              ; preds = %179, %230
+  %224 = phi <8 x double> [ %247, %230 ], [ zeroinitializer, %179 ]
+  %225 = phi i64 [ %248, %230 ], [ 0, %179 ]
+  br i1 %132, label %226, label %230
 
-224:                                              ; preds = %221
-  %225 = mul nuw nsw i64 %223, %126
-  %226 = load ptr, ptr %132, align 8
-  %227 = load ptr, ptr %133, align 8
-  br label %248
+226:                                              ; preds = %223
+  %227 = mul nuw nsw i64 %225, %127
+  %228 = load ptr, ptr %133, align 8
+  %229 = load ptr, ptr %134, align 8
+  br label %250
 
-228:                                              ; preds = %248, %221
-  %229 = phi <8 x double> [ zeroinitializer, %221 ], [ %276, %248 ]
-  %230 = shl nsw i64 %223, 6
-  %231 = getelementptr inbounds i8, ptr %137, i64 %230
-  %232 = load <8 x double>, ptr %231, align 8
-  %233 = fmul <8 x double> %136, %232
-  %234 = fmul <8 x double> %229, %142
-  %235 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %234)
-  %236 = fmul <8 x double> %235, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
-  %237 = fadd <8 x double> %233, %236
-  %238 = fcmp ogt <8 x double> %229, zeroinitializer
-  %239 = getelementptr inbounds i8, ptr %121, i64 %230
-  %240 = load <8 x double>, ptr %239, align 8
-  %241 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %240)
-  %242 = fdiv <8 x double> %241, %237
-  %243 = fcmp ogt <8 x double> %242, %222
-  %244 = select <8 x i1> %238, <8 x i1> %243, <8 x i1> zeroinitializer
-  %245 = select <8 x i1> %244, <8 x double> %242, <8 x double> %222
-  %246 = add nuw nsw i64 %223, 1
-  %247 = icmp eq i64 %246, %119
-  br i1 %247, label %279, label %221, !llvm.loop !13
+230:                                              ; preds = %250, %223
+  %231 = phi <8 x double> [ zeroinitializer, %223 ], [ %278, %250 ]
+  %232 = shl nsw i64 %225, 6
+  %233 = getelementptr inbounds i8, ptr %138, i64 %232
+  %234 = load <8 x double>, ptr %233, align 8
+  %235 = fmul <8 x double> %137, %234
+  %236 = fmul <8 x double> %231, %143
+  %237 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %236)
+  %238 = fmul <8 x double> %237, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
+  %239 = fadd <8 x double> %235, %238
+  %240 = fcmp ogt <8 x double> %231, zeroinitializer
+  %241 = getelementptr inbounds i8, ptr %122, i64 %232
+  %242 = load <8 x double>, ptr %241, align 8
+  %243 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %242)
+  %244 = fdiv <8 x double> %243, %239
+  %245 = fcmp ogt <8 x double> %244, %224
+  %246 = select <8 x i1> %240, <8 x i1> %245, <8 x i1> zeroinitializer
+  %247 = select <8 x i1> %246, <8 x double> %244, <8 x double> %224
+  %248 = add nuw nsw i64 %225, 1
+  %249 = icmp eq i64 %248, %120
+  br i1 %249, label %281, label %223, !llvm.loop !13
 
-248:                                              ; preds = %224, %248
-  %249 = phi <8 x double> [ zeroinitializer, %224 ], [ %276, %248 ]
-  %250 = phi i64 [ 0, %224 ], [ %277, %248 ]
-  %251 = add nuw nsw i64 %250, %225
-  %252 = shl nsw i64 %251, 6
-  %253 = getelementptr inbounds i8, ptr %127, i64 %252
-  %254 = load <8 x double>, ptr %253, align 8
-  %255 = shl nsw i64 %250, 6
-  %256 = getelementptr inbounds i8, ptr %2, i64 %255
-  %257 = load <8 x double>, ptr %256, align 8
-  %258 = getelementptr inbounds i8, ptr %65, i64 %255
+250:                                              ; preds = %226, %250
+  %251 = phi <8 x double> [ zeroinitializer, %226 ], [ %278, %250 ]
+  %252 = phi i64 [ 0, %226 ], [ %279, %250 ]
+  %253 = add nuw nsw i64 %252, %227
+  %254 = shl nsw i64 %253, 6
+  %255 = getelementptr inbounds i8, ptr %128, i64 %254
+  %256 = load <8 x double>, ptr %255, align 8
+  %257 = shl nsw i64 %252, 6
+  %258 = getelementptr inbounds i8, ptr %2, i64 %257
   %259 = load <8 x double>, ptr %258, align 8
-  %260 = getelementptr inbounds double, ptr %226, i64 %250
-  %261 = load double, ptr %260, align 8
-  %262 = insertelement <8 x double> poison, double %261, i64 0
-  %263 = shufflevector <8 x double> %262, <8 x double> poison, <8 x i32> zeroinitializer
-  %264 = getelementptr inbounds double, ptr %227, i64 %250
-  %265 = load double, ptr %264, align 8
-  %266 = insertelement <8 x double> poison, double %265, i64 0
-  %267 = shufflevector <8 x double> %266, <8 x double> poison, <8 x i32> zeroinitializer
-  %268 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %259)
-  %269 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %257)
-  %270 = fcmp ogt <8 x double> %268, %269
-  %271 = select <8 x i1> %270, <8 x double> %268, <8 x double> %269
-  %272 = fmul <8 x double> %271, %267
-  %273 = fadd <8 x double> %263, %272
-  %274 = fmul <8 x double> %254, %273
-  %275 = fmul <8 x double> %274, %274
-  %276 = fadd <8 x double> %249, %275
-  %277 = add nuw nsw i64 %250, 1
-  %278 = icmp eq i64 %277, %126
-  br i1 %278, label %228, label %248, !llvm.loop !14
+  %260 = getelementptr inbounds i8, ptr %65, i64 %257
+  %261 = load <8 x double>, ptr %260, align 8
+  %262 = getelementptr inbounds double, ptr %228, i64 %252
+  %263 = load double, ptr %262, align 8
+  %264 = insertelement <8 x double> poison, double %263, i64 0
+  %265 = shufflevector <8 x double> %264, <8 x double> poison, <8 x i32> zeroinitializer
+  %266 = getelementptr inbounds double, ptr %229, i64 %252
+  %267 = load double, ptr %266, align 8
+  %268 = insertelement <8 x double> poison, double %267, i64 0
+  %269 = shufflevector <8 x double> %268, <8 x double> poison, <8 x i32> zeroinitializer
+  %270 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %261)
+  %271 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %259)
+  %272 = fcmp ogt <8 x double> %270, %271
+  %273 = select <8 x i1> %272, <8 x double> %270, <8 x double> %271
+  %274 = fmul <8 x double> %273, %269
+  %275 = fadd <8 x double> %265, %274
+  %276 = fmul <8 x double> %256, %275
+  %277 = fmul <8 x double> %276, %276
+  %278 = fadd <8 x double> %251, %277
+  %279 = add nuw nsw i64 %252, 1
+  %280 = icmp eq i64 %279, %127
+  br i1 %280, label %230, label %250, !llvm.loop !14
 
-279:                                              ; preds = %228, %177
-  %280 = phi <8 x double> [ %188, %177 ], [ %245, %228 ]
-  %281 = fcmp ole <8 x double> %178, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %282 = fmul <8 x double> %171, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %283 = fcmp oge <8 x double> %178, %282
-  %284 = fcmp ole <8 x double> %178, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  %285 = and <8 x i1> %283, %284
-  %286 = or <8 x i1> %285, %281
-  %287 = bitcast <8 x i1> %286 to i8
-  %288 = zext i8 %287 to i64
-  %289 = or i64 %185, %288
-  %290 = xor i64 %289, -1
-  %291 = and i64 %174, %290
-  %292 = icmp eq i32 %172, 9
-  %293 = select i1 %292, i64 0, i64 %291
-  %294 = select i1 %292, i64 %291, i64 0
-  %295 = or i64 %294, %185
-  store i64 %293, ptr %34, align 8
-  %296 = icmp eq i64 %293, 0
-  br i1 %296, label %344, label %297
+281:                                              ; preds = %230, %179
+  %282 = phi <8 x double> [ %190, %179 ], [ %247, %230 ]
+  %283 = fcmp ole <8 x double> %180, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %284 = fmul <8 x double> %173, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %285 = fcmp oge <8 x double> %180, %284
+  %286 = fcmp ole <8 x double> %180, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  %287 = and <8 x i1> %285, %286
+  %288 = or <8 x i1> %287, %283
+  %289 = bitcast <8 x i1> %288 to i8
+  %290 = zext i8 %289 to i64
+  %291 = or i64 %187, %290
+  %292 = xor i64 %291, -1
+  %293 = and i64 %176, %292
+  %294 = icmp eq i32 %174, 9
+  %295 = select i1 %294, i64 0, i64 %293
+  %296 = select i1 %294, i64 %293, i64 0
+  %297 = or i64 %296, %187
+  store i64 %295, ptr %34, align 8
+  %298 = icmp eq i64 %295, 0
+  br i1 %298, label %346, label %299
 
-297:                                              ; preds = %279
-  br i1 %143, label %298, label %316
+299:                                              ; preds = %281
+  br i1 %144, label %300, label %318
 
-298:                                              ; preds = %297
-  %299 = load i64, ptr %144, align 8
-  %300 = load i64, ptr %145, align 8
-  %301 = mul nsw i64 %300, %299
-  %302 = icmp sgt i64 %301, 0
-  br i1 %302, label %303, label %314
+300:                                              ; preds = %299
+  %301 = load i64, ptr %145, align 8
+  %302 = load i64, ptr %146, align 8
+  %303 = mul nsw i64 %302, %301
+  %304 = icmp sgt i64 %303, 0
+  br i1 %304, label %305, label %316
 
-303:                                              ; preds = %298, %303
-  %304 = phi i64 [ %309, %303 ], [ 0, %298 ]
-  %305 = getelementptr inbounds double, ptr %55, i64 %304
-  %306 = load double, ptr %305, align 8
-  %307 = load ptr, ptr %97, align 8
-  %308 = getelementptr inbounds double, ptr %307, i64 %304
-  store double %306, ptr %308, align 8
-  %309 = add nuw nsw i64 %304, 1
-  %310 = load i64, ptr %144, align 8
-  %311 = load i64, ptr %145, align 8
-  %312 = mul nsw i64 %311, %310
-  %313 = icmp slt i64 %309, %312
-  br i1 %313, label %303, label %314, !llvm.loop !15
+305:                                              ; preds = %300, %305
+  %306 = phi i64 [ %311, %305 ], [ 0, %300 ]
+  %307 = getelementptr inbounds double, ptr %55, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = load ptr, ptr %97, align 8
+  %310 = getelementptr inbounds double, ptr %309, i64 %306
+  store double %308, ptr %310, align 8
+  %311 = add nuw nsw i64 %306, 1
+  %312 = load i64, ptr %145, align 8
+  %313 = load i64, ptr %146, align 8
+  %314 = mul nsw i64 %313, %312
+  %315 = icmp slt i64 %311, %314
+  br i1 %315, label %305, label %316, !llvm.loop !15
 
-314:                                              ; preds = %303, %298
-  %315 = load ptr, ptr %97, align 8
-  tail call fastcc void @factorise(ptr noundef %315, i64 noundef %76) #8
-  br label %316
+316:                                              ; preds = %305, %300
+  %317 = load ptr, ptr %97, align 8
+  tail call fastcc void @factorise(ptr noundef %317, i64 noundef %76) #8
+  br label %318
 
-316:                                              ; preds = %297, %314
-  %317 = load i64, ptr %147, align 8
-  %318 = load i64, ptr %148, align 8
-  %319 = mul nsw i64 %318, %317
-  %320 = icmp sgt i64 %319, 0
-  br i1 %320, label %321, label %332
+318:                                              ; preds = %299, %316
+  %319 = load i64, ptr %148, align 8
+  %320 = load i64, ptr %149, align 8
+  %321 = mul nsw i64 %320, %319
+  %322 = icmp sgt i64 %321, 0
+  br i1 %322, label %323, label %334
 
-321:                                              ; preds = %316, %321
-  %322 = phi i64 [ %327, %321 ], [ 0, %316 ]
-  %323 = getelementptr inbounds double, ptr %49, i64 %322
-  %324 = load double, ptr %323, align 8
-  %325 = load ptr, ptr %146, align 8
-  %326 = getelementptr inbounds double, ptr %325, i64 %322
-  store double %324, ptr %326, align 8
-  %327 = add nuw nsw i64 %322, 1
-  %328 = load i64, ptr %147, align 8
-  %329 = load i64, ptr %148, align 8
-  %330 = mul nsw i64 %329, %328
-  %331 = icmp slt i64 %327, %330
-  br i1 %331, label %321, label %332, !llvm.loop !15
+323:                                              ; preds = %318, %323
+  %324 = phi i64 [ %329, %323 ], [ 0, %318 ]
+  %325 = getelementptr inbounds double, ptr %49, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = load ptr, ptr %147, align 8
+  %328 = getelementptr inbounds double, ptr %327, i64 %324
+  store double %326, ptr %328, align 8
+  %329 = add nuw nsw i64 %324, 1
+  %330 = load i64, ptr %148, align 8
+  %331 = load i64, ptr %149, align 8
+  %332 = mul nsw i64 %331, %330
+  %333 = icmp slt i64 %329, %332
+  br i1 %333, label %323, label %334, !llvm.loop !15
 
-332:                                              ; preds = %321, %316
-  %333 = load ptr, ptr %149, align 8
-  br i1 %150, label %334, label %343
+334:                                              ; preds = %323, %318
+  %335 = load ptr, ptr %150, align 8
+  br i1 %151, label %336, label %345
 
-334:                                              ; preds = %332, %334
-  %335 = phi i64 [ %341, %334 ], [ 0, %332 ]
-  %336 = shl nsw i64 %335, 6
-  %337 = getelementptr inbounds i8, ptr %106, i64 %336
-  %338 = load <8 x double>, ptr %337, align 8
-  %339 = fneg <8 x double> %338
-  %340 = getelementptr inbounds i8, ptr %333, i64 %336
-  store <8 x double> %339, ptr %340, align 8
-  %341 = add nuw nsw i64 %335, 1
-  %342 = icmp eq i64 %341, %119
-  br i1 %342, label %343, label %334, !llvm.loop !16
+336:                                              ; preds = %334, %336
+  %337 = phi i64 [ %343, %336 ], [ 0, %334 ]
+  %338 = shl nsw i64 %337, 6
+  %339 = getelementptr inbounds i8, ptr %106, i64 %338
+  %340 = load <8 x double>, ptr %339, align 8
+  %341 = fneg <8 x double> %340
+  %342 = getelementptr inbounds i8, ptr %335, i64 %338
+  store <8 x double> %341, ptr %342, align 8
+  %343 = add nuw nsw i64 %337, 1
+  %344 = icmp eq i64 %343, %120
+  br i1 %344, label %345, label %336, !llvm.loop !16
 
-343:                                              ; preds = %334, %332
+345:                                              ; preds = %336, %334
   call fastcc void @move_positions(ptr noundef nonnull %6, ptr noundef %2) #8
-  br label %344
+  br label %346
 
-344:                                              ; preds = %343, %279
-  %345 = phi <8 x double> [ %178, %343 ], [ %171, %279 ]
-  %346 = phi i64 [ %169, %343 ], [ %295, %279 ]
-  br i1 %296, label %347, label %157
+346:                                              ; preds = %345, %281
+  %347 = phi <8 x double> [ %180, %345 ], [ %173, %281 ]
+  %348 = phi i64 [ %171, %345 ], [ %297, %281 ]
+  br i1 %298, label %349, label %158
 
-347:                                              ; preds = %344, %157, %102
-  %348 = phi <8 x double> [ zeroinitializer, %102 ], [ %280, %157 ], [ %280, %344 ]
-  %349 = phi i64 [ %96, %102 ], [ %346, %344 ], [ %96, %157 ]
-  %350 = load i64, ptr %16, align 8
-  %351 = icmp eq i64 %350, 0
-  %352 = icmp eq i64 %349, %4
-  %353 = select i1 %351, i1 true, i1 %352
-  br i1 %353, label %359, label %354
+349:                                              ; preds = %346, %158, %102
+  %350 = phi <8 x double> [ zeroinitializer, %102 ], [ %282, %158 ], [ %282, %346 ]
+  %351 = phi i64 [ %96, %102 ], [ %348, %346 ], [ %96, %158 ]
+  %352 = load i64, ptr %16, align 8
+  %353 = icmp eq i64 %352, 0
+  %354 = icmp eq i64 %351, %4
+  %355 = select i1 %353, i1 true, i1 %354
+  br i1 %355, label %361, label %356
 
-354:                                              ; preds = %347
-  %355 = icmp sgt i64 %350, 0
-  br i1 %355, label %356, label %365
+356:                                              ; preds = %349
+  %357 = icmp sgt i64 %352, 0
+  br i1 %357, label %358, label %367
 
-356:                                              ; preds = %354
-  %357 = load ptr, ptr %35, align 8
-  %358 = load i64, ptr %13, align 8
-  br label %372
+358:                                              ; preds = %356
+  %359 = load ptr, ptr %35, align 8
+  %360 = load i64, ptr %13, align 8
+  br label %374
 
-359:                                              ; preds = %347
-  %360 = fcmp ogt <8 x double> %348, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %361 = bitcast <8 x i1> %360 to i8
-  %362 = zext i8 %361 to i64
-  %363 = and i64 %362, %4
-  %364 = or i64 %363, %349
-  br label %643
+361:                                              ; preds = %349
+  %362 = fcmp ogt <8 x double> %350, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %363 = bitcast <8 x i1> %362 to i8
+  %364 = zext i8 %363 to i64
+  %365 = and i64 %364, %4
+  %366 = or i64 %365, %351
+  br label %645
 
-365:                                              ; preds = %372, %354
-  %366 = phi <8 x double> [ zeroinitializer, %354 ], [ %380, %372 ]
-  %367 = load i64, ptr %22, align 8
-  %368 = mul nsw i64 %367, %350
-  %369 = icmp sgt i64 %368, 0
-  br i1 %369, label %370, label %383
+367:                                              ; preds = %374, %356
+  %368 = phi <8 x double> [ zeroinitializer, %356 ], [ %382, %374 ]
+  %369 = load i64, ptr %22, align 8
+  %370 = mul nsw i64 %369, %352
+  %371 = icmp sgt i64 %370, 0
+  br i1 %371, label %372, label %385
 
-370:                                              ; preds = %365
-  %371 = load ptr, ptr %40, align 8
-  br label %394
+372:                                              ; preds = %367
+  %373 = load ptr, ptr %40, align 8
+  br label %396
 
-372:                                              ; preds = %356, %372
-  %373 = phi i64 [ 0, %356 ], [ %381, %372 ]
-  %374 = phi <8 x double> [ zeroinitializer, %356 ], [ %380, %372 ]
-  %375 = add nsw i64 %358, %373
-  %376 = shl nsw i64 %375, 6
-  %377 = getelementptr inbounds i8, ptr %357, i64 %376
-  %378 = load <8 x double>, ptr %377, align 8
-  %379 = fmul <8 x double> %378, zeroinitializer
-  %380 = fadd <8 x double> %374, %379
-  %381 = add nuw nsw i64 %373, 1
-  %382 = icmp eq i64 %381, %350
-  br i1 %382, label %365, label %372, !llvm.loop !17
+374:                                              ; preds = %358, %374
+  %375 = phi i64 [ 0, %358 ], [ %383, %374 ]
+  %376 = phi <8 x double> [ zeroinitializer, %358 ], [ %382, %374 ]
+  %377 = add nsw i64 %360, %375
+  %378 = shl nsw i64 %377, 6
+  %379 = getelementptr inbounds i8, ptr %359, i64 %378
+  %380 = load <8 x double>, ptr %379, align 8
+  %381 = fmul <8 x double> %380, zeroinitializer
+  %382 = fadd <8 x double> %376, %381
+  %383 = add nuw nsw i64 %375, 1
+  %384 = icmp eq i64 %383, %352
+  br i1 %384, label %367, label %374, !llvm.loop !17
 
-383:                                              ; preds = %394, %365
-  %384 = phi <8 x double> [ %366, %365 ], [ %401, %394 ]
-  %385 = fcmp oeq <8 x double> %384, zeroinitializer
-  %386 = bitcast <8 x i1> %385 to i8
-  %387 = zext i8 %386 to i64
-  %388 = xor i64 %387, -1
-  %389 = and i64 %388, %4
-  %390 = or i64 %389, %349
-  %391 = xor i64 %390, -1
-  %392 = and i64 %391, %4
-  store i64 %392, ptr %34, align 8
-  %393 = icmp eq ptr %65, null
-  br i1 %393, label %491, label %404
+385:                                              ; preds = %396, %367
+  %386 = phi <8 x double> [ %368, %367 ], [ %403, %396 ]
+  %387 = fcmp oeq <8 x double> %386, zeroinitializer
+  %388 = bitcast <8 x i1> %387 to i8
+  %389 = zext i8 %388 to i64
+  %390 = xor i64 %389, -1
+  %391 = and i64 %390, %4
+  %392 = or i64 %391, %351
+  %393 = xor i64 %392, -1
+  %394 = and i64 %393, %4
+  store i64 %394, ptr %34, align 8
+  %395 = icmp eq ptr %65, null
+  br i1 %395, label %493, label %406
 
-394:                                              ; preds = %370, %394
-  %395 = phi i64 [ 0, %370 ], [ %402, %394 ]
-  %396 = phi <8 x double> [ %366, %370 ], [ %401, %394 ]
-  %397 = shl nsw i64 %395, 6
-  %398 = getelementptr inbounds i8, ptr %371, i64 %397
-  %399 = load <8 x double>, ptr %398, align 8
-  %400 = fmul <8 x double> %399, zeroinitializer
-  %401 = fadd <8 x double> %396, %400
-  %402 = add nuw nsw i64 %395, 1
-  %403 = icmp eq i64 %402, %368
-  br i1 %403, label %383, label %394, !llvm.loop !18
+396:                                              ; preds = %372, %396
+  %397 = phi i64 [ 0, %372 ], [ %404, %396 ]
+  %398 = phi <8 x double> [ %368, %372 ], [ %403, %396 ]
+  %399 = shl nsw i64 %397, 6
+  %400 = getelementptr inbounds i8, ptr %373, i64 %399
+  %401 = load <8 x double>, ptr %400, align 8
+  %402 = fmul <8 x double> %401, zeroinitializer
+  %403 = fadd <8 x double> %398, %402
+  %404 = add nuw nsw i64 %397, 1
+  %405 = icmp eq i64 %404, %370
+  br i1 %405, label %385, label %396, !llvm.loop !18
 
-404:                                              ; preds = %383
-  %405 = load i64, ptr %19, align 8
-  %406 = load ptr, ptr %35, align 8
-  %407 = load i64, ptr %13, align 8
-  %408 = shl nsw i64 %407, 6
-  %409 = getelementptr inbounds i8, ptr %406, i64 %408
-  %410 = load ptr, ptr %40, align 8
-  %411 = icmp sgt i64 %350, 0
-  br i1 %411, label %412, label %487
+406:                                              ; preds = %385
+  %407 = load i64, ptr %19, align 8
+  %408 = load ptr, ptr %35, align 8
+  %409 = load i64, ptr %13, align 8
+  %410 = shl nsw i64 %409, 6
+  %411 = getelementptr inbounds i8, ptr %408, i64 %410
+  %412 = load ptr, ptr %40, align 8
+  %413 = icmp sgt i64 %352, 0
+  br i1 %413, label %414, label %489
 
-412:                                              ; preds = %404
-  %413 = load i64, ptr %31, align 8
-  %414 = icmp slt i64 %413, %350
-  %415 = icmp sgt i64 %367, 0
-  %416 = getelementptr inbounds i8, ptr %0, i64 624
-  %417 = getelementptr inbounds i8, ptr %0, i64 600
-  %418 = select i1 %414, double 1.000000e-05, double 0x3CE0000000000000
-  %419 = insertelement <8 x double> poison, double %418, i64 0
-  %420 = shufflevector <8 x double> %419, <8 x double> poison, <8 x i32> zeroinitializer
-  %421 = add nsw i64 %405, %367
-  %422 = sitofp i64 %421 to double
-  %423 = insertelement <8 x double> poison, double %422, i64 0
-  %424 = shufflevector <8 x double> %423, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %425
+414:                                              ; preds = %406
+  %415 = load i64, ptr %31, align 8
+  %416 = icmp slt i64 %415, %352
+  %417 = icmp sgt i64 %369, 0
+  %418 = getelementptr inbounds i8, ptr %0, i64 624
+  %419 = getelementptr inbounds i8, ptr %0, i64 600
+  %420 = select i1 %416, double 1.000000e-05, double 0x3CE0000000000000
+  %421 = insertelement <8 x double> poison, double %420, i64 0
+  %422 = shufflevector <8 x double> %421, <8 x double> poison, <8 x i32> zeroinitializer
+  %423 = add nsw i64 %407, %369
+  %424 = sitofp i64 %423 to double
+  %425 = insertelement <8 x double> poison, double %424, i64 0
+  %426 = shufflevector <8 x double> %425, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %427
 
-425:                                              ; preds = %412, %432
-  %426 = phi <8 x double> [ zeroinitializer, %412 ], [ %448, %432 ]
-  %427 = phi i64 [ 0, %412 ], [ %449, %432 ]
-  br i1 %415, label %428, label %432
+427:                                              ; preds = %414, %434
+  %428 = phi <8 x double> [ zeroinitializer, %414 ], [ %450, %434 ]
+  %429 = phi i64 [ 0, %414 ], [ %451, %434 ]
+  br i1 %417, label %430, label %434
 
-428:                                              ; preds = %425
-  %429 = mul nuw nsw i64 %427, %367
-  %430 = load ptr, ptr %416, align 8
-  %431 = load ptr, ptr %417, align 8
-  br label %451
+430:                                              ; preds = %427
+  %431 = mul nuw nsw i64 %429, %369
+  %432 = load ptr, ptr %418, align 8
+  %433 = load ptr, ptr %419, align 8
+  br label %453
 
-432:                                              ; preds = %451, %425
-  %433 = phi <8 x double> [ zeroinitializer, %425 ], [ %484, %451 ]
-  %434 = phi <8 x double> [ zeroinitializer, %425 ], [ %481, %451 ]
-  %435 = fmul <8 x double> %420, %433
-  %436 = fmul <8 x double> %424, %434
-  %437 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %436)
-  %438 = fmul <8 x double> %437, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
-  %439 = fadd <8 x double> %435, %438
-  %440 = fcmp ogt <8 x double> %434, zeroinitializer
-  %441 = shl nsw i64 %427, 6
-  %442 = getelementptr inbounds i8, ptr %409, i64 %441
-  %443 = load <8 x double>, ptr %442, align 8
-  %444 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %443)
-  %445 = fdiv <8 x double> %444, %439
-  %446 = fcmp ogt <8 x double> %445, %426
-  %447 = select <8 x i1> %440, <8 x i1> %446, <8 x i1> zeroinitializer
-  %448 = select <8 x i1> %447, <8 x double> %445, <8 x double> %426
-  %449 = add nuw nsw i64 %427, 1
-  %450 = icmp eq i64 %449, %350
-  br i1 %450, label %487, label %425, !llvm.loop !13
+434:                                              ; preds = %453, %427
+  %435 = phi <8 x double> [ zeroinitializer, %427 ], [ %486, %453 ]
+  %436 = phi <8 x double> [ zeroinitializer, %427 ], [ %483, %453 ]
+  %437 = fmul <8 x double> %422, %435
+  %438 = fmul <8 x double> %426, %436
+  %439 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %438)
+  %440 = fmul <8 x double> %439, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
+  %441 = fadd <8 x double> %437, %440
+  %442 = fcmp ogt <8 x double> %436, zeroinitializer
+  %443 = shl nsw i64 %429, 6
+  %444 = getelementptr inbounds i8, ptr %411, i64 %443
+  %445 = load <8 x double>, ptr %444, align 8
+  %446 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %445)
+  %447 = fdiv <8 x double> %446, %441
+  %448 = fcmp ogt <8 x double> %447, %428
+  %449 = select <8 x i1> %442, <8 x i1> %448, <8 x i1> zeroinitializer
+  %450 = select <8 x i1> %449, <8 x double> %447, <8 x double> %428
+  %451 = add nuw nsw i64 %429, 1
+  %452 = icmp eq i64 %451, %352
+  br i1 %452, label %489, label %427, !llvm.loop !13
 
-451:                                              ; preds = %428, %451
-  %452 = phi <8 x double> [ zeroinitializer, %428 ], [ %481, %451 ]
-  %453 = phi i64 [ 0, %428 ], [ %485, %451 ]
-  %454 = phi <8 x double> [ zeroinitializer, %428 ], [ %484, %451 ]
-  %455 = add nuw nsw i64 %453, %429
-  %456 = shl nsw i64 %455, 6
-  %457 = getelementptr inbounds i8, ptr %410, i64 %456
-  %458 = load <8 x double>, ptr %457, align 8
-  %459 = add nsw i64 %453, %405
-  %460 = shl nsw i64 %459, 6
-  %461 = getelementptr inbounds i8, ptr %2, i64 %460
-  %462 = load <8 x double>, ptr %461, align 8
-  %463 = getelementptr inbounds i8, ptr %65, i64 %460
+453:                                              ; preds = %430, %453
+  %454 = phi <8 x double> [ zeroinitializer, %430 ], [ %483, %453 ]
+  %455 = phi i64 [ 0, %430 ], [ %487, %453 ]
+  %456 = phi <8 x double> [ zeroinitializer, %430 ], [ %486, %453 ]
+  %457 = add nuw nsw i64 %455, %431
+  %458 = shl nsw i64 %457, 6
+  %459 = getelementptr inbounds i8, ptr %412, i64 %458
+  %460 = load <8 x double>, ptr %459, align 8
+  %461 = add nsw i64 %455, %407
+  %462 = shl nsw i64 %461, 6
+  %463 = getelementptr inbounds i8, ptr %2, i64 %462
   %464 = load <8 x double>, ptr %463, align 8
-  %465 = getelementptr inbounds double, ptr %430, i64 %459
-  %466 = load double, ptr %465, align 8
-  %467 = insertelement <8 x double> poison, double %466, i64 0
-  %468 = shufflevector <8 x double> %467, <8 x double> poison, <8 x i32> zeroinitializer
-  %469 = getelementptr inbounds double, ptr %431, i64 %459
-  %470 = load double, ptr %469, align 8
-  %471 = insertelement <8 x double> poison, double %470, i64 0
-  %472 = shufflevector <8 x double> %471, <8 x double> poison, <8 x i32> zeroinitializer
-  %473 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %464)
-  %474 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %462)
-  %475 = fcmp ogt <8 x double> %473, %474
-  %476 = select <8 x i1> %475, <8 x double> %473, <8 x double> %474
-  %477 = fmul <8 x double> %476, %472
-  %478 = fadd <8 x double> %468, %477
-  %479 = fmul <8 x double> %458, %478
-  %480 = fmul <8 x double> %479, %479
-  %481 = fadd <8 x double> %452, %480
-  %482 = fmul <8 x double> %458, %462
-  %483 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %482)
-  %484 = fadd <8 x double> %454, %483
-  %485 = add nuw nsw i64 %453, 1
-  %486 = icmp eq i64 %485, %367
-  br i1 %486, label %432, label %451, !llvm.loop !14
+  %465 = getelementptr inbounds i8, ptr %65, i64 %462
+  %466 = load <8 x double>, ptr %465, align 8
+  %467 = getelementptr inbounds double, ptr %432, i64 %461
+  %468 = load double, ptr %467, align 8
+  %469 = insertelement <8 x double> poison, double %468, i64 0
+  %470 = shufflevector <8 x double> %469, <8 x double> poison, <8 x i32> zeroinitializer
+  %471 = getelementptr inbounds double, ptr %433, i64 %461
+  %472 = load double, ptr %471, align 8
+  %473 = insertelement <8 x double> poison, double %472, i64 0
+  %474 = shufflevector <8 x double> %473, <8 x double> poison, <8 x i32> zeroinitializer
+  %475 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %466)
+  %476 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %464)
+  %477 = fcmp ogt <8 x double> %475, %476
+  %478 = select <8 x i1> %477, <8 x double> %475, <8 x double> %476
+  %479 = fmul <8 x double> %478, %474
+  %480 = fadd <8 x double> %470, %479
+  %481 = fmul <8 x double> %460, %480
+  %482 = fmul <8 x double> %481, %481
+  %483 = fadd <8 x double> %454, %482
+  %484 = fmul <8 x double> %460, %464
+  %485 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %484)
+  %486 = fadd <8 x double> %456, %485
+  %487 = add nuw nsw i64 %455, 1
+  %488 = icmp eq i64 %487, %369
+  br i1 %488, label %434, label %453, !llvm.loop !14
 
-487:                                              ; preds = %432, %404
-  %488 = phi <8 x double> [ zeroinitializer, %404 ], [ %448, %432 ]
-  %489 = fcmp ogt <8 x double> %488, %348
-  %490 = select <8 x i1> %489, <8 x double> %488, <8 x double> %348
-  br label %491
+489:                                              ; preds = %434, %406
+  %490 = phi <8 x double> [ zeroinitializer, %406 ], [ %450, %434 ]
+  %491 = fcmp ogt <8 x double> %490, %350
+  %492 = select <8 x i1> %491, <8 x double> %490, <8 x double> %350
+  br label %493
 
-491:                                              ; preds = %487, %383
-  %492 = phi <8 x double> [ %348, %383 ], [ %490, %487 ]
-  %493 = load i64, ptr %25, align 8
-  %494 = icmp eq i64 %493, 1
-  br i1 %494, label %495, label %519
+493:                                              ; preds = %489, %385
+  %494 = phi <8 x double> [ %350, %385 ], [ %492, %489 ]
+  %495 = load i64, ptr %25, align 8
+  %496 = icmp eq i64 %495, 1
+  br i1 %496, label %497, label %521
 
-495:                                              ; preds = %491
-  %496 = load ptr, ptr %41, align 8
-  %497 = load ptr, ptr %6, align 8
-  %498 = getelementptr inbounds i8, ptr %497, i64 8
-  %499 = getelementptr inbounds i8, ptr %497, i64 16
-  %500 = load i64, ptr %498, align 8
-  %501 = load i64, ptr %499, align 8
-  %502 = mul nsw i64 %501, %500
-  %503 = icmp sgt i64 %502, 0
-  br i1 %503, label %504, label %515
+497:                                              ; preds = %493
+  %498 = load ptr, ptr %41, align 8
+  %499 = load ptr, ptr %6, align 8
+  %500 = getelementptr inbounds i8, ptr %499, i64 8
+  %501 = getelementptr inbounds i8, ptr %499, i64 16
+  %502 = load i64, ptr %500, align 8
+  %503 = load i64, ptr %501, align 8
+  %504 = mul nsw i64 %503, %502
+  %505 = icmp sgt i64 %504, 0
+  br i1 %505, label %506, label %517
 
-504:                                              ; preds = %495, %504
-  %505 = phi i64 [ %510, %504 ], [ 0, %495 ]
-  %506 = getelementptr inbounds double, ptr %496, i64 %505
-  %507 = load double, ptr %506, align 8
-  %508 = load ptr, ptr %497, align 8
-  %509 = getelementptr inbounds double, ptr %508, i64 %505
-  store double %507, ptr %509, align 8
-  %510 = add nuw nsw i64 %505, 1
-  %511 = load i64, ptr %498, align 8
-  %512 = load i64, ptr %499, align 8
-  %513 = mul nsw i64 %512, %511
-  %514 = icmp slt i64 %510, %513
-  br i1 %514, label %504, label %515, !llvm.loop !15
+506:                                              ; preds = %497, %506
+  %507 = phi i64 [ %512, %506 ], [ 0, %497 ]
+  %508 = getelementptr inbounds double, ptr %498, i64 %507
+  %509 = load double, ptr %508, align 8
+  %510 = load ptr, ptr %499, align 8
+  %511 = getelementptr inbounds double, ptr %510, i64 %507
+  store double %509, ptr %511, align 8
+  %512 = add nuw nsw i64 %507, 1
+  %513 = load i64, ptr %500, align 8
+  %514 = load i64, ptr %501, align 8
+  %515 = mul nsw i64 %514, %513
+  %516 = icmp slt i64 %512, %515
+  br i1 %516, label %506, label %517, !llvm.loop !15
 
-515:                                              ; preds = %504, %495
-  %516 = load ptr, ptr %6, align 8
-  %517 = load ptr, ptr %516, align 8
-  %518 = load i64, ptr %22, align 8
-  tail call fastcc void @factorise(ptr noundef %517, i64 noundef %518) #8
-  br label %519
+517:                                              ; preds = %506, %497
+  %518 = load ptr, ptr %6, align 8
+  %519 = load ptr, ptr %518, align 8
+  %520 = load i64, ptr %22, align 8
+  tail call fastcc void @factorise(ptr noundef %519, i64 noundef %520) #8
+  br label %521
 
-519:                                              ; preds = %491, %515
-  %520 = load ptr, ptr %35, align 8
-  %521 = load i64, ptr %13, align 8
-  %522 = shl nsw i64 %521, 6
-  %523 = getelementptr inbounds i8, ptr %520, i64 %522
-  %524 = load i64, ptr %16, align 8
-  %525 = load ptr, ptr %6, align 8
-  %526 = getelementptr inbounds i8, ptr %525, i64 144
-  %527 = load ptr, ptr %526, align 8
-  %528 = icmp sgt i64 %524, 0
-  br i1 %528, label %529, label %538
+521:                                              ; preds = %493, %517
+  %522 = load ptr, ptr %35, align 8
+  %523 = load i64, ptr %13, align 8
+  %524 = shl nsw i64 %523, 6
+  %525 = getelementptr inbounds i8, ptr %522, i64 %524
+  %526 = load i64, ptr %16, align 8
+  %527 = load ptr, ptr %6, align 8
+  %528 = getelementptr inbounds i8, ptr %527, i64 144
+  %529 = load ptr, ptr %528, align 8
+  %530 = icmp sgt i64 %526, 0
+  br i1 %530, label %531, label %540
 
-529:                                              ; preds = %519, %529
-  %530 = phi i64 [ %536, %529 ], [ 0, %519 ]
-  %531 = shl nsw i64 %530, 6
-  %532 = getelementptr inbounds i8, ptr %523, i64 %531
-  %533 = load <8 x double>, ptr %532, align 8
-  %534 = fneg <8 x double> %533
-  %535 = getelementptr inbounds i8, ptr %527, i64 %531
-  store <8 x double> %534, ptr %535, align 8
-  %536 = add nuw nsw i64 %530, 1
-  %537 = icmp eq i64 %536, %524
-  br i1 %537, label %538, label %529, !llvm.loop !16
+531:                                              ; preds = %521, %531
+  %532 = phi i64 [ %538, %531 ], [ 0, %521 ]
+  %533 = shl nsw i64 %532, 6
+  %534 = getelementptr inbounds i8, ptr %525, i64 %533
+  %535 = load <8 x double>, ptr %534, align 8
+  %536 = fneg <8 x double> %535
+  %537 = getelementptr inbounds i8, ptr %529, i64 %533
+  store <8 x double> %536, ptr %537, align 8
+  %538 = add nuw nsw i64 %532, 1
+  %539 = icmp eq i64 %538, %526
+  br i1 %539, label %540, label %531, !llvm.loop !16
 
-538:                                              ; preds = %529, %519
+540:                                              ; preds = %531, %521
   call fastcc void @move_speeds(ptr noundef nonnull %6, ptr noundef %2) #8
-  %539 = load ptr, ptr %66, align 8
-  %540 = getelementptr inbounds i8, ptr %539, i64 8
-  %541 = load i64, ptr %540, align 8
-  %542 = load ptr, ptr %43, align 8
-  %543 = load i64, ptr %34, align 8
-  %544 = trunc i64 %543 to i8
-  %545 = bitcast i8 %544 to <8 x i1>
-  %546 = load i64, ptr %16, align 8
-  %547 = icmp sgt i64 %546, 0
-  br i1 %547, label %548, label %555
+  %541 = load ptr, ptr %66, align 8
+  %542 = getelementptr inbounds i8, ptr %541, i64 8
+  %543 = load i64, ptr %542, align 8
+  %544 = load ptr, ptr %43, align 8
+  %545 = load i64, ptr %34, align 8
+  %546 = trunc i64 %545 to i8
+  %547 = bitcast i8 %546 to <8 x i1>
+  %548 = load i64, ptr %16, align 8
+  %549 = icmp sgt i64 %548, 0
+  br i1 %549, label %550, label %557
 
-548:                                              ; preds = %538
-  %549 = load ptr, ptr %6, align 8
-  %550 = getelementptr inbounds i8, ptr %549, i64 216
-  %551 = add nsw i64 %541, 4
-  %552 = getelementptr inbounds i8, ptr %549, i64 192
-  br label %597
+550:                                              ; preds = %540
+  %551 = load ptr, ptr %6, align 8
+  %552 = getelementptr inbounds i8, ptr %551, i64 216
+  %553 = add nsw i64 %543, 4
+  %554 = getelementptr inbounds i8, ptr %551, i64 192
+  br label %599
 
-553:                                              ; preds = %597
-  %554 = bitcast <8 x double> %621 to <8 x i64>
-  br label %555
+555:                                              ; preds = %599
+  %556 = bitcast <8 x double> %623 to <8 x i64>
+  br label %557
 
-555:                                              ; preds = %553, %538
-  %556 = phi <8 x double> [ zeroinitializer, %538 ], [ %617, %553 ]
-  %557 = phi <8 x i64> [ <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, %538 ], [ %554, %553 ]
-  %558 = load <8 x double>, ptr %542, align 8
-  %559 = getelementptr inbounds i8, ptr %542, i64 128
-  %560 = load <8 x double>, ptr %559, align 8
-  %561 = fcmp ogt <8 x double> %556, %558
-  %562 = select <8 x i1> %561, <8 x i1> %545, <8 x i1> zeroinitializer
-  %563 = select <8 x i1> %562, <8 x double> %556, <8 x double> %558
-  store <8 x double> %563, ptr %542, align 8
-  %564 = getelementptr inbounds i8, ptr %542, i64 64
-  %565 = load <8 x i64>, ptr %564, align 8
-  %566 = select <8 x i1> %562, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %565
-  %567 = bitcast <8 x i64> %566 to <8 x double>
-  %568 = fcmp olt <8 x double> %556, %558
-  %569 = select <8 x i1> %568, <8 x i64> zeroinitializer, <8 x i64> %557
-  %570 = bitcast <8 x i64> %569 to <8 x double>
-  %571 = fcmp ogt <8 x double> %560, %570
-  %572 = bitcast <8 x double> %560 to <8 x i64>
-  %573 = select <8 x i1> %571, <8 x i64> %569, <8 x i64> %572
-  %574 = bitcast <8 x i64> %573 to <8 x double>
-  %575 = select <8 x i1> %545, <8 x i64> %569, <8 x i64> %572
-  store <8 x i64> %575, ptr %559, align 8
-  %576 = fcmp oge <8 x double> %574, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
-  %577 = fmul <8 x double> %492, %574
-  %578 = fmul <8 x double> %577, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
-  %579 = fcmp ogt <8 x double> %578, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %580 = or <8 x i1> %579, %576
-  %581 = load i64, ptr %34, align 8
-  %582 = fcmp ogt <8 x double> %492, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %583 = and <8 x i1> %580, %582
-  %584 = bitcast <8 x i1> %583 to i8
-  %585 = zext i8 %584 to i64
-  %586 = and i64 %581, %585
-  %587 = xor i64 %586, %581
-  %588 = trunc i64 %587 to i8
-  %589 = bitcast i8 %588 to <8 x i1>
-  %590 = fcmp olt <8 x double> %570, %567
-  %591 = fcmp ogt <8 x double> %567, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %592 = select <8 x i1> %591, <8 x i1> %590, <8 x i1> zeroinitializer
-  %593 = select <8 x i1> %592, <8 x i1> %589, <8 x i1> zeroinitializer
-  %594 = select <8 x i1> %593, <8 x i64> %569, <8 x i64> %566
-  store <8 x i64> %594, ptr %564, align 8
-  %595 = bitcast <8 x i1> %593 to i8
-  %596 = icmp eq i8 %595, 0
-  br i1 %596, label %641, label %624
+557:                                              ; preds = %555, %540
+  %558 = phi <8 x double> [ zeroinitializer, %540 ], [ %619, %555 ]
+  %559 = phi <8 x i64> [ <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, %540 ], [ %556, %555 ]
+  %560 = load <8 x double>, ptr %544, align 8
+  %561 = getelementptr inbounds i8, ptr %544, i64 128
+  %562 = load <8 x double>, ptr %561, align 8
+  %563 = fcmp ogt <8 x double> %558, %560
+  %564 = select <8 x i1> %563, <8 x i1> %547, <8 x i1> zeroinitializer
+  %565 = select <8 x i1> %564, <8 x double> %558, <8 x double> %560
+  store <8 x double> %565, ptr %544, align 8
+  %566 = getelementptr inbounds i8, ptr %544, i64 64
+  %567 = load <8 x i64>, ptr %566, align 8
+  %568 = select <8 x i1> %564, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %567
+  %569 = bitcast <8 x i64> %568 to <8 x double>
+  %570 = fcmp olt <8 x double> %558, %560
+  %571 = select <8 x i1> %570, <8 x i64> zeroinitializer, <8 x i64> %559
+  %572 = bitcast <8 x i64> %571 to <8 x double>
+  %573 = fcmp ogt <8 x double> %562, %572
+  %574 = bitcast <8 x double> %562 to <8 x i64>
+  %575 = select <8 x i1> %573, <8 x i64> %571, <8 x i64> %574
+  %576 = bitcast <8 x i64> %575 to <8 x double>
+  %577 = select <8 x i1> %547, <8 x i64> %571, <8 x i64> %574
+  store <8 x i64> %577, ptr %561, align 8
+  %578 = fcmp oge <8 x double> %576, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
+  %579 = fmul <8 x double> %494, %576
+  %580 = fmul <8 x double> %579, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
+  %581 = fcmp ogt <8 x double> %580, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %582 = or <8 x i1> %581, %578
+  %583 = load i64, ptr %34, align 8
+  %584 = fcmp ogt <8 x double> %494, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %585 = and <8 x i1> %582, %584
+  %586 = bitcast <8 x i1> %585 to i8
+  %587 = zext i8 %586 to i64
+  %588 = and i64 %583, %587
+  %589 = xor i64 %588, %583
+  %590 = trunc i64 %589 to i8
+  %591 = bitcast i8 %590 to <8 x i1>
+  %592 = fcmp olt <8 x double> %572, %569
+  %593 = fcmp ogt <8 x double> %569, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %594 = select <8 x i1> %593, <8 x i1> %592, <8 x i1> zeroinitializer
+  %595 = select <8 x i1> %594, <8 x i1> %591, <8 x i1> zeroinitializer
+  %596 = select <8 x i1> %595, <8 x i64> %571, <8 x i64> %568
+  store <8 x i64> %596, ptr %566, align 8
+  %597 = bitcast <8 x i1> %595 to i8
+  %598 = icmp eq i8 %597, 0
+  br i1 %598, label %643, label %626
 
-597:                                              ; preds = %548, %597
-  %598 = phi <8 x double> [ <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %548 ], [ %621, %597 ]
-  %599 = phi <8 x double> [ zeroinitializer, %548 ], [ %617, %597 ]
-  %600 = phi i64 [ 0, %548 ], [ %622, %597 ]
-  %601 = load ptr, ptr %550, align 8
-  %602 = shl nsw i64 %600, 6
-  %603 = getelementptr inbounds i8, ptr %601, i64 %602
-  %604 = load <8 x double>, ptr %603, align 8
-  %605 = add nsw i64 %551, %600
-  %606 = shl nsw i64 %605, 6
-  %607 = getelementptr inbounds i8, ptr %542, i64 %606
-  %608 = load <8 x double>, ptr %607, align 8
-  %609 = load ptr, ptr %552, align 8
-  %610 = getelementptr inbounds i8, ptr %609, i64 %602
-  %611 = load <8 x double>, ptr %610, align 8
-  %612 = fcmp ogt <8 x double> %611, %608
-  %613 = select <8 x i1> %612, <8 x double> %611, <8 x double> %608
-  %614 = select <8 x i1> %545, <8 x double> %613, <8 x double> %608
-  store <8 x double> %614, ptr %607, align 8
-  %615 = fcmp ogt <8 x double> %604, zeroinitializer
-  %616 = fadd <8 x double> %599, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %617 = select <8 x i1> %615, <8 x double> %616, <8 x double> %599
-  %618 = fdiv <8 x double> %604, %613
-  %619 = fcmp olt <8 x double> %618, %598
-  %620 = select <8 x i1> %615, <8 x i1> %619, <8 x i1> zeroinitializer
-  %621 = select <8 x i1> %620, <8 x double> %618, <8 x double> %598
-  %622 = add nuw nsw i64 %600, 1
-  %623 = icmp eq i64 %622, %546
-  br i1 %623, label %553, label %597, !llvm.loop !19
+599:                                              ; preds = %550, %599
+  %600 = phi <8 x double> [ <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %550 ], [ %623, %599 ]
+  %601 = phi <8 x double> [ zeroinitializer, %550 ], [ %619, %599 ]
+  %602 = phi i64 [ 0, %550 ], [ %624, %599 ]
+  %603 = load ptr, ptr %552, align 8
+  %604 = shl nsw i64 %602, 6
+  %605 = getelementptr inbounds i8, ptr %603, i64 %604
+  %606 = load <8 x double>, ptr %605, align 8
+  %607 = add nsw i64 %553, %602
+  %608 = shl nsw i64 %607, 6
+  %609 = getelementptr inbounds i8, ptr %544, i64 %608
+  %610 = load <8 x double>, ptr %609, align 8
+  %611 = load ptr, ptr %554, align 8
+  %612 = getelementptr inbounds i8, ptr %611, i64 %604
+  %613 = load <8 x double>, ptr %612, align 8
+  %614 = fcmp ogt <8 x double> %613, %610
+  %615 = select <8 x i1> %614, <8 x double> %613, <8 x double> %610
+  %616 = select <8 x i1> %547, <8 x double> %615, <8 x double> %610
+  store <8 x double> %616, ptr %609, align 8
+  %617 = fcmp ogt <8 x double> %606, zeroinitializer
+  %618 = fadd <8 x double> %601, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %619 = select <8 x i1> %617, <8 x double> %618, <8 x double> %601
+  %620 = fdiv <8 x double> %606, %615
+  %621 = fcmp olt <8 x double> %620, %600
+  %622 = select <8 x i1> %617, <8 x i1> %621, <8 x i1> zeroinitializer
+  %623 = select <8 x i1> %622, <8 x double> %620, <8 x double> %600
+  %624 = add nuw nsw i64 %602, 1
+  %625 = icmp eq i64 %624, %548
+  br i1 %625, label %555, label %599, !llvm.loop !19
 
-624:                                              ; preds = %555
-  %625 = getelementptr inbounds i8, ptr %542, i64 192
-  %626 = load <8 x double>, ptr %625, align 8
-  %627 = select <8 x i1> %593, <8 x double> %7, <8 x double> %626
-  store <8 x double> %627, ptr %625, align 8
-  %628 = getelementptr i8, ptr %542, i64 256
-  %629 = icmp sgt i64 %541, 0
-  br i1 %629, label %630, label %641
+626:                                              ; preds = %557
+  %627 = getelementptr inbounds i8, ptr %544, i64 192
+  %628 = load <8 x double>, ptr %627, align 8
+  %629 = select <8 x i1> %595, <8 x double> %7, <8 x double> %628
+  store <8 x double> %629, ptr %627, align 8
+  %630 = getelementptr i8, ptr %544, i64 256
+  %631 = icmp sgt i64 %543, 0
+  br i1 %631, label %632, label %643
 
-630:                                              ; preds = %624, %630
-  %631 = phi i64 [ %639, %630 ], [ 0, %624 ]
-  %632 = shl nsw i64 %631, 6
-  %633 = getelementptr inbounds i8, ptr %2, i64 %632
-  %634 = load <8 x i64>, ptr %633, align 8
-  %635 = shl i64 %631, 6
-  %636 = getelementptr i8, ptr %628, i64 %635
-  %637 = load <8 x i64>, ptr %636, align 8
-  %638 = select <8 x i1> %593, <8 x i64> %634, <8 x i64> %637
-  store <8 x i64> %638, ptr %636, align 8
-  %639 = add nuw nsw i64 %631, 1
-  %640 = icmp eq i64 %639, %541
-  br i1 %640, label %641, label %630, !llvm.loop !20
+632:                                              ; preds = %626, %632
+  %633 = phi i64 [ %641, %632 ], [ 0, %626 ]
+  %634 = shl nsw i64 %633, 6
+  %635 = getelementptr inbounds i8, ptr %2, i64 %634
+  %636 = load <8 x i64>, ptr %635, align 8
+  %637 = shl i64 %633, 6
+  %638 = getelementptr i8, ptr %630, i64 %637
+  %639 = load <8 x i64>, ptr %638, align 8
+  %640 = select <8 x i1> %595, <8 x i64> %636, <8 x i64> %639
+  store <8 x i64> %640, ptr %638, align 8
+  %641 = add nuw nsw i64 %633, 1
+  %642 = icmp eq i64 %641, %543
+  br i1 %642, label %643, label %632, !llvm.loop !20
 
-641:                                              ; preds = %630, %624, %555
-  %642 = or i64 %586, %390
-  br label %643
+643:                                              ; preds = %632, %626, %557
+  %644 = or i64 %588, %392
+  br label %645
 
-643:                                              ; preds = %359, %641
-  %644 = phi i64 [ %364, %359 ], [ %642, %641 ]
-  ret i64 %644
+645:                                              ; preds = %361, %643
+  %646 = phi i64 [ %366, %361 ], [ %644, %643 ]
+  ret i64 %646
 }
 
 

@@ -1,4 +1,4 @@
-; sources 81c0668eafa9d145602e1fe87d7fe5ffe5d328d2c0485fa0a68c2fbf6985b01a
+; sources acdb501c9a1f34064e6234d2c257f0b22bd85c024ba09101c0cc5c0cf09a8a0c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -58,11 +58,11 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 
 47:                                               ; preds = %44
   %48 = icmp sgt i64 %12, 0
-  br i1 %48, label %49, label %99
+  br i1 %48, label %49, label %100
 
 49:                                               ; preds = %47
   %50 = getelementptr inbounds i8, ptr %0, i64 816
-  br label %95
+  br label %96
 
 51:                                               ; preds = %3, %44
   %52 = phi i64 [ %43, %3 ], [ %45, %44 ]
@@ -110,1286 +110,1292 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %86 = mul nsw i64 %85, %55
   %87 = getelementptr inbounds double, ptr %83, i64 %86
   %88 = inttoptr i64 %78 to ptr
-  %89 = tail call i32 %88(ptr noundef %79, ptr noundef %80, ptr noundef %81, ptr noundef %82, ptr noundef %87) #9
-  %90 = icmp slt i32 %89, 0
-  br i1 %90, label %91, label %44
+  %89 = load ptr, ptr %88, align 8
+  %90 = tail call i32 %89(ptr noundef %79, ptr noundef %80, ptr noundef %81, ptr noundef %82, ptr noundef %87) #9
+  %91 = icmp slt i32 %90, 0
+  br i1 %91, label %92, label %44
 
-91:                                               ; preds = %76
-  %92 = load ptr, ptr %20, align 8
-  %93 = getelementptr inbounds i8, ptr %92, i64 80
-  store i64 %23, ptr %93, align 8
-  %94 = load ptr, ptr %19, align 8
-  br label %965
+92:                                               ; preds = %76
+  %93 = load ptr, ptr %20, align 8
+  %94 = getelementptr inbounds i8, ptr %93, i64 80
+  store i64 %23, ptr %94, align 8
+  %95 = load ptr, ptr %19, align 8
+  br label %971
 
-95:                                               ; preds = %49, %115
-  %96 = phi i64 [ 0, %49 ], [ %116, %115 ]
-  %97 = load double, ptr %30, align 8
-  %98 = fcmp une double %97, %1
-  br i1 %98, label %101, label %99
+96:                                               ; preds = %49, %116
+  %97 = phi i64 [ 0, %49 ], [ %117, %116 ]
+  %98 = load double, ptr %30, align 8
+  %99 = fcmp une double %98, %1
+  br i1 %99, label %102, label %100
 
-99:                                               ; preds = %95, %115, %47
-  %100 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %100, label %969 [
-    i64 0, label %122
-    i64 -4, label %118
+100:                                              ; preds = %96, %116, %47
+  %101 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %101, label %975 [
+    i64 0, label %123
+    i64 -4, label %119
   ]
 
-101:                                              ; preds = %95
-  %102 = load ptr, ptr %50, align 8
-  %103 = getelementptr inbounds i64, ptr %102, i64 %96
-  %104 = load i64, ptr %103, align 8
-  %105 = and i64 %104, 2
-  %106 = icmp eq i64 %105, 0
-  br i1 %106, label %115, label %107
+102:                                              ; preds = %96
+  %103 = load ptr, ptr %50, align 8
+  %104 = getelementptr inbounds i64, ptr %103, i64 %97
+  %105 = load i64, ptr %104, align 8
+  %106 = and i64 %105, 2
+  %107 = icmp eq i64 %106, 0
+  br i1 %107, label %116, label %108
 
-107:                                              ; preds = %101
-  %108 = getelementptr inbounds double, ptr %28, i64 %96
-  %109 = load double, ptr %108, align 8
-  %110 = fcmp une double %109, 0.000000e+00
-  br i1 %110, label %111, label %115
+108:                                              ; preds = %102
+  %109 = getelementptr inbounds double, ptr %28, i64 %97
+  %110 = load double, ptr %109, align 8
+  %111 = fcmp une double %110, 0.000000e+00
+  br i1 %111, label %112, label %116
 
-111:                                              ; preds = %107
-  %112 = fcmp ogt double %109, 0.000000e+00
-  %113 = select i1 %112, i64 1, i64 -1
-  %114 = getelementptr inbounds i64, ptr %16, i64 %96
-  store i64 %113, ptr %114, align 8
-  br label %115
+112:                                              ; preds = %108
+  %113 = fcmp ogt double %110, 0.000000e+00
+  %114 = select i1 %113, i64 1, i64 -1
+  %115 = getelementptr inbounds i64, ptr %16, i64 %97
+  store i64 %114, ptr %115, align 8
+  br label %116
 
-115:                                              ; preds = %101, %107, %111
-  %116 = add nuw nsw i64 %96, 1
-  %117 = icmp eq i64 %116, %12
-  br i1 %117, label %99, label %95, !llvm.loop !6
+116:                                              ; preds = %102, %108, %112
+  %117 = add nuw nsw i64 %97, 1
+  %118 = icmp eq i64 %117, %12
+  br i1 %118, label %100, label %96, !llvm.loop !6
 
-118:                                              ; preds = %99
-  %119 = load ptr, ptr %20, align 8
-  %120 = getelementptr inbounds i8, ptr %119, i64 80
-  store i64 %23, ptr %120, align 8
-  %121 = load ptr, ptr %19, align 8
-  br label %965
+119:                                              ; preds = %100
+  %120 = load ptr, ptr %20, align 8
+  %121 = getelementptr inbounds i8, ptr %120, i64 80
+  store i64 %23, ptr %121, align 8
+  %122 = load ptr, ptr %19, align 8
+  br label %971
 
-122:                                              ; preds = %99
+123:                                              ; preds = %100
   store double 0x7FF8000000000000, ptr %30, align 8
-  %123 = getelementptr inbounds i8, ptr %0, i64 984
-  %124 = load ptr, ptr %7, align 8
-  %125 = getelementptr inbounds i8, ptr %124, i64 96
-  %126 = getelementptr inbounds i8, ptr %124, i64 192
-  %127 = getelementptr inbounds i8, ptr %124, i64 8
-  %128 = load ptr, ptr %4, align 8
-  %129 = load ptr, ptr %5, align 8
-  %130 = getelementptr inbounds i8, ptr %0, i64 168
-  %131 = getelementptr inbounds i8, ptr %0, i64 248
-  %132 = getelementptr inbounds i8, ptr %0, i64 168
-  %133 = getelementptr inbounds i8, ptr %0, i64 192
-  %134 = getelementptr inbounds i8, ptr %0, i64 744
-  %135 = icmp sgt i64 %12, 0
-  %136 = getelementptr inbounds i8, ptr %0, i64 984
-  %137 = load ptr, ptr %7, align 8
-  %138 = getelementptr inbounds i8, ptr %137, i64 96
-  %139 = getelementptr inbounds i8, ptr %137, i64 192
-  %140 = getelementptr inbounds i8, ptr %137, i64 8
-  %141 = load ptr, ptr %4, align 8
-  %142 = load ptr, ptr %5, align 8
-  %143 = getelementptr inbounds i8, ptr %0, i64 168
-  %144 = getelementptr inbounds i8, ptr %0, i64 248
-  %145 = getelementptr inbounds i8, ptr %0, i64 168
-  %146 = getelementptr inbounds i8, ptr %0, i64 192
-  %147 = getelementptr inbounds i8, ptr %0, i64 744
-  %148 = icmp sgt i64 %12, 0
+  %124 = getelementptr inbounds i8, ptr %0, i64 984
+  %125 = load ptr, ptr %7, align 8
+  %126 = getelementptr inbounds i8, ptr %125, i64 96
+  %127 = getelementptr inbounds i8, ptr %125, i64 192
+  %128 = getelementptr inbounds i8, ptr %125, i64 8
+  %129 = load ptr, ptr %4, align 8
+  %130 = load ptr, ptr %5, align 8
+  %131 = getelementptr inbounds i8, ptr %0, i64 168
+  %132 = getelementptr inbounds i8, ptr %0, i64 248
+  %133 = getelementptr inbounds i8, ptr %0, i64 168
+  %134 = getelementptr inbounds i8, ptr %0, i64 192
+  %135 = getelementptr inbounds i8, ptr %0, i64 744
+  %136 = icmp sgt i64 %12, 0
+  %137 = getelementptr inbounds i8, ptr %0, i64 984
+  %138 = load ptr, ptr %7, align 8
+  %139 = getelementptr inbounds i8, ptr %138, i64 96
+  %140 = getelementptr inbounds i8, ptr %138, i64 192
+  %141 = getelementptr inbounds i8, ptr %138, i64 8
+  %142 = load ptr, ptr %4, align 8
+  %143 = load ptr, ptr %5, align 8
+  %144 = getelementptr inbounds i8, ptr %0, i64 168
+  %145 = getelementptr inbounds i8, ptr %0, i64 248
+  %146 = getelementptr inbounds i8, ptr %0, i64 168
+  %147 = getelementptr inbounds i8, ptr %0, i64 192
+  %148 = getelementptr inbounds i8, ptr %0, i64 744
   %149 = icmp sgt i64 %12, 0
-  %150 = getelementptr inbounds i8, ptr %0, i64 792
-  %151 = getelementptr inbounds i8, ptr %24, i64 48
-  %152 = getelementptr inbounds i8, ptr %0, i64 624
-  %153 = getelementptr inbounds i8, ptr %0, i64 632
-  %154 = fadd double %1, %2
-  %155 = tail call double @llvm.fabs.f64(double %154)
-  %156 = getelementptr inbounds i8, ptr %0, i64 968
-  %157 = getelementptr inbounds i8, ptr %0, i64 960
-  %158 = icmp sgt i64 %12, 0
-  %159 = getelementptr inbounds i8, ptr %0, i64 1016
-  %160 = getelementptr inbounds i8, ptr %0, i64 1008
-  %161 = getelementptr inbounds i8, ptr %0, i64 1032
-  %162 = getelementptr inbounds i8, ptr %0, i64 1080
-  %163 = getelementptr inbounds i8, ptr %0, i64 1056
-  %164 = getelementptr inbounds i8, ptr %0, i64 624
-  %165 = getelementptr inbounds i8, ptr %0, i64 632
-  %166 = fadd double %1, %2
-  %167 = tail call double @llvm.fabs.f64(double %166)
-  %168 = getelementptr inbounds i8, ptr %0, i64 968
-  %169 = getelementptr inbounds i8, ptr %0, i64 960
-  %170 = getelementptr inbounds i8, ptr %0, i64 1016
-  %171 = getelementptr inbounds i8, ptr %24, i64 48
-  %172 = icmp sgt i64 %12, 0
-  %173 = getelementptr inbounds i8, ptr %24, i64 48
-  %174 = icmp sgt i64 %12, 0
-  %175 = getelementptr inbounds i8, ptr %0, i64 968
-  %176 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %177
+  %150 = icmp sgt i64 %12, 0
+  %151 = getelementptr inbounds i8, ptr %0, i64 792
+  %152 = getelementptr inbounds i8, ptr %24, i64 48
+  %153 = getelementptr inbounds i8, ptr %0, i64 624
+  %154 = getelementptr inbounds i8, ptr %0, i64 632
+  %155 = fadd double %1, %2
+  %156 = tail call double @llvm.fabs.f64(double %155)
+  %157 = getelementptr inbounds i8, ptr %0, i64 968
+  %158 = getelementptr inbounds i8, ptr %0, i64 960
+  %159 = icmp sgt i64 %12, 0
+  %160 = getelementptr inbounds i8, ptr %0, i64 1016
+  %161 = getelementptr inbounds i8, ptr %0, i64 1008
+  %162 = getelementptr inbounds i8, ptr %0, i64 1032
+  %163 = getelementptr inbounds i8, ptr %0, i64 1080
+  %164 = getelementptr inbounds i8, ptr %0, i64 1056
+  %165 = getelementptr inbounds i8, ptr %0, i64 624
+  %166 = getelementptr inbounds i8, ptr %0, i64 632
+  %167 = fadd double %1, %2
+  %168 = tail call double @llvm.fabs.f64(double %167)
+  %169 = getelementptr inbounds i8, ptr %0, i64 968
+  %170 = getelementptr inbounds i8, ptr %0, i64 960
+  %171 = getelementptr inbounds i8, ptr %0, i64 1016
+  %172 = getelementptr inbounds i8, ptr %24, i64 48
+  %173 = icmp sgt i64 %12, 0
+  %174 = getelementptr inbounds i8, ptr %24, i64 48
+  %175 = icmp sgt i64 %12, 0
+  %176 = getelementptr inbounds i8, ptr %0, i64 968
+  %177 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %178
 
-177:                                              ; preds = %122, %944
-  %178 = phi i1 [ false, %122 ], [ %948, %944 ]
-  %179 = phi i64 [ -4, %122 ], [ %942, %944 ]
-  %180 = phi double [ 0.000000e+00, %122 ], [ %941, %944 ]
-  %181 = phi i32 [ 1, %122 ], [ %947, %944 ]
-  %182 = zext nneg i32 %181 to i64
-  %183 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %182
-  %184 = load double, ptr %183, align 8
-  %185 = mul nsw i64 %12, %182
-  %186 = load ptr, ptr %9, align 8
-  %187 = getelementptr inbounds i8, ptr %186, i64 8
-  %188 = load i64, ptr %187, align 8
-  %189 = icmp sgt i64 %188, 0
-  br i1 %189, label %190, label %231
+178:                                              ; preds = %123, %950
+  %179 = phi i1 [ false, %123 ], [ %954, %950 ]
+  %180 = phi i64 [ -4, %123 ], [ %948, %950 ]
+  %181 = phi double [ 0.000000e+00, %123 ], [ %947, %950 ]
+  %182 = phi i32 [ 1, %123 ], [ %953, %950 ]
+  %183 = zext nneg i32 %182 to i64
+  %184 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %183
+  %185 = load double, ptr %184, align 8
+  %186 = mul nsw i64 %12, %183
+  %187 = load ptr, ptr %9, align 8
+  %188 = getelementptr inbounds i8, ptr %187, i64 8
+  %189 = load i64, ptr %188, align 8
+  %190 = icmp sgt i64 %189, 0
+  br i1 %190, label %191, label %232
 
-190:                                              ; preds = %177
-  %191 = add nsw i32 %181, -1
-  %192 = icmp ugt i32 %181, 1
-  %193 = select i1 %192, i32 %191, i32 1
-  %194 = tail call i32 @llvm.smin.i32(i32 %181, i32 3)
-  %195 = icmp sgt i32 %193, %194
-  %196 = zext nneg i32 %181 to i64
-  %197 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %196
-  br label %201
+191:                                              ; preds = %178
+  %192 = add nsw i32 %182, -1
+  %193 = icmp ugt i32 %182, 1
+  %194 = select i1 %193, i32 %192, i32 1
+  %195 = tail call i32 @llvm.smin.i32(i32 %182, i32 3)
+  %196 = icmp sgt i32 %194, %195
+  %197 = zext nneg i32 %182 to i64
+  %198 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %197
+  br label %202
 
-198:                                              ; preds = %228
-  %199 = add nuw nsw i64 %203, 1
-  %200 = icmp eq i64 %199, %188
-  br i1 %200, label %231, label %201, !llvm.loop !7
+199:                                              ; preds = %229
+  %200 = add nuw nsw i64 %204, 1
+  %201 = icmp eq i64 %200, %189
+  br i1 %201, label %232, label %202, !llvm.loop !7
 
-201:                                              ; preds = %190, %198
-  %202 = phi double [ 2.000000e+00, %190 ], [ %230, %198 ]
-  %203 = phi i64 [ 0, %190 ], [ %199, %198 ]
-  %204 = load ptr, ptr %15, align 8
-  %205 = getelementptr inbounds i64, ptr %204, i64 %203
-  %206 = load i64, ptr %205, align 8
-  %207 = sitofp i64 %206 to double
-  br i1 %195, label %228, label %212
+202:                                              ; preds = %191, %199
+  %203 = phi double [ 2.000000e+00, %191 ], [ %231, %199 ]
+  %204 = phi i64 [ 0, %191 ], [ %200, %199 ]
+  %205 = load ptr, ptr %15, align 8
+  %206 = getelementptr inbounds i64, ptr %205, i64 %204
+  %207 = load i64, ptr %206, align 8
+  %208 = sitofp i64 %207 to double
+  br i1 %196, label %229, label %213
 
-208:                                              ; preds = %226
-  %209 = add i32 %214, 1
-  %210 = icmp sge i32 %214, %194
-  %211 = icmp eq i32 %214, %194
-  br i1 %211, label %228, label %212, !llvm.loop !8
+209:                                              ; preds = %227
+  %210 = add i32 %215, 1
+  %211 = icmp sge i32 %215, %195
+  %212 = icmp eq i32 %215, %195
+  br i1 %212, label %229, label %213, !llvm.loop !8
 
-212:                                              ; preds = %201, %208
-  %213 = phi i1 [ %210, %208 ], [ %195, %201 ]
-  %214 = phi i32 [ %209, %208 ], [ %193, %201 ]
-  %215 = phi double [ %227, %208 ], [ %202, %201 ]
-  %216 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %203, double noundef %207, i32 noundef %214, i32 noundef %181) #8
-  %217 = fcmp une double %216, -4.000000e+00
-  %218 = fcmp ogt double %216, %180
-  %219 = and i1 %217, %218
-  br i1 %219, label %220, label %226
+213:                                              ; preds = %202, %209
+  %214 = phi i1 [ %211, %209 ], [ %196, %202 ]
+  %215 = phi i32 [ %210, %209 ], [ %194, %202 ]
+  %216 = phi double [ %228, %209 ], [ %203, %202 ]
+  %217 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %204, double noundef %208, i32 noundef %215, i32 noundef %182) #8
+  %218 = fcmp une double %217, -4.000000e+00
+  %219 = fcmp ogt double %217, %181
+  %220 = and i1 %218, %219
+  br i1 %220, label %221, label %227
 
-220:                                              ; preds = %212
-  %221 = load double, ptr %197, align 8
-  %222 = fcmp olt double %215, %221
-  %223 = select i1 %222, double %215, double %221
-  %224 = fcmp olt double %216, %223
-  br i1 %224, label %225, label %226
+221:                                              ; preds = %213
+  %222 = load double, ptr %198, align 8
+  %223 = fcmp olt double %216, %222
+  %224 = select i1 %223, double %216, double %222
+  %225 = fcmp olt double %217, %224
+  br i1 %225, label %226, label %227
 
-225:                                              ; preds = %220
-  br label %226
+226:                                              ; preds = %221
+  br label %227
 
-226:                                              ; preds = %225, %220, %212
-  %227 = phi double [ %215, %212 ], [ %216, %225 ], [ %215, %220 ]
-  br i1 %217, label %208, label %228
+227:                                              ; preds = %226, %221, %213
+  %228 = phi double [ %216, %213 ], [ %217, %226 ], [ %216, %221 ]
+  br i1 %218, label %209, label %229
 
-228:                                              ; preds = %208, %226, %201
-  %229 = phi i1 [ %195, %201 ], [ %210, %208 ], [ %213, %226 ]
-  %230 = phi double [ %202, %201 ], [ %227, %226 ], [ %227, %208 ]
-  br i1 %229, label %198, label %231
+229:                                              ; preds = %209, %227, %202
+  %230 = phi i1 [ %196, %202 ], [ %211, %209 ], [ %214, %227 ]
+  %231 = phi double [ %203, %202 ], [ %228, %227 ], [ %228, %209 ]
+  br i1 %230, label %199, label %232
 
-231:                                              ; preds = %228, %198, %177
-  %232 = phi double [ 2.000000e+00, %177 ], [ -4.000000e+00, %228 ], [ %230, %198 ]
-  %233 = fcmp olt double %232, 0.000000e+00
-  br i1 %233, label %934, label %234
+232:                                              ; preds = %229, %199, %178
+  %233 = phi double [ 2.000000e+00, %178 ], [ -4.000000e+00, %229 ], [ %231, %199 ]
+  %234 = fcmp olt double %233, 0.000000e+00
+  br i1 %234, label %940, label %235
 
-234:                                              ; preds = %231
-  %235 = getelementptr double, ptr %28, i64 %185
-  %236 = fcmp olt double %232, %184
-  br i1 %236, label %237, label %270
+235:                                              ; preds = %232
+  %236 = getelementptr double, ptr %28, i64 %186
+  %237 = fcmp olt double %233, %185
+  br i1 %237, label %238, label %272
 
-237:                                              ; preds = %234
-  %238 = load ptr, ptr %25, align 8
-  %239 = load ptr, ptr %123, align 8
-  %240 = load ptr, ptr %125, align 8
-  %241 = insertelement <8 x double> poison, double %232, i64 0
-  %242 = shufflevector <8 x double> %241, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %242, ptr %240, align 8
-  %243 = load ptr, ptr %124, align 8
-  %244 = load ptr, ptr %126, align 8
-  %245 = load i64, ptr %127, align 8
-  %246 = load ptr, ptr %128, align 8
-  %247 = getelementptr inbounds i8, ptr %246, i64 24
-  %248 = load i64, ptr %247, align 8
-  %249 = load ptr, ptr %125, align 8
-  %250 = load ptr, ptr %129, align 8
-  %251 = getelementptr inbounds i8, ptr %250, i64 16
-  %252 = load i64, ptr %251, align 8
-  tail call fastcc void @nested(ptr noundef %239, ptr noundef %243, ptr noundef %244, i64 noundef %245, i64 noundef %248, ptr noundef %249, i64 noundef %252) #8
-  %253 = fmul double %232, %2
-  %254 = fadd double %253, %1
-  %255 = load ptr, ptr %130, align 8
-  store double %254, ptr %255, align 8
-  %256 = load i64, ptr %131, align 8
-  %257 = icmp sgt i64 %256, 0
-  br i1 %257, label %258, label %259
+238:                                              ; preds = %235
+  %239 = load ptr, ptr %25, align 8
+  %240 = load ptr, ptr %124, align 8
+  %241 = load ptr, ptr %126, align 8
+  %242 = insertelement <8 x double> poison, double %233, i64 0
+  %243 = shufflevector <8 x double> %242, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %243, ptr %241, align 8
+  %244 = load ptr, ptr %125, align 8
+  %245 = load ptr, ptr %127, align 8
+  %246 = load i64, ptr %128, align 8
+  %247 = load ptr, ptr %129, align 8
+  %248 = getelementptr inbounds i8, ptr %247, i64 24
+  %249 = load i64, ptr %248, align 8
+  %250 = load ptr, ptr %126, align 8
+  %251 = load ptr, ptr %130, align 8
+  %252 = getelementptr inbounds i8, ptr %251, i64 16
+  %253 = load i64, ptr %252, align 8
+  tail call fastcc void @nested(ptr noundef %240, ptr noundef %244, ptr noundef %245, i64 noundef %246, i64 noundef %249, ptr noundef %250, i64 noundef %253) #8
+  %254 = fmul double %233, %2
+  %255 = fadd double %254, %1
+  %256 = load ptr, ptr %131, align 8
+  store double %255, ptr %256, align 8
+  %257 = load i64, ptr %132, align 8
+  %258 = icmp sgt i64 %257, 0
+  br i1 %258, label %259, label %260
 
-258:                                              ; preds = %237
+259:                                              ; preds = %238
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %259
+  br label %260
 
-259:                                              ; preds = %237, %258
-  %260 = load ptr, ptr %9, align 8
-  %261 = load i64, ptr %260, align 8
-  %262 = load ptr, ptr %132, align 8
-  %263 = load ptr, ptr %123, align 8
-  %264 = load ptr, ptr %133, align 8
+260:                                              ; preds = %238, %259
+  %261 = load ptr, ptr %9, align 8
+  %262 = load i64, ptr %261, align 8
+  %263 = load ptr, ptr %133, align 8
+  %264 = load ptr, ptr %124, align 8
   %265 = load ptr, ptr %134, align 8
-  %266 = load ptr, ptr %25, align 8
-  %267 = inttoptr i64 %261 to ptr
-  %268 = tail call i32 %267(ptr noundef %262, ptr noundef %263, ptr noundef %264, ptr noundef %265, ptr noundef %266) #9
-  %269 = icmp slt i32 %268, 0
-  br i1 %269, label %934, label %270
+  %266 = load ptr, ptr %135, align 8
+  %267 = load ptr, ptr %25, align 8
+  %268 = inttoptr i64 %262 to ptr
+  %269 = load ptr, ptr %268, align 8
+  %270 = tail call i32 %269(ptr noundef %263, ptr noundef %264, ptr noundef %265, ptr noundef %266, ptr noundef %267) #9
+  %271 = icmp slt i32 %270, 0
+  br i1 %271, label %940, label %272
 
-270:                                              ; preds = %259, %234
-  %271 = phi double [ %232, %259 ], [ %184, %234 ]
-  %272 = phi ptr [ %238, %259 ], [ %235, %234 ]
-  br label %273
+272:                                              ; preds = %260, %235
+  %273 = phi double [ %233, %260 ], [ %185, %235 ]
+  %274 = phi ptr [ %239, %260 ], [ %236, %235 ]
+  br label %275
 
-273:                                              ; preds = %878, %270
-  %274 = phi double [ %180, %270 ], [ %880, %878 ]
-  %275 = phi i64 [ %179, %270 ], [ %881, %878 ]
-  br i1 %135, label %279, label %276
+275:                                              ; preds = %884, %272
+  %276 = phi double [ %181, %272 ], [ %886, %884 ]
+  %277 = phi i64 [ %180, %272 ], [ %887, %884 ]
+  br i1 %136, label %281, label %278
 
-276:                                              ; preds = %314, %273
-  %277 = phi double [ 2.000000e+00, %273 ], [ %315, %314 ]
-  %278 = fcmp ogt double %277, 1.000000e+00
-  br i1 %278, label %878, label %318
+278:                                              ; preds = %316, %275
+  %279 = phi double [ 2.000000e+00, %275 ], [ %317, %316 ]
+  %280 = fcmp ogt double %279, 1.000000e+00
+  br i1 %280, label %884, label %320
 
-279:                                              ; preds = %273, %314
-  %280 = phi i64 [ %316, %314 ], [ 0, %273 ]
-  %281 = phi double [ %315, %314 ], [ 2.000000e+00, %273 ]
-  %282 = getelementptr inbounds i64, ptr %18, i64 %280
-  store i64 0, ptr %282, align 8
-  %283 = getelementptr inbounds i64, ptr %16, i64 %280
-  %284 = load i64, ptr %283, align 8
-  %285 = getelementptr inbounds double, ptr %272, i64 %280
-  %286 = load double, ptr %285, align 8
-  %287 = getelementptr inbounds i64, ptr %14, i64 %280
-  %288 = load i64, ptr %287, align 8
-  %289 = icmp slt i64 %284, 0
-  %290 = fcmp ogt double %286, 0.000000e+00
-  %291 = and i1 %289, %290
-  %292 = icmp sgt i64 %288, -1
+281:                                              ; preds = %275, %316
+  %282 = phi i64 [ %318, %316 ], [ 0, %275 ]
+  %283 = phi double [ %317, %316 ], [ 2.000000e+00, %275 ]
+  %284 = getelementptr inbounds i64, ptr %18, i64 %282
+  store i64 0, ptr %284, align 8
+  %285 = getelementptr inbounds i64, ptr %16, i64 %282
+  %286 = load i64, ptr %285, align 8
+  %287 = getelementptr inbounds double, ptr %274, i64 %282
+  %288 = load double, ptr %287, align 8
+  %289 = getelementptr inbounds i64, ptr %14, i64 %282
+  %290 = load i64, ptr %289, align 8
+  %291 = icmp slt i64 %286, 0
+  %292 = fcmp ogt double %288, 0.000000e+00
   %293 = and i1 %291, %292
-  br i1 %293, label %301, label %294
+  %294 = icmp sgt i64 %290, -1
+  %295 = and i1 %293, %294
+  br i1 %295, label %303, label %296
 
-294:                                              ; preds = %279
-  %295 = icmp sgt i64 %284, 0
-  %296 = fcmp olt double %286, 0.000000e+00
-  %297 = and i1 %295, %296
-  br i1 %297, label %298, label %301
+296:                                              ; preds = %281
+  %297 = icmp sgt i64 %286, 0
+  %298 = fcmp olt double %288, 0.000000e+00
+  %299 = and i1 %297, %298
+  br i1 %299, label %300, label %303
 
-298:                                              ; preds = %294
-  %299 = icmp slt i64 %288, 1
-  %300 = zext i1 %299 to i32
-  br label %301
+300:                                              ; preds = %296
+  %301 = icmp slt i64 %290, 1
+  %302 = zext i1 %301 to i32
+  br label %303
 
-301:                                              ; preds = %279, %294, %298
-  %302 = phi i32 [ 1, %279 ], [ 0, %294 ], [ %300, %298 ]
-  %303 = icmp eq i32 %302, 0
-  br i1 %303, label %304, label %308
+303:                                              ; preds = %281, %296, %300
+  %304 = phi i32 [ 1, %281 ], [ 0, %296 ], [ %302, %300 ]
+  %305 = icmp eq i32 %304, 0
+  br i1 %305, label %306, label %310
 
-304:                                              ; preds = %301
-  %305 = icmp eq i64 %284, 0
-  %306 = fcmp ord double %286, 0.000000e+00
-  %307 = or i1 %305, %306
-  br i1 %307, label %314, label %308
+306:                                              ; preds = %303
+  %307 = icmp eq i64 %286, 0
+  %308 = fcmp ord double %288, 0.000000e+00
+  %309 = or i1 %307, %308
+  br i1 %309, label %316, label %310
 
-308:                                              ; preds = %304, %301
-  %309 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %274, double noundef %271, i64 noundef %280) #8
-  %310 = fcmp ole double %309, %274
-  %311 = zext i1 %310 to i64
-  store i64 %311, ptr %282, align 8
-  %312 = fcmp olt double %309, %281
-  %313 = select i1 %312, double %309, double %281
-  br label %314
+310:                                              ; preds = %306, %303
+  %311 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %276, double noundef %273, i64 noundef %282) #8
+  %312 = fcmp ole double %311, %276
+  %313 = zext i1 %312 to i64
+  store i64 %313, ptr %284, align 8
+  %314 = fcmp olt double %311, %283
+  %315 = select i1 %314, double %311, double %283
+  br label %316
 
-314:                                              ; preds = %304, %308
-  %315 = phi double [ %313, %308 ], [ %281, %304 ]
-  %316 = add nuw nsw i64 %280, 1
-  %317 = icmp eq i64 %316, %12
-  br i1 %317, label %276, label %279, !llvm.loop !9
+316:                                              ; preds = %306, %310
+  %317 = phi double [ %315, %310 ], [ %283, %306 ]
+  %318 = add nuw nsw i64 %282, 1
+  %319 = icmp eq i64 %318, %12
+  br i1 %319, label %278, label %281, !llvm.loop !9
 
-318:                                              ; preds = %276
-  %319 = load ptr, ptr %136, align 8
-  %320 = load ptr, ptr %138, align 8
-  %321 = insertelement <8 x double> poison, double %277, i64 0
-  %322 = shufflevector <8 x double> %321, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %322, ptr %320, align 8
-  %323 = load ptr, ptr %137, align 8
-  %324 = load ptr, ptr %139, align 8
-  %325 = load i64, ptr %140, align 8
-  %326 = load ptr, ptr %141, align 8
-  %327 = getelementptr inbounds i8, ptr %326, i64 24
-  %328 = load i64, ptr %327, align 8
-  %329 = load ptr, ptr %138, align 8
-  %330 = load ptr, ptr %142, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 16
-  %332 = load i64, ptr %331, align 8
-  tail call fastcc void @nested(ptr noundef %319, ptr noundef %323, ptr noundef %324, i64 noundef %325, i64 noundef %328, ptr noundef %329, i64 noundef %332) #8
-  %333 = fmul double %277, %2
-  %334 = fadd double %333, %1
-  %335 = load ptr, ptr %143, align 8
-  store double %334, ptr %335, align 8
-  %336 = load i64, ptr %144, align 8
-  %337 = icmp sgt i64 %336, 0
-  br i1 %337, label %338, label %339
+320:                                              ; preds = %278
+  %321 = load ptr, ptr %137, align 8
+  %322 = load ptr, ptr %139, align 8
+  %323 = insertelement <8 x double> poison, double %279, i64 0
+  %324 = shufflevector <8 x double> %323, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %324, ptr %322, align 8
+  %325 = load ptr, ptr %138, align 8
+  %326 = load ptr, ptr %140, align 8
+  %327 = load i64, ptr %141, align 8
+  %328 = load ptr, ptr %142, align 8
+  %329 = getelementptr inbounds i8, ptr %328, i64 24
+  %330 = load i64, ptr %329, align 8
+  %331 = load ptr, ptr %139, align 8
+  %332 = load ptr, ptr %143, align 8
+  %333 = getelementptr inbounds i8, ptr %332, i64 16
+  %334 = load i64, ptr %333, align 8
+  tail call fastcc void @nested(ptr noundef %321, ptr noundef %325, ptr noundef %326, i64 noundef %327, i64 noundef %330, ptr noundef %331, i64 noundef %334) #8
+  %335 = fmul double %279, %2
+  %336 = fadd double %335, %1
+  %337 = load ptr, ptr %144, align 8
+  store double %336, ptr %337, align 8
+  %338 = load i64, ptr %145, align 8
+  %339 = icmp sgt i64 %338, 0
+  br i1 %339, label %340, label %341
 
-338:                                              ; preds = %318
+340:                                              ; preds = %320
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %339
+  br label %341
 
-339:                                              ; preds = %318, %338
-  %340 = load ptr, ptr %9, align 8
-  %341 = load i64, ptr %340, align 8
-  %342 = load ptr, ptr %145, align 8
-  %343 = load ptr, ptr %136, align 8
+341:                                              ; preds = %320, %340
+  %342 = load ptr, ptr %9, align 8
+  %343 = load i64, ptr %342, align 8
   %344 = load ptr, ptr %146, align 8
-  %345 = load ptr, ptr %147, align 8
-  %346 = load ptr, ptr %25, align 8
-  %347 = getelementptr inbounds i8, ptr %340, i64 8
-  %348 = load i64, ptr %347, align 8
-  %349 = getelementptr inbounds double, ptr %346, i64 %348
-  %350 = inttoptr i64 %341 to ptr
-  %351 = tail call i32 %350(ptr noundef %342, ptr noundef %343, ptr noundef %344, ptr noundef %345, ptr noundef %349) #9
-  %352 = icmp slt i32 %351, 0
-  br i1 %352, label %354, label %353
+  %345 = load ptr, ptr %137, align 8
+  %346 = load ptr, ptr %147, align 8
+  %347 = load ptr, ptr %148, align 8
+  %348 = load ptr, ptr %25, align 8
+  %349 = getelementptr inbounds i8, ptr %342, i64 8
+  %350 = load i64, ptr %349, align 8
+  %351 = getelementptr inbounds double, ptr %348, i64 %350
+  %352 = inttoptr i64 %343 to ptr
+  %353 = load ptr, ptr %352, align 8
+  %354 = tail call i32 %353(ptr noundef %344, ptr noundef %345, ptr noundef %346, ptr noundef %347, ptr noundef %351) #9
+  %355 = icmp slt i32 %354, 0
+  br i1 %355, label %357, label %356
 
-353:                                              ; preds = %339
-  br i1 %148, label %359, label %455
+356:                                              ; preds = %341
+  br i1 %149, label %362, label %459
 
-354:                                              ; preds = %339
-  %355 = load ptr, ptr %20, align 8
-  %356 = getelementptr inbounds i8, ptr %355, i64 80
-  store i64 %23, ptr %356, align 8
-  %357 = load ptr, ptr %19, align 8
-  %358 = getelementptr inbounds i8, ptr %357, i64 48
-  store double 1.000000e+00, ptr %358, align 8
-  br label %878
+357:                                              ; preds = %341
+  %358 = load ptr, ptr %20, align 8
+  %359 = getelementptr inbounds i8, ptr %358, i64 80
+  store i64 %23, ptr %359, align 8
+  %360 = load ptr, ptr %19, align 8
+  %361 = getelementptr inbounds i8, ptr %360, i64 48
+  store double 1.000000e+00, ptr %361, align 8
+  br label %884
 
-359:                                              ; preds = %353, %449
-  %360 = phi i1 [ %453, %449 ], [ %148, %353 ]
-  %361 = phi i64 [ %451, %449 ], [ %275, %353 ]
-  %362 = phi i64 [ %452, %449 ], [ 0, %353 ]
-  %363 = phi double [ %450, %449 ], [ %277, %353 ]
-  %364 = getelementptr inbounds i64, ptr %16, i64 %362
-  %365 = load i64, ptr %364, align 8
-  %366 = getelementptr inbounds double, ptr %31, i64 %362
-  %367 = load double, ptr %366, align 8
-  %368 = getelementptr inbounds i64, ptr %14, i64 %362
-  %369 = load i64, ptr %368, align 8
-  %370 = icmp slt i64 %365, 0
-  %371 = fcmp ogt double %367, 0.000000e+00
-  %372 = and i1 %370, %371
-  %373 = icmp sgt i64 %369, -1
-  %374 = and i1 %372, %373
-  br i1 %374, label %382, label %375
+362:                                              ; preds = %356, %453
+  %363 = phi i1 [ %457, %453 ], [ %149, %356 ]
+  %364 = phi i64 [ %455, %453 ], [ %277, %356 ]
+  %365 = phi i64 [ %456, %453 ], [ 0, %356 ]
+  %366 = phi double [ %454, %453 ], [ %279, %356 ]
+  %367 = getelementptr inbounds i64, ptr %16, i64 %365
+  %368 = load i64, ptr %367, align 8
+  %369 = getelementptr inbounds double, ptr %31, i64 %365
+  %370 = load double, ptr %369, align 8
+  %371 = getelementptr inbounds i64, ptr %14, i64 %365
+  %372 = load i64, ptr %371, align 8
+  %373 = icmp slt i64 %368, 0
+  %374 = fcmp ogt double %370, 0.000000e+00
+  %375 = and i1 %373, %374
+  %376 = icmp sgt i64 %372, -1
+  %377 = and i1 %375, %376
+  br i1 %377, label %385, label %378
 
-375:                                              ; preds = %359
-  %376 = icmp sgt i64 %365, 0
-  %377 = fcmp olt double %367, 0.000000e+00
-  %378 = and i1 %376, %377
-  br i1 %378, label %379, label %382
+378:                                              ; preds = %362
+  %379 = icmp sgt i64 %368, 0
+  %380 = fcmp olt double %370, 0.000000e+00
+  %381 = and i1 %379, %380
+  br i1 %381, label %382, label %385
 
-379:                                              ; preds = %375
-  %380 = icmp slt i64 %369, 1
-  %381 = zext i1 %380 to i32
-  br label %382
+382:                                              ; preds = %378
+  %383 = icmp slt i64 %372, 1
+  %384 = zext i1 %383 to i32
+  br label %385
 
-382:                                              ; preds = %359, %375, %379
-  %383 = phi i32 [ 1, %359 ], [ 0, %375 ], [ %381, %379 ]
-  %384 = icmp eq i32 %383, 0
-  br i1 %384, label %449, label %385
+385:                                              ; preds = %362, %378, %382
+  %386 = phi i32 [ 1, %362 ], [ 0, %378 ], [ %384, %382 ]
+  %387 = icmp eq i32 %386, 0
+  br i1 %387, label %453, label %388
 
-385:                                              ; preds = %382
-  %386 = getelementptr inbounds double, ptr %272, i64 %362
-  %387 = load double, ptr %386, align 8
-  %388 = fcmp ogt double %387, 0.000000e+00
-  %389 = and i1 %370, %388
-  %390 = and i1 %373, %389
-  br i1 %390, label %398, label %391
+388:                                              ; preds = %385
+  %389 = getelementptr inbounds double, ptr %274, i64 %365
+  %390 = load double, ptr %389, align 8
+  %391 = fcmp ogt double %390, 0.000000e+00
+  %392 = and i1 %373, %391
+  %393 = and i1 %376, %392
+  br i1 %393, label %401, label %394
 
-391:                                              ; preds = %385
-  %392 = icmp sgt i64 %365, 0
-  %393 = fcmp olt double %387, 0.000000e+00
-  %394 = and i1 %392, %393
-  br i1 %394, label %395, label %398
+394:                                              ; preds = %388
+  %395 = icmp sgt i64 %368, 0
+  %396 = fcmp olt double %390, 0.000000e+00
+  %397 = and i1 %395, %396
+  br i1 %397, label %398, label %401
 
-395:                                              ; preds = %391
-  %396 = icmp slt i64 %369, 1
-  %397 = zext i1 %396 to i32
-  br label %398
+398:                                              ; preds = %394
+  %399 = icmp slt i64 %372, 1
+  %400 = zext i1 %399 to i32
+  br label %401
 
-398:                                              ; preds = %385, %391, %395
-  %399 = phi i32 [ 1, %385 ], [ 0, %391 ], [ %397, %395 ]
-  %400 = icmp eq i32 %399, 0
-  br i1 %400, label %401, label %449
-
-401:                                              ; preds = %398
-  %402 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %274, double noundef %363, i64 noundef %362) #8
-  %403 = fcmp ogt double %402, %274
-  br i1 %403, label %404, label %406
+401:                                              ; preds = %388, %394, %398
+  %402 = phi i32 [ 1, %388 ], [ 0, %394 ], [ %400, %398 ]
+  %403 = icmp eq i32 %402, 0
+  br i1 %403, label %404, label %453
 
 404:                                              ; preds = %401
-  %405 = getelementptr inbounds i64, ptr %18, i64 %362
-  store i64 2, ptr %405, align 8
-  br label %406
+  %405 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %276, double noundef %366, i64 noundef %365) #8
+  %406 = fcmp ogt double %405, %276
+  br i1 %406, label %407, label %409
 
-406:                                              ; preds = %404, %401
-  %407 = phi double [ %402, %404 ], [ %363, %401 ]
-  %408 = load ptr, ptr %136, align 8
-  %409 = load ptr, ptr %138, align 8
-  %410 = insertelement <8 x double> poison, double %407, i64 0
-  %411 = shufflevector <8 x double> %410, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %411, ptr %409, align 8
-  %412 = load ptr, ptr %137, align 8
-  %413 = load ptr, ptr %139, align 8
-  %414 = load i64, ptr %140, align 8
-  %415 = load ptr, ptr %141, align 8
-  %416 = getelementptr inbounds i8, ptr %415, i64 24
-  %417 = load i64, ptr %416, align 8
-  %418 = load ptr, ptr %138, align 8
-  %419 = load ptr, ptr %142, align 8
-  %420 = getelementptr inbounds i8, ptr %419, i64 16
-  %421 = load i64, ptr %420, align 8
-  tail call fastcc void @nested(ptr noundef %408, ptr noundef %412, ptr noundef %413, i64 noundef %414, i64 noundef %417, ptr noundef %418, i64 noundef %421) #8
-  %422 = fmul double %407, %2
-  %423 = fadd double %422, %1
-  %424 = load ptr, ptr %143, align 8
-  store double %423, ptr %424, align 8
-  %425 = load i64, ptr %144, align 8
-  %426 = icmp sgt i64 %425, 0
-  br i1 %426, label %427, label %428
+407:                                              ; preds = %404
+  %408 = getelementptr inbounds i64, ptr %18, i64 %365
+  store i64 2, ptr %408, align 8
+  br label %409
 
-427:                                              ; preds = %406
+409:                                              ; preds = %407, %404
+  %410 = phi double [ %405, %407 ], [ %366, %404 ]
+  %411 = load ptr, ptr %137, align 8
+  %412 = load ptr, ptr %139, align 8
+  %413 = insertelement <8 x double> poison, double %410, i64 0
+  %414 = shufflevector <8 x double> %413, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %414, ptr %412, align 8
+  %415 = load ptr, ptr %138, align 8
+  %416 = load ptr, ptr %140, align 8
+  %417 = load i64, ptr %141, align 8
+  %418 = load ptr, ptr %142, align 8
+  %419 = getelementptr inbounds i8, ptr %418, i64 24
+  %420 = load i64, ptr %419, align 8
+  %421 = load ptr, ptr %139, align 8
+  %422 = load ptr, ptr %143, align 8
+  %423 = getelementptr inbounds i8, ptr %422, i64 16
+  %424 = load i64, ptr %423, align 8
+  tail call fastcc void @nested(ptr noundef %411, ptr noundef %415, ptr noundef %416, i64 noundef %417, i64 noundef %420, ptr noundef %421, i64 noundef %424) #8
+  %425 = fmul double %410, %2
+  %426 = fadd double %425, %1
+  %427 = load ptr, ptr %144, align 8
+  store double %426, ptr %427, align 8
+  %428 = load i64, ptr %145, align 8
+  %429 = icmp sgt i64 %428, 0
+  br i1 %429, label %430, label %431
+
+430:                                              ; preds = %409
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %428
+  br label %431
 
-428:                                              ; preds = %406, %427
-  %429 = load ptr, ptr %9, align 8
-  %430 = load i64, ptr %429, align 8
-  %431 = load ptr, ptr %145, align 8
-  %432 = load ptr, ptr %136, align 8
-  %433 = load ptr, ptr %146, align 8
-  %434 = load ptr, ptr %147, align 8
-  %435 = load ptr, ptr %25, align 8
-  %436 = getelementptr inbounds i8, ptr %429, i64 8
-  %437 = load i64, ptr %436, align 8
-  %438 = getelementptr inbounds double, ptr %435, i64 %437
-  %439 = inttoptr i64 %430 to ptr
-  %440 = tail call i32 %439(ptr noundef %431, ptr noundef %432, ptr noundef %433, ptr noundef %434, ptr noundef %438) #9
-  %441 = icmp sgt i32 %440, -1
-  br i1 %441, label %447, label %442
+431:                                              ; preds = %409, %430
+  %432 = load ptr, ptr %9, align 8
+  %433 = load i64, ptr %432, align 8
+  %434 = load ptr, ptr %146, align 8
+  %435 = load ptr, ptr %137, align 8
+  %436 = load ptr, ptr %147, align 8
+  %437 = load ptr, ptr %148, align 8
+  %438 = load ptr, ptr %25, align 8
+  %439 = getelementptr inbounds i8, ptr %432, i64 8
+  %440 = load i64, ptr %439, align 8
+  %441 = getelementptr inbounds double, ptr %438, i64 %440
+  %442 = inttoptr i64 %433 to ptr
+  %443 = load ptr, ptr %442, align 8
+  %444 = tail call i32 %443(ptr noundef %434, ptr noundef %435, ptr noundef %436, ptr noundef %437, ptr noundef %441) #9
+  %445 = icmp sgt i32 %444, -1
+  br i1 %445, label %451, label %446
 
-442:                                              ; preds = %428
-  %443 = load ptr, ptr %20, align 8
-  %444 = getelementptr inbounds i8, ptr %443, i64 80
-  store i64 %23, ptr %444, align 8
-  %445 = load ptr, ptr %19, align 8
-  %446 = getelementptr inbounds i8, ptr %445, i64 48
-  store double 1.000000e+00, ptr %446, align 8
-  br label %447
+446:                                              ; preds = %431
+  %447 = load ptr, ptr %20, align 8
+  %448 = getelementptr inbounds i8, ptr %447, i64 80
+  store i64 %23, ptr %448, align 8
+  %449 = load ptr, ptr %19, align 8
+  %450 = getelementptr inbounds i8, ptr %449, i64 48
+  store double 1.000000e+00, ptr %450, align 8
+  br label %451
 
-447:                                              ; preds = %428, %442
-  %448 = phi i64 [ -4, %442 ], [ %361, %428 ]
-  br i1 %441, label %449, label %455
+451:                                              ; preds = %431, %446
+  %452 = phi i64 [ -4, %446 ], [ %364, %431 ]
+  br i1 %445, label %453, label %459
 
-449:                                              ; preds = %382, %398, %447
-  %450 = phi double [ %363, %398 ], [ %407, %447 ], [ %363, %382 ]
-  %451 = phi i64 [ %361, %398 ], [ %448, %447 ], [ %361, %382 ]
-  %452 = add nuw nsw i64 %362, 1
-  %453 = icmp slt i64 %452, %12
-  %454 = icmp eq i64 %452, %12
-  br i1 %454, label %455, label %359, !llvm.loop !10
+453:                                              ; preds = %385, %401, %451
+  %454 = phi double [ %366, %401 ], [ %410, %451 ], [ %366, %385 ]
+  %455 = phi i64 [ %364, %401 ], [ %452, %451 ], [ %364, %385 ]
+  %456 = add nuw nsw i64 %365, 1
+  %457 = icmp slt i64 %456, %12
+  %458 = icmp eq i64 %456, %12
+  br i1 %458, label %459, label %362, !llvm.loop !10
 
-455:                                              ; preds = %447, %449, %353
-  %456 = phi i1 [ %148, %353 ], [ %360, %447 ], [ %453, %449 ]
-  %457 = phi i32 [ 16, %353 ], [ 1, %447 ], [ 16, %449 ]
-  %458 = phi double [ %277, %353 ], [ %407, %447 ], [ %450, %449 ]
-  %459 = phi i64 [ %275, %353 ], [ %448, %447 ], [ %451, %449 ]
-  br i1 %456, label %878, label %460
+459:                                              ; preds = %451, %453, %356
+  %460 = phi i1 [ %149, %356 ], [ %363, %451 ], [ %457, %453 ]
+  %461 = phi i32 [ 16, %356 ], [ 1, %451 ], [ 16, %453 ]
+  %462 = phi double [ %279, %356 ], [ %410, %451 ], [ %454, %453 ]
+  %463 = phi i64 [ %277, %356 ], [ %452, %451 ], [ %455, %453 ]
+  br i1 %460, label %884, label %464
 
-460:                                              ; preds = %455
-  br i1 %149, label %471, label %463
+464:                                              ; preds = %459
+  br i1 %150, label %475, label %467
 
-461:                                              ; preds = %558
-  %462 = zext i1 %559 to i32
-  br label %463
+465:                                              ; preds = %562
+  %466 = zext i1 %563 to i32
+  br label %467
 
-463:                                              ; preds = %461, %460
-  %464 = phi i32 [ 0, %460 ], [ %462, %461 ]
-  %465 = phi i64 [ -1, %460 ], [ %548, %461 ]
-  %466 = icmp eq i32 %464, 0
-  br i1 %466, label %467, label %562
+467:                                              ; preds = %465, %464
+  %468 = phi i32 [ 0, %464 ], [ %466, %465 ]
+  %469 = phi i64 [ -1, %464 ], [ %552, %465 ]
+  %470 = icmp eq i32 %468, 0
+  br i1 %470, label %471, label %566
 
-467:                                              ; preds = %463
-  br i1 %158, label %468, label %688
+471:                                              ; preds = %467
+  br i1 %159, label %472, label %693
 
-468:                                              ; preds = %467
-  %469 = fmul double %458, %2
-  %470 = fadd double %469, %1
-  br label %809
+472:                                              ; preds = %471
+  %473 = fmul double %462, %2
+  %474 = fadd double %473, %1
+  br label %815
 
-471:                                              ; preds = %460, %558
-  %472 = phi i64 [ %560, %558 ], [ 0, %460 ]
-  %473 = phi i64 [ %548, %558 ], [ -1, %460 ]
-  %474 = phi i1 [ %559, %558 ], [ false, %460 ]
-  %475 = getelementptr inbounds double, ptr %31, i64 %472
-  %476 = load double, ptr %475, align 8
-  %477 = getelementptr inbounds i64, ptr %16, i64 %472
-  %478 = load i64, ptr %477, align 8
-  %479 = getelementptr inbounds i64, ptr %14, i64 %472
-  %480 = load i64, ptr %479, align 8
-  %481 = icmp slt i64 %478, 0
-  %482 = fcmp ogt double %476, 0.000000e+00
-  %483 = and i1 %482, %481
-  %484 = icmp sgt i64 %480, -1
-  %485 = and i1 %483, %484
-  br i1 %485, label %493, label %486
+475:                                              ; preds = %464, %562
+  %476 = phi i64 [ %564, %562 ], [ 0, %464 ]
+  %477 = phi i64 [ %552, %562 ], [ -1, %464 ]
+  %478 = phi i1 [ %563, %562 ], [ false, %464 ]
+  %479 = getelementptr inbounds double, ptr %31, i64 %476
+  %480 = load double, ptr %479, align 8
+  %481 = getelementptr inbounds i64, ptr %16, i64 %476
+  %482 = load i64, ptr %481, align 8
+  %483 = getelementptr inbounds i64, ptr %14, i64 %476
+  %484 = load i64, ptr %483, align 8
+  %485 = icmp slt i64 %482, 0
+  %486 = fcmp ogt double %480, 0.000000e+00
+  %487 = and i1 %486, %485
+  %488 = icmp sgt i64 %484, -1
+  %489 = and i1 %487, %488
+  br i1 %489, label %497, label %490
 
-486:                                              ; preds = %471
-  %487 = icmp sgt i64 %478, 0
-  %488 = fcmp olt double %476, 0.000000e+00
-  %489 = and i1 %488, %487
-  br i1 %489, label %490, label %493
+490:                                              ; preds = %475
+  %491 = icmp sgt i64 %482, 0
+  %492 = fcmp olt double %480, 0.000000e+00
+  %493 = and i1 %492, %491
+  br i1 %493, label %494, label %497
 
-490:                                              ; preds = %486
-  %491 = icmp slt i64 %480, 1
-  %492 = zext i1 %491 to i32
-  br label %493
+494:                                              ; preds = %490
+  %495 = icmp slt i64 %484, 1
+  %496 = zext i1 %495 to i32
+  br label %497
 
-493:                                              ; preds = %471, %486, %490
-  %494 = phi i32 [ 1, %471 ], [ 0, %486 ], [ %492, %490 ]
-  %495 = icmp eq i32 %494, 0
-  br i1 %495, label %496, label %521
+497:                                              ; preds = %475, %490, %494
+  %498 = phi i32 [ 1, %475 ], [ 0, %490 ], [ %496, %494 ]
+  %499 = icmp eq i32 %498, 0
+  br i1 %499, label %500, label %525
 
-496:                                              ; preds = %493
-  %497 = getelementptr inbounds double, ptr %272, i64 %472
-  %498 = load double, ptr %497, align 8
-  %499 = fcmp ogt double %498, 0.000000e+00
-  %500 = and i1 %481, %499
-  %501 = and i1 %484, %500
-  br i1 %501, label %509, label %502
+500:                                              ; preds = %497
+  %501 = getelementptr inbounds double, ptr %274, i64 %476
+  %502 = load double, ptr %501, align 8
+  %503 = fcmp ogt double %502, 0.000000e+00
+  %504 = and i1 %485, %503
+  %505 = and i1 %488, %504
+  br i1 %505, label %513, label %506
 
-502:                                              ; preds = %496
-  %503 = icmp sgt i64 %478, 0
-  %504 = fcmp olt double %498, 0.000000e+00
-  %505 = and i1 %503, %504
-  br i1 %505, label %506, label %509
+506:                                              ; preds = %500
+  %507 = icmp sgt i64 %482, 0
+  %508 = fcmp olt double %502, 0.000000e+00
+  %509 = and i1 %507, %508
+  br i1 %509, label %510, label %513
 
-506:                                              ; preds = %502
-  %507 = icmp slt i64 %480, 1
-  %508 = zext i1 %507 to i32
-  br label %509
+510:                                              ; preds = %506
+  %511 = icmp slt i64 %484, 1
+  %512 = zext i1 %511 to i32
+  br label %513
 
-509:                                              ; preds = %496, %502, %506
-  %510 = phi i32 [ 1, %496 ], [ 0, %502 ], [ %508, %506 ]
-  %511 = icmp eq i32 %510, 0
-  br i1 %511, label %521, label %512
+513:                                              ; preds = %500, %506, %510
+  %514 = phi i32 [ 1, %500 ], [ 0, %506 ], [ %512, %510 ]
+  %515 = icmp eq i32 %514, 0
+  br i1 %515, label %525, label %516
 
-512:                                              ; preds = %509
-  %513 = fcmp oeq double %476, 0.000000e+00
-  br i1 %513, label %518, label %514
+516:                                              ; preds = %513
+  %517 = fcmp oeq double %480, 0.000000e+00
+  br i1 %517, label %522, label %518
 
-514:                                              ; preds = %512
-  %515 = getelementptr inbounds i64, ptr %18, i64 %472
-  %516 = load i64, ptr %515, align 8
-  %517 = icmp eq i64 %516, 1
-  br label %518
+518:                                              ; preds = %516
+  %519 = getelementptr inbounds i64, ptr %18, i64 %476
+  %520 = load i64, ptr %519, align 8
+  %521 = icmp eq i64 %520, 1
+  br label %522
 
-518:                                              ; preds = %514, %512
-  %519 = phi i1 [ true, %512 ], [ %517, %514 ]
-  %520 = zext i1 %519 to i32
-  br label %521
+522:                                              ; preds = %518, %516
+  %523 = phi i1 [ true, %516 ], [ %521, %518 ]
+  %524 = zext i1 %523 to i32
+  br label %525
 
-521:                                              ; preds = %518, %509, %493
-  %522 = phi i32 [ 1, %493 ], [ %520, %518 ], [ 0, %509 ]
-  %523 = icmp eq i32 %522, 0
-  br i1 %523, label %524, label %530
+525:                                              ; preds = %522, %513, %497
+  %526 = phi i32 [ 1, %497 ], [ %524, %522 ], [ 0, %513 ]
+  %527 = icmp eq i32 %526, 0
+  br i1 %527, label %528, label %534
 
-524:                                              ; preds = %521
-  %525 = getelementptr inbounds i64, ptr %18, i64 %472
-  %526 = load i64, ptr %525, align 8
-  %527 = icmp eq i64 %526, 2
-  %528 = fcmp oeq double %476, 0.000000e+00
-  %529 = and i1 %528, %527
-  br label %530
+528:                                              ; preds = %525
+  %529 = getelementptr inbounds i64, ptr %18, i64 %476
+  %530 = load i64, ptr %529, align 8
+  %531 = icmp eq i64 %530, 2
+  %532 = fcmp oeq double %480, 0.000000e+00
+  %533 = and i1 %532, %531
+  br label %534
 
-530:                                              ; preds = %524, %521
-  %531 = phi i1 [ true, %521 ], [ %529, %524 ]
-  br i1 %531, label %547, label %532
+534:                                              ; preds = %528, %525
+  %535 = phi i1 [ true, %525 ], [ %533, %528 ]
+  br i1 %535, label %551, label %536
 
-532:                                              ; preds = %530
-  %533 = getelementptr inbounds double, ptr %272, i64 %472
-  %534 = load double, ptr %533, align 8
-  %535 = icmp eq i64 %478, 0
-  %536 = fcmp ord double %534, 0.000000e+00
-  %537 = or i1 %535, %536
-  br i1 %537, label %547, label %538
+536:                                              ; preds = %534
+  %537 = getelementptr inbounds double, ptr %274, i64 %476
+  %538 = load double, ptr %537, align 8
+  %539 = icmp eq i64 %482, 0
+  %540 = fcmp ord double %538, 0.000000e+00
+  %541 = or i1 %539, %540
+  br i1 %541, label %551, label %542
 
-538:                                              ; preds = %532
-  %539 = sitofp i64 %478 to double
-  %540 = fmul double %476, %539
-  %541 = fcmp olt double %540, 0.000000e+00
-  br i1 %541, label %542, label %544
+542:                                              ; preds = %536
+  %543 = sitofp i64 %482 to double
+  %544 = fmul double %480, %543
+  %545 = fcmp olt double %544, 0.000000e+00
+  br i1 %545, label %546, label %548
 
-542:                                              ; preds = %538
-  %543 = sub nsw i64 0, %478
-  store i64 %543, ptr %477, align 8
-  br label %547
+546:                                              ; preds = %542
+  %547 = sub nsw i64 0, %482
+  store i64 %547, ptr %481, align 8
+  br label %551
 
-544:                                              ; preds = %538
-  %545 = fcmp ueq double %476, 0.000000e+00
-  %546 = select i1 %545, i64 %472, i64 %473
-  br label %547
+548:                                              ; preds = %542
+  %549 = fcmp ueq double %480, 0.000000e+00
+  %550 = select i1 %549, i64 %476, i64 %477
+  br label %551
 
-547:                                              ; preds = %544, %542, %532, %530
-  %548 = phi i64 [ %473, %530 ], [ %473, %542 ], [ %473, %532 ], [ %546, %544 ]
-  %549 = zext i1 %531 to i64
-  %550 = getelementptr inbounds i64, ptr %18, i64 %472
-  store i64 %549, ptr %550, align 8
-  %551 = xor i1 %531, true
-  %552 = or i1 %474, %551
-  br i1 %552, label %558, label %553
+551:                                              ; preds = %548, %546, %536, %534
+  %552 = phi i64 [ %477, %534 ], [ %477, %546 ], [ %477, %536 ], [ %550, %548 ]
+  %553 = zext i1 %535 to i64
+  %554 = getelementptr inbounds i64, ptr %18, i64 %476
+  store i64 %553, ptr %554, align 8
+  %555 = xor i1 %535, true
+  %556 = or i1 %478, %555
+  br i1 %556, label %562, label %557
 
-553:                                              ; preds = %547
-  %554 = load ptr, ptr %150, align 8
-  %555 = getelementptr inbounds i64, ptr %554, i64 %472
-  %556 = load i64, ptr %555, align 8
-  %557 = icmp eq i64 %556, 1
-  br label %558
+557:                                              ; preds = %551
+  %558 = load ptr, ptr %151, align 8
+  %559 = getelementptr inbounds i64, ptr %558, i64 %476
+  %560 = load i64, ptr %559, align 8
+  %561 = icmp eq i64 %560, 1
+  br label %562
 
-558:                                              ; preds = %547, %553
-  %559 = phi i1 [ %474, %547 ], [ %557, %553 ]
-  %560 = add nuw nsw i64 %472, 1
-  %561 = icmp eq i64 %560, %12
-  br i1 %561, label %461, label %471, !llvm.loop !11
+562:                                              ; preds = %551, %557
+  %563 = phi i1 [ %478, %551 ], [ %561, %557 ]
+  %564 = add nuw nsw i64 %476, 1
+  %565 = icmp eq i64 %564, %12
+  br i1 %565, label %465, label %475, !llvm.loop !11
 
-562:                                              ; preds = %463
-  store double %458, ptr %151, align 8
-  %563 = load ptr, ptr %9, align 8
-  %564 = getelementptr inbounds i8, ptr %563, i64 8
-  %565 = load i64, ptr %564, align 8
-  %566 = load ptr, ptr %25, align 8
-  %567 = getelementptr inbounds double, ptr %566, i64 %565
-  %568 = mul i64 %565, 56
-  %569 = getelementptr inbounds i8, ptr %566, i64 %568
-  %570 = load ptr, ptr %152, align 8
-  %571 = load i64, ptr %153, align 8
-  %572 = getelementptr double, ptr %570, i64 %571
-  %573 = getelementptr i8, ptr %572, i64 -8
-  %574 = load double, ptr %573, align 8
-  %575 = load double, ptr %570, align 8
-  %576 = fsub double %574, %575
-  %577 = icmp sgt i64 %565, 0
-  br i1 %577, label %581, label %578
+566:                                              ; preds = %467
+  store double %462, ptr %152, align 8
+  %567 = load ptr, ptr %9, align 8
+  %568 = getelementptr inbounds i8, ptr %567, i64 8
+  %569 = load i64, ptr %568, align 8
+  %570 = load ptr, ptr %25, align 8
+  %571 = getelementptr inbounds double, ptr %570, i64 %569
+  %572 = mul i64 %569, 56
+  %573 = getelementptr inbounds i8, ptr %570, i64 %572
+  %574 = load ptr, ptr %153, align 8
+  %575 = load i64, ptr %154, align 8
+  %576 = getelementptr double, ptr %574, i64 %575
+  %577 = getelementptr i8, ptr %576, i64 -8
+  %578 = load double, ptr %577, align 8
+  %579 = load double, ptr %574, align 8
+  %580 = fsub double %578, %579
+  %581 = icmp sgt i64 %569, 0
+  br i1 %581, label %585, label %582
 
-578:                                              ; preds = %594, %562
-  %579 = phi i32 [ 0, %562 ], [ %596, %594 ]
-  %580 = icmp eq i32 %579, 0
-  br i1 %580, label %878, label %599
-
-581:                                              ; preds = %562, %594
-  %582 = phi i64 [ %597, %594 ], [ 0, %562 ]
-  %583 = phi i32 [ %596, %594 ], [ 0, %562 ]
+582:                                              ; preds = %598, %566
+  %583 = phi i32 [ 0, %566 ], [ %600, %598 ]
   %584 = icmp eq i32 %583, 0
-  br i1 %584, label %585, label %594
+  br i1 %584, label %884, label %603
 
-585:                                              ; preds = %581
-  %586 = load ptr, ptr %17, align 8
-  %587 = getelementptr inbounds i64, ptr %586, i64 %582
-  %588 = load i64, ptr %587, align 8
-  %589 = icmp eq i64 %588, 0
-  br i1 %589, label %594, label %590
+585:                                              ; preds = %566, %598
+  %586 = phi i64 [ %601, %598 ], [ 0, %566 ]
+  %587 = phi i32 [ %600, %598 ], [ 0, %566 ]
+  %588 = icmp eq i32 %587, 0
+  br i1 %588, label %589, label %598
 
-590:                                              ; preds = %585
-  %591 = getelementptr inbounds double, ptr %567, i64 %582
-  %592 = load double, ptr %591, align 8
-  %593 = fcmp oeq double %592, 0.000000e+00
-  br label %594
+589:                                              ; preds = %585
+  %590 = load ptr, ptr %17, align 8
+  %591 = getelementptr inbounds i64, ptr %590, i64 %586
+  %592 = load i64, ptr %591, align 8
+  %593 = icmp eq i64 %592, 0
+  br i1 %593, label %598, label %594
 
-594:                                              ; preds = %590, %585, %581
-  %595 = phi i1 [ true, %581 ], [ false, %585 ], [ %593, %590 ]
-  %596 = zext i1 %595 to i32
-  %597 = add nuw nsw i64 %582, 1
-  %598 = icmp eq i64 %597, %565
-  br i1 %598, label %578, label %581, !llvm.loop !12
+594:                                              ; preds = %589
+  %595 = getelementptr inbounds double, ptr %571, i64 %586
+  %596 = load double, ptr %595, align 8
+  %597 = fcmp oeq double %596, 0.000000e+00
+  br label %598
 
-599:                                              ; preds = %578
-  %600 = fsub double %271, %458
-  %601 = fmul double %600, %2
-  %602 = fcmp ogt double %155, %576
-  %603 = select i1 %602, double %155, double %576
-  %604 = fmul double %603, 0x3F50000000000000
-  %605 = fcmp ugt double %601, %604
-  br i1 %605, label %606, label %878
+598:                                              ; preds = %594, %589, %585
+  %599 = phi i1 [ true, %585 ], [ false, %589 ], [ %597, %594 ]
+  %600 = zext i1 %599 to i32
+  %601 = add nuw nsw i64 %586, 1
+  %602 = icmp eq i64 %601, %569
+  br i1 %602, label %582, label %585, !llvm.loop !12
 
-606:                                              ; preds = %599
-  %607 = fmul double %600, 0x3F50000000000000
-  %608 = fadd double %458, %607
-  %609 = load ptr, ptr %136, align 8
-  %610 = load ptr, ptr %138, align 8
-  %611 = insertelement <8 x double> poison, double %608, i64 0
-  %612 = shufflevector <8 x double> %611, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %612, ptr %610, align 8
+603:                                              ; preds = %582
+  %604 = fsub double %273, %462
+  %605 = fmul double %604, %2
+  %606 = fcmp ogt double %156, %580
+  %607 = select i1 %606, double %156, double %580
+  %608 = fmul double %607, 0x3F50000000000000
+  %609 = fcmp ugt double %605, %608
+  br i1 %609, label %610, label %884
+
+610:                                              ; preds = %603
+  %611 = fmul double %604, 0x3F50000000000000
+  %612 = fadd double %462, %611
   %613 = load ptr, ptr %137, align 8
   %614 = load ptr, ptr %139, align 8
-  %615 = load i64, ptr %140, align 8
-  %616 = load ptr, ptr %141, align 8
-  %617 = getelementptr inbounds i8, ptr %616, i64 24
-  %618 = load i64, ptr %617, align 8
-  %619 = load ptr, ptr %138, align 8
+  %615 = insertelement <8 x double> poison, double %612, i64 0
+  %616 = shufflevector <8 x double> %615, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %616, ptr %614, align 8
+  %617 = load ptr, ptr %138, align 8
+  %618 = load ptr, ptr %140, align 8
+  %619 = load i64, ptr %141, align 8
   %620 = load ptr, ptr %142, align 8
-  %621 = getelementptr inbounds i8, ptr %620, i64 16
+  %621 = getelementptr inbounds i8, ptr %620, i64 24
   %622 = load i64, ptr %621, align 8
-  tail call fastcc void @nested(ptr noundef %609, ptr noundef %613, ptr noundef %614, i64 noundef %615, i64 noundef %618, ptr noundef %619, i64 noundef %622) #8
-  %623 = fmul double %608, %2
-  %624 = fadd double %623, %1
-  %625 = load ptr, ptr %143, align 8
-  store double %624, ptr %625, align 8
-  %626 = load i64, ptr %144, align 8
-  %627 = icmp sgt i64 %626, 0
-  br i1 %627, label %628, label %629
+  %623 = load ptr, ptr %139, align 8
+  %624 = load ptr, ptr %143, align 8
+  %625 = getelementptr inbounds i8, ptr %624, i64 16
+  %626 = load i64, ptr %625, align 8
+  tail call fastcc void @nested(ptr noundef %613, ptr noundef %617, ptr noundef %618, i64 noundef %619, i64 noundef %622, ptr noundef %623, i64 noundef %626) #8
+  %627 = fmul double %612, %2
+  %628 = fadd double %627, %1
+  %629 = load ptr, ptr %144, align 8
+  store double %628, ptr %629, align 8
+  %630 = load i64, ptr %145, align 8
+  %631 = icmp sgt i64 %630, 0
+  br i1 %631, label %632, label %633
 
-628:                                              ; preds = %606
+632:                                              ; preds = %610
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %629
+  br label %633
 
-629:                                              ; preds = %606, %628
-  %630 = load ptr, ptr %9, align 8
-  %631 = load i64, ptr %630, align 8
-  %632 = load ptr, ptr %145, align 8
-  %633 = load ptr, ptr %136, align 8
-  %634 = load ptr, ptr %146, align 8
-  %635 = load ptr, ptr %147, align 8
-  %636 = load ptr, ptr %25, align 8
-  %637 = getelementptr inbounds i8, ptr %630, i64 8
-  %638 = load i64, ptr %637, align 8
-  %639 = mul i64 %638, 56
-  %640 = getelementptr inbounds i8, ptr %636, i64 %639
-  %641 = inttoptr i64 %631 to ptr
-  %642 = tail call i32 %641(ptr noundef %632, ptr noundef %633, ptr noundef %634, ptr noundef %635, ptr noundef %640) #9
-  %643 = icmp slt i32 %642, 0
-  br i1 %643, label %683, label %644
+633:                                              ; preds = %610, %632
+  %634 = load ptr, ptr %9, align 8
+  %635 = load i64, ptr %634, align 8
+  %636 = load ptr, ptr %146, align 8
+  %637 = load ptr, ptr %137, align 8
+  %638 = load ptr, ptr %147, align 8
+  %639 = load ptr, ptr %148, align 8
+  %640 = load ptr, ptr %25, align 8
+  %641 = getelementptr inbounds i8, ptr %634, i64 8
+  %642 = load i64, ptr %641, align 8
+  %643 = mul i64 %642, 56
+  %644 = getelementptr inbounds i8, ptr %640, i64 %643
+  %645 = inttoptr i64 %635 to ptr
+  %646 = load ptr, ptr %645, align 8
+  %647 = tail call i32 %646(ptr noundef %636, ptr noundef %637, ptr noundef %638, ptr noundef %639, ptr noundef %644) #9
+  %648 = icmp slt i32 %647, 0
+  br i1 %648, label %688, label %649
 
-644:                                              ; preds = %629
-  %645 = icmp sgt i64 %565, 0
-  br i1 %645, label %646, label %878
+649:                                              ; preds = %633
+  %650 = icmp sgt i64 %569, 0
+  br i1 %650, label %651, label %884
 
-646:                                              ; preds = %644
-  %647 = fmul double %458, %2
-  %648 = fadd double %647, %1
-  %649 = fsub double %648, %648
-  br label %650
+651:                                              ; preds = %649
+  %652 = fmul double %462, %2
+  %653 = fadd double %652, %1
+  %654 = fsub double %653, %653
+  br label %655
 
-650:                                              ; preds = %646, %680
-  %651 = phi i64 [ 0, %646 ], [ %681, %680 ]
-  %652 = load ptr, ptr %17, align 8
-  %653 = getelementptr inbounds i64, ptr %652, i64 %651
-  %654 = load i64, ptr %653, align 8
-  %655 = icmp eq i64 %654, 0
-  br i1 %655, label %680, label %656
+655:                                              ; preds = %651, %685
+  %656 = phi i64 [ 0, %651 ], [ %686, %685 ]
+  %657 = load ptr, ptr %17, align 8
+  %658 = getelementptr inbounds i64, ptr %657, i64 %656
+  %659 = load i64, ptr %658, align 8
+  %660 = icmp eq i64 %659, 0
+  br i1 %660, label %685, label %661
 
-656:                                              ; preds = %650
-  %657 = getelementptr inbounds double, ptr %567, i64 %651
-  %658 = load double, ptr %657, align 8
-  %659 = fcmp oeq double %658, 0.000000e+00
-  br i1 %659, label %660, label %680
+661:                                              ; preds = %655
+  %662 = getelementptr inbounds double, ptr %571, i64 %656
+  %663 = load double, ptr %662, align 8
+  %664 = fcmp oeq double %663, 0.000000e+00
+  br i1 %664, label %665, label %685
 
-660:                                              ; preds = %656
-  %661 = getelementptr inbounds double, ptr %569, i64 %651
-  %662 = load double, ptr %661, align 8
-  %663 = fcmp oeq double %662, 0.000000e+00
-  br i1 %663, label %664, label %680
+665:                                              ; preds = %661
+  %666 = getelementptr inbounds double, ptr %573, i64 %656
+  %667 = load double, ptr %666, align 8
+  %668 = fcmp oeq double %667, 0.000000e+00
+  br i1 %668, label %669, label %685
 
-664:                                              ; preds = %660
-  %665 = load i64, ptr %156, align 8
-  %666 = icmp eq i64 %665, 0
-  br i1 %666, label %680, label %667
+669:                                              ; preds = %665
+  %670 = load i64, ptr %157, align 8
+  %671 = icmp eq i64 %670, 0
+  br i1 %671, label %685, label %672
 
-667:                                              ; preds = %664
-  %668 = load ptr, ptr %157, align 8
-  %669 = shl nsw i64 %651, 4
-  %670 = getelementptr inbounds i8, ptr %668, i64 %669
-  %671 = getelementptr inbounds i8, ptr %670, i64 8
-  %672 = load double, ptr %671, align 8
-  %673 = fcmp oeq double %672, %648
-  br i1 %673, label %679, label %674
+672:                                              ; preds = %669
+  %673 = load ptr, ptr %158, align 8
+  %674 = shl nsw i64 %656, 4
+  %675 = getelementptr inbounds i8, ptr %673, i64 %674
+  %676 = getelementptr inbounds i8, ptr %675, i64 8
+  %677 = load double, ptr %676, align 8
+  %678 = fcmp oeq double %677, %653
+  br i1 %678, label %684, label %679
 
-674:                                              ; preds = %667
-  %675 = load double, ptr %670, align 8
-  %676 = fsub double %672, %675
-  %677 = fcmp ult double %676, %649
-  br i1 %677, label %678, label %680
+679:                                              ; preds = %672
+  %680 = load double, ptr %675, align 8
+  %681 = fsub double %677, %680
+  %682 = fcmp ult double %681, %654
+  br i1 %682, label %683, label %685
 
-678:                                              ; preds = %674
-  store double %648, ptr %670, align 8
-  br label %679
+683:                                              ; preds = %679
+  store double %653, ptr %675, align 8
+  br label %684
 
-679:                                              ; preds = %667, %678
-  store double %648, ptr %671, align 8
-  br label %680
+684:                                              ; preds = %672, %683
+  store double %653, ptr %676, align 8
+  br label %685
 
-680:                                              ; preds = %679, %674, %664, %660, %656, %650
-  %681 = add nuw nsw i64 %651, 1
-  %682 = icmp eq i64 %681, %565
-  br i1 %682, label %878, label %650, !llvm.loop !13
+685:                                              ; preds = %684, %679, %669, %665, %661, %655
+  %686 = add nuw nsw i64 %656, 1
+  %687 = icmp eq i64 %686, %569
+  br i1 %687, label %884, label %655, !llvm.loop !13
 
-683:                                              ; preds = %629
-  %684 = load ptr, ptr %20, align 8
-  %685 = getelementptr inbounds i8, ptr %684, i64 80
-  store i64 %23, ptr %685, align 8
-  %686 = load ptr, ptr %19, align 8
-  %687 = getelementptr inbounds i8, ptr %686, i64 48
-  store double 1.000000e+00, ptr %687, align 8
-  br label %878
+688:                                              ; preds = %633
+  %689 = load ptr, ptr %20, align 8
+  %690 = getelementptr inbounds i8, ptr %689, i64 80
+  store i64 %23, ptr %690, align 8
+  %691 = load ptr, ptr %19, align 8
+  %692 = getelementptr inbounds i8, ptr %691, i64 48
+  store double 1.000000e+00, ptr %692, align 8
+  br label %884
 
-688:                                              ; preds = %851, %467
-  %689 = load ptr, ptr %9, align 8
-  %690 = getelementptr inbounds i8, ptr %689, i64 8
-  %691 = load i64, ptr %690, align 8
-  %692 = load ptr, ptr %25, align 8
-  %693 = getelementptr inbounds double, ptr %692, i64 %691
-  %694 = mul i64 %691, 56
-  %695 = getelementptr inbounds i8, ptr %692, i64 %694
-  %696 = load ptr, ptr %164, align 8
-  %697 = load i64, ptr %165, align 8
-  %698 = getelementptr double, ptr %696, i64 %697
-  %699 = getelementptr i8, ptr %698, i64 -8
-  %700 = load double, ptr %699, align 8
-  %701 = load double, ptr %696, align 8
-  %702 = fsub double %700, %701
-  %703 = icmp sgt i64 %691, 0
-  br i1 %703, label %707, label %704
+693:                                              ; preds = %857, %471
+  %694 = load ptr, ptr %9, align 8
+  %695 = getelementptr inbounds i8, ptr %694, i64 8
+  %696 = load i64, ptr %695, align 8
+  %697 = load ptr, ptr %25, align 8
+  %698 = getelementptr inbounds double, ptr %697, i64 %696
+  %699 = mul i64 %696, 56
+  %700 = getelementptr inbounds i8, ptr %697, i64 %699
+  %701 = load ptr, ptr %165, align 8
+  %702 = load i64, ptr %166, align 8
+  %703 = getelementptr double, ptr %701, i64 %702
+  %704 = getelementptr i8, ptr %703, i64 -8
+  %705 = load double, ptr %704, align 8
+  %706 = load double, ptr %701, align 8
+  %707 = fsub double %705, %706
+  %708 = icmp sgt i64 %696, 0
+  br i1 %708, label %712, label %709
 
-704:                                              ; preds = %720, %688
-  %705 = phi i32 [ 0, %688 ], [ %722, %720 ]
-  %706 = icmp eq i32 %705, 0
-  br i1 %706, label %859, label %725
+709:                                              ; preds = %725, %693
+  %710 = phi i32 [ 0, %693 ], [ %727, %725 ]
+  %711 = icmp eq i32 %710, 0
+  br i1 %711, label %865, label %730
 
-707:                                              ; preds = %688, %720
-  %708 = phi i64 [ %723, %720 ], [ 0, %688 ]
-  %709 = phi i32 [ %722, %720 ], [ 0, %688 ]
-  %710 = icmp eq i32 %709, 0
-  br i1 %710, label %711, label %720
+712:                                              ; preds = %693, %725
+  %713 = phi i64 [ %728, %725 ], [ 0, %693 ]
+  %714 = phi i32 [ %727, %725 ], [ 0, %693 ]
+  %715 = icmp eq i32 %714, 0
+  br i1 %715, label %716, label %725
 
-711:                                              ; preds = %707
-  %712 = load ptr, ptr %17, align 8
-  %713 = getelementptr inbounds i64, ptr %712, i64 %708
-  %714 = load i64, ptr %713, align 8
-  %715 = icmp eq i64 %714, 0
-  br i1 %715, label %720, label %716
+716:                                              ; preds = %712
+  %717 = load ptr, ptr %17, align 8
+  %718 = getelementptr inbounds i64, ptr %717, i64 %713
+  %719 = load i64, ptr %718, align 8
+  %720 = icmp eq i64 %719, 0
+  br i1 %720, label %725, label %721
 
-716:                                              ; preds = %711
-  %717 = getelementptr inbounds double, ptr %693, i64 %708
-  %718 = load double, ptr %717, align 8
-  %719 = fcmp oeq double %718, 0.000000e+00
-  br label %720
+721:                                              ; preds = %716
+  %722 = getelementptr inbounds double, ptr %698, i64 %713
+  %723 = load double, ptr %722, align 8
+  %724 = fcmp oeq double %723, 0.000000e+00
+  br label %725
 
-720:                                              ; preds = %716, %711, %707
-  %721 = phi i1 [ true, %707 ], [ false, %711 ], [ %719, %716 ]
-  %722 = zext i1 %721 to i32
-  %723 = add nuw nsw i64 %708, 1
-  %724 = icmp eq i64 %723, %691
-  br i1 %724, label %704, label %707, !llvm.loop !12
+725:                                              ; preds = %721, %716, %712
+  %726 = phi i1 [ true, %712 ], [ false, %716 ], [ %724, %721 ]
+  %727 = zext i1 %726 to i32
+  %728 = add nuw nsw i64 %713, 1
+  %729 = icmp eq i64 %728, %696
+  br i1 %729, label %709, label %712, !llvm.loop !12
 
-725:                                              ; preds = %704
-  %726 = fsub double %271, %458
-  %727 = fmul double %726, %2
-  %728 = fcmp ogt double %167, %702
-  %729 = select i1 %728, double %167, double %702
-  %730 = fmul double %729, 0x3F50000000000000
-  %731 = fcmp ugt double %727, %730
-  br i1 %731, label %732, label %859
+730:                                              ; preds = %709
+  %731 = fsub double %273, %462
+  %732 = fmul double %731, %2
+  %733 = fcmp ogt double %168, %707
+  %734 = select i1 %733, double %168, double %707
+  %735 = fmul double %734, 0x3F50000000000000
+  %736 = fcmp ugt double %732, %735
+  br i1 %736, label %737, label %865
 
-732:                                              ; preds = %725
-  %733 = fmul double %726, 0x3F50000000000000
-  %734 = fadd double %458, %733
-  %735 = load ptr, ptr %136, align 8
-  %736 = load ptr, ptr %138, align 8
-  %737 = insertelement <8 x double> poison, double %734, i64 0
-  %738 = shufflevector <8 x double> %737, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %738, ptr %736, align 8
-  %739 = load ptr, ptr %137, align 8
-  %740 = load ptr, ptr %139, align 8
-  %741 = load i64, ptr %140, align 8
-  %742 = load ptr, ptr %141, align 8
-  %743 = getelementptr inbounds i8, ptr %742, i64 24
-  %744 = load i64, ptr %743, align 8
-  %745 = load ptr, ptr %138, align 8
-  %746 = load ptr, ptr %142, align 8
-  %747 = getelementptr inbounds i8, ptr %746, i64 16
-  %748 = load i64, ptr %747, align 8
-  tail call fastcc void @nested(ptr noundef %735, ptr noundef %739, ptr noundef %740, i64 noundef %741, i64 noundef %744, ptr noundef %745, i64 noundef %748) #8
-  %749 = fmul double %734, %2
-  %750 = fadd double %749, %1
+737:                                              ; preds = %730
+  %738 = fmul double %731, 0x3F50000000000000
+  %739 = fadd double %462, %738
+  %740 = load ptr, ptr %137, align 8
+  %741 = load ptr, ptr %139, align 8
+  %742 = insertelement <8 x double> poison, double %739, i64 0
+  %743 = shufflevector <8 x double> %742, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %743, ptr %741, align 8
+  %744 = load ptr, ptr %138, align 8
+  %745 = load ptr, ptr %140, align 8
+  %746 = load i64, ptr %141, align 8
+  %747 = load ptr, ptr %142, align 8
+  %748 = getelementptr inbounds i8, ptr %747, i64 24
+  %749 = load i64, ptr %748, align 8
+  %750 = load ptr, ptr %139, align 8
   %751 = load ptr, ptr %143, align 8
-  store double %750, ptr %751, align 8
-  %752 = load i64, ptr %144, align 8
-  %753 = icmp sgt i64 %752, 0
-  br i1 %753, label %754, label %755
+  %752 = getelementptr inbounds i8, ptr %751, i64 16
+  %753 = load i64, ptr %752, align 8
+  tail call fastcc void @nested(ptr noundef %740, ptr noundef %744, ptr noundef %745, i64 noundef %746, i64 noundef %749, ptr noundef %750, i64 noundef %753) #8
+  %754 = fmul double %739, %2
+  %755 = fadd double %754, %1
+  %756 = load ptr, ptr %144, align 8
+  store double %755, ptr %756, align 8
+  %757 = load i64, ptr %145, align 8
+  %758 = icmp sgt i64 %757, 0
+  br i1 %758, label %759, label %760
 
-754:                                              ; preds = %732
+759:                                              ; preds = %737
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %755
+  br label %760
 
-755:                                              ; preds = %732, %754
-  %756 = load ptr, ptr %9, align 8
-  %757 = load i64, ptr %756, align 8
-  %758 = load ptr, ptr %145, align 8
-  %759 = load ptr, ptr %136, align 8
-  %760 = load ptr, ptr %146, align 8
-  %761 = load ptr, ptr %147, align 8
-  %762 = load ptr, ptr %25, align 8
-  %763 = getelementptr inbounds i8, ptr %756, i64 8
-  %764 = load i64, ptr %763, align 8
-  %765 = mul i64 %764, 56
-  %766 = getelementptr inbounds i8, ptr %762, i64 %765
-  %767 = inttoptr i64 %757 to ptr
-  %768 = tail call i32 %767(ptr noundef %758, ptr noundef %759, ptr noundef %760, ptr noundef %761, ptr noundef %766) #9
-  %769 = icmp slt i32 %768, 0
-  br i1 %769, label %854, label %770
+760:                                              ; preds = %737, %759
+  %761 = load ptr, ptr %9, align 8
+  %762 = load i64, ptr %761, align 8
+  %763 = load ptr, ptr %146, align 8
+  %764 = load ptr, ptr %137, align 8
+  %765 = load ptr, ptr %147, align 8
+  %766 = load ptr, ptr %148, align 8
+  %767 = load ptr, ptr %25, align 8
+  %768 = getelementptr inbounds i8, ptr %761, i64 8
+  %769 = load i64, ptr %768, align 8
+  %770 = mul i64 %769, 56
+  %771 = getelementptr inbounds i8, ptr %767, i64 %770
+  %772 = inttoptr i64 %762 to ptr
+  %773 = load ptr, ptr %772, align 8
+  %774 = tail call i32 %773(ptr noundef %763, ptr noundef %764, ptr noundef %765, ptr noundef %766, ptr noundef %771) #9
+  %775 = icmp slt i32 %774, 0
+  br i1 %775, label %860, label %776
 
-770:                                              ; preds = %755
-  %771 = icmp sgt i64 %691, 0
-  br i1 %771, label %772, label %859
+776:                                              ; preds = %760
+  %777 = icmp sgt i64 %696, 0
+  br i1 %777, label %778, label %865
 
-772:                                              ; preds = %770
-  %773 = fmul double %458, %2
-  %774 = fadd double %773, %1
-  %775 = fsub double %774, %774
-  br label %776
+778:                                              ; preds = %776
+  %779 = fmul double %462, %2
+  %780 = fadd double %779, %1
+  %781 = fsub double %780, %780
+  br label %782
 
-776:                                              ; preds = %772, %806
-  %777 = phi i64 [ 0, %772 ], [ %807, %806 ]
-  %778 = load ptr, ptr %17, align 8
-  %779 = getelementptr inbounds i64, ptr %778, i64 %777
-  %780 = load i64, ptr %779, align 8
-  %781 = icmp eq i64 %780, 0
-  br i1 %781, label %806, label %782
+782:                                              ; preds = %778, %812
+  %783 = phi i64 [ 0, %778 ], [ %813, %812 ]
+  %784 = load ptr, ptr %17, align 8
+  %785 = getelementptr inbounds i64, ptr %784, i64 %783
+  %786 = load i64, ptr %785, align 8
+  %787 = icmp eq i64 %786, 0
+  br i1 %787, label %812, label %788
 
-782:                                              ; preds = %776
-  %783 = getelementptr inbounds double, ptr %693, i64 %777
-  %784 = load double, ptr %783, align 8
-  %785 = fcmp oeq double %784, 0.000000e+00
-  br i1 %785, label %786, label %806
+788:                                              ; preds = %782
+  %789 = getelementptr inbounds double, ptr %698, i64 %783
+  %790 = load double, ptr %789, align 8
+  %791 = fcmp oeq double %790, 0.000000e+00
+  br i1 %791, label %792, label %812
 
-786:                                              ; preds = %782
-  %787 = getelementptr inbounds double, ptr %695, i64 %777
-  %788 = load double, ptr %787, align 8
-  %789 = fcmp oeq double %788, 0.000000e+00
-  br i1 %789, label %790, label %806
+792:                                              ; preds = %788
+  %793 = getelementptr inbounds double, ptr %700, i64 %783
+  %794 = load double, ptr %793, align 8
+  %795 = fcmp oeq double %794, 0.000000e+00
+  br i1 %795, label %796, label %812
 
-790:                                              ; preds = %786
-  %791 = load i64, ptr %168, align 8
-  %792 = icmp eq i64 %791, 0
-  br i1 %792, label %806, label %793
+796:                                              ; preds = %792
+  %797 = load i64, ptr %169, align 8
+  %798 = icmp eq i64 %797, 0
+  br i1 %798, label %812, label %799
 
-793:                                              ; preds = %790
-  %794 = load ptr, ptr %169, align 8
-  %795 = shl nsw i64 %777, 4
-  %796 = getelementptr inbounds i8, ptr %794, i64 %795
-  %797 = getelementptr inbounds i8, ptr %796, i64 8
-  %798 = load double, ptr %797, align 8
-  %799 = fcmp oeq double %798, %774
-  br i1 %799, label %805, label %800
+799:                                              ; preds = %796
+  %800 = load ptr, ptr %170, align 8
+  %801 = shl nsw i64 %783, 4
+  %802 = getelementptr inbounds i8, ptr %800, i64 %801
+  %803 = getelementptr inbounds i8, ptr %802, i64 8
+  %804 = load double, ptr %803, align 8
+  %805 = fcmp oeq double %804, %780
+  br i1 %805, label %811, label %806
 
-800:                                              ; preds = %793
-  %801 = load double, ptr %796, align 8
-  %802 = fsub double %798, %801
-  %803 = fcmp ult double %802, %775
-  br i1 %803, label %804, label %806
+806:                                              ; preds = %799
+  %807 = load double, ptr %802, align 8
+  %808 = fsub double %804, %807
+  %809 = fcmp ult double %808, %781
+  br i1 %809, label %810, label %812
 
-804:                                              ; preds = %800
-  store double %774, ptr %796, align 8
-  br label %805
+810:                                              ; preds = %806
+  store double %780, ptr %802, align 8
+  br label %811
 
-805:                                              ; preds = %793, %804
-  store double %774, ptr %797, align 8
-  br label %806
+811:                                              ; preds = %799, %810
+  store double %780, ptr %803, align 8
+  br label %812
 
-806:                                              ; preds = %805, %800, %790, %786, %782, %776
-  %807 = add nuw nsw i64 %777, 1
-  %808 = icmp eq i64 %807, %691
-  br i1 %808, label %859, label %776, !llvm.loop !13
+812:                                              ; preds = %811, %806, %796, %792, %788, %782
+  %813 = add nuw nsw i64 %783, 1
+  %814 = icmp eq i64 %813, %696
+  br i1 %814, label %865, label %782, !llvm.loop !13
 
-809:                                              ; preds = %468, %851
-  %810 = phi i64 [ 0, %468 ], [ %852, %851 ]
-  %811 = getelementptr inbounds i64, ptr %18, i64 %810
-  %812 = load i64, ptr %811, align 8
-  %813 = icmp eq i64 %812, 0
-  br i1 %813, label %851, label %814
+815:                                              ; preds = %472, %857
+  %816 = phi i64 [ 0, %472 ], [ %858, %857 ]
+  %817 = getelementptr inbounds i64, ptr %18, i64 %816
+  %818 = load i64, ptr %817, align 8
+  %819 = icmp eq i64 %818, 0
+  br i1 %819, label %857, label %820
 
-814:                                              ; preds = %809
-  %815 = load ptr, ptr %20, align 8
-  %816 = getelementptr inbounds i8, ptr %815, i64 80
-  %817 = load i64, ptr %816, align 8
-  %818 = load ptr, ptr %6, align 8
-  %819 = getelementptr inbounds i8, ptr %818, i64 8
-  %820 = load i64, ptr %819, align 8
-  %821 = load i64, ptr %159, align 8
-  %822 = icmp eq i64 %821, 0
-  br i1 %822, label %847, label %823
+820:                                              ; preds = %815
+  %821 = load ptr, ptr %20, align 8
+  %822 = getelementptr inbounds i8, ptr %821, i64 80
+  %823 = load i64, ptr %822, align 8
+  %824 = load ptr, ptr %6, align 8
+  %825 = getelementptr inbounds i8, ptr %824, i64 8
+  %826 = load i64, ptr %825, align 8
+  %827 = load i64, ptr %160, align 8
+  %828 = icmp eq i64 %827, 0
+  br i1 %828, label %853, label %829
 
-823:                                              ; preds = %814
-  %824 = load ptr, ptr %160, align 8
-  %825 = getelementptr inbounds double, ptr %824, i64 %817
-  store double %470, ptr %825, align 8
-  %826 = load ptr, ptr %161, align 8
-  %827 = getelementptr inbounds i64, ptr %826, i64 %817
-  store i64 %810, ptr %827, align 8
-  %828 = icmp sgt i64 %820, 0
-  br i1 %828, label %829, label %831
+829:                                              ; preds = %820
+  %830 = load ptr, ptr %161, align 8
+  %831 = getelementptr inbounds double, ptr %830, i64 %823
+  store double %474, ptr %831, align 8
+  %832 = load ptr, ptr %162, align 8
+  %833 = getelementptr inbounds i64, ptr %832, i64 %823
+  store i64 %816, ptr %833, align 8
+  %834 = icmp sgt i64 %826, 0
+  br i1 %834, label %835, label %837
 
-829:                                              ; preds = %823
-  %830 = mul nsw i64 %820, %817
-  br label %835
+835:                                              ; preds = %829
+  %836 = mul nsw i64 %826, %823
+  br label %841
 
-831:                                              ; preds = %835, %823
-  %832 = add nsw i64 %817, 1
-  %833 = load ptr, ptr %20, align 8
-  %834 = getelementptr inbounds i8, ptr %833, i64 80
-  store i64 %832, ptr %834, align 8
-  br label %847
+837:                                              ; preds = %841, %829
+  %838 = add nsw i64 %823, 1
+  %839 = load ptr, ptr %20, align 8
+  %840 = getelementptr inbounds i8, ptr %839, i64 80
+  store i64 %838, ptr %840, align 8
+  br label %853
 
-835:                                              ; preds = %829, %835
-  %836 = phi i64 [ 0, %829 ], [ %845, %835 ]
-  %837 = load ptr, ptr %136, align 8
-  %838 = getelementptr inbounds double, ptr %837, i64 %836
-  %839 = load double, ptr %838, align 8
-  %840 = load ptr, ptr %162, align 8
-  %841 = add nsw i64 %836, %830
-  %842 = getelementptr inbounds double, ptr %840, i64 %841
-  store double %839, ptr %842, align 8
-  %843 = load ptr, ptr %163, align 8
-  %844 = getelementptr inbounds double, ptr %843, i64 %841
-  store double %839, ptr %844, align 8
-  %845 = add nuw nsw i64 %836, 1
-  %846 = icmp eq i64 %845, %820
-  br i1 %846, label %831, label %835, !llvm.loop !14
+841:                                              ; preds = %835, %841
+  %842 = phi i64 [ 0, %835 ], [ %851, %841 ]
+  %843 = load ptr, ptr %137, align 8
+  %844 = getelementptr inbounds double, ptr %843, i64 %842
+  %845 = load double, ptr %844, align 8
+  %846 = load ptr, ptr %163, align 8
+  %847 = add nsw i64 %842, %836
+  %848 = getelementptr inbounds double, ptr %846, i64 %847
+  store double %845, ptr %848, align 8
+  %849 = load ptr, ptr %164, align 8
+  %850 = getelementptr inbounds double, ptr %849, i64 %847
+  store double %845, ptr %850, align 8
+  %851 = add nuw nsw i64 %842, 1
+  %852 = icmp eq i64 %851, %826
+  br i1 %852, label %837, label %841, !llvm.loop !14
 
-847:                                              ; preds = %814, %831
-  %848 = getelementptr inbounds i64, ptr %16, i64 %810
-  %849 = load i64, ptr %848, align 8
-  %850 = sub nsw i64 0, %849
-  store i64 %850, ptr %848, align 8
-  br label %851
+853:                                              ; preds = %820, %837
+  %854 = getelementptr inbounds i64, ptr %16, i64 %816
+  %855 = load i64, ptr %854, align 8
+  %856 = sub nsw i64 0, %855
+  store i64 %856, ptr %854, align 8
+  br label %857
 
-851:                                              ; preds = %809, %847
-  %852 = add nuw nsw i64 %810, 1
-  %853 = icmp eq i64 %852, %12
-  br i1 %853, label %688, label %809, !llvm.loop !15
+857:                                              ; preds = %815, %853
+  %858 = add nuw nsw i64 %816, 1
+  %859 = icmp eq i64 %858, %12
+  br i1 %859, label %693, label %815, !llvm.loop !15
 
-854:                                              ; preds = %755
-  %855 = load ptr, ptr %20, align 8
-  %856 = getelementptr inbounds i8, ptr %855, i64 80
-  store i64 %23, ptr %856, align 8
-  %857 = load ptr, ptr %19, align 8
-  %858 = getelementptr inbounds i8, ptr %857, i64 48
-  store double 1.000000e+00, ptr %858, align 8
-  br label %878
+860:                                              ; preds = %760
+  %861 = load ptr, ptr %20, align 8
+  %862 = getelementptr inbounds i8, ptr %861, i64 80
+  store i64 %23, ptr %862, align 8
+  %863 = load ptr, ptr %19, align 8
+  %864 = getelementptr inbounds i8, ptr %863, i64 48
+  store double 1.000000e+00, ptr %864, align 8
+  br label %884
 
-859:                                              ; preds = %806, %770, %725, %704
-  %860 = icmp sgt i64 %465, -1
-  br i1 %860, label %861, label %870
+865:                                              ; preds = %812, %776, %730, %709
+  %866 = icmp sgt i64 %469, -1
+  br i1 %866, label %867, label %876
 
-861:                                              ; preds = %859
-  br i1 %172, label %863, label %862
+867:                                              ; preds = %865
+  br i1 %173, label %869, label %868
 
-862:                                              ; preds = %863, %861
-  store double %458, ptr %173, align 8
-  br label %878
+868:                                              ; preds = %869, %867
+  store double %462, ptr %174, align 8
+  br label %884
 
-863:                                              ; preds = %861, %863
-  %864 = phi i64 [ %868, %863 ], [ 0, %861 ]
-  %865 = icmp eq i64 %864, %465
-  %866 = zext i1 %865 to i64
-  %867 = getelementptr inbounds i64, ptr %18, i64 %864
-  store i64 %866, ptr %867, align 8
-  %868 = add nuw nsw i64 %864, 1
-  %869 = icmp eq i64 %868, %12
-  br i1 %869, label %862, label %863, !llvm.loop !16
+869:                                              ; preds = %867, %869
+  %870 = phi i64 [ %874, %869 ], [ 0, %867 ]
+  %871 = icmp eq i64 %870, %469
+  %872 = zext i1 %871 to i64
+  %873 = getelementptr inbounds i64, ptr %18, i64 %870
+  store i64 %872, ptr %873, align 8
+  %874 = add nuw nsw i64 %870, 1
+  %875 = icmp eq i64 %874, %12
+  br i1 %875, label %868, label %869, !llvm.loop !16
 
-870:                                              ; preds = %859
-  %871 = load i64, ptr %170, align 8
-  %872 = icmp sgt i64 %871, 0
-  br i1 %872, label %873, label %878
+876:                                              ; preds = %865
+  %877 = load i64, ptr %171, align 8
+  %878 = icmp sgt i64 %877, 0
+  br i1 %878, label %879, label %884
 
-873:                                              ; preds = %870
-  %874 = load i64, ptr %22, align 8
-  %875 = add nsw i64 %874, %12
-  %876 = icmp sgt i64 %875, %871
-  br i1 %876, label %877, label %878
+879:                                              ; preds = %876
+  %880 = load i64, ptr %22, align 8
+  %881 = add nsw i64 %880, %12
+  %882 = icmp sgt i64 %881, %877
+  br i1 %882, label %883, label %884
 
-877:                                              ; preds = %873
-  store double %458, ptr %171, align 8
-  br label %878
+883:                                              ; preds = %879
+  store double %462, ptr %172, align 8
+  br label %884
 
-878:                                              ; preds = %680, %644, %599, %578, %854, %862, %877, %683, %873, %870, %276, %455, %354
-  %879 = phi i32 [ 1, %354 ], [ %457, %455 ], [ 11, %276 ], [ 1, %854 ], [ 1, %862 ], [ 1, %877 ], [ 1, %683 ], [ 0, %873 ], [ 0, %870 ], [ 1, %578 ], [ 1, %599 ], [ 1, %644 ], [ 1, %680 ]
-  %880 = phi double [ %274, %354 ], [ %274, %455 ], [ %274, %276 ], [ %274, %854 ], [ %274, %862 ], [ %274, %877 ], [ %274, %683 ], [ %458, %873 ], [ %458, %870 ], [ %274, %578 ], [ %274, %599 ], [ %274, %644 ], [ %274, %680 ]
-  %881 = phi i64 [ -4, %354 ], [ %459, %455 ], [ %275, %276 ], [ -4, %854 ], [ 21, %862 ], [ -3, %877 ], [ -4, %683 ], [ %459, %873 ], [ %459, %870 ], [ -2, %578 ], [ -2, %599 ], [ -2, %644 ], [ -2, %680 ]
-  switch i32 %879, label %939 [
-    i32 0, label %273
-    i32 11, label %882
+884:                                              ; preds = %685, %649, %603, %582, %860, %868, %883, %688, %879, %876, %278, %459, %357
+  %885 = phi i32 [ 1, %357 ], [ %461, %459 ], [ 11, %278 ], [ 1, %860 ], [ 1, %868 ], [ 1, %883 ], [ 1, %688 ], [ 0, %879 ], [ 0, %876 ], [ 1, %582 ], [ 1, %603 ], [ 1, %649 ], [ 1, %685 ]
+  %886 = phi double [ %276, %357 ], [ %276, %459 ], [ %276, %278 ], [ %276, %860 ], [ %276, %868 ], [ %276, %883 ], [ %276, %688 ], [ %462, %879 ], [ %462, %876 ], [ %276, %582 ], [ %276, %603 ], [ %276, %649 ], [ %276, %685 ]
+  %887 = phi i64 [ -4, %357 ], [ %463, %459 ], [ %277, %278 ], [ -4, %860 ], [ 21, %868 ], [ -3, %883 ], [ -4, %688 ], [ %463, %879 ], [ %463, %876 ], [ -2, %582 ], [ -2, %603 ], [ -2, %649 ], [ -2, %685 ]
+  switch i32 %885, label %945 [
+    i32 0, label %275
+    i32 11, label %888
   ], !llvm.loop !17
 
-882:                                              ; preds = %878
-  br i1 %174, label %883, label %939
+888:                                              ; preds = %884
+  br i1 %175, label %889, label %945
 
-883:                                              ; preds = %882
-  %884 = fcmp oeq double %271, %184
-  %885 = add nsw i32 %181, -1
-  %886 = sext i32 %885 to i64
-  %887 = mul nsw i64 %12, %886
-  %888 = getelementptr double, ptr %28, i64 %887
-  %889 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %886
-  %890 = fmul double %271, %2
-  %891 = fadd double %890, %1
-  br label %892
+889:                                              ; preds = %888
+  %890 = fcmp oeq double %273, %185
+  %891 = add nsw i32 %182, -1
+  %892 = sext i32 %891 to i64
+  %893 = mul nsw i64 %12, %892
+  %894 = getelementptr double, ptr %28, i64 %893
+  %895 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %892
+  %896 = fmul double %273, %2
+  %897 = fadd double %896, %1
+  br label %898
 
-892:                                              ; preds = %883, %931
-  %893 = phi i64 [ 0, %883 ], [ %932, %931 ]
-  %894 = getelementptr inbounds double, ptr %272, i64 %893
-  %895 = load double, ptr %894, align 8
-  %896 = fcmp ogt double %895, 0.000000e+00
-  br i1 %896, label %899, label %897
+898:                                              ; preds = %889, %937
+  %899 = phi i64 [ 0, %889 ], [ %938, %937 ]
+  %900 = getelementptr inbounds double, ptr %274, i64 %899
+  %901 = load double, ptr %900, align 8
+  %902 = fcmp ogt double %901, 0.000000e+00
+  br i1 %902, label %905, label %903
 
-897:                                              ; preds = %892
-  %898 = fcmp olt double %895, 0.000000e+00
-  br i1 %898, label %899, label %902
+903:                                              ; preds = %898
+  %904 = fcmp olt double %901, 0.000000e+00
+  br i1 %904, label %905, label %908
 
-899:                                              ; preds = %897, %892
-  %900 = phi i64 [ 1, %892 ], [ -1, %897 ]
-  %901 = getelementptr inbounds i64, ptr %16, i64 %893
-  store i64 %900, ptr %901, align 8
-  br label %902
+905:                                              ; preds = %903, %898
+  %906 = phi i64 [ 1, %898 ], [ -1, %903 ]
+  %907 = getelementptr inbounds i64, ptr %16, i64 %899
+  store i64 %906, ptr %907, align 8
+  br label %908
 
-902:                                              ; preds = %899, %897
-  br i1 %884, label %903, label %931
+908:                                              ; preds = %905, %903
+  br i1 %890, label %909, label %937
 
-903:                                              ; preds = %902
-  %904 = getelementptr double, ptr %888, i64 %893
-  %905 = load double, ptr %904, align 8
-  %906 = fcmp oeq double %905, 0.000000e+00
-  br i1 %906, label %907, label %931
+909:                                              ; preds = %908
+  %910 = getelementptr double, ptr %894, i64 %899
+  %911 = load double, ptr %910, align 8
+  %912 = fcmp oeq double %911, 0.000000e+00
+  br i1 %912, label %913, label %937
 
-907:                                              ; preds = %903
-  %908 = getelementptr double, ptr %235, i64 %893
-  %909 = load double, ptr %908, align 8
-  %910 = fcmp oeq double %909, 0.000000e+00
-  br i1 %910, label %911, label %931
+913:                                              ; preds = %909
+  %914 = getelementptr double, ptr %236, i64 %899
+  %915 = load double, ptr %914, align 8
+  %916 = fcmp oeq double %915, 0.000000e+00
+  br i1 %916, label %917, label %937
 
-911:                                              ; preds = %907
-  %912 = load double, ptr %889, align 8
-  %913 = fmul double %912, %2
-  %914 = fadd double %913, %1
-  %915 = load i64, ptr %175, align 8
-  %916 = icmp eq i64 %915, 0
-  br i1 %916, label %931, label %917
+917:                                              ; preds = %913
+  %918 = load double, ptr %895, align 8
+  %919 = fmul double %918, %2
+  %920 = fadd double %919, %1
+  %921 = load i64, ptr %176, align 8
+  %922 = icmp eq i64 %921, 0
+  br i1 %922, label %937, label %923
 
-917:                                              ; preds = %911
-  %918 = load ptr, ptr %176, align 8
-  %919 = shl nsw i64 %893, 4
-  %920 = getelementptr inbounds i8, ptr %918, i64 %919
-  %921 = getelementptr inbounds i8, ptr %920, i64 8
-  %922 = load double, ptr %921, align 8
-  %923 = fcmp oeq double %922, %914
-  br i1 %923, label %930, label %924
+923:                                              ; preds = %917
+  %924 = load ptr, ptr %177, align 8
+  %925 = shl nsw i64 %899, 4
+  %926 = getelementptr inbounds i8, ptr %924, i64 %925
+  %927 = getelementptr inbounds i8, ptr %926, i64 8
+  %928 = load double, ptr %927, align 8
+  %929 = fcmp oeq double %928, %920
+  br i1 %929, label %936, label %930
 
-924:                                              ; preds = %917
-  %925 = load double, ptr %920, align 8
-  %926 = fsub double %922, %925
-  %927 = fsub double %891, %914
-  %928 = fcmp ult double %926, %927
-  br i1 %928, label %929, label %931
+930:                                              ; preds = %923
+  %931 = load double, ptr %926, align 8
+  %932 = fsub double %928, %931
+  %933 = fsub double %897, %920
+  %934 = fcmp ult double %932, %933
+  br i1 %934, label %935, label %937
 
-929:                                              ; preds = %924
-  store double %914, ptr %920, align 8
-  br label %930
+935:                                              ; preds = %930
+  store double %920, ptr %926, align 8
+  br label %936
 
-930:                                              ; preds = %917, %929
-  store double %891, ptr %921, align 8
-  br label %931
+936:                                              ; preds = %923, %935
+  store double %897, ptr %927, align 8
+  br label %937
 
-931:                                              ; preds = %930, %924, %911, %902, %903, %907
-  %932 = add nuw nsw i64 %893, 1
-  %933 = icmp eq i64 %932, %12
-  br i1 %933, label %939, label %892, !llvm.loop !18
+937:                                              ; preds = %936, %930, %917, %908, %909, %913
+  %938 = add nuw nsw i64 %899, 1
+  %939 = icmp eq i64 %938, %12
+  br i1 %939, label %945, label %898, !llvm.loop !18
 
-934:                                              ; preds = %259, %231
-  %935 = load ptr, ptr %20, align 8
-  %936 = getelementptr inbounds i8, ptr %935, i64 80
-  store i64 %23, ptr %936, align 8
-  %937 = load ptr, ptr %19, align 8
-  %938 = getelementptr inbounds i8, ptr %937, i64 48
-  store double 1.000000e+00, ptr %938, align 8
-  br label %939
+940:                                              ; preds = %260, %232
+  %941 = load ptr, ptr %20, align 8
+  %942 = getelementptr inbounds i8, ptr %941, i64 80
+  store i64 %23, ptr %942, align 8
+  %943 = load ptr, ptr %19, align 8
+  %944 = getelementptr inbounds i8, ptr %943, i64 48
+  store double 1.000000e+00, ptr %944, align 8
+  br label %945
 
-939:                                              ; preds = %878, %931, %934, %882
-  %940 = phi i32 [ 0, %882 ], [ 1, %934 ], [ 0, %931 ], [ %879, %878 ]
-  %941 = phi double [ %271, %882 ], [ %180, %934 ], [ %271, %931 ], [ %880, %878 ]
-  %942 = phi i64 [ %881, %882 ], [ -4, %934 ], [ %881, %931 ], [ %881, %878 ]
-  %943 = icmp eq i32 %940, 0
-  br i1 %943, label %944, label %949
+945:                                              ; preds = %884, %937, %940, %888
+  %946 = phi i32 [ 0, %888 ], [ 1, %940 ], [ 0, %937 ], [ %885, %884 ]
+  %947 = phi double [ %273, %888 ], [ %181, %940 ], [ %273, %937 ], [ %886, %884 ]
+  %948 = phi i64 [ %887, %888 ], [ -4, %940 ], [ %887, %937 ], [ %887, %884 ]
+  %949 = icmp eq i32 %946, 0
+  br i1 %949, label %950, label %955
 
-944:                                              ; preds = %939
-  %945 = fcmp oeq double %941, %184
-  %946 = zext i1 %945 to i32
-  %947 = add nuw nsw i32 %181, %946
-  %948 = icmp ugt i32 %947, 4
-  br i1 %948, label %949, label %177, !llvm.loop !19
+950:                                              ; preds = %945
+  %951 = fcmp oeq double %947, %185
+  %952 = zext i1 %951 to i32
+  %953 = add nuw nsw i32 %182, %952
+  %954 = icmp ugt i32 %953, 4
+  br i1 %954, label %955, label %178, !llvm.loop !19
 
-949:                                              ; preds = %944, %939
-  %950 = phi i1 [ %948, %944 ], [ %178, %939 ]
-  br i1 %950, label %951, label %969
+955:                                              ; preds = %950, %945
+  %956 = phi i1 [ %954, %950 ], [ %179, %945 ]
+  br i1 %956, label %957, label %975
 
-951:                                              ; preds = %949
-  %952 = icmp sgt i64 %12, 0
-  br i1 %952, label %953, label %956
+957:                                              ; preds = %955
+  %958 = icmp sgt i64 %12, 0
+  br i1 %958, label %959, label %962
 
-953:                                              ; preds = %951
-  %954 = shl i64 %12, 5
-  %955 = getelementptr i8, ptr %28, i64 %954
-  br label %958
+959:                                              ; preds = %957
+  %960 = shl i64 %12, 5
+  %961 = getelementptr i8, ptr %28, i64 %960
+  br label %964
 
-956:                                              ; preds = %958, %951
-  %957 = load double, ptr %24, align 8
-  store double %957, ptr %30, align 8
-  br label %965
+962:                                              ; preds = %964, %957
+  %963 = load double, ptr %24, align 8
+  store double %963, ptr %30, align 8
+  br label %971
 
-958:                                              ; preds = %953, %958
-  %959 = phi i64 [ 0, %953 ], [ %963, %958 ]
-  %960 = getelementptr double, ptr %955, i64 %959
-  %961 = load double, ptr %960, align 8
-  %962 = getelementptr inbounds double, ptr %28, i64 %959
-  store double %961, ptr %962, align 8
-  %963 = add nuw nsw i64 %959, 1
-  %964 = icmp eq i64 %963, %12
-  br i1 %964, label %956, label %958, !llvm.loop !20
+964:                                              ; preds = %959, %964
+  %965 = phi i64 [ 0, %959 ], [ %969, %964 ]
+  %966 = getelementptr double, ptr %961, i64 %965
+  %967 = load double, ptr %966, align 8
+  %968 = getelementptr inbounds double, ptr %28, i64 %965
+  store double %967, ptr %968, align 8
+  %969 = add nuw nsw i64 %965, 1
+  %970 = icmp eq i64 %969, %12
+  br i1 %970, label %962, label %964, !llvm.loop !20
 
-965:                                              ; preds = %118, %956, %91
-  %966 = phi ptr [ %94, %91 ], [ %24, %956 ], [ %121, %118 ]
-  %967 = phi i64 [ -4, %91 ], [ 0, %956 ], [ -4, %118 ]
-  %968 = getelementptr inbounds i8, ptr %966, i64 48
-  store double 1.000000e+00, ptr %968, align 8
-  br label %969
+971:                                              ; preds = %119, %962, %92
+  %972 = phi ptr [ %95, %92 ], [ %24, %962 ], [ %122, %119 ]
+  %973 = phi i64 [ -4, %92 ], [ 0, %962 ], [ -4, %119 ]
+  %974 = getelementptr inbounds i8, ptr %972, i64 48
+  store double 1.000000e+00, ptr %974, align 8
+  br label %975
 
-969:                                              ; preds = %965, %949, %99
-  %970 = phi i64 [ %942, %949 ], [ %100, %99 ], [ %967, %965 ]
-  ret i64 %970
+975:                                              ; preds = %971, %955, %100
+  %976 = phi i64 [ %948, %955 ], [ %101, %100 ], [ %973, %971 ]
+  ret i64 %976
 }
 
 
@@ -1417,7 +1423,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %24 = fcmp ult double %23, %3
   %25 = icmp sgt i64 %9, 0
   %26 = select i1 %24, i1 %25, i1 false
-  br i1 %26, label %27, label %351
+  br i1 %26, label %27, label %353
 
 27:                                               ; preds = %4
   %28 = getelementptr inbounds i8, ptr %0, i64 936
@@ -1447,11 +1453,11 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %52 = shl nsw i64 %9, 5
   br label %53
 
-53:                                               ; preds = %27, %348
-  %54 = phi i64 [ undef, %27 ], [ %347, %348 ]
-  %55 = phi i32 [ 0, %27 ], [ %346, %348 ]
-  %56 = phi i32 [ 0, %27 ], [ %345, %348 ]
-  %57 = phi i64 [ 0, %27 ], [ %349, %348 ]
+53:                                               ; preds = %27, %350
+  %54 = phi i64 [ undef, %27 ], [ %349, %350 ]
+  %55 = phi i32 [ 0, %27 ], [ %348, %350 ]
+  %56 = phi i32 [ 0, %27 ], [ %347, %350 ]
+  %57 = phi i64 [ 0, %27 ], [ %351, %350 ]
   %58 = load ptr, ptr %28, align 8
   %59 = getelementptr inbounds i8, ptr %58, i64 %29
   %60 = getelementptr inbounds double, ptr %59, i64 %57
@@ -1461,7 +1467,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %64 = load i64, ptr %63, align 8
   %65 = and i64 %64, 1
   %66 = icmp eq i64 %65, 0
-  br i1 %66, label %67, label %343
+  br i1 %66, label %67, label %345
 
 67:                                               ; preds = %53
   %68 = load double, ptr %60, align 8
@@ -1501,7 +1507,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 94:                                               ; preds = %69, %85
   %95 = phi i32 [ 1, %69 ], [ %93, %85 ]
   %96 = icmp eq i32 %95, 0
-  br i1 %96, label %343, label %97
+  br i1 %96, label %345, label %97
 
 97:                                               ; preds = %94
   %98 = sext i32 %55 to i64
@@ -1510,7 +1516,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 99:                                               ; preds = %97, %137
   %100 = phi i64 [ %98, %97 ], [ %105, %137 ]
   %101 = icmp slt i64 %100, 4
-  br i1 %101, label %102, label %152
+  br i1 %101, label %102, label %153
 
 102:                                              ; preds = %99
   %103 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %100
@@ -1568,275 +1574,277 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %147 = mul nsw i64 %146, %110
   %148 = getelementptr inbounds double, ptr %144, i64 %147
   %149 = inttoptr i64 %139 to ptr
-  %150 = tail call i32 %149(ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %143, ptr noundef %148) #9
-  %151 = icmp slt i32 %150, 0
-  br i1 %151, label %341, label %99, !llvm.loop !22
+  %150 = load ptr, ptr %149, align 8
+  %151 = tail call i32 %150(ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %143, ptr noundef %148) #9
+  %152 = icmp slt i32 %151, 0
+  br i1 %152, label %343, label %99, !llvm.loop !22
 
-152:                                              ; preds = %99
-  %153 = load double, ptr %60, align 8
-  %154 = tail call double @llvm.fabs.f64(double %153)
-  store double %153, ptr %5, align 16
-  br label %162
+153:                                              ; preds = %99
+  %154 = load double, ptr %60, align 8
+  %155 = tail call double @llvm.fabs.f64(double %154)
+  store double %154, ptr %5, align 16
+  br label %163
 
-155:                                              ; preds = %212
-  %156 = trunc nsw i64 %100 to i32
-  %157 = fmul double %223, 0x3E50000000000000
-  %158 = fcmp ogt double %217, %157
-  br i1 %158, label %159, label %337
+156:                                              ; preds = %213
+  %157 = trunc nsw i64 %100 to i32
+  %158 = fmul double %224, 0x3E50000000000000
+  %159 = fcmp ogt double %218, %158
+  br i1 %159, label %160, label %339
 
-159:                                              ; preds = %155
-  %160 = fmul double %217, 2.000000e+00
-  %161 = fmul double %217, 8.000000e+00
-  br label %225
+160:                                              ; preds = %156
+  %161 = fmul double %218, 2.000000e+00
+  %162 = fmul double %218, 8.000000e+00
+  br label %226
 
-162:                                              ; preds = %152, %212
-  %163 = phi i64 [ 0, %152 ], [ %172, %212 ]
-  %164 = phi double [ 0.000000e+00, %152 ], [ %217, %212 ]
-  %165 = phi double [ %154, %152 ], [ %223, %212 ]
-  %166 = mul nuw nsw i64 %9, %163
-  %167 = getelementptr inbounds double, ptr %61, i64 %166
-  %168 = load double, ptr %167, align 8
-  %169 = shl nuw nsw i64 %163, 1
-  %170 = or disjoint i64 %169, 1
-  %171 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %170
-  store double %168, ptr %171, align 8
-  %172 = add nuw nsw i64 %163, 1
-  %173 = mul nuw nsw i64 %9, %172
-  %174 = getelementptr inbounds double, ptr %60, i64 %173
-  %175 = load double, ptr %174, align 8
-  %176 = add nuw nsw i64 %169, 2
-  %177 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %176
-  store double %175, ptr %177, align 16
-  %178 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %163
-  %179 = load double, ptr %178, align 8
-  %180 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %172
-  %181 = load double, ptr %180, align 8
-  %182 = fadd double %179, %181
-  %183 = fmul double %182, 5.000000e-01
-  br label %184
+163:                                              ; preds = %153, %213
+  %164 = phi i64 [ 0, %153 ], [ %173, %213 ]
+  %165 = phi double [ 0.000000e+00, %153 ], [ %218, %213 ]
+  %166 = phi double [ %155, %153 ], [ %224, %213 ]
+  %167 = mul nuw nsw i64 %9, %164
+  %168 = getelementptr inbounds double, ptr %61, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = shl nuw nsw i64 %164, 1
+  %171 = or disjoint i64 %170, 1
+  %172 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %171
+  store double %169, ptr %172, align 8
+  %173 = add nuw nsw i64 %164, 1
+  %174 = mul nuw nsw i64 %9, %173
+  %175 = getelementptr inbounds double, ptr %60, i64 %174
+  %176 = load double, ptr %175, align 8
+  %177 = add nuw nsw i64 %170, 2
+  %178 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %177
+  store double %176, ptr %178, align 16
+  %179 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %164
+  %180 = load double, ptr %179, align 8
+  %181 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %173
+  %182 = load double, ptr %181, align 8
+  %183 = fadd double %180, %182
+  %184 = fmul double %183, 5.000000e-01
+  br label %185
 
-184:                                              ; preds = %162, %188
-  %185 = phi i64 [ 0, %162 ], [ %194, %188 ]
-  %186 = phi double [ 0.000000e+00, %162 ], [ %193, %188 ]
-  %187 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %185
-  br label %196
+185:                                              ; preds = %163, %189
+  %186 = phi i64 [ 0, %163 ], [ %195, %189 ]
+  %187 = phi double [ 0.000000e+00, %163 ], [ %194, %189 ]
+  %188 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %186
+  br label %197
 
-188:                                              ; preds = %207
-  %189 = mul nuw nsw i64 %9, %185
-  %190 = getelementptr inbounds double, ptr %60, i64 %189
-  %191 = load double, ptr %190, align 8
-  %192 = fmul double %209, %191
-  %193 = fadd double %186, %192
-  %194 = add nuw nsw i64 %185, 1
-  %195 = icmp eq i64 %194, 5
-  br i1 %195, label %212, label %184, !llvm.loop !23
+189:                                              ; preds = %208
+  %190 = mul nuw nsw i64 %9, %186
+  %191 = getelementptr inbounds double, ptr %60, i64 %190
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %210, %192
+  %194 = fadd double %187, %193
+  %195 = add nuw nsw i64 %186, 1
+  %196 = icmp eq i64 %195, 5
+  br i1 %196, label %213, label %185, !llvm.loop !23
 
-196:                                              ; preds = %184, %207
-  %197 = phi i64 [ 0, %184 ], [ %210, %207 ]
-  %198 = phi double [ 1.000000e+00, %184 ], [ %209, %207 ]
-  %199 = icmp eq i64 %197, %185
-  br i1 %199, label %207, label %200
+197:                                              ; preds = %185, %208
+  %198 = phi i64 [ 0, %185 ], [ %211, %208 ]
+  %199 = phi double [ 1.000000e+00, %185 ], [ %210, %208 ]
+  %200 = icmp eq i64 %198, %186
+  br i1 %200, label %208, label %201
 
-200:                                              ; preds = %196
-  %201 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %197
-  %202 = load double, ptr %201, align 8
-  %203 = fsub double %183, %202
-  %204 = load double, ptr %187, align 8
-  %205 = fsub double %204, %202
-  %206 = fdiv double %203, %205
-  br label %207
+201:                                              ; preds = %197
+  %202 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %198
+  %203 = load double, ptr %202, align 8
+  %204 = fsub double %184, %203
+  %205 = load double, ptr %188, align 8
+  %206 = fsub double %205, %203
+  %207 = fdiv double %204, %206
+  br label %208
 
-207:                                              ; preds = %200, %196
-  %208 = phi double [ %206, %200 ], [ 1.000000e+00, %196 ]
-  %209 = fmul double %198, %208
-  %210 = add nuw nsw i64 %197, 1
-  %211 = icmp eq i64 %210, 5
-  br i1 %211, label %188, label %196, !llvm.loop !24
+208:                                              ; preds = %201, %197
+  %209 = phi double [ %207, %201 ], [ 1.000000e+00, %197 ]
+  %210 = fmul double %199, %209
+  %211 = add nuw nsw i64 %198, 1
+  %212 = icmp eq i64 %211, 5
+  br i1 %212, label %189, label %197, !llvm.loop !24
 
-212:                                              ; preds = %188
-  %213 = fsub double %168, %193
-  %214 = tail call double @llvm.fabs.f64(double %213)
-  %215 = fmul double %214, 2.000000e+00
-  %216 = fcmp ogt double %164, %215
-  %217 = select i1 %216, double %164, double %215
-  %218 = tail call double @llvm.fabs.f64(double %168)
-  %219 = tail call double @llvm.fabs.f64(double %175)
-  %220 = fcmp ogt double %218, %219
-  %221 = select i1 %220, double %218, double %219
-  %222 = fcmp ogt double %165, %221
-  %223 = select i1 %222, double %165, double %221
-  %224 = icmp eq i64 %172, 4
-  br i1 %224, label %155, label %162, !llvm.loop !25
+213:                                              ; preds = %189
+  %214 = fsub double %169, %194
+  %215 = tail call double @llvm.fabs.f64(double %214)
+  %216 = fmul double %215, 2.000000e+00
+  %217 = fcmp ogt double %165, %216
+  %218 = select i1 %217, double %165, double %216
+  %219 = tail call double @llvm.fabs.f64(double %169)
+  %220 = tail call double @llvm.fabs.f64(double %176)
+  %221 = fcmp ogt double %219, %220
+  %222 = select i1 %221, double %219, double %220
+  %223 = fcmp ogt double %166, %222
+  %224 = select i1 %223, double %166, double %222
+  %225 = icmp eq i64 %173, 4
+  br i1 %225, label %156, label %163, !llvm.loop !25
 
-225:                                              ; preds = %159, %246
-  %226 = phi i64 [ 1, %159 ], [ %247, %246 ]
-  %227 = phi i1 [ false, %159 ], [ %248, %246 ]
-  %228 = getelementptr double, ptr %5, i64 %226
-  %229 = getelementptr i8, ptr %228, i64 -8
-  %230 = load double, ptr %229, align 8
-  %231 = load double, ptr %228, align 8
-  %232 = fsub double %230, %231
-  %233 = tail call double @llvm.fabs.f64(double %232)
-  %234 = fmul double %230, %231
-  %235 = fcmp olt double %234, 0.000000e+00
-  br i1 %235, label %236, label %238
+226:                                              ; preds = %160, %247
+  %227 = phi i64 [ 1, %160 ], [ %248, %247 ]
+  %228 = phi i1 [ false, %160 ], [ %249, %247 ]
+  %229 = getelementptr double, ptr %5, i64 %227
+  %230 = getelementptr i8, ptr %229, i64 -8
+  %231 = load double, ptr %230, align 8
+  %232 = load double, ptr %229, align 8
+  %233 = fsub double %231, %232
+  %234 = tail call double @llvm.fabs.f64(double %233)
+  %235 = fmul double %231, %232
+  %236 = fcmp olt double %235, 0.000000e+00
+  br i1 %236, label %237, label %239
 
-236:                                              ; preds = %225
-  %237 = fcmp olt double %233, %161
-  br i1 %237, label %250, label %246
+237:                                              ; preds = %226
+  %238 = fcmp olt double %234, %162
+  br i1 %238, label %251, label %247
 
-238:                                              ; preds = %225
-  %239 = tail call double @llvm.fabs.f64(double %231)
-  %240 = tail call double @llvm.fabs.f64(double %230)
-  %241 = fcmp olt double %240, %239
-  %242 = select i1 %241, double %240, double %239
-  %243 = fcmp ugt double %242, %217
-  %244 = fcmp ugt double %233, %160
-  %245 = or i1 %244, %243
-  br i1 %245, label %246, label %250
+239:                                              ; preds = %226
+  %240 = tail call double @llvm.fabs.f64(double %232)
+  %241 = tail call double @llvm.fabs.f64(double %231)
+  %242 = fcmp olt double %241, %240
+  %243 = select i1 %242, double %241, double %240
+  %244 = fcmp ugt double %243, %218
+  %245 = fcmp ugt double %234, %161
+  %246 = or i1 %245, %244
+  br i1 %246, label %247, label %251
 
-246:                                              ; preds = %238, %236
-  %247 = add nuw nsw i64 %226, 1
-  %248 = icmp ugt i64 %226, 7
-  %249 = icmp eq i64 %247, 9
-  br i1 %249, label %337, label %225, !llvm.loop !26
+247:                                              ; preds = %239, %237
+  %248 = add nuw nsw i64 %227, 1
+  %249 = icmp ugt i64 %227, 7
+  %250 = icmp eq i64 %248, 9
+  br i1 %250, label %339, label %226, !llvm.loop !26
 
-250:                                              ; preds = %236, %238
-  br i1 %227, label %337, label %251
+251:                                              ; preds = %237, %239
+  br i1 %228, label %339, label %252
 
-251:                                              ; preds = %250, %311
-  %252 = phi i32 [ 1, %311 ], [ %56, %250 ]
-  %253 = icmp eq i32 %252, 0
-  br i1 %253, label %254, label %325
+252:                                              ; preds = %251, %312
+  %253 = phi i32 [ 1, %312 ], [ %56, %251 ]
+  %254 = icmp eq i32 %253, 0
+  br i1 %254, label %255, label %327
 
-254:                                              ; preds = %251
-  %255 = load ptr, ptr %42, align 8
-  %256 = load ptr, ptr %43, align 8
-  %257 = getelementptr inbounds i8, ptr %256, i64 96
-  %258 = load ptr, ptr %257, align 8
-  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %258, align 8
-  %259 = load ptr, ptr %256, align 8
-  %260 = getelementptr inbounds i8, ptr %256, i64 192
-  %261 = load ptr, ptr %260, align 8
-  %262 = getelementptr inbounds i8, ptr %256, i64 8
-  %263 = load i64, ptr %262, align 8
-  %264 = load ptr, ptr %1, align 8
-  %265 = load ptr, ptr %264, align 8
-  %266 = getelementptr inbounds i8, ptr %265, i64 24
-  %267 = load i64, ptr %266, align 8
-  %268 = load ptr, ptr %257, align 8
-  %269 = load ptr, ptr %44, align 8
-  %270 = load ptr, ptr %269, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 16
-  %272 = load i64, ptr %271, align 8
-  tail call fastcc void @nested(ptr noundef %255, ptr noundef %259, ptr noundef %261, i64 noundef %263, i64 noundef %267, ptr noundef %268, i64 noundef %272) #8
-  %273 = load ptr, ptr %41, align 8
-  %274 = getelementptr inbounds i8, ptr %273, i64 8
-  %275 = load i64, ptr %274, align 8
-  %276 = icmp sgt i64 %275, 0
-  br i1 %276, label %282, label %277
+255:                                              ; preds = %252
+  %256 = load ptr, ptr %42, align 8
+  %257 = load ptr, ptr %43, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 96
+  %259 = load ptr, ptr %258, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %259, align 8
+  %260 = load ptr, ptr %257, align 8
+  %261 = getelementptr inbounds i8, ptr %257, i64 192
+  %262 = load ptr, ptr %261, align 8
+  %263 = getelementptr inbounds i8, ptr %257, i64 8
+  %264 = load i64, ptr %263, align 8
+  %265 = load ptr, ptr %1, align 8
+  %266 = load ptr, ptr %265, align 8
+  %267 = getelementptr inbounds i8, ptr %266, i64 24
+  %268 = load i64, ptr %267, align 8
+  %269 = load ptr, ptr %258, align 8
+  %270 = load ptr, ptr %44, align 8
+  %271 = load ptr, ptr %270, align 8
+  %272 = getelementptr inbounds i8, ptr %271, i64 16
+  %273 = load i64, ptr %272, align 8
+  tail call fastcc void @nested(ptr noundef %256, ptr noundef %260, ptr noundef %262, i64 noundef %264, i64 noundef %268, ptr noundef %269, i64 noundef %273) #8
+  %274 = load ptr, ptr %41, align 8
+  %275 = getelementptr inbounds i8, ptr %274, i64 8
+  %276 = load i64, ptr %275, align 8
+  %277 = icmp sgt i64 %276, 0
+  br i1 %277, label %283, label %278
 
-277:                                              ; preds = %282, %254
-  %278 = load ptr, ptr %47, align 8
-  store double %19, ptr %278, align 8
-  %279 = load i64, ptr %48, align 8
-  %280 = icmp sgt i64 %279, 0
-  br i1 %280, label %281, label %311
+278:                                              ; preds = %283, %255
+  %279 = load ptr, ptr %47, align 8
+  store double %19, ptr %279, align 8
+  %280 = load i64, ptr %48, align 8
+  %281 = icmp sgt i64 %280, 0
+  br i1 %281, label %282, label %312
 
-281:                                              ; preds = %277
+282:                                              ; preds = %278
   tail call fastcc void @sample(ptr noundef nonnull %41) #8
-  br label %311
+  br label %312
 
-282:                                              ; preds = %254, %282
-  %283 = phi i64 [ %306, %282 ], [ 0, %254 ]
-  %284 = load ptr, ptr %45, align 8
-  %285 = getelementptr inbounds double, ptr %284, i64 %283
-  %286 = load double, ptr %285, align 8
-  %287 = load ptr, ptr %46, align 8
-  %288 = getelementptr inbounds double, ptr %287, i64 %283
-  %289 = load double, ptr %288, align 8
-  %290 = load ptr, ptr %42, align 8
-  %291 = getelementptr inbounds double, ptr %290, i64 %283
-  %292 = load double, ptr %291, align 8
-  %293 = tail call double @llvm.fabs.f64(double %292)
-  %294 = fmul double %289, %293
-  %295 = fadd double %286, %294
-  %296 = and i64 %283, 1
-  %297 = icmp eq i64 %296, 0
-  %298 = urem i64 %283, 3
-  %299 = uitofp nneg i64 %298 to double
-  %300 = fmul double %299, 0x3FE3C6EF372FE950
-  %301 = fadd double %300, 1.000000e+00
-  %302 = fneg double %301
-  %303 = select i1 %297, double %301, double %302
-  %304 = fmul double %303, %295
-  %305 = fadd double %292, %304
-  store double %305, ptr %291, align 8
-  %306 = add nuw nsw i64 %283, 1
-  %307 = load ptr, ptr %41, align 8
-  %308 = getelementptr inbounds i8, ptr %307, i64 8
-  %309 = load i64, ptr %308, align 8
-  %310 = icmp slt i64 %306, %309
-  br i1 %310, label %282, label %277, !llvm.loop !27
+283:                                              ; preds = %255, %283
+  %284 = phi i64 [ %307, %283 ], [ 0, %255 ]
+  %285 = load ptr, ptr %45, align 8
+  %286 = getelementptr inbounds double, ptr %285, i64 %284
+  %287 = load double, ptr %286, align 8
+  %288 = load ptr, ptr %46, align 8
+  %289 = getelementptr inbounds double, ptr %288, i64 %284
+  %290 = load double, ptr %289, align 8
+  %291 = load ptr, ptr %42, align 8
+  %292 = getelementptr inbounds double, ptr %291, i64 %284
+  %293 = load double, ptr %292, align 8
+  %294 = tail call double @llvm.fabs.f64(double %293)
+  %295 = fmul double %290, %294
+  %296 = fadd double %287, %295
+  %297 = and i64 %284, 1
+  %298 = icmp eq i64 %297, 0
+  %299 = urem i64 %284, 3
+  %300 = uitofp nneg i64 %299 to double
+  %301 = fmul double %300, 0x3FE3C6EF372FE950
+  %302 = fadd double %301, 1.000000e+00
+  %303 = fneg double %302
+  %304 = select i1 %298, double %302, double %303
+  %305 = fmul double %304, %296
+  %306 = fadd double %293, %305
+  store double %306, ptr %292, align 8
+  %307 = add nuw nsw i64 %284, 1
+  %308 = load ptr, ptr %41, align 8
+  %309 = getelementptr inbounds i8, ptr %308, i64 8
+  %310 = load i64, ptr %309, align 8
+  %311 = icmp slt i64 %307, %310
+  br i1 %311, label %283, label %278, !llvm.loop !27
 
-311:                                              ; preds = %277, %281
-  %312 = load ptr, ptr %6, align 8
-  %313 = load i64, ptr %312, align 8
-  %314 = load ptr, ptr %49, align 8
-  %315 = load ptr, ptr %42, align 8
-  %316 = load ptr, ptr %50, align 8
-  %317 = load ptr, ptr %51, align 8
-  %318 = load ptr, ptr %28, align 8
-  %319 = getelementptr inbounds i8, ptr %312, i64 8
-  %320 = load i64, ptr %319, align 8
-  %321 = getelementptr inbounds double, ptr %318, i64 %320
-  %322 = inttoptr i64 %313 to ptr
-  %323 = tail call i32 %322(ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %317, ptr noundef %321) #9
-  %324 = icmp slt i32 %323, 0
-  br i1 %324, label %337, label %251, !llvm.loop !28
+312:                                              ; preds = %278, %282
+  %313 = load ptr, ptr %6, align 8
+  %314 = load i64, ptr %313, align 8
+  %315 = load ptr, ptr %49, align 8
+  %316 = load ptr, ptr %42, align 8
+  %317 = load ptr, ptr %50, align 8
+  %318 = load ptr, ptr %51, align 8
+  %319 = load ptr, ptr %28, align 8
+  %320 = getelementptr inbounds i8, ptr %313, i64 8
+  %321 = load i64, ptr %320, align 8
+  %322 = getelementptr inbounds double, ptr %319, i64 %321
+  %323 = inttoptr i64 %314 to ptr
+  %324 = load ptr, ptr %323, align 8
+  %325 = tail call i32 %324(ptr noundef %315, ptr noundef %316, ptr noundef %317, ptr noundef %318, ptr noundef %322) #9
+  %326 = icmp slt i32 %325, 0
+  br i1 %326, label %339, label %252, !llvm.loop !28
 
-325:                                              ; preds = %251
-  %326 = load ptr, ptr %28, align 8
-  %327 = getelementptr double, ptr %326, i64 %9
-  %328 = getelementptr double, ptr %327, i64 %57
-  %329 = load double, ptr %328, align 8
-  %330 = getelementptr inbounds i8, ptr %60, i64 %52
+327:                                              ; preds = %252
+  %328 = load ptr, ptr %28, align 8
+  %329 = getelementptr double, ptr %328, i64 %9
+  %330 = getelementptr double, ptr %329, i64 %57
   %331 = load double, ptr %330, align 8
-  %332 = fsub double %329, %331
-  %333 = tail call double @llvm.fabs.f64(double %332)
-  %334 = fcmp ogt double %217, %333
-  %335 = zext i1 %334 to i32
-  %336 = select i1 %334, i64 -6, i64 %54
-  br label %337
+  %332 = getelementptr inbounds i8, ptr %60, i64 %52
+  %333 = load double, ptr %332, align 8
+  %334 = fsub double %331, %333
+  %335 = tail call double @llvm.fabs.f64(double %334)
+  %336 = fcmp ogt double %218, %335
+  %337 = zext i1 %336 to i32
+  %338 = select i1 %336, i64 -6, i64 %54
+  br label %339
 
-337:                                              ; preds = %246, %311, %325, %155, %250
-  %338 = phi i32 [ 4, %250 ], [ 4, %155 ], [ %335, %325 ], [ 1, %311 ], [ 4, %246 ]
-  %339 = phi i32 [ %56, %250 ], [ %56, %155 ], [ %252, %325 ], [ %252, %311 ], [ %56, %246 ]
-  %340 = phi i64 [ %54, %250 ], [ %54, %155 ], [ %336, %325 ], [ -4, %311 ], [ %54, %246 ]
-  br label %343
+339:                                              ; preds = %247, %312, %327, %156, %251
+  %340 = phi i32 [ 4, %251 ], [ 4, %156 ], [ %337, %327 ], [ 1, %312 ], [ 4, %247 ]
+  %341 = phi i32 [ %56, %251 ], [ %56, %156 ], [ %253, %327 ], [ %253, %312 ], [ %56, %247 ]
+  %342 = phi i64 [ %54, %251 ], [ %54, %156 ], [ %338, %327 ], [ -4, %312 ], [ %54, %247 ]
+  br label %345
 
-341:                                              ; preds = %137
-  %342 = trunc nsw i64 %100 to i32
-  br label %343
+343:                                              ; preds = %137
+  %344 = trunc nsw i64 %100 to i32
+  br label %345
 
-343:                                              ; preds = %341, %53, %94, %337
-  %344 = phi i32 [ %338, %337 ], [ 4, %94 ], [ 4, %53 ], [ 1, %341 ]
-  %345 = phi i32 [ %339, %337 ], [ %56, %94 ], [ %56, %53 ], [ %56, %341 ]
-  %346 = phi i32 [ %156, %337 ], [ %55, %94 ], [ %55, %53 ], [ %342, %341 ]
-  %347 = phi i64 [ %340, %337 ], [ %54, %94 ], [ %54, %53 ], [ -4, %341 ]
-  switch i32 %344, label %351 [
-    i32 0, label %348
-    i32 4, label %348
+345:                                              ; preds = %343, %53, %94, %339
+  %346 = phi i32 [ %340, %339 ], [ 4, %94 ], [ 4, %53 ], [ 1, %343 ]
+  %347 = phi i32 [ %341, %339 ], [ %56, %94 ], [ %56, %53 ], [ %56, %343 ]
+  %348 = phi i32 [ %157, %339 ], [ %55, %94 ], [ %55, %53 ], [ %344, %343 ]
+  %349 = phi i64 [ %342, %339 ], [ %54, %94 ], [ %54, %53 ], [ -4, %343 ]
+  switch i32 %346, label %353 [
+    i32 0, label %350
+    i32 4, label %350
   ]
 
-348:                                              ; preds = %343, %343
-  %349 = add nuw nsw i64 %57, 1
-  %350 = icmp eq i64 %349, %9
-  br i1 %350, label %351, label %53, !llvm.loop !29
+350:                                              ; preds = %345, %345
+  %351 = add nuw nsw i64 %57, 1
+  %352 = icmp eq i64 %351, %9
+  br i1 %352, label %353, label %53, !llvm.loop !29
 
-351:                                              ; preds = %348, %343, %4
-  %352 = phi i64 [ 0, %4 ], [ %347, %343 ], [ 0, %348 ]
-  ret i64 %352
+353:                                              ; preds = %350, %345, %4
+  %354 = phi i64 [ 0, %4 ], [ %349, %345 ], [ 0, %350 ]
+  ret i64 %354
 }
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
@@ -1915,161 +1923,164 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %72 = load i64, ptr %71, align 8
   %73 = getelementptr inbounds double, ptr %70, i64 %72
   %74 = inttoptr i64 %62 to ptr
-  %75 = tail call i32 %74(ptr noundef %64, ptr noundef %65, ptr noundef %67, ptr noundef %69, ptr noundef %73) #9
-  %76 = load double, ptr %20, align 8
-  %77 = fmul double %76, %13
-  %78 = fcmp ugt double %77, 0.000000e+00
-  br i1 %78, label %131, label %79
+  %75 = load ptr, ptr %74, align 8
+  %76 = tail call i32 %75(ptr noundef %64, ptr noundef %65, ptr noundef %67, ptr noundef %69, ptr noundef %73) #9
+  %77 = load double, ptr %20, align 8
+  %78 = fmul double %77, %13
+  %79 = fcmp ugt double %78, 0.000000e+00
+  br i1 %79, label %133, label %80
 
-79:                                               ; preds = %60, %113
-  %80 = phi double [ %83, %113 ], [ %5, %60 ]
-  %81 = fsub double %80, %4
-  %82 = fmul double %81, 5.000000e-01
-  %83 = fadd double %82, %4
-  %84 = fsub double %83, %4
-  %85 = fcmp uge double %84, %27
-  br i1 %85, label %86, label %129
+80:                                               ; preds = %60, %114
+  %81 = phi double [ %84, %114 ], [ %5, %60 ]
+  %82 = fsub double %81, %4
+  %83 = fmul double %82, 5.000000e-01
+  %84 = fadd double %83, %4
+  %85 = fsub double %84, %4
+  %86 = fcmp uge double %85, %27
+  br i1 %86, label %87, label %131
 
-86:                                               ; preds = %79
-  %87 = load ptr, ptr %29, align 8
-  %88 = load ptr, ptr %31, align 8
-  %89 = getelementptr inbounds i8, ptr %88, i64 96
-  %90 = load ptr, ptr %89, align 8
-  %91 = insertelement <8 x double> poison, double %83, i64 0
-  %92 = shufflevector <8 x double> %91, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %92, ptr %90, align 8
-  %93 = load ptr, ptr %88, align 8
-  %94 = getelementptr inbounds i8, ptr %88, i64 192
-  %95 = load ptr, ptr %94, align 8
-  %96 = getelementptr inbounds i8, ptr %88, i64 8
-  %97 = load i64, ptr %96, align 8
-  %98 = load ptr, ptr %1, align 8
-  %99 = load ptr, ptr %98, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 24
-  %101 = load i64, ptr %100, align 8
-  %102 = load ptr, ptr %89, align 8
-  %103 = load ptr, ptr %47, align 8
-  %104 = load ptr, ptr %103, align 8
-  %105 = getelementptr inbounds i8, ptr %104, i64 16
-  %106 = load i64, ptr %105, align 8
-  tail call fastcc void @nested(ptr noundef %87, ptr noundef %93, ptr noundef %95, i64 noundef %97, i64 noundef %101, ptr noundef %102, i64 noundef %106) #8
-  %107 = fmul double %83, %3
-  %108 = fadd double %107, %2
-  %109 = load ptr, ptr %54, align 8
-  store double %108, ptr %109, align 8
-  %110 = load i64, ptr %56, align 8
-  %111 = icmp sgt i64 %110, 0
-  br i1 %111, label %112, label %113
+87:                                               ; preds = %80
+  %88 = load ptr, ptr %29, align 8
+  %89 = load ptr, ptr %31, align 8
+  %90 = getelementptr inbounds i8, ptr %89, i64 96
+  %91 = load ptr, ptr %90, align 8
+  %92 = insertelement <8 x double> poison, double %84, i64 0
+  %93 = shufflevector <8 x double> %92, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %93, ptr %91, align 8
+  %94 = load ptr, ptr %89, align 8
+  %95 = getelementptr inbounds i8, ptr %89, i64 192
+  %96 = load ptr, ptr %95, align 8
+  %97 = getelementptr inbounds i8, ptr %89, i64 8
+  %98 = load i64, ptr %97, align 8
+  %99 = load ptr, ptr %1, align 8
+  %100 = load ptr, ptr %99, align 8
+  %101 = getelementptr inbounds i8, ptr %100, i64 24
+  %102 = load i64, ptr %101, align 8
+  %103 = load ptr, ptr %90, align 8
+  %104 = load ptr, ptr %47, align 8
+  %105 = load ptr, ptr %104, align 8
+  %106 = getelementptr inbounds i8, ptr %105, i64 16
+  %107 = load i64, ptr %106, align 8
+  tail call fastcc void @nested(ptr noundef %88, ptr noundef %94, ptr noundef %96, i64 noundef %98, i64 noundef %102, ptr noundef %103, i64 noundef %107) #8
+  %108 = fmul double %84, %3
+  %109 = fadd double %108, %2
+  %110 = load ptr, ptr %54, align 8
+  store double %109, ptr %110, align 8
+  %111 = load i64, ptr %56, align 8
+  %112 = icmp sgt i64 %111, 0
+  br i1 %112, label %113, label %114
 
-112:                                              ; preds = %86
+113:                                              ; preds = %87
   tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %113
+  br label %114
 
-113:                                              ; preds = %86, %112
-  %114 = load ptr, ptr %8, align 8
-  %115 = load i64, ptr %114, align 8
-  %116 = load ptr, ptr %63, align 8
-  %117 = load ptr, ptr %29, align 8
-  %118 = load ptr, ptr %66, align 8
-  %119 = load ptr, ptr %68, align 8
-  %120 = load ptr, ptr %14, align 8
-  %121 = getelementptr inbounds i8, ptr %114, i64 8
-  %122 = load i64, ptr %121, align 8
-  %123 = getelementptr inbounds double, ptr %120, i64 %122
-  %124 = inttoptr i64 %115 to ptr
-  %125 = tail call i32 %124(ptr noundef %116, ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %123) #9
-  %126 = load double, ptr %20, align 8
-  %127 = fmul double %126, %13
-  %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !30
+114:                                              ; preds = %87, %113
+  %115 = load ptr, ptr %8, align 8
+  %116 = load i64, ptr %115, align 8
+  %117 = load ptr, ptr %63, align 8
+  %118 = load ptr, ptr %29, align 8
+  %119 = load ptr, ptr %66, align 8
+  %120 = load ptr, ptr %68, align 8
+  %121 = load ptr, ptr %14, align 8
+  %122 = getelementptr inbounds i8, ptr %115, i64 8
+  %123 = load i64, ptr %122, align 8
+  %124 = getelementptr inbounds double, ptr %121, i64 %123
+  %125 = inttoptr i64 %116 to ptr
+  %126 = load ptr, ptr %125, align 8
+  %127 = tail call i32 %126(ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %120, ptr noundef %124) #9
+  %128 = load double, ptr %20, align 8
+  %129 = fmul double %128, %13
+  %130 = fcmp ogt double %129, 0.000000e+00
+  br i1 %130, label %131, label %80, !llvm.loop !30
 
-129:                                              ; preds = %113, %79
-  %130 = phi double [ %4, %79 ], [ %83, %113 ]
-  br i1 %85, label %131, label %193
+131:                                              ; preds = %114, %80
+  %132 = phi double [ %4, %80 ], [ %84, %114 ]
+  br i1 %86, label %133, label %196
 
-131:                                              ; preds = %129, %60
-  %132 = phi double [ %5, %60 ], [ %80, %129 ]
-  %133 = phi double [ %4, %60 ], [ %130, %129 ]
-  br label %134
+133:                                              ; preds = %131, %60
+  %134 = phi double [ %5, %60 ], [ %81, %131 ]
+  %135 = phi double [ %4, %60 ], [ %132, %131 ]
+  br label %136
 
-134:                                              ; preds = %131, %190
-  %135 = phi double [ %191, %190 ], [ %132, %131 ]
-  %136 = phi double [ %192, %190 ], [ %133, %131 ]
-  %137 = fsub double %135, %136
-  %138 = fcmp ogt double %137, %27
-  br i1 %138, label %139, label %193
+136:                                              ; preds = %133, %193
+  %137 = phi double [ %194, %193 ], [ %134, %133 ]
+  %138 = phi double [ %195, %193 ], [ %135, %133 ]
+  %139 = fsub double %137, %138
+  %140 = fcmp ogt double %139, %27
+  br i1 %140, label %141, label %196
 
-139:                                              ; preds = %134
-  %140 = fmul double %137, 5.000000e-01
-  %141 = fadd double %136, %140
-  %142 = fcmp une double %141, %136
-  %143 = fcmp une double %141, %135
-  %144 = and i1 %142, %143
-  br i1 %144, label %145, label %190
+141:                                              ; preds = %136
+  %142 = fmul double %139, 5.000000e-01
+  %143 = fadd double %138, %142
+  %144 = fcmp une double %143, %138
+  %145 = fcmp une double %143, %137
+  %146 = and i1 %144, %145
+  br i1 %146, label %147, label %193
 
-145:                                              ; preds = %139
-  %146 = load ptr, ptr %29, align 8
-  %147 = load ptr, ptr %31, align 8
-  %148 = getelementptr inbounds i8, ptr %147, i64 96
-  %149 = load ptr, ptr %148, align 8
-  %150 = insertelement <8 x double> poison, double %141, i64 0
-  %151 = shufflevector <8 x double> %150, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %151, ptr %149, align 8
-  %152 = load ptr, ptr %147, align 8
-  %153 = getelementptr inbounds i8, ptr %147, i64 192
-  %154 = load ptr, ptr %153, align 8
-  %155 = getelementptr inbounds i8, ptr %147, i64 8
-  %156 = load i64, ptr %155, align 8
-  %157 = load ptr, ptr %1, align 8
-  %158 = load ptr, ptr %157, align 8
-  %159 = getelementptr inbounds i8, ptr %158, i64 24
-  %160 = load i64, ptr %159, align 8
-  %161 = load ptr, ptr %148, align 8
-  %162 = load ptr, ptr %47, align 8
-  %163 = load ptr, ptr %162, align 8
-  %164 = getelementptr inbounds i8, ptr %163, i64 16
-  %165 = load i64, ptr %164, align 8
-  tail call fastcc void @nested(ptr noundef %146, ptr noundef %152, ptr noundef %154, i64 noundef %156, i64 noundef %160, ptr noundef %161, i64 noundef %165) #8
-  %166 = fmul double %141, %3
-  %167 = fadd double %166, %2
-  %168 = load ptr, ptr %54, align 8
-  store double %167, ptr %168, align 8
-  %169 = load i64, ptr %56, align 8
-  %170 = icmp sgt i64 %169, 0
-  br i1 %170, label %171, label %172
+147:                                              ; preds = %141
+  %148 = load ptr, ptr %29, align 8
+  %149 = load ptr, ptr %31, align 8
+  %150 = getelementptr inbounds i8, ptr %149, i64 96
+  %151 = load ptr, ptr %150, align 8
+  %152 = insertelement <8 x double> poison, double %143, i64 0
+  %153 = shufflevector <8 x double> %152, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %153, ptr %151, align 8
+  %154 = load ptr, ptr %149, align 8
+  %155 = getelementptr inbounds i8, ptr %149, i64 192
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i8, ptr %149, i64 8
+  %158 = load i64, ptr %157, align 8
+  %159 = load ptr, ptr %1, align 8
+  %160 = load ptr, ptr %159, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 24
+  %162 = load i64, ptr %161, align 8
+  %163 = load ptr, ptr %150, align 8
+  %164 = load ptr, ptr %47, align 8
+  %165 = load ptr, ptr %164, align 8
+  %166 = getelementptr inbounds i8, ptr %165, i64 16
+  %167 = load i64, ptr %166, align 8
+  tail call fastcc void @nested(ptr noundef %148, ptr noundef %154, ptr noundef %156, i64 noundef %158, i64 noundef %162, ptr noundef %163, i64 noundef %167) #8
+  %168 = fmul double %143, %3
+  %169 = fadd double %168, %2
+  %170 = load ptr, ptr %54, align 8
+  store double %169, ptr %170, align 8
+  %171 = load i64, ptr %56, align 8
+  %172 = icmp sgt i64 %171, 0
+  br i1 %172, label %173, label %174
 
-171:                                              ; preds = %145
+173:                                              ; preds = %147
   tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %172
+  br label %174
 
-172:                                              ; preds = %145, %171
-  %173 = load ptr, ptr %8, align 8
-  %174 = load i64, ptr %173, align 8
-  %175 = load ptr, ptr %63, align 8
-  %176 = load ptr, ptr %29, align 8
-  %177 = load ptr, ptr %66, align 8
-  %178 = load ptr, ptr %68, align 8
-  %179 = load ptr, ptr %14, align 8
-  %180 = getelementptr inbounds i8, ptr %173, i64 8
-  %181 = load i64, ptr %180, align 8
-  %182 = getelementptr inbounds double, ptr %179, i64 %181
-  %183 = inttoptr i64 %174 to ptr
-  %184 = tail call i32 %183(ptr noundef %175, ptr noundef %176, ptr noundef %177, ptr noundef %178, ptr noundef %182) #9
-  %185 = load double, ptr %20, align 8
-  %186 = fmul double %185, %13
-  %187 = fcmp ogt double %186, 0.000000e+00
-  %188 = select i1 %187, double %135, double %141
-  %189 = select i1 %187, double %141, double %136
-  br label %190
+174:                                              ; preds = %147, %173
+  %175 = load ptr, ptr %8, align 8
+  %176 = load i64, ptr %175, align 8
+  %177 = load ptr, ptr %63, align 8
+  %178 = load ptr, ptr %29, align 8
+  %179 = load ptr, ptr %66, align 8
+  %180 = load ptr, ptr %68, align 8
+  %181 = load ptr, ptr %14, align 8
+  %182 = getelementptr inbounds i8, ptr %175, i64 8
+  %183 = load i64, ptr %182, align 8
+  %184 = getelementptr inbounds double, ptr %181, i64 %183
+  %185 = inttoptr i64 %176 to ptr
+  %186 = load ptr, ptr %185, align 8
+  %187 = tail call i32 %186(ptr noundef %177, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %184) #9
+  %188 = load double, ptr %20, align 8
+  %189 = fmul double %188, %13
+  %190 = fcmp ogt double %189, 0.000000e+00
+  %191 = select i1 %190, double %137, double %143
+  %192 = select i1 %190, double %143, double %138
+  br label %193
 
-190:                                              ; preds = %139, %172
-  %191 = phi double [ %188, %172 ], [ %135, %139 ]
-  %192 = phi double [ %189, %172 ], [ %136, %139 ]
-  br i1 %144, label %134, label %193
+193:                                              ; preds = %141, %174
+  %194 = phi double [ %191, %174 ], [ %137, %141 ]
+  %195 = phi double [ %192, %174 ], [ %138, %141 ]
+  br i1 %146, label %136, label %196
 
-193:                                              ; preds = %134, %190, %129
-  %194 = phi double [ %4, %129 ], [ %191, %190 ], [ %135, %134 ]
-  ret double %194
+196:                                              ; preds = %136, %193, %131
+  %197 = phi double [ %4, %131 ], [ %194, %193 ], [ %137, %136 ]
+  ret double %197
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
@@ -2258,7 +2269,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %32 = and i1 %30, %31
   %33 = fcmp ogt double %29, 0.000000e+00
   %34 = and i1 %32, %33
-  br i1 %34, label %35, label %210
+  br i1 %34, label %35, label %211
 
 35:                                               ; preds = %8
   %36 = fcmp ogt double %26, %29
@@ -2295,22 +2306,22 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %67 = fmul double %39, 0xBCE0000000000000
   br label %72
 
-68:                                               ; preds = %197
+68:                                               ; preds = %198
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %207, label %72, !llvm.loop !35
+  br i1 %71, label %208, label %72, !llvm.loop !35
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
-  %74 = phi double [ undef, %35 ], [ %206, %68 ]
-  %75 = phi double [ %50, %35 ], [ %205, %68 ]
-  %76 = phi double [ %46, %35 ], [ %204, %68 ]
-  %77 = phi double [ %43, %35 ], [ %203, %68 ]
-  %78 = phi double [ 0x7FF0000000000000, %35 ], [ %202, %68 ]
-  %79 = phi double [ %24, %35 ], [ %201, %68 ]
-  %80 = phi double [ %26, %35 ], [ %200, %68 ]
-  %81 = phi double [ %29, %35 ], [ %199, %68 ]
+  %74 = phi double [ undef, %35 ], [ %207, %68 ]
+  %75 = phi double [ %50, %35 ], [ %206, %68 ]
+  %76 = phi double [ %46, %35 ], [ %205, %68 ]
+  %77 = phi double [ %43, %35 ], [ %204, %68 ]
+  %78 = phi double [ 0x7FF0000000000000, %35 ], [ %203, %68 ]
+  %79 = phi double [ %24, %35 ], [ %202, %68 ]
+  %80 = phi double [ %26, %35 ], [ %201, %68 ]
+  %81 = phi double [ %29, %35 ], [ %200, %68 ]
   %82 = phi i32 [ 0, %35 ], [ %69, %68 ]
   %83 = fsub double %80, %79
   %84 = fsub double %76, %75
@@ -2327,7 +2338,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %95 = fdiv double %94, %91
   %96 = fsub double %76, %95
   %97 = fcmp ogt double %91, 0.000000e+00
-  br i1 %97, label %98, label %197
+  br i1 %97, label %98, label %198
 
 98:                                               ; preds = %72
   %99 = fsub double %96, %76
@@ -2335,7 +2346,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %101 = fadd double %80, %100
   %102 = fmul double %78, 2.000000e+00
   %103 = fcmp ugt double %101, %102
-  br i1 %103, label %197, label %104
+  br i1 %103, label %198, label %104
 
 104:                                              ; preds = %98
   br i1 %51, label %105, label %107
@@ -2361,7 +2372,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %115 = fcmp ult double %96, %108
   %116 = fcmp ugt double %96, %112
   %117 = select i1 %115, i1 true, i1 %116
-  br i1 %117, label %197, label %118
+  br i1 %117, label %198, label %118
 
 118:                                              ; preds = %114, %111
   %119 = fcmp ugt double %96, %75
@@ -2389,7 +2400,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %135 = or i1 %133, %134
   %136 = fcmp oeq double %127, %76
   %137 = or i1 %135, %136
-  br i1 %137, label %197, label %138
+  br i1 %137, label %198, label %138
 
 138:                                              ; preds = %126
   %139 = load ptr, ptr %58, align 8
@@ -2435,63 +2446,64 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %171 = load ptr, ptr %66, align 8
   %172 = load ptr, ptr %13, align 8
   %173 = inttoptr i64 %167 to ptr
-  %174 = tail call i32 %173(ptr noundef %168, ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172) #9
-  %175 = icmp slt i32 %174, 0
-  br i1 %175, label %197, label %176
+  %174 = load ptr, ptr %173, align 8
+  %175 = tail call i32 %174(ptr noundef %168, ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172) #9
+  %176 = icmp slt i32 %175, 0
+  br i1 %176, label %198, label %177
 
-176:                                              ; preds = %165
-  %177 = load double, ptr %15, align 8
-  %178 = fmul double %177, %5
-  %179 = fcmp olt double %178, 0.000000e+00
-  br i1 %179, label %180, label %183
+177:                                              ; preds = %165
+  %178 = load double, ptr %15, align 8
+  %179 = fmul double %178, %5
+  %180 = fcmp olt double %179, 0.000000e+00
+  br i1 %180, label %181, label %184
 
-180:                                              ; preds = %176
-  %181 = fcmp olt double %178, %67
-  %182 = select i1 %181, double %127, double 2.000000e+00
-  br label %197
+181:                                              ; preds = %177
+  %182 = fcmp olt double %179, %67
+  %183 = select i1 %182, double %127, double 2.000000e+00
+  br label %198
 
-183:                                              ; preds = %176
-  %184 = fsub double %178, %132
-  %185 = tail call double @llvm.fabs.f64(double %184)
-  %186 = fcmp uge double %127, %76
-  %187 = fcmp ugt double %178, %80
-  %188 = or i1 %186, %187
-  br i1 %188, label %189, label %197
+184:                                              ; preds = %177
+  %185 = fsub double %179, %132
+  %186 = tail call double @llvm.fabs.f64(double %185)
+  %187 = fcmp uge double %127, %76
+  %188 = fcmp ugt double %179, %80
+  %189 = or i1 %187, %188
+  br i1 %189, label %190, label %198
 
-189:                                              ; preds = %183
-  br i1 %186, label %190, label %197
+190:                                              ; preds = %184
+  br i1 %187, label %191, label %198
 
-190:                                              ; preds = %189
-  %191 = select i1 %187, double %178, double %81
-  %192 = select i1 %187, double %80, double %178
-  %193 = select i1 %187, double %79, double %80
-  %194 = select i1 %187, double %127, double %77
-  %195 = select i1 %187, double %76, double %127
-  %196 = select i1 %187, double %75, double %76
-  br label %197
+191:                                              ; preds = %190
+  %192 = select i1 %188, double %179, double %81
+  %193 = select i1 %188, double %80, double %179
+  %194 = select i1 %188, double %79, double %80
+  %195 = select i1 %188, double %127, double %77
+  %196 = select i1 %188, double %76, double %127
+  %197 = select i1 %188, double %75, double %76
+  br label %198
 
-197:                                              ; preds = %114, %180, %190, %189, %183, %165, %126, %72, %98
-  %198 = phi i1 [ false, %98 ], [ false, %72 ], [ false, %114 ], [ false, %126 ], [ false, %165 ], [ false, %180 ], [ true, %190 ], [ true, %189 ], [ true, %183 ]
-  %199 = phi double [ %81, %98 ], [ %81, %72 ], [ %81, %114 ], [ %81, %126 ], [ %81, %165 ], [ %81, %180 ], [ %191, %190 ], [ %81, %189 ], [ %80, %183 ]
-  %200 = phi double [ %80, %98 ], [ %80, %72 ], [ %80, %114 ], [ %80, %126 ], [ %80, %165 ], [ %80, %180 ], [ %192, %190 ], [ %80, %189 ], [ %178, %183 ]
-  %201 = phi double [ %79, %98 ], [ %79, %72 ], [ %79, %114 ], [ %79, %126 ], [ %79, %165 ], [ %79, %180 ], [ %193, %190 ], [ %178, %189 ], [ %79, %183 ]
-  %202 = phi double [ %78, %98 ], [ %78, %72 ], [ %78, %114 ], [ %78, %126 ], [ %78, %165 ], [ %78, %180 ], [ %185, %190 ], [ %185, %189 ], [ %185, %183 ]
-  %203 = phi double [ %77, %98 ], [ %77, %72 ], [ %77, %114 ], [ %77, %126 ], [ %77, %165 ], [ %77, %180 ], [ %194, %190 ], [ %77, %189 ], [ %76, %183 ]
-  %204 = phi double [ %76, %98 ], [ %76, %72 ], [ %76, %114 ], [ %76, %126 ], [ %76, %165 ], [ %76, %180 ], [ %195, %190 ], [ %76, %189 ], [ %127, %183 ]
-  %205 = phi double [ %75, %98 ], [ %75, %72 ], [ %75, %114 ], [ %75, %126 ], [ %75, %165 ], [ %75, %180 ], [ %196, %190 ], [ %127, %189 ], [ %75, %183 ]
-  %206 = phi double [ 2.000000e+00, %98 ], [ 2.000000e+00, %72 ], [ 2.000000e+00, %114 ], [ 2.000000e+00, %126 ], [ -4.000000e+00, %165 ], [ %182, %180 ], [ %74, %190 ], [ %74, %189 ], [ %74, %183 ]
-  br i1 %198, label %68, label %207
+198:                                              ; preds = %114, %181, %191, %190, %184, %165, %126, %72, %98
+  %199 = phi i1 [ false, %98 ], [ false, %72 ], [ false, %114 ], [ false, %126 ], [ false, %165 ], [ false, %181 ], [ true, %191 ], [ true, %190 ], [ true, %184 ]
+  %200 = phi double [ %81, %98 ], [ %81, %72 ], [ %81, %114 ], [ %81, %126 ], [ %81, %165 ], [ %81, %181 ], [ %192, %191 ], [ %81, %190 ], [ %80, %184 ]
+  %201 = phi double [ %80, %98 ], [ %80, %72 ], [ %80, %114 ], [ %80, %126 ], [ %80, %165 ], [ %80, %181 ], [ %193, %191 ], [ %80, %190 ], [ %179, %184 ]
+  %202 = phi double [ %79, %98 ], [ %79, %72 ], [ %79, %114 ], [ %79, %126 ], [ %79, %165 ], [ %79, %181 ], [ %194, %191 ], [ %179, %190 ], [ %79, %184 ]
+  %203 = phi double [ %78, %98 ], [ %78, %72 ], [ %78, %114 ], [ %78, %126 ], [ %78, %165 ], [ %78, %181 ], [ %186, %191 ], [ %186, %190 ], [ %186, %184 ]
+  %204 = phi double [ %77, %98 ], [ %77, %72 ], [ %77, %114 ], [ %77, %126 ], [ %77, %165 ], [ %77, %181 ], [ %195, %191 ], [ %77, %190 ], [ %76, %184 ]
+  %205 = phi double [ %76, %98 ], [ %76, %72 ], [ %76, %114 ], [ %76, %126 ], [ %76, %165 ], [ %76, %181 ], [ %196, %191 ], [ %76, %190 ], [ %127, %184 ]
+  %206 = phi double [ %75, %98 ], [ %75, %72 ], [ %75, %114 ], [ %75, %126 ], [ %75, %165 ], [ %75, %181 ], [ %197, %191 ], [ %127, %190 ], [ %75, %184 ]
+  %207 = phi double [ 2.000000e+00, %98 ], [ 2.000000e+00, %72 ], [ 2.000000e+00, %114 ], [ 2.000000e+00, %126 ], [ -4.000000e+00, %165 ], [ %183, %181 ], [ %74, %191 ], [ %74, %190 ], [ %74, %184 ]
+  br i1 %199, label %68, label %208
 
-207:                                              ; preds = %68, %197
-  %208 = phi i1 [ %70, %68 ], [ %73, %197 ]
-  br i1 %208, label %209, label %210
+208:                                              ; preds = %68, %198
+  %209 = phi i1 [ %70, %68 ], [ %73, %198 ]
+  br i1 %209, label %210, label %211
 
-209:                                              ; preds = %207
-  br label %210
+210:                                              ; preds = %208
+  br label %211
 
-210:                                              ; preds = %8, %207, %209
-  %211 = phi double [ 2.000000e+00, %209 ], [ %206, %207 ], [ 2.000000e+00, %8 ]
-  ret double %211
+211:                                              ; preds = %8, %208, %210
+  %212 = phi double [ 2.000000e+00, %210 ], [ %207, %208 ], [ 2.000000e+00, %8 ]
+  ret double %212
 }
 
 declare i32 @llvm.smin.i32(i32, i32) #6

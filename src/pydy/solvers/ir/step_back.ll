@@ -1,4 +1,4 @@
-; sources fffecca217773dad959341bcfbfc4f287e24b358f347116bbb0902e15c5389d6
+; sources aabdbe656e4dfe693b3bc6ae6b212fbe25fc1e2cb0d1b57c8f565133c76ec52a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
@@ -88,12 +88,12 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
   %86 = getelementptr double, ptr %31, i64 %85
   br label %87
 
-87:                                               ; preds = %407, %2
-  %88 = phi i64 [ %38, %2 ], [ %90, %407 ]
-  %89 = phi i64 [ undef, %2 ], [ %408, %407 ]
+87:                                               ; preds = %410, %2
+  %88 = phi i64 [ %38, %2 ], [ %90, %410 ]
+  %89 = phi i64 [ undef, %2 ], [ %411, %410 ]
   %90 = add nsw i64 %88, -1
   %91 = icmp slt i64 %88, 1
-  br i1 %91, label %409, label %92
+  br i1 %91, label %412, label %92
 
 92:                                               ; preds = %87
   %93 = load ptr, ptr %36, align 8
@@ -106,9 +106,9 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
 
 99:                                               ; preds = %92
   %100 = mul nsw i64 %90, %8
-  br label %118
+  br label %119
 
-101:                                              ; preds = %118, %92
+101:                                              ; preds = %119, %92
   %102 = load ptr, ptr %4, align 8
   %103 = load ptr, ptr %42, align 8
   %104 = load ptr, ptr %43, align 8
@@ -128,398 +128,401 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
   %112 = load ptr, ptr %45, align 8
   %113 = load ptr, ptr %46, align 8
   %114 = inttoptr i64 %110 to ptr
-  %115 = tail call i32 %114(ptr noundef %111, ptr noundef %102, ptr noundef %112, ptr noundef %113, ptr noundef %103) #5
-  %116 = sext i32 %115 to i64
-  %117 = icmp eq i32 %115, 0
-  br i1 %117, label %128, label %282
+  %115 = load ptr, ptr %114, align 8
+  %116 = tail call i32 %115(ptr noundef %111, ptr noundef %102, ptr noundef %112, ptr noundef %113, ptr noundef %103) #5
+  %117 = sext i32 %116 to i64
+  %118 = icmp eq i32 %116, 0
+  br i1 %118, label %129, label %284
 
-118:                                              ; preds = %99, %118
-  %119 = phi i64 [ 0, %99 ], [ %126, %118 ]
-  %120 = load ptr, ptr %41, align 8
-  %121 = getelementptr double, ptr %120, i64 %100
-  %122 = getelementptr double, ptr %121, i64 %119
-  %123 = load double, ptr %122, align 8
-  %124 = load ptr, ptr %4, align 8
-  %125 = getelementptr inbounds double, ptr %124, i64 %119
-  store double %123, ptr %125, align 8
-  %126 = add nuw nsw i64 %119, 1
-  %127 = icmp eq i64 %126, %8
-  br i1 %127, label %101, label %118, !llvm.loop !3
+119:                                              ; preds = %99, %119
+  %120 = phi i64 [ 0, %99 ], [ %127, %119 ]
+  %121 = load ptr, ptr %41, align 8
+  %122 = getelementptr double, ptr %121, i64 %100
+  %123 = getelementptr double, ptr %122, i64 %120
+  %124 = load double, ptr %123, align 8
+  %125 = load ptr, ptr %4, align 8
+  %126 = getelementptr inbounds double, ptr %125, i64 %120
+  store double %124, ptr %126, align 8
+  %127 = add nuw nsw i64 %120, 1
+  %128 = icmp eq i64 %127, %8
+  br i1 %128, label %101, label %119, !llvm.loop !3
 
-128:                                              ; preds = %108
-  %129 = load ptr, ptr %47, align 8
-  %130 = getelementptr inbounds i8, ptr %129, i64 24
-  %131 = load ptr, ptr %0, align 8
-  %132 = load i64, ptr %131, align 8
-  %133 = load ptr, ptr %48, align 8
-  %134 = insertelement <8 x double> poison, double %98, i64 0
-  %135 = shufflevector <8 x double> %134, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %135, ptr %133, align 8
-  %136 = icmp sgt i64 %132, 1
-  br i1 %136, label %141, label %225
+129:                                              ; preds = %108
+  %130 = load ptr, ptr %47, align 8
+  %131 = getelementptr inbounds i8, ptr %130, i64 24
+  %132 = load ptr, ptr %0, align 8
+  %133 = load i64, ptr %132, align 8
+  %134 = load ptr, ptr %48, align 8
+  %135 = insertelement <8 x double> poison, double %98, i64 0
+  %136 = shufflevector <8 x double> %135, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %136, ptr %134, align 8
+  %137 = icmp sgt i64 %133, 1
+  br i1 %137, label %142, label %227
 
-137:                                              ; preds = %214
-  %138 = add nuw nsw i64 %144, 1
-  %139 = icmp slt i64 %138, %132
-  %140 = icmp eq i64 %138, %132
-  br i1 %140, label %225, label %141, !llvm.loop !6
+138:                                              ; preds = %215
+  %139 = add nuw nsw i64 %145, 1
+  %140 = icmp slt i64 %139, %133
+  %141 = icmp eq i64 %139, %133
+  br i1 %141, label %227, label %142, !llvm.loop !6
 
-141:                                              ; preds = %128, %137
-  %142 = phi i1 [ %139, %137 ], [ %136, %128 ]
-  %143 = phi i64 [ %224, %137 ], [ undef, %128 ]
-  %144 = phi i64 [ %138, %137 ], [ 1, %128 ]
-  %145 = load ptr, ptr %49, align 8
-  %146 = load ptr, ptr %4, align 8
-  %147 = load ptr, ptr %5, align 8
-  %148 = getelementptr inbounds i8, ptr %147, i64 16
-  %149 = load i64, ptr %148, align 8
-  %150 = icmp sgt i64 %149, 1
-  %151 = zext i1 %150 to i64
-  %152 = load ptr, ptr %50, align 8
-  %153 = getelementptr inbounds i64, ptr %152, i64 %144
-  %154 = load i64, ptr %153, align 8
-  %155 = getelementptr i8, ptr %153, i64 8
-  %156 = load i64, ptr %155, align 8
-  %157 = xor i64 %154, -1
-  %158 = add i64 %156, %157
-  %159 = load ptr, ptr %48, align 8
-  %160 = load ptr, ptr %51, align 8
-  %161 = load ptr, ptr %52, align 8
-  %162 = getelementptr inbounds i64, ptr %161, i64 %154
-  %163 = load ptr, ptr %53, align 8
-  %164 = getelementptr inbounds double, ptr %163, i64 %154
-  tail call fastcc void @combine(ptr noundef %145, ptr noundef %146, ptr noundef %159, ptr noundef %160, ptr noundef %162, ptr noundef %164, i64 noundef %158, i64 noundef %151, i64 noundef %149) #4
-  %165 = icmp eq i64 %149, 1
-  br i1 %165, label %166, label %197
+142:                                              ; preds = %129, %138
+  %143 = phi i1 [ %140, %138 ], [ %137, %129 ]
+  %144 = phi i64 [ %226, %138 ], [ undef, %129 ]
+  %145 = phi i64 [ %139, %138 ], [ 1, %129 ]
+  %146 = load ptr, ptr %49, align 8
+  %147 = load ptr, ptr %4, align 8
+  %148 = load ptr, ptr %5, align 8
+  %149 = getelementptr inbounds i8, ptr %148, i64 16
+  %150 = load i64, ptr %149, align 8
+  %151 = icmp sgt i64 %150, 1
+  %152 = zext i1 %151 to i64
+  %153 = load ptr, ptr %50, align 8
+  %154 = getelementptr inbounds i64, ptr %153, i64 %145
+  %155 = load i64, ptr %154, align 8
+  %156 = getelementptr i8, ptr %154, i64 8
+  %157 = load i64, ptr %156, align 8
+  %158 = xor i64 %155, -1
+  %159 = add i64 %157, %158
+  %160 = load ptr, ptr %48, align 8
+  %161 = load ptr, ptr %51, align 8
+  %162 = load ptr, ptr %52, align 8
+  %163 = getelementptr inbounds i64, ptr %162, i64 %155
+  %164 = load ptr, ptr %53, align 8
+  %165 = getelementptr inbounds double, ptr %164, i64 %155
+  tail call fastcc void @combine(ptr noundef %146, ptr noundef %147, ptr noundef %160, ptr noundef %161, ptr noundef %163, ptr noundef %165, i64 noundef %159, i64 noundef %152, i64 noundef %150) #4
+  %166 = icmp eq i64 %150, 1
+  br i1 %166, label %167, label %198
 
-166:                                              ; preds = %141
-  %167 = load ptr, ptr %50, align 8
-  %168 = getelementptr i64, ptr %167, i64 %144
-  %169 = getelementptr i8, ptr %168, i64 8
-  %170 = load i64, ptr %169, align 8
-  %171 = add nsw i64 %170, -1
-  %172 = load ptr, ptr %53, align 8
-  %173 = getelementptr inbounds double, ptr %172, i64 %171
-  %174 = load double, ptr %173, align 8
-  %175 = fmul double %98, %174
-  %176 = load ptr, ptr %51, align 8
-  %177 = load ptr, ptr %52, align 8
-  %178 = getelementptr inbounds i64, ptr %177, i64 %171
-  %179 = load i64, ptr %178, align 8
-  %180 = getelementptr inbounds double, ptr %176, i64 %179
-  %181 = load ptr, ptr %5, align 8
-  %182 = getelementptr inbounds i8, ptr %181, i64 8
-  %183 = load i64, ptr %182, align 8
-  %184 = icmp sgt i64 %183, 0
-  br i1 %184, label %185, label %197
+167:                                              ; preds = %142
+  %168 = load ptr, ptr %50, align 8
+  %169 = getelementptr i64, ptr %168, i64 %145
+  %170 = getelementptr i8, ptr %169, i64 8
+  %171 = load i64, ptr %170, align 8
+  %172 = add nsw i64 %171, -1
+  %173 = load ptr, ptr %53, align 8
+  %174 = getelementptr inbounds double, ptr %173, i64 %172
+  %175 = load double, ptr %174, align 8
+  %176 = fmul double %98, %175
+  %177 = load ptr, ptr %51, align 8
+  %178 = load ptr, ptr %52, align 8
+  %179 = getelementptr inbounds i64, ptr %178, i64 %172
+  %180 = load i64, ptr %179, align 8
+  %181 = getelementptr inbounds double, ptr %177, i64 %180
+  %182 = load ptr, ptr %5, align 8
+  %183 = getelementptr inbounds i8, ptr %182, i64 8
+  %184 = load i64, ptr %183, align 8
+  %185 = icmp sgt i64 %184, 0
+  br i1 %185, label %186, label %198
 
-185:                                              ; preds = %166, %185
-  %186 = phi i64 [ %192, %185 ], [ 0, %166 ]
-  %187 = getelementptr inbounds double, ptr %180, i64 %186
-  %188 = load double, ptr %187, align 8
-  %189 = getelementptr inbounds double, ptr %145, i64 %186
-  %190 = load double, ptr %189, align 8
-  %191 = tail call double @llvm.fma.f64(double %175, double %188, double %190)
-  store double %191, ptr %189, align 8
-  %192 = add nuw nsw i64 %186, 1
-  %193 = load ptr, ptr %5, align 8
-  %194 = getelementptr inbounds i8, ptr %193, i64 8
-  %195 = load i64, ptr %194, align 8
-  %196 = icmp slt i64 %192, %195
-  br i1 %196, label %185, label %197, !llvm.loop !7
+186:                                              ; preds = %167, %186
+  %187 = phi i64 [ %193, %186 ], [ 0, %167 ]
+  %188 = getelementptr inbounds double, ptr %181, i64 %187
+  %189 = load double, ptr %188, align 8
+  %190 = getelementptr inbounds double, ptr %146, i64 %187
+  %191 = load double, ptr %190, align 8
+  %192 = tail call double @llvm.fma.f64(double %176, double %189, double %191)
+  store double %192, ptr %190, align 8
+  %193 = add nuw nsw i64 %187, 1
+  %194 = load ptr, ptr %5, align 8
+  %195 = getelementptr inbounds i8, ptr %194, i64 8
+  %196 = load i64, ptr %195, align 8
+  %197 = icmp slt i64 %193, %196
+  br i1 %197, label %186, label %198, !llvm.loop !7
 
-197:                                              ; preds = %185, %166, %141
-  %198 = load ptr, ptr %51, align 8
-  %199 = load i64, ptr %54, align 8
-  %200 = mul nsw i64 %199, %144
-  %201 = getelementptr inbounds double, ptr %198, i64 %200
-  %202 = load i64, ptr %130, align 8
-  %203 = add nsw i64 %202, 1
-  store i64 %203, ptr %130, align 8
-  %204 = load ptr, ptr %24, align 8
-  %205 = getelementptr inbounds double, ptr %204, i64 %144
-  %206 = load double, ptr %205, align 8
-  %207 = fmul double %98, %206
-  %208 = fadd double %95, %207
-  %209 = load ptr, ptr %49, align 8
-  %210 = load ptr, ptr %43, align 8
-  store double %208, ptr %210, align 8
-  %211 = load i64, ptr %44, align 8
-  %212 = icmp sgt i64 %211, 0
-  br i1 %212, label %213, label %214
+198:                                              ; preds = %186, %167, %142
+  %199 = load ptr, ptr %51, align 8
+  %200 = load i64, ptr %54, align 8
+  %201 = mul nsw i64 %200, %145
+  %202 = getelementptr inbounds double, ptr %199, i64 %201
+  %203 = load i64, ptr %131, align 8
+  %204 = add nsw i64 %203, 1
+  store i64 %204, ptr %131, align 8
+  %205 = load ptr, ptr %24, align 8
+  %206 = getelementptr inbounds double, ptr %205, i64 %145
+  %207 = load double, ptr %206, align 8
+  %208 = fmul double %98, %207
+  %209 = fadd double %95, %208
+  %210 = load ptr, ptr %49, align 8
+  %211 = load ptr, ptr %43, align 8
+  store double %209, ptr %211, align 8
+  %212 = load i64, ptr %44, align 8
+  %213 = icmp sgt i64 %212, 0
+  br i1 %213, label %214, label %215
 
-213:                                              ; preds = %197
+214:                                              ; preds = %198
   tail call fastcc void @sample(ptr noundef nonnull %5) #4
-  br label %214
+  br label %215
 
-214:                                              ; preds = %197, %213
-  %215 = load ptr, ptr %5, align 8
-  %216 = load i64, ptr %215, align 8
-  %217 = load ptr, ptr %43, align 8
-  %218 = load ptr, ptr %45, align 8
-  %219 = load ptr, ptr %46, align 8
-  %220 = inttoptr i64 %216 to ptr
-  %221 = tail call i32 %220(ptr noundef %217, ptr noundef %209, ptr noundef %218, ptr noundef %219, ptr noundef %201) #5
-  %222 = sext i32 %221 to i64
-  %223 = icmp eq i32 %221, 0
-  %224 = select i1 %223, i64 %143, i64 %222
-  br i1 %223, label %137, label %225
+215:                                              ; preds = %198, %214
+  %216 = load ptr, ptr %5, align 8
+  %217 = load i64, ptr %216, align 8
+  %218 = load ptr, ptr %43, align 8
+  %219 = load ptr, ptr %45, align 8
+  %220 = load ptr, ptr %46, align 8
+  %221 = inttoptr i64 %217 to ptr
+  %222 = load ptr, ptr %221, align 8
+  %223 = tail call i32 %222(ptr noundef %218, ptr noundef %210, ptr noundef %219, ptr noundef %220, ptr noundef %202) #5
+  %224 = sext i32 %223 to i64
+  %225 = icmp eq i32 %223, 0
+  %226 = select i1 %225, i64 %144, i64 %224
+  br i1 %225, label %138, label %227
 
-225:                                              ; preds = %137, %214, %128
-  %226 = phi i1 [ %136, %128 ], [ %139, %137 ], [ %142, %214 ]
-  %227 = phi i64 [ 0, %128 ], [ %222, %214 ], [ %222, %137 ]
-  %228 = phi i64 [ undef, %128 ], [ %224, %214 ], [ %224, %137 ]
-  br i1 %226, label %282, label %229
+227:                                              ; preds = %138, %215, %129
+  %228 = phi i1 [ %137, %129 ], [ %140, %138 ], [ %143, %215 ]
+  %229 = phi i64 [ 0, %129 ], [ %224, %215 ], [ %224, %138 ]
+  %230 = phi i64 [ undef, %129 ], [ %226, %215 ], [ %226, %138 ]
+  br i1 %228, label %284, label %231
 
-229:                                              ; preds = %225
-  %230 = load ptr, ptr %55, align 8
-  %231 = load ptr, ptr %4, align 8
-  %232 = load ptr, ptr %5, align 8
-  %233 = getelementptr inbounds i8, ptr %232, i64 16
-  %234 = load i64, ptr %233, align 8
-  %235 = icmp sgt i64 %234, 1
-  %236 = zext i1 %235 to i64
-  %237 = load ptr, ptr %56, align 8
-  %238 = getelementptr inbounds i64, ptr %237, i64 %132
-  %239 = load i64, ptr %238, align 8
-  %240 = getelementptr i8, ptr %238, i64 8
+231:                                              ; preds = %227
+  %232 = load ptr, ptr %55, align 8
+  %233 = load ptr, ptr %4, align 8
+  %234 = load ptr, ptr %5, align 8
+  %235 = getelementptr inbounds i8, ptr %234, i64 16
+  %236 = load i64, ptr %235, align 8
+  %237 = icmp sgt i64 %236, 1
+  %238 = zext i1 %237 to i64
+  %239 = load ptr, ptr %56, align 8
+  %240 = getelementptr inbounds i64, ptr %239, i64 %133
   %241 = load i64, ptr %240, align 8
-  %242 = xor i64 %239, -1
-  %243 = add i64 %241, %242
-  %244 = load ptr, ptr %48, align 8
-  %245 = load ptr, ptr %57, align 8
-  %246 = load ptr, ptr %58, align 8
-  %247 = getelementptr inbounds i64, ptr %246, i64 %239
-  %248 = load ptr, ptr %59, align 8
-  %249 = getelementptr inbounds double, ptr %248, i64 %239
-  tail call fastcc void @combine(ptr noundef %230, ptr noundef %231, ptr noundef %244, ptr noundef %245, ptr noundef %247, ptr noundef %249, i64 noundef %243, i64 noundef %236, i64 noundef %234) #4
-  %250 = icmp eq i64 %234, 1
-  br i1 %250, label %251, label %282
+  %242 = getelementptr i8, ptr %240, i64 8
+  %243 = load i64, ptr %242, align 8
+  %244 = xor i64 %241, -1
+  %245 = add i64 %243, %244
+  %246 = load ptr, ptr %48, align 8
+  %247 = load ptr, ptr %57, align 8
+  %248 = load ptr, ptr %58, align 8
+  %249 = getelementptr inbounds i64, ptr %248, i64 %241
+  %250 = load ptr, ptr %59, align 8
+  %251 = getelementptr inbounds double, ptr %250, i64 %241
+  tail call fastcc void @combine(ptr noundef %232, ptr noundef %233, ptr noundef %246, ptr noundef %247, ptr noundef %249, ptr noundef %251, i64 noundef %245, i64 noundef %238, i64 noundef %236) #4
+  %252 = icmp eq i64 %236, 1
+  br i1 %252, label %253, label %284
 
-251:                                              ; preds = %229
-  %252 = load ptr, ptr %56, align 8
-  %253 = getelementptr i64, ptr %252, i64 %132
-  %254 = getelementptr i8, ptr %253, i64 8
-  %255 = load i64, ptr %254, align 8
-  %256 = add nsw i64 %255, -1
-  %257 = load ptr, ptr %59, align 8
-  %258 = getelementptr inbounds double, ptr %257, i64 %256
-  %259 = load double, ptr %258, align 8
-  %260 = fmul double %98, %259
-  %261 = load ptr, ptr %57, align 8
-  %262 = load ptr, ptr %58, align 8
-  %263 = getelementptr inbounds i64, ptr %262, i64 %256
-  %264 = load i64, ptr %263, align 8
-  %265 = getelementptr inbounds double, ptr %261, i64 %264
-  %266 = load ptr, ptr %5, align 8
-  %267 = getelementptr inbounds i8, ptr %266, i64 8
-  %268 = load i64, ptr %267, align 8
-  %269 = icmp sgt i64 %268, 0
-  br i1 %269, label %270, label %282
+253:                                              ; preds = %231
+  %254 = load ptr, ptr %56, align 8
+  %255 = getelementptr i64, ptr %254, i64 %133
+  %256 = getelementptr i8, ptr %255, i64 8
+  %257 = load i64, ptr %256, align 8
+  %258 = add nsw i64 %257, -1
+  %259 = load ptr, ptr %59, align 8
+  %260 = getelementptr inbounds double, ptr %259, i64 %258
+  %261 = load double, ptr %260, align 8
+  %262 = fmul double %98, %261
+  %263 = load ptr, ptr %57, align 8
+  %264 = load ptr, ptr %58, align 8
+  %265 = getelementptr inbounds i64, ptr %264, i64 %258
+  %266 = load i64, ptr %265, align 8
+  %267 = getelementptr inbounds double, ptr %263, i64 %266
+  %268 = load ptr, ptr %5, align 8
+  %269 = getelementptr inbounds i8, ptr %268, i64 8
+  %270 = load i64, ptr %269, align 8
+  %271 = icmp sgt i64 %270, 0
+  br i1 %271, label %272, label %284
 
-270:                                              ; preds = %251, %270
-  %271 = phi i64 [ %277, %270 ], [ 0, %251 ]
-  %272 = getelementptr inbounds double, ptr %265, i64 %271
-  %273 = load double, ptr %272, align 8
-  %274 = getelementptr inbounds double, ptr %230, i64 %271
+272:                                              ; preds = %253, %272
+  %273 = phi i64 [ %279, %272 ], [ 0, %253 ]
+  %274 = getelementptr inbounds double, ptr %267, i64 %273
   %275 = load double, ptr %274, align 8
-  %276 = tail call double @llvm.fma.f64(double %260, double %273, double %275)
-  store double %276, ptr %274, align 8
-  %277 = add nuw nsw i64 %271, 1
-  %278 = load ptr, ptr %5, align 8
-  %279 = getelementptr inbounds i8, ptr %278, i64 8
-  %280 = load i64, ptr %279, align 8
-  %281 = icmp slt i64 %277, %280
-  br i1 %281, label %270, label %282, !llvm.loop !7
+  %276 = getelementptr inbounds double, ptr %232, i64 %273
+  %277 = load double, ptr %276, align 8
+  %278 = tail call double @llvm.fma.f64(double %262, double %275, double %277)
+  store double %278, ptr %276, align 8
+  %279 = add nuw nsw i64 %273, 1
+  %280 = load ptr, ptr %5, align 8
+  %281 = getelementptr inbounds i8, ptr %280, i64 8
+  %282 = load i64, ptr %281, align 8
+  %283 = icmp slt i64 %279, %282
+  br i1 %283, label %272, label %284, !llvm.loop !7
 
-282:                                              ; preds = %270, %251, %225, %229, %108
-  %283 = phi i64 [ %116, %108 ], [ %228, %225 ], [ %227, %229 ], [ %227, %251 ], [ %227, %270 ]
-  %284 = icmp eq i64 %283, 0
-  %285 = select i1 %60, i1 %284, i1 false
-  br i1 %285, label %286, label %294
+284:                                              ; preds = %272, %253, %227, %231, %108
+  %285 = phi i64 [ %117, %108 ], [ %230, %227 ], [ %229, %231 ], [ %229, %253 ], [ %229, %272 ]
+  %286 = icmp eq i64 %285, 0
+  %287 = select i1 %60, i1 %286, i1 false
+  br i1 %287, label %288, label %296
 
-286:                                              ; preds = %282
-  %287 = mul nsw i64 %90, %14
-  br label %298
+288:                                              ; preds = %284
+  %289 = mul nsw i64 %90, %14
+  br label %300
 
-288:                                              ; preds = %378, %364
-  %289 = icmp sgt i64 %299, 1
-  %290 = icmp eq i32 %344, 0
-  %291 = select i1 %289, i1 %290, i1 false
-  br i1 %291, label %298, label %292, !llvm.loop !8
+290:                                              ; preds = %381, %367
+  %291 = icmp sgt i64 %301, 1
+  %292 = icmp eq i32 %347, 0
+  %293 = select i1 %291, i1 %292, i1 false
+  br i1 %293, label %300, label %294, !llvm.loop !8
 
-292:                                              ; preds = %288
-  %293 = sext i32 %344 to i64
-  br label %294
+294:                                              ; preds = %290
+  %295 = sext i32 %347 to i64
+  br label %296
 
-294:                                              ; preds = %292, %282
-  %295 = phi i64 [ %283, %282 ], [ %293, %292 ]
-  %296 = phi i1 [ %284, %282 ], [ %290, %292 ]
-  br i1 %296, label %297, label %387
+296:                                              ; preds = %294, %284
+  %297 = phi i64 [ %285, %284 ], [ %295, %294 ]
+  %298 = phi i1 [ %286, %284 ], [ %292, %294 ]
+  br i1 %298, label %299, label %390
 
-297:                                              ; preds = %294
-  br i1 %83, label %390, label %407
+299:                                              ; preds = %296
+  br i1 %83, label %393, label %410
 
-298:                                              ; preds = %286, %288
-  %299 = phi i64 [ %14, %286 ], [ %300, %288 ]
-  %300 = add nsw i64 %299, -1
-  %301 = load ptr, ptr %61, align 8
-  %302 = load ptr, ptr %4, align 8
-  %303 = load ptr, ptr %62, align 8
-  %304 = getelementptr inbounds i64, ptr %303, i64 %300
-  %305 = load i64, ptr %304, align 8
-  %306 = getelementptr i8, ptr %304, i64 8
+300:                                              ; preds = %288, %290
+  %301 = phi i64 [ %14, %288 ], [ %302, %290 ]
+  %302 = add nsw i64 %301, -1
+  %303 = load ptr, ptr %61, align 8
+  %304 = load ptr, ptr %4, align 8
+  %305 = load ptr, ptr %62, align 8
+  %306 = getelementptr inbounds i64, ptr %305, i64 %302
   %307 = load i64, ptr %306, align 8
-  %308 = xor i64 %305, -1
-  %309 = add i64 %307, %308
-  %310 = load ptr, ptr %63, align 8
-  %311 = load ptr, ptr %64, align 8
-  %312 = load ptr, ptr %65, align 8
-  %313 = getelementptr inbounds i64, ptr %312, i64 %305
-  %314 = load ptr, ptr %66, align 8
-  %315 = getelementptr inbounds double, ptr %314, i64 %305
-  tail call fastcc void @combine(ptr noundef %301, ptr noundef %302, ptr noundef %310, ptr noundef %311, ptr noundef %313, ptr noundef %315, i64 noundef %309, i64 noundef 1, i64 noundef %10) #4
-  %316 = getelementptr inbounds i64, ptr %21, i64 %300
-  %317 = load i64, ptr %316, align 8
-  %318 = getelementptr inbounds i64, ptr %21, i64 %299
+  %308 = getelementptr i8, ptr %306, i64 8
+  %309 = load i64, ptr %308, align 8
+  %310 = xor i64 %307, -1
+  %311 = add i64 %309, %310
+  %312 = load ptr, ptr %63, align 8
+  %313 = load ptr, ptr %64, align 8
+  %314 = load ptr, ptr %65, align 8
+  %315 = getelementptr inbounds i64, ptr %314, i64 %307
+  %316 = load ptr, ptr %66, align 8
+  %317 = getelementptr inbounds double, ptr %316, i64 %307
+  tail call fastcc void @combine(ptr noundef %303, ptr noundef %304, ptr noundef %312, ptr noundef %313, ptr noundef %315, ptr noundef %317, i64 noundef %311, i64 noundef 1, i64 noundef %10) #4
+  %318 = getelementptr inbounds i64, ptr %21, i64 %302
   %319 = load i64, ptr %318, align 8
-  %320 = sub nsw i64 %319, %317
-  %321 = load ptr, ptr %67, align 8
-  %322 = load ptr, ptr %68, align 8
-  %323 = load ptr, ptr %69, align 8
-  %324 = getelementptr inbounds i64, ptr %23, i64 %317
-  %325 = getelementptr inbounds double, ptr %27, i64 %317
-  tail call fastcc void @combine(ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %31, ptr noundef %324, ptr noundef %325, i64 noundef %320, i64 noundef 0, i64 noundef %10) #4
-  br i1 %70, label %348, label %326
+  %320 = getelementptr inbounds i64, ptr %21, i64 %301
+  %321 = load i64, ptr %320, align 8
+  %322 = sub nsw i64 %321, %319
+  %323 = load ptr, ptr %67, align 8
+  %324 = load ptr, ptr %68, align 8
+  %325 = load ptr, ptr %69, align 8
+  %326 = getelementptr inbounds i64, ptr %23, i64 %319
+  %327 = getelementptr inbounds double, ptr %27, i64 %319
+  tail call fastcc void @combine(ptr noundef %323, ptr noundef %324, ptr noundef %325, ptr noundef %31, ptr noundef %326, ptr noundef %327, i64 noundef %322, i64 noundef 0, i64 noundef %10) #4
+  br i1 %70, label %351, label %328
 
-326:                                              ; preds = %348, %298
-  %327 = getelementptr inbounds double, ptr %25, i64 %300
-  %328 = load double, ptr %327, align 8
-  %329 = fmul double %98, %328
-  %330 = fadd double %95, %329
-  %331 = load ptr, ptr %61, align 8
-  %332 = load ptr, ptr %28, align 8
-  %333 = load ptr, ptr %71, align 8
-  store double %330, ptr %333, align 8
-  %334 = load i64, ptr %72, align 8
-  %335 = icmp sgt i64 %334, 0
-  br i1 %335, label %336, label %337
+328:                                              ; preds = %351, %300
+  %329 = getelementptr inbounds double, ptr %25, i64 %302
+  %330 = load double, ptr %329, align 8
+  %331 = fmul double %98, %330
+  %332 = fadd double %95, %331
+  %333 = load ptr, ptr %61, align 8
+  %334 = load ptr, ptr %28, align 8
+  %335 = load ptr, ptr %71, align 8
+  store double %332, ptr %335, align 8
+  %336 = load i64, ptr %72, align 8
+  %337 = icmp sgt i64 %336, 0
+  br i1 %337, label %338, label %339
 
-336:                                              ; preds = %326
+338:                                              ; preds = %328
   tail call fastcc void @sample(ptr noundef nonnull %1) #4
-  br label %337
+  br label %339
 
-337:                                              ; preds = %326, %336
-  %338 = load ptr, ptr %1, align 8
-  %339 = load i64, ptr %338, align 8
-  %340 = load ptr, ptr %71, align 8
-  %341 = load ptr, ptr %32, align 8
-  %342 = load ptr, ptr %73, align 8
-  %343 = inttoptr i64 %339 to ptr
-  %344 = tail call i32 %343(ptr noundef %340, ptr noundef %331, ptr noundef %341, ptr noundef %342, ptr noundef %332) #5
-  br i1 %74, label %345, label %356
+339:                                              ; preds = %328, %338
+  %340 = load ptr, ptr %1, align 8
+  %341 = load i64, ptr %340, align 8
+  %342 = load ptr, ptr %71, align 8
+  %343 = load ptr, ptr %32, align 8
+  %344 = load ptr, ptr %73, align 8
+  %345 = inttoptr i64 %341 to ptr
+  %346 = load ptr, ptr %345, align 8
+  %347 = tail call i32 %346(ptr noundef %342, ptr noundef %333, ptr noundef %343, ptr noundef %344, ptr noundef %334) #5
+  br i1 %74, label %348, label %359
 
-345:                                              ; preds = %337
-  %346 = mul nsw i64 %300, %12
-  %347 = getelementptr double, ptr %31, i64 %346
-  br label %357
+348:                                              ; preds = %339
+  %349 = mul nsw i64 %302, %12
+  %350 = getelementptr double, ptr %31, i64 %349
+  br label %360
 
-348:                                              ; preds = %298, %348
-  %349 = phi i64 [ %354, %348 ], [ 0, %298 ]
-  %350 = load ptr, ptr %67, align 8
-  %351 = getelementptr inbounds double, ptr %350, i64 %349
-  %352 = load double, ptr %351, align 8
-  %353 = getelementptr inbounds double, ptr %35, i64 %349
-  store double %352, ptr %353, align 8
-  %354 = add nuw nsw i64 %349, 1
-  %355 = icmp eq i64 %354, %8
-  br i1 %355, label %326, label %348, !llvm.loop !9
+351:                                              ; preds = %300, %351
+  %352 = phi i64 [ %357, %351 ], [ 0, %300 ]
+  %353 = load ptr, ptr %67, align 8
+  %354 = getelementptr inbounds double, ptr %353, i64 %352
+  %355 = load double, ptr %354, align 8
+  %356 = getelementptr inbounds double, ptr %35, i64 %352
+  store double %355, ptr %356, align 8
+  %357 = add nuw nsw i64 %352, 1
+  %358 = icmp eq i64 %357, %8
+  br i1 %358, label %328, label %351, !llvm.loop !9
 
-356:                                              ; preds = %357, %337
-  br i1 %75, label %368, label %364
+359:                                              ; preds = %360, %339
+  br i1 %75, label %371, label %367
 
-357:                                              ; preds = %345, %357
-  %358 = phi i64 [ 0, %345 ], [ %362, %357 ]
-  %359 = getelementptr inbounds double, ptr %29, i64 %358
-  %360 = load double, ptr %359, align 8
-  %361 = getelementptr double, ptr %347, i64 %358
-  store double %360, ptr %361, align 8
-  %362 = add nuw nsw i64 %358, 1
-  %363 = icmp eq i64 %362, %8
-  br i1 %363, label %356, label %357, !llvm.loop !10
+360:                                              ; preds = %348, %360
+  %361 = phi i64 [ 0, %348 ], [ %365, %360 ]
+  %362 = getelementptr inbounds double, ptr %29, i64 %361
+  %363 = load double, ptr %362, align 8
+  %364 = getelementptr double, ptr %350, i64 %361
+  store double %363, ptr %364, align 8
+  %365 = add nuw nsw i64 %361, 1
+  %366 = icmp eq i64 %365, %8
+  br i1 %366, label %359, label %360, !llvm.loop !10
 
-364:                                              ; preds = %368, %356
-  br i1 %78, label %365, label %288
+367:                                              ; preds = %371, %359
+  br i1 %78, label %368, label %290
 
-365:                                              ; preds = %364
-  %366 = add nsw i64 %300, %287
-  %367 = mul nsw i64 %366, %19
-  br label %378
+368:                                              ; preds = %367
+  %369 = add nsw i64 %302, %289
+  %370 = mul nsw i64 %369, %19
+  br label %381
 
-368:                                              ; preds = %356, %368
-  %369 = phi i64 [ %376, %368 ], [ 0, %356 ]
-  %370 = getelementptr double, ptr %76, i64 %369
-  %371 = load double, ptr %370, align 8
-  %372 = load ptr, ptr %77, align 8
-  %373 = getelementptr inbounds double, ptr %372, i64 %369
+371:                                              ; preds = %359, %371
+  %372 = phi i64 [ %379, %371 ], [ 0, %359 ]
+  %373 = getelementptr double, ptr %76, i64 %372
   %374 = load double, ptr %373, align 8
-  %375 = fadd double %371, %374
-  store double %375, ptr %373, align 8
-  %376 = add nuw nsw i64 %369, 1
-  %377 = icmp eq i64 %376, %17
-  br i1 %377, label %364, label %368, !llvm.loop !11
+  %375 = load ptr, ptr %77, align 8
+  %376 = getelementptr inbounds double, ptr %375, i64 %372
+  %377 = load double, ptr %376, align 8
+  %378 = fadd double %374, %377
+  store double %378, ptr %376, align 8
+  %379 = add nuw nsw i64 %372, 1
+  %380 = icmp eq i64 %379, %17
+  br i1 %380, label %367, label %371, !llvm.loop !11
 
-378:                                              ; preds = %365, %378
-  %379 = phi i64 [ 0, %365 ], [ %385, %378 ]
-  %380 = getelementptr double, ptr %81, i64 %379
-  %381 = load double, ptr %380, align 8
-  %382 = load ptr, ptr %82, align 8
-  %383 = getelementptr double, ptr %382, i64 %367
-  %384 = getelementptr double, ptr %383, i64 %379
-  store double %381, ptr %384, align 8
-  %385 = add nuw nsw i64 %379, 1
-  %386 = icmp eq i64 %385, %19
-  br i1 %386, label %288, label %378, !llvm.loop !12
+381:                                              ; preds = %368, %381
+  %382 = phi i64 [ 0, %368 ], [ %388, %381 ]
+  %383 = getelementptr double, ptr %81, i64 %382
+  %384 = load double, ptr %383, align 8
+  %385 = load ptr, ptr %82, align 8
+  %386 = getelementptr double, ptr %385, i64 %370
+  %387 = getelementptr double, ptr %386, i64 %382
+  store double %384, ptr %387, align 8
+  %388 = add nuw nsw i64 %382, 1
+  %389 = icmp eq i64 %388, %19
+  br i1 %389, label %290, label %381, !llvm.loop !12
 
-387:                                              ; preds = %294
-  %388 = load ptr, ptr %3, align 8
-  %389 = getelementptr inbounds i8, ptr %388, i64 24
-  store i64 %90, ptr %389, align 8
-  br label %407
+390:                                              ; preds = %296
+  %391 = load ptr, ptr %3, align 8
+  %392 = getelementptr inbounds i8, ptr %391, i64 24
+  store i64 %90, ptr %392, align 8
+  br label %410
 
-390:                                              ; preds = %297, %395
-  %391 = phi i64 [ %396, %395 ], [ 0, %297 ]
-  br i1 %84, label %392, label %395
+393:                                              ; preds = %299, %398
+  %394 = phi i64 [ %399, %398 ], [ 0, %299 ]
+  br i1 %84, label %395, label %398
 
-392:                                              ; preds = %390
-  %393 = mul nsw i64 %391, %12
-  %394 = getelementptr double, ptr %31, i64 %393
-  br label %398
+395:                                              ; preds = %393
+  %396 = mul nsw i64 %394, %12
+  %397 = getelementptr double, ptr %31, i64 %396
+  br label %401
 
-395:                                              ; preds = %398, %390
-  %396 = add nuw nsw i64 %391, 1
-  %397 = icmp eq i64 %396, %14
-  br i1 %397, label %407, label %390, !llvm.loop !13
+398:                                              ; preds = %401, %393
+  %399 = add nuw nsw i64 %394, 1
+  %400 = icmp eq i64 %399, %14
+  br i1 %400, label %410, label %393, !llvm.loop !13
 
-398:                                              ; preds = %392, %398
-  %399 = phi i64 [ 0, %392 ], [ %405, %398 ]
-  %400 = getelementptr double, ptr %394, i64 %399
-  %401 = load double, ptr %400, align 8
-  %402 = getelementptr double, ptr %86, i64 %399
-  %403 = load double, ptr %402, align 8
-  %404 = fadd double %401, %403
-  store double %404, ptr %402, align 8
-  %405 = add nuw nsw i64 %399, 1
-  %406 = icmp eq i64 %405, %8
-  br i1 %406, label %395, label %398, !llvm.loop !14
+401:                                              ; preds = %395, %401
+  %402 = phi i64 [ 0, %395 ], [ %408, %401 ]
+  %403 = getelementptr double, ptr %397, i64 %402
+  %404 = load double, ptr %403, align 8
+  %405 = getelementptr double, ptr %86, i64 %402
+  %406 = load double, ptr %405, align 8
+  %407 = fadd double %404, %406
+  store double %407, ptr %405, align 8
+  %408 = add nuw nsw i64 %402, 1
+  %409 = icmp eq i64 %408, %8
+  br i1 %409, label %398, label %401, !llvm.loop !14
 
-407:                                              ; preds = %395, %297, %387
-  %408 = phi i64 [ %295, %387 ], [ %89, %297 ], [ %89, %395 ]
-  br i1 %296, label %87, label %409, !llvm.loop !15
+410:                                              ; preds = %398, %299, %390
+  %411 = phi i64 [ %297, %390 ], [ %89, %299 ], [ %89, %398 ]
+  br i1 %298, label %87, label %412, !llvm.loop !15
 
-409:                                              ; preds = %87, %407
-  %410 = phi i64 [ %408, %407 ], [ 0, %87 ]
-  ret i64 %410
+412:                                              ; preds = %87, %410
+  %413 = phi i64 [ %411, %410 ], [ 0, %87 ]
+  ret i64 %413
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #1 {

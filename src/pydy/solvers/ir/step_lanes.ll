@@ -1,4 +1,4 @@
-; sources b96685b1393add36728f397923b0782a711cf4c11a8a3e5b1e968f58f7cdf143
+; sources ce4906d8435ccf2a91aad06ff6f0f77b039daa502f0ad5c689d8b76a75f5258f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -219,14 +219,14 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %182 = phi i32 [ 1, %159 ], [ 8, %163 ], [ 0, %176 ]
   %183 = phi i32 [ %151, %159 ], [ 0, %163 ], [ %178, %176 ]
   %184 = phi i64 [ %152, %159 ], [ %152, %163 ], [ 0, %176 ]
-  switch i32 %182, label %1103 [
+  switch i32 %182, label %1107 [
     i32 0, label %185
     i32 8, label %188
   ]
 
-185:                                              ; preds = %181, %1101, %263
-  %186 = phi i32 [ %183, %181 ], [ %1102, %1101 ], [ 1, %263 ]
-  %187 = phi i64 [ %184, %181 ], [ %1091, %1101 ], [ %190, %263 ]
+185:                                              ; preds = %181, %1105, %263
+  %186 = phi i32 [ %183, %181 ], [ %1106, %1105 ], [ 1, %263 ]
+  %187 = phi i64 [ %184, %181 ], [ %1095, %1105 ], [ %190, %263 ]
   br label %150, !llvm.loop !7
 
 188:                                              ; preds = %181, %150
@@ -236,7 +236,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %192 = getelementptr inbounds i8, ptr %191, i64 8
   %193 = load i64, ptr %192, align 8
   %194 = icmp slt i64 %193, 1
-  br i1 %194, label %1103, label %195
+  br i1 %194, label %1107, label %195
 
 195:                                              ; preds = %188
   br i1 %59, label %196, label %216
@@ -265,7 +265,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 213:                                              ; preds = %196, %199
   %214 = phi i32 [ 0, %196 ], [ %212, %199 ]
   %215 = icmp eq i32 %214, 0
-  br i1 %215, label %216, label %1103
+  br i1 %215, label %216, label %1107
 
 216:                                              ; preds = %213, %195
   %217 = add nsw i64 %193, -1
@@ -344,11 +344,11 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %273 = load ptr, ptr %74, align 8
   store <8 x double> %247, ptr %273, align 8
   %274 = icmp sgt i64 %272, 1
-  br i1 %274, label %275, label %324
+  br i1 %274, label %275, label %325
 
 275:                                              ; preds = %270, %312
-  %276 = phi i64 [ %321, %312 ], [ 0, %270 ]
-  %277 = phi i64 [ %322, %312 ], [ 1, %270 ]
+  %276 = phi i64 [ %322, %312 ], [ 0, %270 ]
+  %277 = phi i64 [ %323, %312 ], [ 1, %270 ]
   %278 = load ptr, ptr %75, align 8
   %279 = load ptr, ptr %11, align 8
   %280 = load ptr, ptr %9, align 8
@@ -397,960 +397,964 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %316 = load ptr, ptr %84, align 8
   %317 = load ptr, ptr %85, align 8
   %318 = inttoptr i64 %314 to ptr
-  %319 = call i32 %318(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
-  %320 = zext i32 %319 to i64
-  %321 = or i64 %276, %320
-  %322 = add nuw nsw i64 %277, 1
-  %323 = icmp eq i64 %322, %272
-  br i1 %323, label %324, label %275, !llvm.loop !8
+  %319 = load ptr, ptr %318, align 8
+  %320 = call i32 %319(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
+  %321 = zext i32 %320 to i64
+  %322 = or i64 %276, %321
+  %323 = add nuw nsw i64 %277, 1
+  %324 = icmp eq i64 %323, %272
+  br i1 %324, label %325, label %275, !llvm.loop !8
 
-324:                                              ; preds = %312, %270
-  %325 = phi i64 [ 0, %270 ], [ %321, %312 ]
-  %326 = load ptr, ptr %86, align 8
-  %327 = load ptr, ptr %11, align 8
-  %328 = load ptr, ptr %9, align 8
-  %329 = getelementptr inbounds i8, ptr %328, i64 16
-  %330 = load i64, ptr %329, align 8
-  %331 = load ptr, ptr %87, align 8
-  %332 = getelementptr inbounds i64, ptr %331, i64 %272
-  %333 = load i64, ptr %332, align 8
-  %334 = getelementptr i8, ptr %332, i64 8
-  %335 = load i64, ptr %334, align 8
-  %336 = xor i64 %333, -1
-  %337 = add i64 %335, %336
-  %338 = load ptr, ptr %74, align 8
-  %339 = load ptr, ptr %88, align 8
-  %340 = load ptr, ptr %89, align 8
-  %341 = getelementptr inbounds i64, ptr %340, i64 %333
-  %342 = load ptr, ptr %90, align 8
-  %343 = getelementptr inbounds double, ptr %342, i64 %333
-  call fastcc void @combine(ptr noundef %326, ptr noundef %327, ptr noundef %338, ptr noundef %339, ptr noundef %341, ptr noundef %343, i64 noundef %337, i64 noundef %330) #11
-  br i1 %57, label %360, label %344
+325:                                              ; preds = %312, %270
+  %326 = phi i64 [ 0, %270 ], [ %322, %312 ]
+  %327 = load ptr, ptr %86, align 8
+  %328 = load ptr, ptr %11, align 8
+  %329 = load ptr, ptr %9, align 8
+  %330 = getelementptr inbounds i8, ptr %329, i64 16
+  %331 = load i64, ptr %330, align 8
+  %332 = load ptr, ptr %87, align 8
+  %333 = getelementptr inbounds i64, ptr %332, i64 %272
+  %334 = load i64, ptr %333, align 8
+  %335 = getelementptr i8, ptr %333, i64 8
+  %336 = load i64, ptr %335, align 8
+  %337 = xor i64 %334, -1
+  %338 = add i64 %336, %337
+  %339 = load ptr, ptr %74, align 8
+  %340 = load ptr, ptr %88, align 8
+  %341 = load ptr, ptr %89, align 8
+  %342 = getelementptr inbounds i64, ptr %341, i64 %334
+  %343 = load ptr, ptr %90, align 8
+  %344 = getelementptr inbounds double, ptr %343, i64 %334
+  call fastcc void @combine(ptr noundef %327, ptr noundef %328, ptr noundef %339, ptr noundef %340, ptr noundef %342, ptr noundef %344, i64 noundef %338, i64 noundef %331) #11
+  br i1 %57, label %362, label %345
 
-344:                                              ; preds = %324
-  %345 = load ptr, ptr %91, align 8
-  %346 = load ptr, ptr %92, align 8
-  store <8 x double> %245, ptr %346, align 8
-  %347 = load i64, ptr %93, align 8
-  %348 = icmp sgt i64 %347, 0
-  br i1 %348, label %349, label %350
+345:                                              ; preds = %325
+  %346 = load ptr, ptr %91, align 8
+  %347 = load ptr, ptr %92, align 8
+  store <8 x double> %245, ptr %347, align 8
+  %348 = load i64, ptr %93, align 8
+  %349 = icmp sgt i64 %348, 0
+  br i1 %349, label %350, label %351
 
-349:                                              ; preds = %344
+350:                                              ; preds = %345
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %350
+  br label %351
 
-350:                                              ; preds = %344, %349
-  %351 = load ptr, ptr %9, align 8
-  %352 = load i64, ptr %351, align 8
-  %353 = load ptr, ptr %92, align 8
-  %354 = load ptr, ptr %94, align 8
-  %355 = load ptr, ptr %95, align 8
-  %356 = inttoptr i64 %352 to ptr
-  %357 = call i32 %356(ptr noundef %353, ptr noundef %345, ptr noundef %354, ptr noundef %355, ptr noundef %60) #12
-  %358 = zext i32 %357 to i64
-  %359 = or i64 %325, %358
-  br label %360
+351:                                              ; preds = %345, %350
+  %352 = load ptr, ptr %9, align 8
+  %353 = load i64, ptr %352, align 8
+  %354 = load ptr, ptr %92, align 8
+  %355 = load ptr, ptr %94, align 8
+  %356 = load ptr, ptr %95, align 8
+  %357 = inttoptr i64 %353 to ptr
+  %358 = load ptr, ptr %357, align 8
+  %359 = call i32 %358(ptr noundef %354, ptr noundef %346, ptr noundef %355, ptr noundef %356, ptr noundef %60) #12
+  %360 = zext i32 %359 to i64
+  %361 = or i64 %326, %360
+  br label %362
 
-360:                                              ; preds = %350, %324
-  %361 = phi i64 [ %359, %350 ], [ %325, %324 ]
-  br i1 %34, label %365, label %362
+362:                                              ; preds = %351, %325
+  %363 = phi i64 [ %361, %351 ], [ %326, %325 ]
+  br i1 %34, label %367, label %364
 
-362:                                              ; preds = %360
-  br i1 %96, label %363, label %538
+364:                                              ; preds = %362
+  br i1 %96, label %365, label %540
 
-363:                                              ; preds = %362
-  %364 = load ptr, ptr %97, align 8
-  br label %528
+365:                                              ; preds = %364
+  %366 = load ptr, ptr %97, align 8
+  br label %530
 
-365:                                              ; preds = %360
-  %366 = load ptr, ptr %9, align 8
-  %367 = load ptr, ptr %0, align 8
-  %368 = getelementptr inbounds i8, ptr %366, i64 24
-  %369 = load i64, ptr %368, align 8
-  %370 = getelementptr inbounds i8, ptr %367, i64 8
+367:                                              ; preds = %362
+  %368 = load ptr, ptr %9, align 8
+  %369 = load ptr, ptr %0, align 8
+  %370 = getelementptr inbounds i8, ptr %368, i64 24
   %371 = load i64, ptr %370, align 8
-  %372 = load ptr, ptr %98, align 8
-  %373 = load i64, ptr %99, align 8
-  %374 = getelementptr inbounds double, ptr %372, i64 %373
-  %375 = icmp sgt i64 %371, 0
-  br i1 %375, label %376, label %378
+  %372 = getelementptr inbounds i8, ptr %369, i64 8
+  %373 = load i64, ptr %372, align 8
+  %374 = load ptr, ptr %98, align 8
+  %375 = load i64, ptr %99, align 8
+  %376 = getelementptr inbounds double, ptr %374, i64 %375
+  %377 = icmp sgt i64 %373, 0
+  br i1 %377, label %378, label %380
 
-376:                                              ; preds = %365
-  %377 = getelementptr inbounds i8, ptr %366, i64 32
-  br label %386
+378:                                              ; preds = %367
+  %379 = getelementptr inbounds i8, ptr %368, i64 32
+  br label %388
 
-378:                                              ; preds = %386, %365
-  %379 = icmp sgt i64 %369, 0
-  br i1 %379, label %380, label %412
+380:                                              ; preds = %388, %367
+  %381 = icmp sgt i64 %371, 0
+  br i1 %381, label %382, label %414
 
-380:                                              ; preds = %378
-  %381 = load ptr, ptr %11, align 8
-  %382 = load ptr, ptr %86, align 8
-  %383 = load ptr, ptr %101, align 8
-  %384 = load ptr, ptr %102, align 8
-  %385 = load ptr, ptr %98, align 8
-  br label %475
+382:                                              ; preds = %380
+  %383 = load ptr, ptr %11, align 8
+  %384 = load ptr, ptr %86, align 8
+  %385 = load ptr, ptr %101, align 8
+  %386 = load ptr, ptr %102, align 8
+  %387 = load ptr, ptr %98, align 8
+  br label %477
 
-386:                                              ; preds = %376, %386
-  %387 = phi i64 [ 0, %376 ], [ %410, %386 ]
-  %388 = load i64, ptr %367, align 8
-  %389 = load i64, ptr %377, align 8
-  %390 = load ptr, ptr %98, align 8
-  %391 = load i64, ptr %99, align 8
-  %392 = mul nsw i64 %391, %387
-  %393 = getelementptr inbounds double, ptr %390, i64 %392
-  %394 = load ptr, ptr %100, align 8
-  %395 = load ptr, ptr %87, align 8
-  %396 = getelementptr i64, ptr %395, i64 %388
-  %397 = getelementptr i8, ptr %396, i64 8
-  %398 = getelementptr i64, ptr %397, i64 %387
-  %399 = load i64, ptr %398, align 8
-  %400 = getelementptr i8, ptr %398, i64 8
+388:                                              ; preds = %378, %388
+  %389 = phi i64 [ 0, %378 ], [ %412, %388 ]
+  %390 = load i64, ptr %369, align 8
+  %391 = load i64, ptr %379, align 8
+  %392 = load ptr, ptr %98, align 8
+  %393 = load i64, ptr %99, align 8
+  %394 = mul nsw i64 %393, %389
+  %395 = getelementptr inbounds double, ptr %392, i64 %394
+  %396 = load ptr, ptr %100, align 8
+  %397 = load ptr, ptr %87, align 8
+  %398 = getelementptr i64, ptr %397, i64 %390
+  %399 = getelementptr i8, ptr %398, i64 8
+  %400 = getelementptr i64, ptr %399, i64 %389
   %401 = load i64, ptr %400, align 8
-  %402 = xor i64 %399, -1
-  %403 = add i64 %401, %402
-  %404 = load ptr, ptr %74, align 8
-  %405 = load ptr, ptr %88, align 8
-  %406 = load ptr, ptr %89, align 8
-  %407 = getelementptr inbounds i64, ptr %406, i64 %399
-  %408 = load ptr, ptr %90, align 8
-  %409 = getelementptr inbounds double, ptr %408, i64 %399
-  call fastcc void @combine(ptr noundef %393, ptr noundef %394, ptr noundef %404, ptr noundef %405, ptr noundef %407, ptr noundef %409, i64 noundef %403, i64 noundef %389) #11
-  %410 = add nuw nsw i64 %387, 1
-  %411 = icmp eq i64 %410, %371
-  br i1 %411, label %378, label %386, !llvm.loop !9
+  %402 = getelementptr i8, ptr %400, i64 8
+  %403 = load i64, ptr %402, align 8
+  %404 = xor i64 %401, -1
+  %405 = add i64 %403, %404
+  %406 = load ptr, ptr %74, align 8
+  %407 = load ptr, ptr %88, align 8
+  %408 = load ptr, ptr %89, align 8
+  %409 = getelementptr inbounds i64, ptr %408, i64 %401
+  %410 = load ptr, ptr %90, align 8
+  %411 = getelementptr inbounds double, ptr %410, i64 %401
+  call fastcc void @combine(ptr noundef %395, ptr noundef %396, ptr noundef %406, ptr noundef %407, ptr noundef %409, ptr noundef %411, i64 noundef %405, i64 noundef %391) #11
+  %412 = add nuw nsw i64 %389, 1
+  %413 = icmp eq i64 %412, %373
+  br i1 %413, label %380, label %388, !llvm.loop !9
 
-412:                                              ; preds = %475, %378
-  %413 = phi <8 x double> [ zeroinitializer, %378 ], [ %508, %475 ]
-  %414 = phi <8 x double> [ zeroinitializer, %378 ], [ %506, %475 ]
-  %415 = load ptr, ptr %86, align 8
-  %416 = getelementptr inbounds i8, ptr %366, i64 8
-  %417 = load i64, ptr %416, align 8
-  %418 = add nsw i64 %417, -3
-  %419 = getelementptr i8, ptr %415, i64 64
-  %420 = getelementptr i8, ptr %415, i64 128
-  %421 = getelementptr i8, ptr %415, i64 192
-  %422 = icmp slt i64 %369, %418
-  br i1 %422, label %430, label %423
+414:                                              ; preds = %477, %380
+  %415 = phi <8 x double> [ zeroinitializer, %380 ], [ %510, %477 ]
+  %416 = phi <8 x double> [ zeroinitializer, %380 ], [ %508, %477 ]
+  %417 = load ptr, ptr %86, align 8
+  %418 = getelementptr inbounds i8, ptr %368, i64 8
+  %419 = load i64, ptr %418, align 8
+  %420 = add nsw i64 %419, -3
+  %421 = getelementptr i8, ptr %417, i64 64
+  %422 = getelementptr i8, ptr %417, i64 128
+  %423 = getelementptr i8, ptr %417, i64 192
+  %424 = icmp slt i64 %371, %420
+  br i1 %424, label %432, label %425
 
-423:                                              ; preds = %430, %412
-  %424 = phi <8 x double> [ zeroinitializer, %412 ], [ %440, %430 ]
-  %425 = phi <8 x double> [ zeroinitializer, %412 ], [ %445, %430 ]
-  %426 = phi <8 x double> [ zeroinitializer, %412 ], [ %450, %430 ]
-  %427 = phi <8 x double> [ zeroinitializer, %412 ], [ %455, %430 ]
-  %428 = phi i64 [ %369, %412 ], [ %456, %430 ]
-  %429 = icmp slt i64 %428, %417
-  br i1 %429, label %458, label %468
+425:                                              ; preds = %432, %414
+  %426 = phi <8 x double> [ zeroinitializer, %414 ], [ %442, %432 ]
+  %427 = phi <8 x double> [ zeroinitializer, %414 ], [ %447, %432 ]
+  %428 = phi <8 x double> [ zeroinitializer, %414 ], [ %452, %432 ]
+  %429 = phi <8 x double> [ zeroinitializer, %414 ], [ %457, %432 ]
+  %430 = phi i64 [ %371, %414 ], [ %458, %432 ]
+  %431 = icmp slt i64 %430, %419
+  br i1 %431, label %460, label %470
 
-430:                                              ; preds = %412, %430
-  %431 = phi i64 [ %456, %430 ], [ %369, %412 ]
-  %432 = phi <8 x double> [ %455, %430 ], [ zeroinitializer, %412 ]
-  %433 = phi <8 x double> [ %450, %430 ], [ zeroinitializer, %412 ]
-  %434 = phi <8 x double> [ %445, %430 ], [ zeroinitializer, %412 ]
-  %435 = phi <8 x double> [ %440, %430 ], [ zeroinitializer, %412 ]
-  %436 = shl nsw i64 %431, 6
-  %437 = getelementptr inbounds i8, ptr %415, i64 %436
-  %438 = load <8 x double>, ptr %437, align 8
-  %439 = fmul <8 x double> %438, zeroinitializer
-  %440 = fadd <8 x double> %435, %439
-  %441 = shl i64 %431, 6
-  %442 = getelementptr i8, ptr %419, i64 %441
-  %443 = load <8 x double>, ptr %442, align 8
-  %444 = fmul <8 x double> %443, zeroinitializer
-  %445 = fadd <8 x double> %434, %444
-  %446 = shl i64 %431, 6
-  %447 = getelementptr i8, ptr %420, i64 %446
-  %448 = load <8 x double>, ptr %447, align 8
-  %449 = fmul <8 x double> %448, zeroinitializer
-  %450 = fadd <8 x double> %433, %449
-  %451 = shl i64 %431, 6
-  %452 = getelementptr i8, ptr %421, i64 %451
-  %453 = load <8 x double>, ptr %452, align 8
-  %454 = fmul <8 x double> %453, zeroinitializer
-  %455 = fadd <8 x double> %432, %454
-  %456 = add nsw i64 %431, 4
-  %457 = icmp slt i64 %456, %418
-  br i1 %457, label %430, label %423, !llvm.loop !10
+432:                                              ; preds = %414, %432
+  %433 = phi i64 [ %458, %432 ], [ %371, %414 ]
+  %434 = phi <8 x double> [ %457, %432 ], [ zeroinitializer, %414 ]
+  %435 = phi <8 x double> [ %452, %432 ], [ zeroinitializer, %414 ]
+  %436 = phi <8 x double> [ %447, %432 ], [ zeroinitializer, %414 ]
+  %437 = phi <8 x double> [ %442, %432 ], [ zeroinitializer, %414 ]
+  %438 = shl nsw i64 %433, 6
+  %439 = getelementptr inbounds i8, ptr %417, i64 %438
+  %440 = load <8 x double>, ptr %439, align 8
+  %441 = fmul <8 x double> %440, zeroinitializer
+  %442 = fadd <8 x double> %437, %441
+  %443 = shl i64 %433, 6
+  %444 = getelementptr i8, ptr %421, i64 %443
+  %445 = load <8 x double>, ptr %444, align 8
+  %446 = fmul <8 x double> %445, zeroinitializer
+  %447 = fadd <8 x double> %436, %446
+  %448 = shl i64 %433, 6
+  %449 = getelementptr i8, ptr %422, i64 %448
+  %450 = load <8 x double>, ptr %449, align 8
+  %451 = fmul <8 x double> %450, zeroinitializer
+  %452 = fadd <8 x double> %435, %451
+  %453 = shl i64 %433, 6
+  %454 = getelementptr i8, ptr %423, i64 %453
+  %455 = load <8 x double>, ptr %454, align 8
+  %456 = fmul <8 x double> %455, zeroinitializer
+  %457 = fadd <8 x double> %434, %456
+  %458 = add nsw i64 %433, 4
+  %459 = icmp slt i64 %458, %420
+  br i1 %459, label %432, label %425, !llvm.loop !10
 
-458:                                              ; preds = %423, %458
-  %459 = phi i64 [ %466, %458 ], [ %428, %423 ]
-  %460 = phi <8 x double> [ %465, %458 ], [ %424, %423 ]
-  %461 = shl nsw i64 %459, 6
-  %462 = getelementptr inbounds i8, ptr %415, i64 %461
-  %463 = load <8 x double>, ptr %462, align 8
-  %464 = fmul <8 x double> %463, zeroinitializer
-  %465 = fadd <8 x double> %460, %464
-  %466 = add nsw i64 %459, 1
-  %467 = icmp eq i64 %466, %417
-  br i1 %467, label %468, label %458, !llvm.loop !11
+460:                                              ; preds = %425, %460
+  %461 = phi i64 [ %468, %460 ], [ %430, %425 ]
+  %462 = phi <8 x double> [ %467, %460 ], [ %426, %425 ]
+  %463 = shl nsw i64 %461, 6
+  %464 = getelementptr inbounds i8, ptr %417, i64 %463
+  %465 = load <8 x double>, ptr %464, align 8
+  %466 = fmul <8 x double> %465, zeroinitializer
+  %467 = fadd <8 x double> %462, %466
+  %468 = add nsw i64 %461, 1
+  %469 = icmp eq i64 %468, %419
+  br i1 %469, label %470, label %460, !llvm.loop !11
 
-468:                                              ; preds = %458, %423
-  %469 = phi <8 x double> [ %424, %423 ], [ %465, %458 ]
-  %470 = fadd <8 x double> %425, %469
-  %471 = fadd <8 x double> %426, %427
-  %472 = fadd <8 x double> %471, %470
-  %473 = fadd <8 x double> %414, %472
-  %474 = icmp eq i64 %371, 2
-  br i1 %474, label %511, label %522
+470:                                              ; preds = %460, %425
+  %471 = phi <8 x double> [ %426, %425 ], [ %467, %460 ]
+  %472 = fadd <8 x double> %427, %471
+  %473 = fadd <8 x double> %428, %429
+  %474 = fadd <8 x double> %473, %472
+  %475 = fadd <8 x double> %416, %474
+  %476 = icmp eq i64 %373, 2
+  br i1 %476, label %513, label %524
 
-475:                                              ; preds = %380, %475
-  %476 = phi <8 x double> [ zeroinitializer, %380 ], [ %506, %475 ]
-  %477 = phi <8 x double> [ zeroinitializer, %380 ], [ %508, %475 ]
-  %478 = phi i64 [ 0, %380 ], [ %509, %475 ]
-  %479 = shl nsw i64 %478, 6
-  %480 = getelementptr inbounds i8, ptr %381, i64 %479
-  %481 = load <8 x double>, ptr %480, align 8
-  %482 = getelementptr inbounds i8, ptr %382, i64 %479
+477:                                              ; preds = %382, %477
+  %478 = phi <8 x double> [ zeroinitializer, %382 ], [ %508, %477 ]
+  %479 = phi <8 x double> [ zeroinitializer, %382 ], [ %510, %477 ]
+  %480 = phi i64 [ 0, %382 ], [ %511, %477 ]
+  %481 = shl nsw i64 %480, 6
+  %482 = getelementptr inbounds i8, ptr %383, i64 %481
   %483 = load <8 x double>, ptr %482, align 8
-  %484 = getelementptr inbounds double, ptr %383, i64 %478
-  %485 = load double, ptr %484, align 8
-  %486 = insertelement <8 x double> poison, double %485, i64 0
-  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
-  %488 = getelementptr inbounds double, ptr %384, i64 %478
-  %489 = load double, ptr %488, align 8
-  %490 = insertelement <8 x double> poison, double %489, i64 0
-  %491 = shufflevector <8 x double> %490, <8 x double> poison, <8 x i32> zeroinitializer
-  %492 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %481)
-  %493 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %483)
-  %494 = fcmp ogt <8 x double> %492, %493
-  %495 = select <8 x i1> %494, <8 x double> %492, <8 x double> %493
-  %496 = fmul <8 x double> %495, %491
-  %497 = fadd <8 x double> %487, %496
-  %498 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %497
-  %499 = getelementptr inbounds i8, ptr %385, i64 %479
-  %500 = load <8 x double>, ptr %499, align 8
-  %501 = fmul <8 x double> %500, %498
-  %502 = getelementptr inbounds i8, ptr %374, i64 %479
-  %503 = load <8 x double>, ptr %502, align 8
-  %504 = fmul <8 x double> %503, %498
-  %505 = fmul <8 x double> %501, %501
-  %506 = fadd <8 x double> %476, %505
-  %507 = fmul <8 x double> %504, %504
-  %508 = fadd <8 x double> %477, %507
-  %509 = add nuw nsw i64 %478, 1
-  %510 = icmp eq i64 %509, %369
-  br i1 %510, label %412, label %475, !llvm.loop !12
+  %484 = getelementptr inbounds i8, ptr %384, i64 %481
+  %485 = load <8 x double>, ptr %484, align 8
+  %486 = getelementptr inbounds double, ptr %385, i64 %480
+  %487 = load double, ptr %486, align 8
+  %488 = insertelement <8 x double> poison, double %487, i64 0
+  %489 = shufflevector <8 x double> %488, <8 x double> poison, <8 x i32> zeroinitializer
+  %490 = getelementptr inbounds double, ptr %386, i64 %480
+  %491 = load double, ptr %490, align 8
+  %492 = insertelement <8 x double> poison, double %491, i64 0
+  %493 = shufflevector <8 x double> %492, <8 x double> poison, <8 x i32> zeroinitializer
+  %494 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %483)
+  %495 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %485)
+  %496 = fcmp ogt <8 x double> %494, %495
+  %497 = select <8 x i1> %496, <8 x double> %494, <8 x double> %495
+  %498 = fmul <8 x double> %497, %493
+  %499 = fadd <8 x double> %489, %498
+  %500 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %499
+  %501 = getelementptr inbounds i8, ptr %387, i64 %481
+  %502 = load <8 x double>, ptr %501, align 8
+  %503 = fmul <8 x double> %502, %500
+  %504 = getelementptr inbounds i8, ptr %376, i64 %481
+  %505 = load <8 x double>, ptr %504, align 8
+  %506 = fmul <8 x double> %505, %500
+  %507 = fmul <8 x double> %503, %503
+  %508 = fadd <8 x double> %478, %507
+  %509 = fmul <8 x double> %506, %506
+  %510 = fadd <8 x double> %479, %509
+  %511 = add nuw nsw i64 %480, 1
+  %512 = icmp eq i64 %511, %371
+  br i1 %512, label %414, label %477, !llvm.loop !12
 
-511:                                              ; preds = %468
-  %512 = fmul <8 x double> %413, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %513 = fadd <8 x double> %512, %473
-  %514 = sitofp i64 %369 to double
-  %515 = insertelement <8 x double> poison, double %514, i64 0
-  %516 = shufflevector <8 x double> %515, <8 x double> poison, <8 x i32> zeroinitializer
-  %517 = fmul <8 x double> %516, %513
-  %518 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %517)
-  %519 = fdiv <8 x double> %473, %518
-  %520 = fcmp oeq <8 x double> %473, zeroinitializer
-  %521 = select <8 x i1> %520, <8 x double> zeroinitializer, <8 x double> %519
-  br label %538
+513:                                              ; preds = %470
+  %514 = fmul <8 x double> %415, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %515 = fadd <8 x double> %514, %475
+  %516 = sitofp i64 %371 to double
+  %517 = insertelement <8 x double> poison, double %516, i64 0
+  %518 = shufflevector <8 x double> %517, <8 x double> poison, <8 x i32> zeroinitializer
+  %519 = fmul <8 x double> %518, %515
+  %520 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %519)
+  %521 = fdiv <8 x double> %475, %520
+  %522 = fcmp oeq <8 x double> %475, zeroinitializer
+  %523 = select <8 x i1> %522, <8 x double> zeroinitializer, <8 x double> %521
+  br label %540
 
-522:                                              ; preds = %468
-  %523 = sitofp i64 %369 to double
-  %524 = insertelement <8 x double> poison, double %523, i64 0
-  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
-  %526 = fdiv <8 x double> %473, %525
-  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
-  br label %538
+524:                                              ; preds = %470
+  %525 = sitofp i64 %371 to double
+  %526 = insertelement <8 x double> poison, double %525, i64 0
+  %527 = shufflevector <8 x double> %526, <8 x double> poison, <8 x i32> zeroinitializer
+  %528 = fdiv <8 x double> %475, %527
+  %529 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %528)
+  br label %540
 
-528:                                              ; preds = %363, %528
-  %529 = phi <8 x double> [ zeroinitializer, %363 ], [ %535, %528 ]
-  %530 = phi i64 [ 0, %363 ], [ %536, %528 ]
-  %531 = shl nsw i64 %530, 6
-  %532 = getelementptr inbounds i8, ptr %364, i64 %531
-  %533 = load <8 x double>, ptr %532, align 8
-  %534 = fmul <8 x double> %533, zeroinitializer
-  %535 = fadd <8 x double> %529, %534
-  %536 = add nuw nsw i64 %530, 1
-  %537 = icmp eq i64 %536, %15
-  br i1 %537, label %538, label %528, !llvm.loop !13
+530:                                              ; preds = %365, %530
+  %531 = phi <8 x double> [ zeroinitializer, %365 ], [ %537, %530 ]
+  %532 = phi i64 [ 0, %365 ], [ %538, %530 ]
+  %533 = shl nsw i64 %532, 6
+  %534 = getelementptr inbounds i8, ptr %366, i64 %533
+  %535 = load <8 x double>, ptr %534, align 8
+  %536 = fmul <8 x double> %535, zeroinitializer
+  %537 = fadd <8 x double> %531, %536
+  %538 = add nuw nsw i64 %532, 1
+  %539 = icmp eq i64 %538, %15
+  br i1 %539, label %540, label %530, !llvm.loop !13
 
-538:                                              ; preds = %528, %362, %522, %511
-  %539 = phi <8 x double> [ %521, %511 ], [ %527, %522 ], [ zeroinitializer, %362 ], [ %535, %528 ]
-  %540 = fcmp uge <8 x double> %539, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %541 = trunc i64 %361 to i8
-  %542 = bitcast i8 %541 to <8 x i1>
-  %543 = select <8 x i1> %542, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %540
-  %544 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %545 = select <8 x i1> %544, <8 x i1> %220, <8 x i1> zeroinitializer
-  %546 = sext <8 x i1> %545 to <8 x i64>
-  br i1 %40, label %547, label %559
+540:                                              ; preds = %530, %364, %524, %513
+  %541 = phi <8 x double> [ %523, %513 ], [ %529, %524 ], [ zeroinitializer, %364 ], [ %537, %530 ]
+  %542 = fcmp uge <8 x double> %541, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %543 = trunc i64 %363 to i8
+  %544 = bitcast i8 %543 to <8 x i1>
+  %545 = select <8 x i1> %544, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %542
+  %546 = xor <8 x i1> %545, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %547 = select <8 x i1> %546, <8 x i1> %220, <8 x i1> zeroinitializer
+  %548 = sext <8 x i1> %547 to <8 x i64>
+  br i1 %40, label %549, label %561
 
-547:                                              ; preds = %538
-  %548 = xor <8 x i1> %543, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %549 = select <8 x i1> %548, <8 x i1> %220, <8 x i1> zeroinitializer
-  %550 = bitcast <8 x i1> %549 to i8
-  %551 = icmp eq i8 %550, 0
-  br i1 %551, label %559, label %552
+549:                                              ; preds = %540
+  %550 = xor <8 x i1> %545, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %551 = select <8 x i1> %550, <8 x i1> %220, <8 x i1> zeroinitializer
+  %552 = bitcast <8 x i1> %551 to i8
+  %553 = icmp eq i8 %552, 0
+  br i1 %553, label %561, label %554
 
-552:                                              ; preds = %547
-  %553 = zext i8 %550 to i64
+554:                                              ; preds = %549
+  %555 = zext i8 %552 to i64
   store <8 x double> %245, ptr %3, align 16
-  %554 = load ptr, ptr %103, align 8
-  %555 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %554, i64 noundef %553, i32 noundef %56) #11
-  %556 = trunc i64 %555 to i8
-  %557 = bitcast i8 %556 to <8 x i1>
-  %558 = select <8 x i1> %557, <8 x i64> zeroinitializer, <8 x i64> %546
-  br label %559
+  %556 = load ptr, ptr %103, align 8
+  %557 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %556, i64 noundef %555, i32 noundef %56) #11
+  %558 = trunc i64 %557 to i8
+  %559 = bitcast i8 %558 to <8 x i1>
+  %560 = select <8 x i1> %559, <8 x i64> zeroinitializer, <8 x i64> %548
+  br label %561
 
-559:                                              ; preds = %552, %547, %538
-  %560 = phi <8 x i64> [ %558, %552 ], [ %546, %547 ], [ %546, %538 ]
-  %561 = phi i64 [ %555, %552 ], [ 0, %547 ], [ 0, %538 ]
-  %562 = icmp ne <8 x i64> %560, zeroinitializer
-  %563 = bitcast <8 x i1> %562 to i8
-  %564 = icmp ne i8 %563, 0
-  %565 = select i1 %58, i1 %564, i1 false
-  br i1 %565, label %566, label %585
+561:                                              ; preds = %554, %549, %540
+  %562 = phi <8 x i64> [ %560, %554 ], [ %548, %549 ], [ %548, %540 ]
+  %563 = phi i64 [ %557, %554 ], [ 0, %549 ], [ 0, %540 ]
+  %564 = icmp ne <8 x i64> %562, zeroinitializer
+  %565 = bitcast <8 x i1> %564 to i8
+  %566 = icmp ne i8 %565, 0
+  %567 = select i1 %58, i1 %566, i1 false
+  br i1 %567, label %568, label %588
 
-566:                                              ; preds = %559
-  %567 = load ptr, ptr %104, align 8
-  %568 = load ptr, ptr %105, align 8
-  store <8 x double> %245, ptr %568, align 8
-  %569 = load i64, ptr %106, align 8
-  %570 = icmp sgt i64 %569, 0
-  br i1 %570, label %571, label %572
+568:                                              ; preds = %561
+  %569 = load ptr, ptr %104, align 8
+  %570 = load ptr, ptr %105, align 8
+  store <8 x double> %245, ptr %570, align 8
+  %571 = load i64, ptr %106, align 8
+  %572 = icmp sgt i64 %571, 0
+  br i1 %572, label %573, label %574
 
-571:                                              ; preds = %566
+573:                                              ; preds = %568
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %572
+  br label %574
 
-572:                                              ; preds = %566, %571
-  %573 = load ptr, ptr %9, align 8
-  %574 = load i64, ptr %573, align 8
-  %575 = load ptr, ptr %105, align 8
-  %576 = load ptr, ptr %107, align 8
-  %577 = load ptr, ptr %108, align 8
-  %578 = inttoptr i64 %574 to ptr
-  %579 = call i32 %578(ptr noundef %575, ptr noundef %567, ptr noundef %576, ptr noundef %577, ptr noundef %60) #12
-  %580 = zext i32 %579 to i64
-  %581 = or i64 %361, %580
-  %582 = trunc i64 %581 to i8
-  %583 = bitcast i8 %582 to <8 x i1>
-  %584 = select <8 x i1> %583, <8 x i64> zeroinitializer, <8 x i64> %560
-  br label %585
+574:                                              ; preds = %568, %573
+  %575 = load ptr, ptr %9, align 8
+  %576 = load i64, ptr %575, align 8
+  %577 = load ptr, ptr %105, align 8
+  %578 = load ptr, ptr %107, align 8
+  %579 = load ptr, ptr %108, align 8
+  %580 = inttoptr i64 %576 to ptr
+  %581 = load ptr, ptr %580, align 8
+  %582 = call i32 %581(ptr noundef %577, ptr noundef %569, ptr noundef %578, ptr noundef %579, ptr noundef %60) #12
+  %583 = zext i32 %582 to i64
+  %584 = or i64 %363, %583
+  %585 = trunc i64 %584 to i8
+  %586 = bitcast i8 %585 to <8 x i1>
+  %587 = select <8 x i1> %586, <8 x i64> zeroinitializer, <8 x i64> %562
+  br label %588
 
-585:                                              ; preds = %572, %559
-  %586 = phi <8 x i64> [ %584, %572 ], [ %560, %559 ]
-  %587 = phi i64 [ %581, %572 ], [ %361, %559 ]
-  %588 = load ptr, ptr %109, align 8
-  %589 = load <8 x double>, ptr %588, align 8
-  %590 = load i64, ptr %16, align 8
-  %591 = add i64 %590, %110
-  %592 = sitofp i64 %591 to double
-  %593 = insertelement <8 x double> poison, double %592, i64 0
-  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
-  %595 = icmp slt <8 x i64> %560, zeroinitializer
-  %596 = select <8 x i1> %595, <8 x i64> %114, <8 x i64> zeroinitializer
-  %597 = bitcast <8 x i64> %596 to <8 x double>
-  %598 = fadd <8 x double> %594, %597
-  %599 = fadd <8 x double> %589, %598
-  store <8 x double> %599, ptr %588, align 8
-  br i1 %59, label %600, label %609
+588:                                              ; preds = %574, %561
+  %589 = phi <8 x i64> [ %587, %574 ], [ %562, %561 ]
+  %590 = phi i64 [ %584, %574 ], [ %363, %561 ]
+  %591 = load ptr, ptr %109, align 8
+  %592 = load <8 x double>, ptr %591, align 8
+  %593 = load i64, ptr %16, align 8
+  %594 = add i64 %593, %110
+  %595 = sitofp i64 %594 to double
+  %596 = insertelement <8 x double> poison, double %595, i64 0
+  %597 = shufflevector <8 x double> %596, <8 x double> poison, <8 x i32> zeroinitializer
+  %598 = icmp slt <8 x i64> %562, zeroinitializer
+  %599 = select <8 x i1> %598, <8 x i64> %114, <8 x i64> zeroinitializer
+  %600 = bitcast <8 x i64> %599 to <8 x double>
+  %601 = fadd <8 x double> %597, %600
+  %602 = fadd <8 x double> %592, %601
+  store <8 x double> %602, ptr %591, align 8
+  br i1 %59, label %603, label %612
 
-600:                                              ; preds = %585
-  %601 = icmp ne <8 x i64> %586, zeroinitializer
-  %602 = bitcast <8 x i1> %601 to i8
-  %603 = icmp eq i8 %602, 0
-  br i1 %603, label %609, label %604
+603:                                              ; preds = %588
+  %604 = icmp ne <8 x i64> %589, zeroinitializer
+  %605 = bitcast <8 x i1> %604 to i8
+  %606 = icmp eq i8 %605, 0
+  br i1 %606, label %612, label %607
 
-604:                                              ; preds = %600
-  %605 = zext i8 %602 to i64
-  %606 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
-  %607 = xor i64 %606, -1
-  %608 = and i64 %607, %605
-  br label %609
+607:                                              ; preds = %603
+  %608 = zext i8 %605 to i64
+  %609 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %610 = xor i64 %609, -1
+  %611 = and i64 %610, %608
+  br label %612
 
-609:                                              ; preds = %585, %600, %604
-  %610 = phi i64 [ %608, %604 ], [ 0, %600 ], [ 0, %585 ]
+612:                                              ; preds = %588, %603, %607
+  %613 = phi i64 [ %611, %607 ], [ 0, %603 ], [ 0, %588 ]
   store i64 0, ptr %7, align 8
-  %611 = load ptr, ptr %115, align 8
-  %612 = load <8 x double>, ptr %611, align 8
-  %613 = fcmp olt <8 x double> %612, %245
-  %614 = icmp ne <8 x i64> %586, zeroinitializer
-  %615 = select <8 x i1> %613, <8 x i1> %614, <8 x i1> zeroinitializer
-  %616 = bitcast <8 x i1> %615 to i8
-  %617 = zext i8 %616 to i64
-  %618 = or i64 %610, %617
-  %619 = icmp eq i64 %618, 0
-  br i1 %619, label %798, label %620
+  %614 = load ptr, ptr %115, align 8
+  %615 = load <8 x double>, ptr %614, align 8
+  %616 = fcmp olt <8 x double> %615, %245
+  %617 = icmp ne <8 x i64> %589, zeroinitializer
+  %618 = select <8 x i1> %616, <8 x i1> %617, <8 x i1> zeroinitializer
+  %619 = bitcast <8 x i1> %618 to i8
+  %620 = zext i8 %619 to i64
+  %621 = or i64 %613, %620
+  %622 = icmp eq i64 %621, 0
+  br i1 %622, label %802, label %623
 
-620:                                              ; preds = %609
-  %621 = load ptr, ptr %0, align 8
-  %622 = load ptr, ptr %9, align 8
-  %623 = getelementptr inbounds i8, ptr %622, i64 16
-  %624 = load i64, ptr %623, align 8
-  %625 = load i64, ptr %621, align 8
-  %626 = load i64, ptr %116, align 8
-  %627 = load ptr, ptr %88, align 8
-  %628 = mul nsw i64 %626, %625
-  %629 = getelementptr inbounds double, ptr %627, i64 %628
-  %630 = load ptr, ptr %117, align 8
-  %631 = add nsw i64 %625, 1
-  %632 = getelementptr inbounds i8, ptr %621, i64 16
-  %633 = load i64, ptr %632, align 8
-  %634 = icmp sgt i64 %633, 0
-  br i1 %634, label %635, label %637
+623:                                              ; preds = %612
+  %624 = load ptr, ptr %0, align 8
+  %625 = load ptr, ptr %9, align 8
+  %626 = getelementptr inbounds i8, ptr %625, i64 16
+  %627 = load i64, ptr %626, align 8
+  %628 = load i64, ptr %624, align 8
+  %629 = load i64, ptr %116, align 8
+  %630 = load ptr, ptr %88, align 8
+  %631 = mul nsw i64 %629, %628
+  %632 = getelementptr inbounds double, ptr %630, i64 %631
+  %633 = load ptr, ptr %117, align 8
+  %634 = add nsw i64 %628, 1
+  %635 = getelementptr inbounds i8, ptr %624, i64 16
+  %636 = load i64, ptr %635, align 8
+  %637 = icmp sgt i64 %636, 0
+  br i1 %637, label %638, label %640
 
-635:                                              ; preds = %620
-  %636 = getelementptr inbounds i8, ptr %621, i64 8
-  br label %648
+638:                                              ; preds = %623
+  %639 = getelementptr inbounds i8, ptr %624, i64 8
+  br label %651
 
-637:                                              ; preds = %683, %620
-  %638 = phi i64 [ 0, %620 ], [ %692, %683 ]
-  %639 = getelementptr inbounds i8, ptr %621, i64 16
-  %640 = load ptr, ptr %9, align 8
-  %641 = getelementptr inbounds i8, ptr %640, i64 8
-  %642 = load i64, ptr %641, align 8
-  %643 = icmp sgt i64 %642, 0
-  br i1 %643, label %644, label %697
+640:                                              ; preds = %686, %623
+  %641 = phi i64 [ 0, %623 ], [ %696, %686 ]
+  %642 = getelementptr inbounds i8, ptr %624, i64 16
+  %643 = load ptr, ptr %9, align 8
+  %644 = getelementptr inbounds i8, ptr %643, i64 8
+  %645 = load i64, ptr %644, align 8
+  %646 = icmp sgt i64 %645, 0
+  br i1 %646, label %647, label %701
 
-644:                                              ; preds = %637
-  %645 = getelementptr inbounds double, ptr %630, i64 %626
-  %646 = shl nsw i64 %626, 4
-  %647 = getelementptr inbounds i8, ptr %630, i64 %646
-  br label %704
+647:                                              ; preds = %640
+  %648 = getelementptr inbounds double, ptr %633, i64 %629
+  %649 = shl nsw i64 %629, 4
+  %650 = getelementptr inbounds i8, ptr %633, i64 %649
+  br label %708
 
-648:                                              ; preds = %635, %683
-  %649 = phi i64 [ 0, %635 ], [ %692, %683 ]
-  %650 = phi i64 [ %631, %635 ], [ %693, %683 ]
-  %651 = load i64, ptr %636, align 8
-  %652 = load ptr, ptr %118, align 8
-  %653 = load ptr, ptr %11, align 8
-  %654 = load ptr, ptr %87, align 8
-  %655 = getelementptr i64, ptr %654, i64 %650
-  %656 = getelementptr i64, ptr %655, i64 %651
-  %657 = load i64, ptr %656, align 8
-  %658 = getelementptr i8, ptr %656, i64 8
-  %659 = load i64, ptr %658, align 8
-  %660 = xor i64 %657, -1
-  %661 = add i64 %659, %660
-  %662 = load ptr, ptr %74, align 8
-  %663 = load ptr, ptr %88, align 8
-  %664 = load ptr, ptr %89, align 8
-  %665 = getelementptr inbounds i64, ptr %664, i64 %657
-  %666 = load ptr, ptr %90, align 8
-  %667 = getelementptr inbounds double, ptr %666, i64 %657
-  call fastcc void @combine(ptr noundef %652, ptr noundef %653, ptr noundef %662, ptr noundef %663, ptr noundef %665, ptr noundef %667, i64 noundef %661, i64 noundef %624) #11
-  %668 = load ptr, ptr %88, align 8
-  %669 = mul nsw i64 %650, %626
-  %670 = getelementptr inbounds double, ptr %668, i64 %669
-  %671 = load ptr, ptr %119, align 8
-  %672 = getelementptr inbounds double, ptr %671, i64 %650
-  %673 = load double, ptr %672, align 8
-  %674 = insertelement <8 x double> poison, double %673, i64 0
-  %675 = shufflevector <8 x double> %674, <8 x double> poison, <8 x i32> zeroinitializer
-  %676 = fmul <8 x double> %247, %675
-  %677 = fadd <8 x double> %222, %676
-  %678 = load ptr, ptr %118, align 8
-  %679 = load ptr, ptr %120, align 8
-  store <8 x double> %677, ptr %679, align 8
-  %680 = load i64, ptr %121, align 8
-  %681 = icmp sgt i64 %680, 0
-  br i1 %681, label %682, label %683
+651:                                              ; preds = %638, %686
+  %652 = phi i64 [ 0, %638 ], [ %696, %686 ]
+  %653 = phi i64 [ %634, %638 ], [ %697, %686 ]
+  %654 = load i64, ptr %639, align 8
+  %655 = load ptr, ptr %118, align 8
+  %656 = load ptr, ptr %11, align 8
+  %657 = load ptr, ptr %87, align 8
+  %658 = getelementptr i64, ptr %657, i64 %653
+  %659 = getelementptr i64, ptr %658, i64 %654
+  %660 = load i64, ptr %659, align 8
+  %661 = getelementptr i8, ptr %659, i64 8
+  %662 = load i64, ptr %661, align 8
+  %663 = xor i64 %660, -1
+  %664 = add i64 %662, %663
+  %665 = load ptr, ptr %74, align 8
+  %666 = load ptr, ptr %88, align 8
+  %667 = load ptr, ptr %89, align 8
+  %668 = getelementptr inbounds i64, ptr %667, i64 %660
+  %669 = load ptr, ptr %90, align 8
+  %670 = getelementptr inbounds double, ptr %669, i64 %660
+  call fastcc void @combine(ptr noundef %655, ptr noundef %656, ptr noundef %665, ptr noundef %666, ptr noundef %668, ptr noundef %670, i64 noundef %664, i64 noundef %627) #11
+  %671 = load ptr, ptr %88, align 8
+  %672 = mul nsw i64 %653, %629
+  %673 = getelementptr inbounds double, ptr %671, i64 %672
+  %674 = load ptr, ptr %119, align 8
+  %675 = getelementptr inbounds double, ptr %674, i64 %653
+  %676 = load double, ptr %675, align 8
+  %677 = insertelement <8 x double> poison, double %676, i64 0
+  %678 = shufflevector <8 x double> %677, <8 x double> poison, <8 x i32> zeroinitializer
+  %679 = fmul <8 x double> %247, %678
+  %680 = fadd <8 x double> %222, %679
+  %681 = load ptr, ptr %118, align 8
+  %682 = load ptr, ptr %120, align 8
+  store <8 x double> %680, ptr %682, align 8
+  %683 = load i64, ptr %121, align 8
+  %684 = icmp sgt i64 %683, 0
+  br i1 %684, label %685, label %686
 
-682:                                              ; preds = %648
+685:                                              ; preds = %651
   call fastcc void @sample(ptr noundef nonnull %9) #11
-  br label %683
+  br label %686
 
-683:                                              ; preds = %648, %682
-  %684 = load ptr, ptr %9, align 8
-  %685 = load i64, ptr %684, align 8
-  %686 = load ptr, ptr %120, align 8
-  %687 = load ptr, ptr %122, align 8
-  %688 = load ptr, ptr %123, align 8
-  %689 = inttoptr i64 %685 to ptr
-  %690 = call i32 %689(ptr noundef %686, ptr noundef %678, ptr noundef %687, ptr noundef %688, ptr noundef %670) #12
-  %691 = sext i32 %690 to i64
-  %692 = or i64 %649, %691
-  %693 = add nsw i64 %650, 1
-  %694 = load i64, ptr %632, align 8
-  %695 = add nsw i64 %694, %631
-  %696 = icmp slt i64 %693, %695
-  br i1 %696, label %648, label %637, !llvm.loop !14
+686:                                              ; preds = %651, %685
+  %687 = load ptr, ptr %9, align 8
+  %688 = load i64, ptr %687, align 8
+  %689 = load ptr, ptr %120, align 8
+  %690 = load ptr, ptr %122, align 8
+  %691 = load ptr, ptr %123, align 8
+  %692 = inttoptr i64 %688 to ptr
+  %693 = load ptr, ptr %692, align 8
+  %694 = call i32 %693(ptr noundef %689, ptr noundef %681, ptr noundef %690, ptr noundef %691, ptr noundef %673) #12
+  %695 = sext i32 %694 to i64
+  %696 = or i64 %652, %695
+  %697 = add nsw i64 %653, 1
+  %698 = load i64, ptr %635, align 8
+  %699 = add nsw i64 %698, %634
+  %700 = icmp slt i64 %697, %699
+  br i1 %700, label %651, label %640, !llvm.loop !14
 
-697:                                              ; preds = %704, %637
-  %698 = getelementptr inbounds i8, ptr %621, i64 8
-  %699 = load i64, ptr %698, align 8
-  %700 = load i64, ptr %639, align 8
-  %701 = getelementptr inbounds i8, ptr %621, i64 24
-  %702 = load i64, ptr %701, align 8
-  %703 = icmp sgt i64 %702, 3
-  br i1 %703, label %732, label %757
+701:                                              ; preds = %708, %640
+  %702 = getelementptr inbounds i8, ptr %624, i64 8
+  %703 = load i64, ptr %702, align 8
+  %704 = load i64, ptr %642, align 8
+  %705 = getelementptr inbounds i8, ptr %624, i64 24
+  %706 = load i64, ptr %705, align 8
+  %707 = icmp sgt i64 %706, 3
+  br i1 %707, label %736, label %761
 
-704:                                              ; preds = %644, %704
-  %705 = phi i64 [ 0, %644 ], [ %727, %704 ]
-  %706 = load ptr, ptr %86, align 8
-  %707 = shl nsw i64 %705, 6
-  %708 = getelementptr inbounds i8, ptr %706, i64 %707
-  %709 = load <8 x double>, ptr %708, align 8
-  %710 = load ptr, ptr %11, align 8
-  %711 = getelementptr inbounds i8, ptr %710, i64 %707
-  %712 = load <8 x double>, ptr %711, align 8
-  %713 = fsub <8 x double> %709, %712
-  %714 = load ptr, ptr %88, align 8
-  %715 = getelementptr inbounds i8, ptr %714, i64 %707
+708:                                              ; preds = %647, %708
+  %709 = phi i64 [ 0, %647 ], [ %731, %708 ]
+  %710 = load ptr, ptr %86, align 8
+  %711 = shl nsw i64 %709, 6
+  %712 = getelementptr inbounds i8, ptr %710, i64 %711
+  %713 = load <8 x double>, ptr %712, align 8
+  %714 = load ptr, ptr %11, align 8
+  %715 = getelementptr inbounds i8, ptr %714, i64 %711
   %716 = load <8 x double>, ptr %715, align 8
-  %717 = fmul <8 x double> %247, %716
-  %718 = fsub <8 x double> %717, %713
-  %719 = getelementptr inbounds i8, ptr %630, i64 %707
-  store <8 x double> %713, ptr %719, align 8
-  %720 = getelementptr inbounds i8, ptr %645, i64 %707
-  store <8 x double> %718, ptr %720, align 8
-  %721 = fsub <8 x double> %713, %718
-  %722 = getelementptr inbounds i8, ptr %629, i64 %707
-  %723 = load <8 x double>, ptr %722, align 8
-  %724 = fmul <8 x double> %247, %723
-  %725 = fsub <8 x double> %721, %724
-  %726 = getelementptr inbounds i8, ptr %647, i64 %707
-  store <8 x double> %725, ptr %726, align 8
-  %727 = add nuw nsw i64 %705, 1
-  %728 = load ptr, ptr %9, align 8
-  %729 = getelementptr inbounds i8, ptr %728, i64 8
-  %730 = load i64, ptr %729, align 8
-  %731 = icmp slt i64 %727, %730
-  br i1 %731, label %704, label %697, !llvm.loop !15
+  %717 = fsub <8 x double> %713, %716
+  %718 = load ptr, ptr %88, align 8
+  %719 = getelementptr inbounds i8, ptr %718, i64 %711
+  %720 = load <8 x double>, ptr %719, align 8
+  %721 = fmul <8 x double> %247, %720
+  %722 = fsub <8 x double> %721, %717
+  %723 = getelementptr inbounds i8, ptr %633, i64 %711
+  store <8 x double> %717, ptr %723, align 8
+  %724 = getelementptr inbounds i8, ptr %648, i64 %711
+  store <8 x double> %722, ptr %724, align 8
+  %725 = fsub <8 x double> %717, %722
+  %726 = getelementptr inbounds i8, ptr %632, i64 %711
+  %727 = load <8 x double>, ptr %726, align 8
+  %728 = fmul <8 x double> %247, %727
+  %729 = fsub <8 x double> %725, %728
+  %730 = getelementptr inbounds i8, ptr %650, i64 %711
+  store <8 x double> %729, ptr %730, align 8
+  %731 = add nuw nsw i64 %709, 1
+  %732 = load ptr, ptr %9, align 8
+  %733 = getelementptr inbounds i8, ptr %732, i64 8
+  %734 = load i64, ptr %733, align 8
+  %735 = icmp slt i64 %731, %734
+  br i1 %735, label %708, label %701, !llvm.loop !15
 
-732:                                              ; preds = %697, %732
-  %733 = phi i64 [ %754, %732 ], [ 3, %697 ]
-  %734 = mul nsw i64 %733, %626
-  %735 = getelementptr inbounds double, ptr %630, i64 %734
-  %736 = load ptr, ptr %124, align 8
-  %737 = load ptr, ptr %87, align 8
-  %738 = getelementptr i64, ptr %737, i64 %631
-  %739 = getelementptr i64, ptr %738, i64 %699
-  %740 = getelementptr i64, ptr %739, i64 %700
-  %741 = getelementptr i64, ptr %740, i64 %733
-  %742 = getelementptr i8, ptr %741, i64 -24
-  %743 = load i64, ptr %742, align 8
-  %744 = getelementptr i8, ptr %741, i64 -16
-  %745 = load i64, ptr %744, align 8
-  %746 = xor i64 %743, -1
-  %747 = add i64 %745, %746
-  %748 = load ptr, ptr %74, align 8
-  %749 = load ptr, ptr %88, align 8
-  %750 = load ptr, ptr %89, align 8
-  %751 = getelementptr inbounds i64, ptr %750, i64 %743
-  %752 = load ptr, ptr %90, align 8
-  %753 = getelementptr inbounds double, ptr %752, i64 %743
-  call fastcc void @combine(ptr noundef %735, ptr noundef %736, ptr noundef %748, ptr noundef %749, ptr noundef %751, ptr noundef %753, i64 noundef %747, i64 noundef %624) #11
-  %754 = add nuw nsw i64 %733, 1
-  %755 = load i64, ptr %701, align 8
-  %756 = icmp slt i64 %754, %755
-  br i1 %756, label %732, label %757, !llvm.loop !16
+736:                                              ; preds = %701, %736
+  %737 = phi i64 [ %758, %736 ], [ 3, %701 ]
+  %738 = mul nsw i64 %737, %629
+  %739 = getelementptr inbounds double, ptr %633, i64 %738
+  %740 = load ptr, ptr %124, align 8
+  %741 = load ptr, ptr %87, align 8
+  %742 = getelementptr i64, ptr %741, i64 %634
+  %743 = getelementptr i64, ptr %742, i64 %703
+  %744 = getelementptr i64, ptr %743, i64 %704
+  %745 = getelementptr i64, ptr %744, i64 %737
+  %746 = getelementptr i8, ptr %745, i64 -24
+  %747 = load i64, ptr %746, align 8
+  %748 = getelementptr i8, ptr %745, i64 -16
+  %749 = load i64, ptr %748, align 8
+  %750 = xor i64 %747, -1
+  %751 = add i64 %749, %750
+  %752 = load ptr, ptr %74, align 8
+  %753 = load ptr, ptr %88, align 8
+  %754 = load ptr, ptr %89, align 8
+  %755 = getelementptr inbounds i64, ptr %754, i64 %747
+  %756 = load ptr, ptr %90, align 8
+  %757 = getelementptr inbounds double, ptr %756, i64 %747
+  call fastcc void @combine(ptr noundef %739, ptr noundef %740, ptr noundef %752, ptr noundef %753, ptr noundef %755, ptr noundef %757, i64 noundef %751, i64 noundef %627) #11
+  %758 = add nuw nsw i64 %737, 1
+  %759 = load i64, ptr %705, align 8
+  %760 = icmp slt i64 %758, %759
+  br i1 %760, label %736, label %761, !llvm.loop !16
 
-757:                                              ; preds = %732, %697
-  %758 = and i64 %638, %618
-  %759 = load ptr, ptr %109, align 8
-  %760 = load <8 x double>, ptr %759, align 8
-  %761 = trunc nuw i64 %618 to i8
-  %762 = bitcast i8 %761 to <8 x i1>
-  %763 = load i64, ptr %125, align 8
-  %764 = sitofp i64 %763 to double
-  %765 = insertelement <8 x double> poison, double %764, i64 0
-  %766 = shufflevector <8 x double> %765, <8 x double> poison, <8 x i32> zeroinitializer
-  %767 = select <8 x i1> %762, <8 x double> %766, <8 x double> zeroinitializer
-  %768 = fadd <8 x double> %760, %767
-  store <8 x double> %768, ptr %759, align 8
-  %769 = icmp eq i64 %758, 0
-  br i1 %769, label %774, label %770
+761:                                              ; preds = %736, %701
+  %762 = and i64 %641, %621
+  %763 = load ptr, ptr %109, align 8
+  %764 = load <8 x double>, ptr %763, align 8
+  %765 = trunc nuw i64 %621 to i8
+  %766 = bitcast i8 %765 to <8 x i1>
+  %767 = load i64, ptr %125, align 8
+  %768 = sitofp i64 %767 to double
+  %769 = insertelement <8 x double> poison, double %768, i64 0
+  %770 = shufflevector <8 x double> %769, <8 x double> poison, <8 x i32> zeroinitializer
+  %771 = select <8 x i1> %766, <8 x double> %770, <8 x double> zeroinitializer
+  %772 = fadd <8 x double> %764, %771
+  store <8 x double> %772, ptr %763, align 8
+  %773 = icmp eq i64 %762, 0
+  br i1 %773, label %778, label %774
 
-770:                                              ; preds = %757
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %758, i64 noundef 3) #11
-  %771 = xor i64 %758, -1
-  %772 = and i64 %218, %771
-  store i64 %772, ptr %5, align 8
-  %773 = and i64 %610, %771
-  br label %774
+774:                                              ; preds = %761
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %762, i64 noundef 3) #11
+  %775 = xor i64 %762, -1
+  %776 = and i64 %218, %775
+  store i64 %776, ptr %5, align 8
+  %777 = and i64 %613, %775
+  br label %778
 
-774:                                              ; preds = %770, %757
-  %775 = phi i64 [ %773, %770 ], [ %610, %757 ]
-  %776 = phi i32 [ 1, %770 ], [ %189, %757 ]
+778:                                              ; preds = %774, %761
+  %779 = phi i64 [ %777, %774 ], [ %613, %761 ]
+  %780 = phi i32 [ 1, %774 ], [ %189, %761 ]
   store <8 x double> %245, ptr %3, align 16
-  %777 = icmp eq i64 %775, 0
-  br i1 %777, label %780, label %778
+  %781 = icmp eq i64 %779, 0
+  br i1 %781, label %784, label %782
 
-778:                                              ; preds = %774
-  %779 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %775, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
-  br label %780
+782:                                              ; preds = %778
+  %783 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %779, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
+  br label %784
 
-780:                                              ; preds = %778, %774
-  %781 = phi i64 [ %779, %778 ], [ 0, %774 ]
-  %782 = load i64, ptr %7, align 8
-  %783 = or i64 %782, %638
-  %784 = xor i64 %783, -1
-  %785 = and i64 %618, %784
-  %786 = icmp eq i64 %781, 0
-  %787 = select i1 %786, ptr null, ptr %4
-  %788 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %3, ptr noundef %787) #11
-  %789 = or i64 %788, %561
-  %790 = or i64 %782, %758
-  %791 = or i64 %790, %789
-  %792 = trunc i64 %791 to i8
-  %793 = xor i8 %792, -1
-  %794 = bitcast i8 %793 to <8 x i1>
-  %795 = select <8 x i1> %794, <8 x i64> %586, <8 x i64> zeroinitializer
-  %796 = load <8 x double>, ptr %3, align 16
-  br i1 %786, label %798, label %797
+784:                                              ; preds = %782, %778
+  %785 = phi i64 [ %783, %782 ], [ 0, %778 ]
+  %786 = load i64, ptr %7, align 8
+  %787 = or i64 %786, %641
+  %788 = xor i64 %787, -1
+  %789 = and i64 %621, %788
+  %790 = icmp eq i64 %785, 0
+  %791 = select i1 %790, ptr null, ptr %4
+  %792 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %789, ptr noundef nonnull %3, ptr noundef %791) #11
+  %793 = or i64 %792, %563
+  %794 = or i64 %786, %762
+  %795 = or i64 %794, %793
+  %796 = trunc i64 %795 to i8
+  %797 = xor i8 %796, -1
+  %798 = bitcast i8 %797 to <8 x i1>
+  %799 = select <8 x i1> %798, <8 x i64> %589, <8 x i64> zeroinitializer
+  %800 = load <8 x double>, ptr %3, align 16
+  br i1 %790, label %802, label %801
 
-797:                                              ; preds = %780
-  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %781, ptr noundef nonnull %4) #11
-  br label %798
+801:                                              ; preds = %784
+  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %4) #11
+  br label %802
 
-798:                                              ; preds = %780, %797, %609
-  %799 = phi <8 x double> [ %245, %609 ], [ %796, %780 ], [ %796, %797 ]
-  %800 = phi <8 x i64> [ %586, %609 ], [ %795, %780 ], [ %795, %797 ]
-  %801 = phi i64 [ %561, %609 ], [ %789, %780 ], [ %789, %797 ]
-  %802 = phi i32 [ %189, %609 ], [ %776, %780 ], [ %776, %797 ]
-  %803 = phi i64 [ 0, %609 ], [ %781, %780 ], [ %781, %797 ]
-  %804 = load ptr, ptr %115, align 8
-  %805 = load <8 x double>, ptr %804, align 8
-  %806 = fcmp oeq <8 x double> %805, %799
-  %807 = icmp ne <8 x i64> %800, zeroinitializer
-  %808 = select <8 x i1> %806, <8 x i1> %807, <8 x i1> zeroinitializer
-  %809 = bitcast <8 x i1> %808 to i8
-  %810 = icmp eq i8 %809, 0
-  br i1 %810, label %813, label %811
+802:                                              ; preds = %784, %801, %612
+  %803 = phi <8 x double> [ %245, %612 ], [ %800, %784 ], [ %800, %801 ]
+  %804 = phi <8 x i64> [ %589, %612 ], [ %799, %784 ], [ %799, %801 ]
+  %805 = phi i64 [ %563, %612 ], [ %793, %784 ], [ %793, %801 ]
+  %806 = phi i32 [ %189, %612 ], [ %780, %784 ], [ %780, %801 ]
+  %807 = phi i64 [ 0, %612 ], [ %785, %784 ], [ %785, %801 ]
+  %808 = load ptr, ptr %115, align 8
+  %809 = load <8 x double>, ptr %808, align 8
+  %810 = fcmp oeq <8 x double> %809, %803
+  %811 = icmp ne <8 x i64> %804, zeroinitializer
+  %812 = select <8 x i1> %810, <8 x i1> %811, <8 x i1> zeroinitializer
+  %813 = bitcast <8 x i1> %812 to i8
+  %814 = icmp eq i8 %813, 0
+  br i1 %814, label %817, label %815
 
-811:                                              ; preds = %798
-  %812 = zext i8 %809 to i64
-  br label %822
+815:                                              ; preds = %802
+  %816 = zext i8 %813 to i64
+  br label %826
 
-813:                                              ; preds = %822, %798
-  %814 = xor <8 x i64> %800, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %815 = select <8 x i1> %220, <8 x i64> %814, <8 x i64> zeroinitializer
-  %816 = load ptr, ptr %70, align 8
-  %817 = load <8 x double>, ptr %816, align 8
-  %818 = icmp slt <8 x i64> %800, zeroinitializer
-  %819 = select <8 x i1> %818, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %820 = bitcast <8 x i64> %819 to <8 x double>
-  %821 = fadd <8 x double> %817, %820
-  store <8 x double> %821, ptr %816, align 8
-  br i1 %34, label %832, label %956
+817:                                              ; preds = %826, %802
+  %818 = xor <8 x i64> %804, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %819 = select <8 x i1> %220, <8 x i64> %818, <8 x i64> zeroinitializer
+  %820 = load ptr, ptr %70, align 8
+  %821 = load <8 x double>, ptr %820, align 8
+  %822 = icmp slt <8 x i64> %804, zeroinitializer
+  %823 = select <8 x i1> %822, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %824 = bitcast <8 x i64> %823 to <8 x double>
+  %825 = fadd <8 x double> %821, %824
+  store <8 x double> %825, ptr %820, align 8
+  br i1 %34, label %836, label %960
 
-822:                                              ; preds = %811, %822
-  %823 = phi i64 [ %830, %822 ], [ %812, %811 ]
-  %824 = load ptr, ptr %126, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %824, i64 noundef %823) #11
-  %825 = load ptr, ptr %115, align 8
-  %826 = load <8 x double>, ptr %825, align 8
-  %827 = fcmp oeq <8 x double> %826, %799
-  %828 = bitcast <8 x i1> %827 to i8
-  %829 = zext i8 %828 to i64
-  %830 = and i64 %823, %829
-  %831 = icmp eq i64 %830, 0
-  br i1 %831, label %813, label %822, !llvm.loop !17
+826:                                              ; preds = %815, %826
+  %827 = phi i64 [ %834, %826 ], [ %816, %815 ]
+  %828 = load ptr, ptr %126, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %828, i64 noundef %827) #11
+  %829 = load ptr, ptr %115, align 8
+  %830 = load <8 x double>, ptr %829, align 8
+  %831 = fcmp oeq <8 x double> %830, %803
+  %832 = bitcast <8 x i1> %831 to i8
+  %833 = zext i8 %832 to i64
+  %834 = and i64 %827, %833
+  %835 = icmp eq i64 %834, 0
+  br i1 %835, label %817, label %826, !llvm.loop !17
 
-832:                                              ; preds = %813
-  %833 = load ptr, ptr %127, align 8
-  %834 = load <8 x double>, ptr %833, align 8
-  %835 = load ptr, ptr %128, align 8
-  %836 = load <8 x double>, ptr %835, align 8
-  %837 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %838 = bitcast <8 x double> %539 to <8 x i64>
-  %839 = select <8 x i1> %837, <8 x i64> %838, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %840 = load double, ptr %129, align 8
-  %841 = insertelement <8 x double> poison, double %840, i64 0
-  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
-  %843 = load double, ptr %130, align 8
-  %844 = fneg double %843
-  %845 = add <8 x i64> %839, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %846 = ashr <8 x i64> %845, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %847 = and <8 x i64> %845, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %848 = sub <8 x i64> %839, %847
-  %849 = bitcast <8 x i64> %848 to <8 x double>
-  %850 = fadd <8 x double> %849, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %851 = fadd <8 x double> %849, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %852 = fdiv <8 x double> %850, %851
-  %853 = fmul <8 x double> %852, %852
-  %854 = call <8 x double> @llvm.fma.v8f64(<8 x double> %853, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %855 = call <8 x double> @llvm.fma.v8f64(<8 x double> %854, <8 x double> %853, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %856 = call <8 x double> @llvm.fma.v8f64(<8 x double> %855, <8 x double> %853, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %857 = call <8 x double> @llvm.fma.v8f64(<8 x double> %856, <8 x double> %853, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %858 = trunc nsw <8 x i64> %846 to <8 x i32>
-  %859 = sitofp <8 x i32> %858 to <8 x double>
-  %860 = fmul <8 x double> %852, %857
-  %861 = fadd <8 x double> %860, %859
-  %862 = insertelement <8 x double> poison, double %844, i64 0
-  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
-  %864 = fmul <8 x double> %861, %863
-  %865 = fcmp ogt <8 x double> %864, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %866 = bitcast <8 x double> %864 to <8 x i64>
-  %867 = select <8 x i1> %865, <8 x i64> %866, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %868 = bitcast <8 x i64> %867 to <8 x double>
-  %869 = fcmp olt <8 x double> %868, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %870 = bitcast <8 x i64> %867 to <8 x double>
-  %871 = select <8 x i1> %869, <8 x double> %870, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %872 = call <8 x double> @llvm.rint.v8f64(<8 x double> %871)
-  %873 = fsub <8 x double> %871, %872
-  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %873, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %873, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %873, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %873, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %873, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %881 = bitcast <8 x double> %880 to <8 x i64>
-  %882 = fptosi <8 x double> %872 to <8 x i32>
-  %883 = zext <8 x i32> %882 to <8 x i64>
-  %884 = shl <8 x i64> %883, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %885 = add <8 x i64> %884, %881
-  %886 = bitcast <8 x i64> %885 to <8 x double>
-  %887 = fmul <8 x double> %842, %886
-  %888 = load double, ptr %131, align 8
-  %889 = fcmp une double %888, 0.000000e+00
-  br i1 %889, label %890, label %935
+836:                                              ; preds = %817
+  %837 = load ptr, ptr %127, align 8
+  %838 = load <8 x double>, ptr %837, align 8
+  %839 = load ptr, ptr %128, align 8
+  %840 = load <8 x double>, ptr %839, align 8
+  %841 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %842 = bitcast <8 x double> %541 to <8 x i64>
+  %843 = select <8 x i1> %841, <8 x i64> %842, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %844 = load double, ptr %129, align 8
+  %845 = insertelement <8 x double> poison, double %844, i64 0
+  %846 = shufflevector <8 x double> %845, <8 x double> poison, <8 x i32> zeroinitializer
+  %847 = load double, ptr %130, align 8
+  %848 = fneg double %847
+  %849 = add <8 x i64> %843, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %850 = ashr <8 x i64> %849, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %851 = and <8 x i64> %849, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %852 = sub <8 x i64> %843, %851
+  %853 = bitcast <8 x i64> %852 to <8 x double>
+  %854 = fadd <8 x double> %853, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %855 = fadd <8 x double> %853, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %856 = fdiv <8 x double> %854, %855
+  %857 = fmul <8 x double> %856, %856
+  %858 = call <8 x double> @llvm.fma.v8f64(<8 x double> %857, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %859 = call <8 x double> @llvm.fma.v8f64(<8 x double> %858, <8 x double> %857, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %860 = call <8 x double> @llvm.fma.v8f64(<8 x double> %859, <8 x double> %857, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %861 = call <8 x double> @llvm.fma.v8f64(<8 x double> %860, <8 x double> %857, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %862 = trunc nsw <8 x i64> %850 to <8 x i32>
+  %863 = sitofp <8 x i32> %862 to <8 x double>
+  %864 = fmul <8 x double> %856, %861
+  %865 = fadd <8 x double> %864, %863
+  %866 = insertelement <8 x double> poison, double %848, i64 0
+  %867 = shufflevector <8 x double> %866, <8 x double> poison, <8 x i32> zeroinitializer
+  %868 = fmul <8 x double> %865, %867
+  %869 = fcmp ogt <8 x double> %868, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %870 = bitcast <8 x double> %868 to <8 x i64>
+  %871 = select <8 x i1> %869, <8 x i64> %870, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %872 = bitcast <8 x i64> %871 to <8 x double>
+  %873 = fcmp olt <8 x double> %872, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %874 = bitcast <8 x i64> %871 to <8 x double>
+  %875 = select <8 x i1> %873, <8 x double> %874, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %876 = call <8 x double> @llvm.rint.v8f64(<8 x double> %875)
+  %877 = fsub <8 x double> %875, %876
+  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %877, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %877, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %881 = call <8 x double> @llvm.fma.v8f64(<8 x double> %880, <8 x double> %877, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %882 = call <8 x double> @llvm.fma.v8f64(<8 x double> %881, <8 x double> %877, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %883 = call <8 x double> @llvm.fma.v8f64(<8 x double> %882, <8 x double> %877, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %884 = call <8 x double> @llvm.fma.v8f64(<8 x double> %883, <8 x double> %877, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %885 = bitcast <8 x double> %884 to <8 x i64>
+  %886 = fptosi <8 x double> %876 to <8 x i32>
+  %887 = zext <8 x i32> %886 to <8 x i64>
+  %888 = shl <8 x i64> %887, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %889 = add <8 x i64> %888, %885
+  %890 = bitcast <8 x i64> %889 to <8 x double>
+  %891 = fmul <8 x double> %846, %890
+  %892 = load double, ptr %131, align 8
+  %893 = fcmp une double %892, 0.000000e+00
+  br i1 %893, label %894, label %939
 
-890:                                              ; preds = %832
-  %891 = bitcast <8 x double> %834 to <8 x i64>
-  %892 = add <8 x i64> %891, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %893 = ashr <8 x i64> %892, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %894 = and <8 x i64> %892, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %895 = sub <8 x i64> %891, %894
-  %896 = bitcast <8 x i64> %895 to <8 x double>
-  %897 = fadd <8 x double> %896, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %898 = fadd <8 x double> %896, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %899 = fdiv <8 x double> %897, %898
-  %900 = fmul <8 x double> %899, %899
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %900, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %900, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %904 = call <8 x double> @llvm.fma.v8f64(<8 x double> %903, <8 x double> %900, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %905 = trunc nsw <8 x i64> %893 to <8 x i32>
-  %906 = sitofp <8 x i32> %905 to <8 x double>
-  %907 = fmul <8 x double> %899, %904
-  %908 = fadd <8 x double> %907, %906
-  %909 = insertelement <8 x double> poison, double %888, i64 0
-  %910 = shufflevector <8 x double> %909, <8 x double> poison, <8 x i32> zeroinitializer
-  %911 = fmul <8 x double> %910, %908
-  %912 = fcmp ogt <8 x double> %911, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %913 = bitcast <8 x double> %911 to <8 x i64>
-  %914 = select <8 x i1> %912, <8 x i64> %913, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %915 = bitcast <8 x i64> %914 to <8 x double>
-  %916 = fcmp olt <8 x double> %915, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %917 = bitcast <8 x i64> %914 to <8 x double>
-  %918 = select <8 x i1> %916, <8 x double> %917, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %919 = call <8 x double> @llvm.rint.v8f64(<8 x double> %918)
-  %920 = fsub <8 x double> %918, %919
-  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %920, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %920, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %920, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %920, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %920, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %920, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %928 = bitcast <8 x double> %927 to <8 x i64>
-  %929 = fptosi <8 x double> %919 to <8 x i32>
-  %930 = zext <8 x i32> %929 to <8 x i64>
-  %931 = shl <8 x i64> %930, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %932 = add <8 x i64> %931, %928
-  %933 = bitcast <8 x i64> %932 to <8 x double>
-  %934 = fmul <8 x double> %887, %933
-  br label %935
+894:                                              ; preds = %836
+  %895 = bitcast <8 x double> %838 to <8 x i64>
+  %896 = add <8 x i64> %895, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %897 = ashr <8 x i64> %896, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %898 = and <8 x i64> %896, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %899 = sub <8 x i64> %895, %898
+  %900 = bitcast <8 x i64> %899 to <8 x double>
+  %901 = fadd <8 x double> %900, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %902 = fadd <8 x double> %900, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %903 = fdiv <8 x double> %901, %902
+  %904 = fmul <8 x double> %903, %903
+  %905 = call <8 x double> @llvm.fma.v8f64(<8 x double> %904, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %906 = call <8 x double> @llvm.fma.v8f64(<8 x double> %905, <8 x double> %904, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %907 = call <8 x double> @llvm.fma.v8f64(<8 x double> %906, <8 x double> %904, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %908 = call <8 x double> @llvm.fma.v8f64(<8 x double> %907, <8 x double> %904, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %909 = trunc nsw <8 x i64> %897 to <8 x i32>
+  %910 = sitofp <8 x i32> %909 to <8 x double>
+  %911 = fmul <8 x double> %903, %908
+  %912 = fadd <8 x double> %911, %910
+  %913 = insertelement <8 x double> poison, double %892, i64 0
+  %914 = shufflevector <8 x double> %913, <8 x double> poison, <8 x i32> zeroinitializer
+  %915 = fmul <8 x double> %914, %912
+  %916 = fcmp ogt <8 x double> %915, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %917 = bitcast <8 x double> %915 to <8 x i64>
+  %918 = select <8 x i1> %916, <8 x i64> %917, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %919 = bitcast <8 x i64> %918 to <8 x double>
+  %920 = fcmp olt <8 x double> %919, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %921 = bitcast <8 x i64> %918 to <8 x double>
+  %922 = select <8 x i1> %920, <8 x double> %921, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %923 = call <8 x double> @llvm.rint.v8f64(<8 x double> %922)
+  %924 = fsub <8 x double> %922, %923
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %924, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %924, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %927, <8 x double> %924, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %929 = call <8 x double> @llvm.fma.v8f64(<8 x double> %928, <8 x double> %924, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %930 = call <8 x double> @llvm.fma.v8f64(<8 x double> %929, <8 x double> %924, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %931 = call <8 x double> @llvm.fma.v8f64(<8 x double> %930, <8 x double> %924, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %932 = bitcast <8 x double> %931 to <8 x i64>
+  %933 = fptosi <8 x double> %923 to <8 x i32>
+  %934 = zext <8 x i32> %933 to <8 x i64>
+  %935 = shl <8 x i64> %934, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %936 = add <8 x i64> %935, %932
+  %937 = bitcast <8 x i64> %936 to <8 x double>
+  %938 = fmul <8 x double> %891, %937
+  br label %939
 
-935:                                              ; preds = %832, %890
-  %936 = phi <8 x double> [ %934, %890 ], [ %887, %832 ]
-  %937 = load double, ptr %132, align 8
-  %938 = insertelement <8 x double> poison, double %937, i64 0
-  %939 = shufflevector <8 x double> %938, <8 x double> poison, <8 x i32> zeroinitializer
-  %940 = fcmp ogt <8 x double> %936, %939
-  %941 = select <8 x i1> %940, <8 x double> %936, <8 x double> %939
-  %942 = fcmp olt <8 x double> %836, %941
-  %943 = select <8 x i1> %942, <8 x double> %836, <8 x double> %941
-  %944 = fmul <8 x double> %247, %943
-  %945 = fcmp ogt <8 x double> %539, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %946 = select <8 x i1> %945, <8 x i64> %838, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %947 = bitcast <8 x double> %834 to <8 x i64>
-  %948 = select <8 x i1> %818, <8 x i64> %946, <8 x i64> %947
-  store <8 x i64> %948, ptr %833, align 8
-  %949 = load ptr, ptr %128, align 8
-  %950 = load double, ptr %133, align 8
-  %951 = insertelement <8 x double> poison, double %950, i64 0
-  %952 = bitcast <8 x double> %951 to <8 x i64>
-  %953 = shufflevector <8 x i64> %952, <8 x i64> poison, <8 x i32> zeroinitializer
-  %954 = icmp slt <8 x i64> %815, zeroinitializer
-  %955 = select <8 x i1> %954, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %953
-  store <8 x i64> %955, ptr %949, align 8
-  br label %956
+939:                                              ; preds = %836, %894
+  %940 = phi <8 x double> [ %938, %894 ], [ %891, %836 ]
+  %941 = load double, ptr %132, align 8
+  %942 = insertelement <8 x double> poison, double %941, i64 0
+  %943 = shufflevector <8 x double> %942, <8 x double> poison, <8 x i32> zeroinitializer
+  %944 = fcmp ogt <8 x double> %940, %943
+  %945 = select <8 x i1> %944, <8 x double> %940, <8 x double> %943
+  %946 = fcmp olt <8 x double> %840, %945
+  %947 = select <8 x i1> %946, <8 x double> %840, <8 x double> %945
+  %948 = fmul <8 x double> %247, %947
+  %949 = fcmp ogt <8 x double> %541, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %950 = select <8 x i1> %949, <8 x i64> %842, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %951 = bitcast <8 x double> %838 to <8 x i64>
+  %952 = select <8 x i1> %822, <8 x i64> %950, <8 x i64> %951
+  store <8 x i64> %952, ptr %837, align 8
+  %953 = load ptr, ptr %128, align 8
+  %954 = load double, ptr %133, align 8
+  %955 = insertelement <8 x double> poison, double %954, i64 0
+  %956 = bitcast <8 x double> %955 to <8 x i64>
+  %957 = shufflevector <8 x i64> %956, <8 x i64> poison, <8 x i32> zeroinitializer
+  %958 = icmp slt <8 x i64> %819, zeroinitializer
+  %959 = select <8 x i1> %958, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %957
+  store <8 x i64> %959, ptr %953, align 8
+  br label %960
 
-956:                                              ; preds = %935, %813
-  %957 = phi <8 x double> [ %944, %935 ], [ %229, %813 ]
-  %958 = icmp ne <8 x i64> %815, zeroinitializer
-  %959 = bitcast <8 x i1> %958 to i8
-  %960 = icmp eq i8 %959, 0
-  br i1 %960, label %1054, label %961
+960:                                              ; preds = %939, %817
+  %961 = phi <8 x double> [ %948, %939 ], [ %229, %817 ]
+  %962 = icmp ne <8 x i64> %819, zeroinitializer
+  %963 = bitcast <8 x i1> %962 to i8
+  %964 = icmp eq i8 %963, 0
+  br i1 %964, label %1058, label %965
 
-961:                                              ; preds = %956
-  %962 = trunc i64 %587 to i8
-  %963 = bitcast i8 %962 to <8 x i1>
-  %964 = trunc i64 %801 to i8
-  %965 = bitcast i8 %964 to <8 x i1>
-  %966 = load i64, ptr %7, align 8
-  %967 = trunc i64 %966 to i8
-  %968 = bitcast i8 %967 to <8 x i1>
-  %969 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %539)
-  %970 = fcmp one <8 x double> %969, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %971 = xor <8 x i1> %963, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %972 = select <8 x i1> %970, <8 x i1> %971, <8 x i1> zeroinitializer
-  %973 = or <8 x i1> %968, %965
-  %974 = xor <8 x i1> %973, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %975 = and <8 x i1> %972, %974
-  br i1 %34, label %976, label %1035
+965:                                              ; preds = %960
+  %966 = trunc i64 %590 to i8
+  %967 = bitcast i8 %966 to <8 x i1>
+  %968 = trunc i64 %805 to i8
+  %969 = bitcast i8 %968 to <8 x i1>
+  %970 = load i64, ptr %7, align 8
+  %971 = trunc i64 %970 to i8
+  %972 = bitcast i8 %971 to <8 x i1>
+  %973 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %541)
+  %974 = fcmp one <8 x double> %973, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %975 = xor <8 x i1> %967, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %976 = select <8 x i1> %974, <8 x i1> %975, <8 x i1> zeroinitializer
+  %977 = or <8 x i1> %972, %969
+  %978 = xor <8 x i1> %977, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %979 = and <8 x i1> %976, %978
+  br i1 %34, label %980, label %1039
 
-976:                                              ; preds = %961
-  %977 = fcmp ogt <8 x double> %539, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %978 = bitcast <8 x double> %539 to <8 x i64>
-  %979 = select <8 x i1> %977, <8 x i64> %978, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %980 = load double, ptr %134, align 8
-  %981 = insertelement <8 x double> poison, double %980, i64 0
-  %982 = shufflevector <8 x double> %981, <8 x double> poison, <8 x i32> zeroinitializer
-  %983 = load double, ptr %31, align 8
-  %984 = fneg double %983
-  %985 = add <8 x i64> %979, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %986 = ashr <8 x i64> %985, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %987 = and <8 x i64> %985, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %988 = sub <8 x i64> %979, %987
-  %989 = bitcast <8 x i64> %988 to <8 x double>
-  %990 = fadd <8 x double> %989, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %991 = fadd <8 x double> %989, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %992 = fdiv <8 x double> %990, %991
-  %993 = fmul <8 x double> %992, %992
-  %994 = call <8 x double> @llvm.fma.v8f64(<8 x double> %993, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %995 = call <8 x double> @llvm.fma.v8f64(<8 x double> %994, <8 x double> %993, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %996 = call <8 x double> @llvm.fma.v8f64(<8 x double> %995, <8 x double> %993, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %997 = call <8 x double> @llvm.fma.v8f64(<8 x double> %996, <8 x double> %993, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %998 = trunc nsw <8 x i64> %986 to <8 x i32>
-  %999 = sitofp <8 x i32> %998 to <8 x double>
-  %1000 = fmul <8 x double> %992, %997
-  %1001 = fadd <8 x double> %1000, %999
-  %1002 = insertelement <8 x double> poison, double %984, i64 0
-  %1003 = shufflevector <8 x double> %1002, <8 x double> poison, <8 x i32> zeroinitializer
-  %1004 = fmul <8 x double> %1001, %1003
-  %1005 = fcmp ogt <8 x double> %1004, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1006 = bitcast <8 x double> %1004 to <8 x i64>
-  %1007 = select <8 x i1> %1005, <8 x i64> %1006, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1008 = bitcast <8 x i64> %1007 to <8 x double>
-  %1009 = fcmp olt <8 x double> %1008, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1010 = bitcast <8 x i64> %1007 to <8 x double>
-  %1011 = select <8 x i1> %1009, <8 x double> %1010, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1012 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1011)
-  %1013 = fsub <8 x double> %1011, %1012
-  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1013, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1013, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1013, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> %1013, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1013, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1013, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1021 = bitcast <8 x double> %1020 to <8 x i64>
-  %1022 = fptosi <8 x double> %1012 to <8 x i32>
-  %1023 = zext <8 x i32> %1022 to <8 x i64>
-  %1024 = shl <8 x i64> %1023, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1025 = add <8 x i64> %1024, %1021
-  %1026 = bitcast <8 x i64> %1025 to <8 x double>
-  %1027 = fmul <8 x double> %982, %1026
-  %1028 = load double, ptr %135, align 8
-  %1029 = insertelement <8 x double> poison, double %1028, i64 0
-  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
-  %1031 = fcmp ogt <8 x double> %1027, %1030
-  %1032 = select <8 x i1> %1031, <8 x double> %1027, <8 x double> %1030
-  %1033 = select <8 x i1> %975, <8 x double> %1032, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1034 = fmul <8 x double> %247, %1033
-  br label %1035
+980:                                              ; preds = %965
+  %981 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %982 = bitcast <8 x double> %541 to <8 x i64>
+  %983 = select <8 x i1> %981, <8 x i64> %982, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %984 = load double, ptr %134, align 8
+  %985 = insertelement <8 x double> poison, double %984, i64 0
+  %986 = shufflevector <8 x double> %985, <8 x double> poison, <8 x i32> zeroinitializer
+  %987 = load double, ptr %31, align 8
+  %988 = fneg double %987
+  %989 = add <8 x i64> %983, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %990 = ashr <8 x i64> %989, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %991 = and <8 x i64> %989, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %992 = sub <8 x i64> %983, %991
+  %993 = bitcast <8 x i64> %992 to <8 x double>
+  %994 = fadd <8 x double> %993, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %995 = fadd <8 x double> %993, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %996 = fdiv <8 x double> %994, %995
+  %997 = fmul <8 x double> %996, %996
+  %998 = call <8 x double> @llvm.fma.v8f64(<8 x double> %997, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %999 = call <8 x double> @llvm.fma.v8f64(<8 x double> %998, <8 x double> %997, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1000 = call <8 x double> @llvm.fma.v8f64(<8 x double> %999, <8 x double> %997, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1001 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1000, <8 x double> %997, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1002 = trunc nsw <8 x i64> %990 to <8 x i32>
+  %1003 = sitofp <8 x i32> %1002 to <8 x double>
+  %1004 = fmul <8 x double> %996, %1001
+  %1005 = fadd <8 x double> %1004, %1003
+  %1006 = insertelement <8 x double> poison, double %988, i64 0
+  %1007 = shufflevector <8 x double> %1006, <8 x double> poison, <8 x i32> zeroinitializer
+  %1008 = fmul <8 x double> %1005, %1007
+  %1009 = fcmp ogt <8 x double> %1008, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1010 = bitcast <8 x double> %1008 to <8 x i64>
+  %1011 = select <8 x i1> %1009, <8 x i64> %1010, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1012 = bitcast <8 x i64> %1011 to <8 x double>
+  %1013 = fcmp olt <8 x double> %1012, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1014 = bitcast <8 x i64> %1011 to <8 x double>
+  %1015 = select <8 x i1> %1013, <8 x double> %1014, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1016 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1015)
+  %1017 = fsub <8 x double> %1015, %1016
+  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1017, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1017, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> %1017, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1017, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1017, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1024 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1023, <8 x double> %1017, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1025 = bitcast <8 x double> %1024 to <8 x i64>
+  %1026 = fptosi <8 x double> %1016 to <8 x i32>
+  %1027 = zext <8 x i32> %1026 to <8 x i64>
+  %1028 = shl <8 x i64> %1027, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1029 = add <8 x i64> %1028, %1025
+  %1030 = bitcast <8 x i64> %1029 to <8 x double>
+  %1031 = fmul <8 x double> %986, %1030
+  %1032 = load double, ptr %135, align 8
+  %1033 = insertelement <8 x double> poison, double %1032, i64 0
+  %1034 = shufflevector <8 x double> %1033, <8 x double> poison, <8 x i32> zeroinitializer
+  %1035 = fcmp ogt <8 x double> %1031, %1034
+  %1036 = select <8 x i1> %1035, <8 x double> %1031, <8 x double> %1034
+  %1037 = select <8 x i1> %979, <8 x double> %1036, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1038 = fmul <8 x double> %247, %1037
+  br label %1039
 
-1035:                                             ; preds = %961, %976
-  %1036 = phi <8 x double> [ %1034, %976 ], [ zeroinitializer, %961 ]
-  %1037 = or <8 x i1> %975, %968
-  %1038 = select <8 x i1> %1037, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1039 = icmp slt <8 x i64> %815, zeroinitializer
-  %1040 = select <8 x i1> %1039, <8 x double> %1036, <8 x double> %957
-  %1041 = load ptr, ptr %136, align 8
-  %1042 = select <8 x i1> %965, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1038
-  %1043 = load <8 x i64>, ptr %1041, align 8
-  %1044 = select <8 x i1> %1039, <8 x i64> %1042, <8 x i64> %1043
-  store <8 x i64> %1044, ptr %1041, align 8
+1039:                                             ; preds = %965, %980
+  %1040 = phi <8 x double> [ %1038, %980 ], [ zeroinitializer, %965 ]
+  %1041 = or <8 x i1> %979, %972
+  %1042 = select <8 x i1> %1041, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1043 = icmp slt <8 x i64> %819, zeroinitializer
+  %1044 = select <8 x i1> %1043, <8 x double> %1040, <8 x double> %961
   %1045 = load ptr, ptr %136, align 8
-  %1046 = select <8 x i1> %963, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1038
+  %1046 = select <8 x i1> %969, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1042
   %1047 = load <8 x i64>, ptr %1045, align 8
-  %1048 = select <8 x i1> %1039, <8 x i64> %1046, <8 x i64> %1047
+  %1048 = select <8 x i1> %1043, <8 x i64> %1046, <8 x i64> %1047
   store <8 x i64> %1048, ptr %1045, align 8
-  %1049 = load ptr, ptr %71, align 8
-  %1050 = load <8 x double>, ptr %1049, align 8
-  %1051 = select <8 x i1> %1039, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1052 = bitcast <8 x i64> %1051 to <8 x double>
-  %1053 = fadd <8 x double> %1050, %1052
-  store <8 x double> %1053, ptr %1049, align 8
-  br label %1054
+  %1049 = load ptr, ptr %136, align 8
+  %1050 = select <8 x i1> %967, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1042
+  %1051 = load <8 x i64>, ptr %1049, align 8
+  %1052 = select <8 x i1> %1043, <8 x i64> %1050, <8 x i64> %1051
+  store <8 x i64> %1052, ptr %1049, align 8
+  %1053 = load ptr, ptr %71, align 8
+  %1054 = load <8 x double>, ptr %1053, align 8
+  %1055 = select <8 x i1> %1043, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1056 = bitcast <8 x i64> %1055 to <8 x double>
+  %1057 = fadd <8 x double> %1054, %1056
+  store <8 x double> %1057, ptr %1053, align 8
+  br label %1058
 
-1054:                                             ; preds = %1035, %956
-  %1055 = phi <8 x double> [ %957, %956 ], [ %1040, %1035 ]
-  %1056 = load ptr, ptr %67, align 8
-  store <8 x double> %1055, ptr %1056, align 8
-  %1057 = load ptr, ptr %54, align 8
-  %1058 = select <8 x i1> %818, <8 x double> %799, <8 x double> %222
-  store <8 x double> %1058, ptr %1057, align 8
-  br i1 %137, label %1061, label %1059
+1058:                                             ; preds = %1039, %960
+  %1059 = phi <8 x double> [ %961, %960 ], [ %1044, %1039 ]
+  %1060 = load ptr, ptr %67, align 8
+  store <8 x double> %1059, ptr %1060, align 8
+  %1061 = load ptr, ptr %54, align 8
+  %1062 = select <8 x i1> %822, <8 x double> %803, <8 x double> %222
+  store <8 x double> %1062, ptr %1061, align 8
+  br i1 %137, label %1065, label %1063
 
-1059:                                             ; preds = %1061, %1054
-  %1060 = icmp eq i64 %803, 0
-  br i1 %1060, label %1088, label %1079
+1063:                                             ; preds = %1065, %1058
+  %1064 = icmp eq i64 %807, 0
+  br i1 %1064, label %1092, label %1083
 
-1061:                                             ; preds = %1054, %1061
-  %1062 = phi i64 [ %1077, %1061 ], [ 0, %1054 ]
-  %1063 = load ptr, ptr %11, align 8
-  %1064 = load ptr, ptr %138, align 8
-  %1065 = shl nsw i64 %1062, 6
-  %1066 = getelementptr inbounds i8, ptr %1064, i64 %1065
-  %1067 = load <8 x i64>, ptr %1066, align 8
-  %1068 = getelementptr inbounds i8, ptr %1063, i64 %1065
-  %1069 = load <8 x i64>, ptr %1068, align 8
-  %1070 = select <8 x i1> %818, <8 x i64> %1067, <8 x i64> %1069
-  store <8 x i64> %1070, ptr %1068, align 8
-  %1071 = load ptr, ptr %45, align 8
-  %1072 = getelementptr inbounds i8, ptr %60, i64 %1065
+1065:                                             ; preds = %1058, %1065
+  %1066 = phi i64 [ %1081, %1065 ], [ 0, %1058 ]
+  %1067 = load ptr, ptr %11, align 8
+  %1068 = load ptr, ptr %138, align 8
+  %1069 = shl nsw i64 %1066, 6
+  %1070 = getelementptr inbounds i8, ptr %1068, i64 %1069
+  %1071 = load <8 x i64>, ptr %1070, align 8
+  %1072 = getelementptr inbounds i8, ptr %1067, i64 %1069
   %1073 = load <8 x i64>, ptr %1072, align 8
-  %1074 = getelementptr inbounds i8, ptr %1071, i64 %1065
-  %1075 = load <8 x i64>, ptr %1074, align 8
-  %1076 = select <8 x i1> %818, <8 x i64> %1073, <8 x i64> %1075
-  store <8 x i64> %1076, ptr %1074, align 8
-  %1077 = add nuw nsw i64 %1062, 1
-  %1078 = icmp eq i64 %1077, %15
-  br i1 %1078, label %1059, label %1061, !llvm.loop !18
+  %1074 = select <8 x i1> %822, <8 x i64> %1071, <8 x i64> %1073
+  store <8 x i64> %1074, ptr %1072, align 8
+  %1075 = load ptr, ptr %45, align 8
+  %1076 = getelementptr inbounds i8, ptr %60, i64 %1069
+  %1077 = load <8 x i64>, ptr %1076, align 8
+  %1078 = getelementptr inbounds i8, ptr %1075, i64 %1069
+  %1079 = load <8 x i64>, ptr %1078, align 8
+  %1080 = select <8 x i1> %822, <8 x i64> %1077, <8 x i64> %1079
+  store <8 x i64> %1080, ptr %1078, align 8
+  %1081 = add nuw nsw i64 %1066, 1
+  %1082 = icmp eq i64 %1081, %15
+  br i1 %1082, label %1063, label %1065, !llvm.loop !18
 
-1079:                                             ; preds = %1059
-  %1080 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %803, ptr noundef nonnull %6) #11
-  %1081 = icmp ne i32 %802, 0
-  %1082 = icmp ne i64 %1080, %803
-  %1083 = select i1 %1081, i1 true, i1 %1082
-  %1084 = zext i1 %1083 to i32
-  %1085 = trunc i64 %803 to i8
-  %1086 = bitcast i8 %1085 to <8 x i1>
-  %1087 = select <8 x i1> %1086, <8 x i64> zeroinitializer, <8 x i64> %800
-  br label %1088
+1083:                                             ; preds = %1063
+  %1084 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %807, ptr noundef nonnull %6) #11
+  %1085 = icmp ne i32 %806, 0
+  %1086 = icmp ne i64 %1084, %807
+  %1087 = select i1 %1085, i1 true, i1 %1086
+  %1088 = zext i1 %1087 to i32
+  %1089 = trunc i64 %807 to i8
+  %1090 = bitcast i8 %1089 to <8 x i1>
+  %1091 = select <8 x i1> %1090, <8 x i64> zeroinitializer, <8 x i64> %804
+  br label %1092
 
-1088:                                             ; preds = %1079, %1059
-  %1089 = phi <8 x i64> [ %1087, %1079 ], [ %800, %1059 ]
-  %1090 = phi i32 [ %1084, %1079 ], [ %802, %1059 ]
-  %1091 = phi i64 [ %1080, %1079 ], [ %190, %1059 ]
-  %1092 = load ptr, ptr %115, align 8
-  %1093 = load <8 x double>, ptr %1092, align 8
-  %1094 = fcmp oeq <8 x double> %1093, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1095 = icmp ne <8 x i64> %1089, zeroinitializer
-  %1096 = select <8 x i1> %1094, <8 x i1> %1095, <8 x i1> zeroinitializer
-  %1097 = bitcast <8 x i1> %1096 to i8
-  %1098 = icmp eq i8 %1097, 0
-  br i1 %1098, label %1101, label %1099
+1092:                                             ; preds = %1083, %1063
+  %1093 = phi <8 x i64> [ %1091, %1083 ], [ %804, %1063 ]
+  %1094 = phi i32 [ %1088, %1083 ], [ %806, %1063 ]
+  %1095 = phi i64 [ %1084, %1083 ], [ %190, %1063 ]
+  %1096 = load ptr, ptr %115, align 8
+  %1097 = load <8 x double>, ptr %1096, align 8
+  %1098 = fcmp oeq <8 x double> %1097, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1099 = icmp ne <8 x i64> %1093, zeroinitializer
+  %1100 = select <8 x i1> %1098, <8 x i1> %1099, <8 x i1> zeroinitializer
+  %1101 = bitcast <8 x i1> %1100 to i8
+  %1102 = icmp eq i8 %1101, 0
+  br i1 %1102, label %1105, label %1103
 
-1099:                                             ; preds = %1088
-  %1100 = zext i8 %1097 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1100, i64 noundef 0) #11
-  br label %1101
+1103:                                             ; preds = %1092
+  %1104 = zext i8 %1101 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1104, i64 noundef 0) #11
+  br label %1105
 
-1101:                                             ; preds = %1099, %1088
-  %1102 = phi i32 [ 1, %1099 ], [ %1090, %1088 ]
+1105:                                             ; preds = %1103, %1092
+  %1106 = phi i32 [ 1, %1103 ], [ %1094, %1092 ]
   br label %185
 
-1103:                                             ; preds = %188, %213, %181
-  %1104 = phi i64 [ 1, %181 ], [ 0, %213 ], [ 0, %188 ]
-  ret i64 %1104
+1107:                                             ; preds = %188, %213, %181
+  %1108 = phi i64 [ 1, %181 ], [ 0, %213 ], [ 0, %188 ]
+  ret i64 %1108
 }
 
 
@@ -1394,11 +1398,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %38 = getelementptr inbounds i8, ptr %0, i64 984
   br label %39
 
-39:                                               ; preds = %2, %273
-  %40 = phi i64 [ 0, %2 ], [ %283, %273 ]
-  %41 = phi i64 [ 0, %2 ], [ %274, %273 ]
-  %42 = phi i64 [ -1, %2 ], [ %282, %273 ]
-  %43 = phi i64 [ 0, %2 ], [ %281, %273 ]
+39:                                               ; preds = %2, %274
+  %40 = phi i64 [ 0, %2 ], [ %284, %274 ]
+  %41 = phi i64 [ 0, %2 ], [ %275, %274 ]
+  %42 = phi i64 [ -1, %2 ], [ %283, %274 ]
+  %43 = phi i64 [ 0, %2 ], [ %282, %274 ]
   %44 = load i64, ptr %6, align 8
   %45 = load i64, ptr %8, align 8
   %46 = icmp sge i64 %44, %45
@@ -1414,11 +1418,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %54 = icmp eq i64 %53, 0
   br i1 %54, label %78, label %73
 
-55:                                               ; preds = %273
+55:                                               ; preds = %274
   %56 = getelementptr inbounds i8, ptr %0, i64 144
-  store i64 %281, ptr %1, align 8
-  %57 = icmp slt i64 %282, 0
-  br i1 %57, label %387, label %58
+  store i64 %282, ptr %1, align 8
+  %57 = icmp slt i64 %283, 0
+  br i1 %57, label %389, label %58
 
 58:                                               ; preds = %55
   %59 = getelementptr inbounds i8, ptr %0, i64 888
@@ -1427,7 +1431,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %62 = getelementptr inbounds i8, ptr %0, i64 216
   %63 = getelementptr inbounds i8, ptr %0, i64 672
   %64 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %307
+  br label %309
 
 65:                                               ; preds = %73
   %66 = load ptr, ptr %7, align 8
@@ -1455,7 +1459,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %83 = load i64, ptr %82, align 8
   %84 = icmp ne i64 %83, -1
   %85 = or i1 %80, %84
-  br i1 %85, label %273, label %86
+  br i1 %85, label %274, label %86
 
 86:                                               ; preds = %78
   %87 = add nsw i64 %79, 1
@@ -1558,7 +1562,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 162:                                              ; preds = %153, %140
   %163 = load i64, ptr %24, align 8
   %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %266
+  br i1 %164, label %165, label %267
 
 165:                                              ; preds = %162
   %166 = load ptr, ptr %26, align 8
@@ -1599,267 +1603,269 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %192 = getelementptr inbounds i8, ptr %191, i64 8
   %193 = load i64, ptr %192, align 8
   %194 = icmp sgt i64 %193, 0
-  br i1 %194, label %195, label %262
+  br i1 %194, label %195, label %263
 
 195:                                              ; preds = %190
   %196 = getelementptr inbounds i8, ptr %169, i64 1200
   %197 = getelementptr inbounds i8, ptr %169, i64 960
-  br label %217
+  br label %218
 
 198:                                              ; preds = %174, %198
-  %199 = phi i64 [ %214, %198 ], [ 0, %174 ]
+  %199 = phi i64 [ %215, %198 ], [ 0, %174 ]
   %200 = load ptr, ptr %29, align 8
   %201 = load i64, ptr %30, align 8
   %202 = mul nsw i64 %201, %199
   %203 = getelementptr inbounds i64, ptr %200, i64 %202
   %204 = load i64, ptr %203, align 8
   %205 = inttoptr i64 %204 to ptr
-  %206 = load ptr, ptr %16, align 8
-  %207 = load i64, ptr %31, align 8
-  %208 = mul nsw i64 %207, %79
-  %209 = getelementptr inbounds double, ptr %206, i64 %208
-  %210 = getelementptr i64, ptr %203, i64 %40
-  %211 = getelementptr i8, ptr %210, i64 8
-  %212 = load i64, ptr %211, align 8
-  %213 = inttoptr i64 %212 to ptr
-  tail call void %205(ptr noundef %209, ptr noundef %213) #12
-  %214 = add nuw nsw i64 %199, 1
-  %215 = load i64, ptr %28, align 8
-  %216 = icmp slt i64 %214, %215
-  br i1 %216, label %198, label %190, !llvm.loop !23
+  %206 = load ptr, ptr %205, align 8
+  %207 = load ptr, ptr %16, align 8
+  %208 = load i64, ptr %31, align 8
+  %209 = mul nsw i64 %208, %79
+  %210 = getelementptr inbounds double, ptr %207, i64 %209
+  %211 = getelementptr i64, ptr %203, i64 %40
+  %212 = getelementptr i8, ptr %211, i64 8
+  %213 = load i64, ptr %212, align 8
+  %214 = inttoptr i64 %213 to ptr
+  tail call void %206(ptr noundef %210, ptr noundef %214) #12
+  %215 = add nuw nsw i64 %199, 1
+  %216 = load i64, ptr %28, align 8
+  %217 = icmp slt i64 %215, %216
+  br i1 %217, label %198, label %190, !llvm.loop !23
 
-217:                                              ; preds = %195, %231
-  %218 = phi i64 [ 0, %195 ], [ %240, %231 ]
-  %219 = load ptr, ptr %32, align 8
-  %220 = load i64, ptr %33, align 8
-  %221 = mul nsw i64 %220, %79
-  %222 = getelementptr i64, ptr %219, i64 %221
-  %223 = getelementptr i64, ptr %222, i64 %218
-  %224 = load i64, ptr %223, align 8
-  %225 = sitofp i64 %224 to double
-  %226 = load ptr, ptr %34, align 8
-  %227 = shl i64 %218, 6
-  %228 = getelementptr i8, ptr %226, i64 %227
-  %229 = getelementptr double, ptr %228, i64 %40
-  store double %225, ptr %229, align 8
-  %230 = mul i64 %218, 800
-  br label %245
+218:                                              ; preds = %195, %232
+  %219 = phi i64 [ 0, %195 ], [ %241, %232 ]
+  %220 = load ptr, ptr %32, align 8
+  %221 = load i64, ptr %33, align 8
+  %222 = mul nsw i64 %221, %79
+  %223 = getelementptr i64, ptr %220, i64 %222
+  %224 = getelementptr i64, ptr %223, i64 %219
+  %225 = load i64, ptr %224, align 8
+  %226 = sitofp i64 %225 to double
+  %227 = load ptr, ptr %34, align 8
+  %228 = shl i64 %219, 6
+  %229 = getelementptr i8, ptr %227, i64 %228
+  %230 = getelementptr double, ptr %229, i64 %40
+  store double %226, ptr %230, align 8
+  %231 = mul i64 %219, 800
+  br label %246
 
-231:                                              ; preds = %255
-  %232 = load ptr, ptr %197, align 8
-  %233 = shl nuw nsw i64 %218, 1
-  %234 = or disjoint i64 %233, 1
-  %235 = getelementptr inbounds double, ptr %232, i64 %234
-  store double 0x7FF8000000000000, ptr %235, align 8
-  %236 = load ptr, ptr %197, align 8
-  %237 = getelementptr inbounds double, ptr %236, i64 %233
-  store double 0x7FF8000000000000, ptr %237, align 8
-  %238 = load ptr, ptr %37, align 8
-  %239 = getelementptr inbounds double, ptr %238, i64 %40
-  store double 0x7FF8000000000000, ptr %239, align 8
-  %240 = add nuw nsw i64 %218, 1
-  %241 = load ptr, ptr %25, align 8
-  %242 = getelementptr inbounds i8, ptr %241, i64 8
-  %243 = load i64, ptr %242, align 8
-  %244 = icmp slt i64 %240, %243
-  br i1 %244, label %217, label %262, !llvm.loop !24
+232:                                              ; preds = %256
+  %233 = load ptr, ptr %197, align 8
+  %234 = shl nuw nsw i64 %219, 1
+  %235 = or disjoint i64 %234, 1
+  %236 = getelementptr inbounds double, ptr %233, i64 %235
+  store double 0x7FF8000000000000, ptr %236, align 8
+  %237 = load ptr, ptr %197, align 8
+  %238 = getelementptr inbounds double, ptr %237, i64 %234
+  store double 0x7FF8000000000000, ptr %238, align 8
+  %239 = load ptr, ptr %37, align 8
+  %240 = getelementptr inbounds double, ptr %239, i64 %40
+  store double 0x7FF8000000000000, ptr %240, align 8
+  %241 = add nuw nsw i64 %219, 1
+  %242 = load ptr, ptr %25, align 8
+  %243 = getelementptr inbounds i8, ptr %242, i64 8
+  %244 = load i64, ptr %243, align 8
+  %245 = icmp slt i64 %241, %244
+  br i1 %245, label %218, label %263, !llvm.loop !24
 
-245:                                              ; preds = %217, %255
-  %246 = phi i64 [ 0, %217 ], [ %260, %255 ]
-  %247 = icmp eq i64 %246, 0
-  br i1 %247, label %248, label %255
+246:                                              ; preds = %218, %256
+  %247 = phi i64 [ 0, %218 ], [ %261, %256 ]
+  %248 = icmp eq i64 %247, 0
+  br i1 %248, label %249, label %256
 
-248:                                              ; preds = %245
-  %249 = load ptr, ptr %35, align 8
-  %250 = load i64, ptr %36, align 8
-  %251 = mul nsw i64 %250, %79
-  %252 = getelementptr double, ptr %249, i64 %251
-  %253 = getelementptr double, ptr %252, i64 %218
-  %254 = load double, ptr %253, align 8
-  br label %255
+249:                                              ; preds = %246
+  %250 = load ptr, ptr %35, align 8
+  %251 = load i64, ptr %36, align 8
+  %252 = mul nsw i64 %251, %79
+  %253 = getelementptr double, ptr %250, i64 %252
+  %254 = getelementptr double, ptr %253, i64 %219
+  %255 = load double, ptr %254, align 8
+  br label %256
 
-255:                                              ; preds = %248, %245
-  %256 = phi double [ %254, %248 ], [ 0xFFF0000000000000, %245 ]
-  %257 = load ptr, ptr %196, align 8
-  %258 = getelementptr inbounds i8, ptr %257, i64 %230
-  %259 = getelementptr inbounds double, ptr %258, i64 %246
-  store double %256, ptr %259, align 8
-  %260 = add nuw nsw i64 %246, 1
-  %261 = icmp eq i64 %260, 100
-  br i1 %261, label %231, label %245, !llvm.loop !25
+256:                                              ; preds = %249, %246
+  %257 = phi double [ %255, %249 ], [ 0xFFF0000000000000, %246 ]
+  %258 = load ptr, ptr %196, align 8
+  %259 = getelementptr inbounds i8, ptr %258, i64 %231
+  %260 = getelementptr inbounds double, ptr %259, i64 %247
+  store double %257, ptr %260, align 8
+  %261 = add nuw nsw i64 %247, 1
+  %262 = icmp eq i64 %261, 100
+  br i1 %262, label %232, label %246, !llvm.loop !25
 
-262:                                              ; preds = %231, %190
-  %263 = getelementptr inbounds i8, ptr %169, i64 600
-  %264 = load ptr, ptr %263, align 8
-  %265 = getelementptr inbounds i8, ptr %264, i64 80
-  store i64 0, ptr %265, align 8
-  br label %266
+263:                                              ; preds = %232, %190
+  %264 = getelementptr inbounds i8, ptr %169, i64 600
+  %265 = load ptr, ptr %264, align 8
+  %266 = getelementptr inbounds i8, ptr %265, i64 80
+  store i64 0, ptr %266, align 8
+  br label %267
 
-266:                                              ; preds = %262, %162
-  %267 = load ptr, ptr %38, align 8
-  %268 = load double, ptr %267, align 8
-  %269 = load ptr, ptr %3, align 8
-  %270 = getelementptr inbounds double, ptr %269, i64 %40
-  store double %268, ptr %270, align 8
-  %271 = shl nuw nsw i64 1, %40
-  %272 = or i64 %271, %41
-  br label %273
+267:                                              ; preds = %263, %162
+  %268 = load ptr, ptr %38, align 8
+  %269 = load double, ptr %268, align 8
+  %270 = load ptr, ptr %3, align 8
+  %271 = getelementptr inbounds double, ptr %270, i64 %40
+  store double %269, ptr %271, align 8
+  %272 = shl nuw nsw i64 1, %40
+  %273 = or i64 %272, %41
+  br label %274
 
-273:                                              ; preds = %78, %266
-  %274 = phi i64 [ %272, %266 ], [ %41, %78 ]
-  %275 = load ptr, ptr %10, align 8
-  %276 = getelementptr inbounds i64, ptr %275, i64 %40
-  %277 = load i64, ptr %276, align 8
-  %278 = icmp sgt i64 %277, -1
-  %279 = shl nuw nsw i64 1, %40
-  %280 = select i1 %278, i64 %279, i64 0
-  %281 = or i64 %280, %43
-  %282 = select i1 %278, i64 %40, i64 %42
-  %283 = add nuw nsw i64 %40, 1
-  %284 = icmp eq i64 %283, 8
-  br i1 %284, label %55, label %39, !llvm.loop !26
+274:                                              ; preds = %78, %267
+  %275 = phi i64 [ %273, %267 ], [ %41, %78 ]
+  %276 = load ptr, ptr %10, align 8
+  %277 = getelementptr inbounds i64, ptr %276, i64 %40
+  %278 = load i64, ptr %277, align 8
+  %279 = icmp sgt i64 %278, -1
+  %280 = shl nuw nsw i64 1, %40
+  %281 = select i1 %279, i64 %280, i64 0
+  %282 = or i64 %281, %43
+  %283 = select i1 %279, i64 %40, i64 %42
+  %284 = add nuw nsw i64 %40, 1
+  %285 = icmp eq i64 %284, 8
+  br i1 %285, label %55, label %39, !llvm.loop !26
 
-285:                                              ; preds = %384
-  %286 = getelementptr inbounds i8, ptr %0, i64 272
-  %287 = load i64, ptr %286, align 8
-  %288 = icmp sgt i64 %287, 0
-  br i1 %288, label %289, label %387
+286:                                              ; preds = %386
+  %287 = getelementptr inbounds i8, ptr %0, i64 272
+  %288 = load i64, ptr %287, align 8
+  %289 = icmp sgt i64 %288, 0
+  br i1 %289, label %290, label %389
 
-289:                                              ; preds = %285
-  %290 = getelementptr inbounds i8, ptr %0, i64 264
-  %291 = getelementptr inbounds i8, ptr %0, i64 216
-  br label %292
+290:                                              ; preds = %286
+  %291 = getelementptr inbounds i8, ptr %0, i64 264
+  %292 = getelementptr inbounds i8, ptr %0, i64 216
+  br label %293
 
-292:                                              ; preds = %289, %292
-  %293 = phi i64 [ 0, %289 ], [ %304, %292 ]
-  %294 = load ptr, ptr %290, align 8
-  %295 = shl nuw nsw i64 %293, 1
-  %296 = getelementptr inbounds i64, ptr %294, i64 %295
-  %297 = load i64, ptr %296, align 8
-  %298 = inttoptr i64 %297 to ptr
-  %299 = load ptr, ptr %291, align 8
-  %300 = or disjoint i64 %295, 1
-  %301 = getelementptr inbounds i64, ptr %294, i64 %300
-  %302 = load i64, ptr %301, align 8
-  %303 = inttoptr i64 %302 to ptr
-  tail call void %298(ptr noundef %299, ptr noundef %303) #12
-  %304 = add nuw nsw i64 %293, 1
-  %305 = load i64, ptr %286, align 8
-  %306 = icmp slt i64 %304, %305
-  br i1 %306, label %292, label %387, !llvm.loop !27
+293:                                              ; preds = %290, %293
+  %294 = phi i64 [ 0, %290 ], [ %306, %293 ]
+  %295 = load ptr, ptr %291, align 8
+  %296 = shl nuw nsw i64 %294, 1
+  %297 = getelementptr inbounds i64, ptr %295, i64 %296
+  %298 = load i64, ptr %297, align 8
+  %299 = inttoptr i64 %298 to ptr
+  %300 = load ptr, ptr %299, align 8
+  %301 = load ptr, ptr %292, align 8
+  %302 = or disjoint i64 %296, 1
+  %303 = getelementptr inbounds i64, ptr %295, i64 %302
+  %304 = load i64, ptr %303, align 8
+  %305 = inttoptr i64 %304 to ptr
+  tail call void %300(ptr noundef %301, ptr noundef %305) #12
+  %306 = add nuw nsw i64 %294, 1
+  %307 = load i64, ptr %287, align 8
+  %308 = icmp slt i64 %306, %307
+  br i1 %308, label %293, label %389, !llvm.loop !27
 
-307:                                              ; preds = %58, %384
-  %308 = phi i64 [ 0, %58 ], [ %385, %384 ]
-  %309 = load ptr, ptr %59, align 8
-  %310 = getelementptr inbounds i64, ptr %309, i64 %308
-  %311 = load i64, ptr %310, align 8
-  %312 = icmp eq i64 %311, -1
-  br i1 %312, label %313, label %384
+309:                                              ; preds = %58, %386
+  %310 = phi i64 [ 0, %58 ], [ %387, %386 ]
+  %311 = load ptr, ptr %59, align 8
+  %312 = getelementptr inbounds i64, ptr %311, i64 %310
+  %313 = load i64, ptr %312, align 8
+  %314 = icmp eq i64 %313, -1
+  br i1 %314, label %315, label %386
 
-313:                                              ; preds = %307
-  %314 = load ptr, ptr %5, align 8
-  %315 = load ptr, ptr %56, align 8
-  %316 = getelementptr inbounds i8, ptr %315, i64 8
-  %317 = load i64, ptr %316, align 8
-  %318 = icmp sgt i64 %317, 0
-  br i1 %318, label %319, label %328
+315:                                              ; preds = %309
+  %316 = load ptr, ptr %5, align 8
+  %317 = load ptr, ptr %56, align 8
+  %318 = getelementptr inbounds i8, ptr %317, i64 8
+  %319 = load i64, ptr %318, align 8
+  %320 = icmp sgt i64 %319, 0
+  br i1 %320, label %321, label %330
 
-319:                                              ; preds = %313, %319
-  %320 = phi i64 [ %326, %319 ], [ 0, %313 ]
-  %321 = shl i64 %320, 6
-  %322 = getelementptr i8, ptr %314, i64 %321
-  %323 = getelementptr double, ptr %322, i64 %282
-  %324 = load double, ptr %323, align 8
-  %325 = getelementptr double, ptr %322, i64 %308
-  store double %324, ptr %325, align 8
-  %326 = add nuw nsw i64 %320, 1
-  %327 = icmp eq i64 %326, %317
-  br i1 %327, label %328, label %319, !llvm.loop !28
+321:                                              ; preds = %315, %321
+  %322 = phi i64 [ %328, %321 ], [ 0, %315 ]
+  %323 = shl i64 %322, 6
+  %324 = getelementptr i8, ptr %316, i64 %323
+  %325 = getelementptr double, ptr %324, i64 %283
+  %326 = load double, ptr %325, align 8
+  %327 = getelementptr double, ptr %324, i64 %310
+  store double %326, ptr %327, align 8
+  %328 = add nuw nsw i64 %322, 1
+  %329 = icmp eq i64 %328, %319
+  br i1 %329, label %330, label %321, !llvm.loop !28
 
-328:                                              ; preds = %319, %313
-  %329 = load ptr, ptr %60, align 8
-  %330 = load ptr, ptr %56, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 8
-  %332 = load i64, ptr %331, align 8
-  %333 = icmp sgt i64 %332, 0
-  br i1 %333, label %334, label %343
+330:                                              ; preds = %321, %315
+  %331 = load ptr, ptr %60, align 8
+  %332 = load ptr, ptr %56, align 8
+  %333 = getelementptr inbounds i8, ptr %332, i64 8
+  %334 = load i64, ptr %333, align 8
+  %335 = icmp sgt i64 %334, 0
+  br i1 %335, label %336, label %345
 
-334:                                              ; preds = %328, %334
-  %335 = phi i64 [ %341, %334 ], [ 0, %328 ]
-  %336 = shl i64 %335, 6
-  %337 = getelementptr i8, ptr %329, i64 %336
-  %338 = getelementptr double, ptr %337, i64 %282
-  %339 = load double, ptr %338, align 8
-  %340 = getelementptr double, ptr %337, i64 %308
-  store double %339, ptr %340, align 8
-  %341 = add nuw nsw i64 %335, 1
-  %342 = icmp eq i64 %341, %332
-  br i1 %342, label %343, label %334, !llvm.loop !28
+336:                                              ; preds = %330, %336
+  %337 = phi i64 [ %343, %336 ], [ 0, %330 ]
+  %338 = shl i64 %337, 6
+  %339 = getelementptr i8, ptr %331, i64 %338
+  %340 = getelementptr double, ptr %339, i64 %283
+  %341 = load double, ptr %340, align 8
+  %342 = getelementptr double, ptr %339, i64 %310
+  store double %341, ptr %342, align 8
+  %343 = add nuw nsw i64 %337, 1
+  %344 = icmp eq i64 %343, %334
+  br i1 %344, label %345, label %336, !llvm.loop !28
 
-343:                                              ; preds = %334, %328
-  %344 = load ptr, ptr %61, align 8
-  %345 = load ptr, ptr %56, align 8
-  %346 = getelementptr inbounds i8, ptr %345, i64 40
-  %347 = load i64, ptr %346, align 8
-  %348 = icmp sgt i64 %347, 0
-  br i1 %348, label %349, label %358
+345:                                              ; preds = %336, %330
+  %346 = load ptr, ptr %61, align 8
+  %347 = load ptr, ptr %56, align 8
+  %348 = getelementptr inbounds i8, ptr %347, i64 40
+  %349 = load i64, ptr %348, align 8
+  %350 = icmp sgt i64 %349, 0
+  br i1 %350, label %351, label %360
 
-349:                                              ; preds = %343, %349
-  %350 = phi i64 [ %356, %349 ], [ 0, %343 ]
-  %351 = shl i64 %350, 6
-  %352 = getelementptr i8, ptr %344, i64 %351
-  %353 = getelementptr double, ptr %352, i64 %282
-  %354 = load double, ptr %353, align 8
-  %355 = getelementptr double, ptr %352, i64 %308
-  store double %354, ptr %355, align 8
-  %356 = add nuw nsw i64 %350, 1
-  %357 = icmp eq i64 %356, %347
-  br i1 %357, label %358, label %349, !llvm.loop !28
+351:                                              ; preds = %345, %351
+  %352 = phi i64 [ %358, %351 ], [ 0, %345 ]
+  %353 = shl i64 %352, 6
+  %354 = getelementptr i8, ptr %346, i64 %353
+  %355 = getelementptr double, ptr %354, i64 %283
+  %356 = load double, ptr %355, align 8
+  %357 = getelementptr double, ptr %354, i64 %310
+  store double %356, ptr %357, align 8
+  %358 = add nuw nsw i64 %352, 1
+  %359 = icmp eq i64 %358, %349
+  br i1 %359, label %360, label %351, !llvm.loop !28
 
-358:                                              ; preds = %349, %343
-  %359 = load ptr, ptr %62, align 8
-  %360 = load ptr, ptr %56, align 8
-  %361 = getelementptr inbounds i8, ptr %360, i64 48
-  %362 = load i64, ptr %361, align 8
-  %363 = icmp sgt i64 %362, 0
-  br i1 %363, label %364, label %373
+360:                                              ; preds = %351, %345
+  %361 = load ptr, ptr %62, align 8
+  %362 = load ptr, ptr %56, align 8
+  %363 = getelementptr inbounds i8, ptr %362, i64 48
+  %364 = load i64, ptr %363, align 8
+  %365 = icmp sgt i64 %364, 0
+  br i1 %365, label %366, label %375
 
-364:                                              ; preds = %358, %364
-  %365 = phi i64 [ %371, %364 ], [ 0, %358 ]
-  %366 = shl i64 %365, 6
-  %367 = getelementptr i8, ptr %359, i64 %366
-  %368 = getelementptr double, ptr %367, i64 %282
-  %369 = load double, ptr %368, align 8
-  %370 = getelementptr double, ptr %367, i64 %308
-  store double %369, ptr %370, align 8
-  %371 = add nuw nsw i64 %365, 1
-  %372 = icmp eq i64 %371, %362
-  br i1 %372, label %373, label %364, !llvm.loop !28
+366:                                              ; preds = %360, %366
+  %367 = phi i64 [ %373, %366 ], [ 0, %360 ]
+  %368 = shl i64 %367, 6
+  %369 = getelementptr i8, ptr %361, i64 %368
+  %370 = getelementptr double, ptr %369, i64 %283
+  %371 = load double, ptr %370, align 8
+  %372 = getelementptr double, ptr %369, i64 %310
+  store double %371, ptr %372, align 8
+  %373 = add nuw nsw i64 %367, 1
+  %374 = icmp eq i64 %373, %364
+  br i1 %374, label %375, label %366, !llvm.loop !28
 
-373:                                              ; preds = %364, %358
-  %374 = load ptr, ptr %3, align 8
-  %375 = getelementptr inbounds double, ptr %374, i64 %282
-  %376 = load double, ptr %375, align 8
-  %377 = getelementptr inbounds double, ptr %374, i64 %308
-  store double %376, ptr %377, align 8
-  %378 = load ptr, ptr %63, align 8
-  %379 = getelementptr inbounds double, ptr %378, i64 %308
-  store double 0.000000e+00, ptr %379, align 8
-  %380 = load ptr, ptr %64, align 8
-  %381 = getelementptr inbounds double, ptr %380, i64 %308
-  store double 0x7FF0000000000000, ptr %381, align 8
-  %382 = load ptr, ptr %59, align 8
-  %383 = getelementptr inbounds i64, ptr %382, i64 %308
-  store i64 -2, ptr %383, align 8
-  br label %384
+375:                                              ; preds = %366, %360
+  %376 = load ptr, ptr %3, align 8
+  %377 = getelementptr inbounds double, ptr %376, i64 %283
+  %378 = load double, ptr %377, align 8
+  %379 = getelementptr inbounds double, ptr %376, i64 %310
+  store double %378, ptr %379, align 8
+  %380 = load ptr, ptr %63, align 8
+  %381 = getelementptr inbounds double, ptr %380, i64 %310
+  store double 0.000000e+00, ptr %381, align 8
+  %382 = load ptr, ptr %64, align 8
+  %383 = getelementptr inbounds double, ptr %382, i64 %310
+  store double 0x7FF0000000000000, ptr %383, align 8
+  %384 = load ptr, ptr %59, align 8
+  %385 = getelementptr inbounds i64, ptr %384, i64 %310
+  store i64 -2, ptr %385, align 8
+  br label %386
 
-384:                                              ; preds = %307, %373
-  %385 = add nuw nsw i64 %308, 1
-  %386 = icmp eq i64 %385, 8
-  br i1 %386, label %285, label %307, !llvm.loop !29
+386:                                              ; preds = %309, %375
+  %387 = add nuw nsw i64 %310, 1
+  %388 = icmp eq i64 %387, 8
+  br i1 %388, label %286, label %309, !llvm.loop !29
 
-387:                                              ; preds = %292, %285, %55
-  ret i64 %274
+389:                                              ; preds = %293, %286, %55
+  ret i64 %275
 }
 
 define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #3 {
@@ -1903,398 +1909,400 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %36 = getelementptr inbounds i8, ptr %20, i64 96
   %37 = load ptr, ptr %36, align 8
   %38 = inttoptr i64 %32 to ptr
-  %39 = tail call i32 %38(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #12
-  %40 = sext i32 %39 to i64
-  %41 = load ptr, ptr %19, align 8
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds i8, ptr %42, i64 8
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %48
+  %39 = load ptr, ptr %38, align 8
+  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #12
+  %41 = sext i32 %40 to i64
+  %42 = load ptr, ptr %19, align 8
+  %43 = load ptr, ptr %42, align 8
+  %44 = getelementptr inbounds i8, ptr %43, i64 8
+  %45 = load i64, ptr %44, align 8
+  %46 = icmp sgt i64 %45, 0
+  br i1 %46, label %47, label %49
 
-46:                                               ; preds = %30
-  %47 = getelementptr inbounds i8, ptr %11, i64 168
-  br label %56
+47:                                               ; preds = %30
+  %48 = getelementptr inbounds i8, ptr %11, i64 168
+  br label %57
 
-48:                                               ; preds = %56, %30
-  %49 = phi ptr [ %42, %30 ], [ %68, %56 ]
-  %50 = getelementptr inbounds i8, ptr %0, i64 960
-  %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %51, i64 8
-  %53 = load double, ptr %52, align 8
-  %54 = load double, ptr %51, align 8
-  %55 = fcmp oeq double %53, 0.000000e+00
-  br i1 %55, label %79, label %72
+49:                                               ; preds = %57, %30
+  %50 = phi ptr [ %43, %30 ], [ %69, %57 ]
+  %51 = getelementptr inbounds i8, ptr %0, i64 960
+  %52 = load ptr, ptr %51, align 8
+  %53 = getelementptr inbounds i8, ptr %52, i64 8
+  %54 = load double, ptr %53, align 8
+  %55 = load double, ptr %52, align 8
+  %56 = fcmp oeq double %54, 0.000000e+00
+  br i1 %56, label %80, label %73
 
-56:                                               ; preds = %46, %56
-  %57 = phi i64 [ 0, %46 ], [ %66, %56 ]
-  %58 = load ptr, ptr %47, align 8
-  %59 = load ptr, ptr %22, align 8
-  %60 = shl nsw i64 %57, 6
-  %61 = getelementptr inbounds i8, ptr %59, i64 %60
-  %62 = load <8 x i64>, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %58, i64 %60
-  %64 = load <8 x i64>, ptr %63, align 8
-  %65 = select <8 x i1> %16, <8 x i64> %62, <8 x i64> %64
-  store <8 x i64> %65, ptr %63, align 8
-  %66 = add nuw nsw i64 %57, 1
-  %67 = load ptr, ptr %19, align 8
-  %68 = load ptr, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 8
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %48, !llvm.loop !30
+57:                                               ; preds = %47, %57
+  %58 = phi i64 [ 0, %47 ], [ %67, %57 ]
+  %59 = load ptr, ptr %48, align 8
+  %60 = load ptr, ptr %22, align 8
+  %61 = shl nsw i64 %58, 6
+  %62 = getelementptr inbounds i8, ptr %60, i64 %61
+  %63 = load <8 x i64>, ptr %62, align 8
+  %64 = getelementptr inbounds i8, ptr %59, i64 %61
+  %65 = load <8 x i64>, ptr %64, align 8
+  %66 = select <8 x i1> %16, <8 x i64> %63, <8 x i64> %65
+  store <8 x i64> %66, ptr %64, align 8
+  %67 = add nuw nsw i64 %58, 1
+  %68 = load ptr, ptr %19, align 8
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 8
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp slt i64 %67, %71
+  br i1 %72, label %57, label %49, !llvm.loop !30
 
-72:                                               ; preds = %48
-  %73 = load ptr, ptr %1, align 8
-  %74 = load ptr, ptr %73, align 8
-  %75 = getelementptr inbounds i8, ptr %74, i64 8
-  %76 = load i64, ptr %75, align 8
-  %77 = icmp sgt i64 %76, 0
-  %78 = select i1 %77, i64 %3, i64 0
-  br label %79
+73:                                               ; preds = %49
+  %74 = load ptr, ptr %1, align 8
+  %75 = load ptr, ptr %74, align 8
+  %76 = getelementptr inbounds i8, ptr %75, i64 8
+  %77 = load i64, ptr %76, align 8
+  %78 = icmp sgt i64 %77, 0
+  %79 = select i1 %78, i64 %3, i64 0
+  br label %80
 
-79:                                               ; preds = %48, %72
-  %80 = phi i64 [ %78, %72 ], [ %14, %48 ]
-  %81 = insertelement <8 x double> poison, double %53, i64 0
-  %82 = shufflevector <8 x double> %81, <8 x double> poison, <8 x i32> zeroinitializer
-  %83 = icmp eq i64 %80, 0
-  br i1 %83, label %253, label %84
+80:                                               ; preds = %49, %73
+  %81 = phi i64 [ %79, %73 ], [ %14, %49 ]
+  %82 = insertelement <8 x double> poison, double %54, i64 0
+  %83 = shufflevector <8 x double> %82, <8 x double> poison, <8 x i32> zeroinitializer
+  %84 = icmp eq i64 %81, 0
+  br i1 %84, label %255, label %85
 
-84:                                               ; preds = %79
-  %85 = trunc i64 %80 to i8
-  %86 = bitcast i8 %85 to <8 x i1>
-  %87 = load ptr, ptr %10, align 8
-  %88 = getelementptr inbounds i8, ptr %49, i64 24
-  %89 = load i64, ptr %88, align 8
-  %90 = load ptr, ptr %87, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %90, ptr noundef %90, ptr noundef nonnull %87, i64 noundef %89) #11
-  %91 = load <8 x double>, ptr %5, align 16
-  %92 = getelementptr inbounds i8, ptr %87, i64 168
-  %93 = load ptr, ptr %92, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %93, ptr noundef %90, ptr noundef nonnull %87, i64 noundef %89) #11
-  %94 = load <8 x double>, ptr %6, align 16
-  %95 = fcmp olt <8 x double> %91, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %96 = fcmp olt <8 x double> %94, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %97 = or <8 x i1> %96, %95
-  %98 = insertelement <8 x double> poison, double %54, i64 0
-  %99 = shufflevector <8 x double> %98, <8 x double> poison, <8 x i32> zeroinitializer
-  %100 = fmul <8 x double> %91, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %101 = fdiv <8 x double> %100, %94
-  %102 = bitcast <8 x double> %101 to <8 x i64>
-  %103 = select <8 x i1> %97, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %102
-  %104 = bitcast <8 x i64> %103 to <8 x double>
-  %105 = fcmp olt <8 x double> %99, %104
-  %106 = bitcast <8 x double> %99 to <8 x i64>
-  %107 = select <8 x i1> %105, <8 x i64> %106, <8 x i64> %103
-  %108 = bitcast <8 x i64> %107 to <8 x double>
-  %109 = load ptr, ptr %19, align 8
-  %110 = load ptr, ptr %109, align 8
-  %111 = getelementptr inbounds i8, ptr %110, i64 8
-  %112 = load i64, ptr %111, align 8
-  %113 = icmp sgt i64 %112, 0
-  br i1 %113, label %114, label %135
+85:                                               ; preds = %80
+  %86 = trunc i64 %81 to i8
+  %87 = bitcast i8 %86 to <8 x i1>
+  %88 = load ptr, ptr %10, align 8
+  %89 = getelementptr inbounds i8, ptr %50, i64 24
+  %90 = load i64, ptr %89, align 8
+  %91 = load ptr, ptr %88, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %91, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #11
+  %92 = load <8 x double>, ptr %5, align 16
+  %93 = getelementptr inbounds i8, ptr %88, i64 168
+  %94 = load ptr, ptr %93, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %94, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #11
+  %95 = load <8 x double>, ptr %6, align 16
+  %96 = fcmp olt <8 x double> %92, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %97 = fcmp olt <8 x double> %95, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %98 = or <8 x i1> %97, %96
+  %99 = insertelement <8 x double> poison, double %55, i64 0
+  %100 = shufflevector <8 x double> %99, <8 x double> poison, <8 x i32> zeroinitializer
+  %101 = fmul <8 x double> %92, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %102 = fdiv <8 x double> %101, %95
+  %103 = bitcast <8 x double> %102 to <8 x i64>
+  %104 = select <8 x i1> %98, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %103
+  %105 = bitcast <8 x i64> %104 to <8 x double>
+  %106 = fcmp olt <8 x double> %100, %105
+  %107 = bitcast <8 x double> %100 to <8 x i64>
+  %108 = select <8 x i1> %106, <8 x i64> %107, <8 x i64> %104
+  %109 = bitcast <8 x i64> %108 to <8 x double>
+  %110 = load ptr, ptr %19, align 8
+  %111 = load ptr, ptr %110, align 8
+  %112 = getelementptr inbounds i8, ptr %111, i64 8
+  %113 = load i64, ptr %112, align 8
+  %114 = icmp sgt i64 %113, 0
+  br i1 %114, label %115, label %136
 
-114:                                              ; preds = %84
-  %115 = getelementptr inbounds i8, ptr %87, i64 48
-  br label %116
+115:                                              ; preds = %85
+  %116 = getelementptr inbounds i8, ptr %88, i64 48
+  br label %117
 
-116:                                              ; preds = %114, %116
-  %117 = phi i64 [ 0, %114 ], [ %129, %116 ]
-  %118 = load ptr, ptr %115, align 8
-  %119 = load ptr, ptr %87, align 8
-  %120 = shl nsw i64 %117, 6
-  %121 = getelementptr inbounds i8, ptr %119, i64 %120
-  %122 = load <8 x double>, ptr %121, align 8
-  %123 = load ptr, ptr %92, align 8
-  %124 = getelementptr inbounds i8, ptr %123, i64 %120
-  %125 = load <8 x double>, ptr %124, align 8
-  %126 = fmul <8 x double> %125, %108
-  %127 = fadd <8 x double> %122, %126
-  %128 = getelementptr inbounds i8, ptr %118, i64 %120
-  store <8 x double> %127, ptr %128, align 8
-  %129 = add nuw nsw i64 %117, 1
-  %130 = load ptr, ptr %19, align 8
-  %131 = load ptr, ptr %130, align 8
-  %132 = getelementptr inbounds i8, ptr %131, i64 8
-  %133 = load i64, ptr %132, align 8
-  %134 = icmp slt i64 %129, %133
-  br i1 %134, label %116, label %135, !llvm.loop !31
+117:                                              ; preds = %115, %117
+  %118 = phi i64 [ 0, %115 ], [ %130, %117 ]
+  %119 = load ptr, ptr %116, align 8
+  %120 = load ptr, ptr %88, align 8
+  %121 = shl nsw i64 %118, 6
+  %122 = getelementptr inbounds i8, ptr %120, i64 %121
+  %123 = load <8 x double>, ptr %122, align 8
+  %124 = load ptr, ptr %93, align 8
+  %125 = getelementptr inbounds i8, ptr %124, i64 %121
+  %126 = load <8 x double>, ptr %125, align 8
+  %127 = fmul <8 x double> %126, %109
+  %128 = fadd <8 x double> %123, %127
+  %129 = getelementptr inbounds i8, ptr %119, i64 %121
+  store <8 x double> %128, ptr %129, align 8
+  %130 = add nuw nsw i64 %118, 1
+  %131 = load ptr, ptr %19, align 8
+  %132 = load ptr, ptr %131, align 8
+  %133 = getelementptr inbounds i8, ptr %132, i64 8
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp slt i64 %130, %134
+  br i1 %135, label %117, label %136, !llvm.loop !31
 
-135:                                              ; preds = %116, %84
-  %136 = phi ptr [ %109, %84 ], [ %130, %116 ]
-  %137 = fadd <8 x double> %18, %108
-  %138 = getelementptr inbounds i8, ptr %87, i64 48
-  %139 = load ptr, ptr %138, align 8
-  %140 = load ptr, ptr %92, align 8
-  %141 = getelementptr inbounds i8, ptr %87, i64 8
-  %142 = load i64, ptr %141, align 8
-  %143 = getelementptr inbounds double, ptr %140, i64 %142
-  %144 = getelementptr inbounds i8, ptr %136, i64 24
-  %145 = load ptr, ptr %144, align 8
-  store <8 x double> %137, ptr %145, align 8
-  %146 = getelementptr inbounds i8, ptr %136, i64 152
-  %147 = load i64, ptr %146, align 8
-  %148 = icmp sgt i64 %147, 0
-  br i1 %148, label %149, label %150
+136:                                              ; preds = %117, %85
+  %137 = phi ptr [ %110, %85 ], [ %131, %117 ]
+  %138 = fadd <8 x double> %18, %109
+  %139 = getelementptr inbounds i8, ptr %88, i64 48
+  %140 = load ptr, ptr %139, align 8
+  %141 = load ptr, ptr %93, align 8
+  %142 = getelementptr inbounds i8, ptr %88, i64 8
+  %143 = load i64, ptr %142, align 8
+  %144 = getelementptr inbounds double, ptr %141, i64 %143
+  %145 = getelementptr inbounds i8, ptr %137, i64 24
+  %146 = load ptr, ptr %145, align 8
+  store <8 x double> %138, ptr %146, align 8
+  %147 = getelementptr inbounds i8, ptr %137, i64 152
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp sgt i64 %148, 0
+  br i1 %149, label %150, label %151
 
-149:                                              ; preds = %135
-  tail call fastcc void @sample(ptr noundef nonnull %136) #11
-  br label %150
+150:                                              ; preds = %136
+  tail call fastcc void @sample(ptr noundef nonnull %137) #11
+  br label %151
 
-150:                                              ; preds = %135, %149
-  %151 = load ptr, ptr %136, align 8
-  %152 = load i64, ptr %151, align 8
-  %153 = load ptr, ptr %144, align 8
-  %154 = getelementptr inbounds i8, ptr %136, i64 48
-  %155 = load ptr, ptr %154, align 8
-  %156 = getelementptr inbounds i8, ptr %136, i64 96
-  %157 = load ptr, ptr %156, align 8
-  %158 = inttoptr i64 %152 to ptr
-  %159 = tail call i32 %158(ptr noundef %153, ptr noundef %139, ptr noundef %155, ptr noundef %157, ptr noundef %143) #12
-  %160 = load ptr, ptr %1, align 8
-  %161 = getelementptr inbounds i8, ptr %160, i64 120
-  %162 = load ptr, ptr %161, align 8
-  %163 = load double, ptr %162, align 8
-  %164 = load ptr, ptr %92, align 8
-  %165 = load i64, ptr %141, align 8
-  %166 = getelementptr inbounds double, ptr %164, i64 %165
-  %167 = icmp sgt i64 %89, 0
-  br i1 %167, label %168, label %178
+151:                                              ; preds = %136, %150
+  %152 = load ptr, ptr %137, align 8
+  %153 = load i64, ptr %152, align 8
+  %154 = load ptr, ptr %145, align 8
+  %155 = getelementptr inbounds i8, ptr %137, i64 48
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i8, ptr %137, i64 96
+  %158 = load ptr, ptr %157, align 8
+  %159 = inttoptr i64 %153 to ptr
+  %160 = load ptr, ptr %159, align 8
+  %161 = tail call i32 %160(ptr noundef %154, ptr noundef %140, ptr noundef %156, ptr noundef %158, ptr noundef %144) #12
+  %162 = load ptr, ptr %1, align 8
+  %163 = getelementptr inbounds i8, ptr %162, i64 120
+  %164 = load ptr, ptr %163, align 8
+  %165 = load double, ptr %164, align 8
+  %166 = load ptr, ptr %93, align 8
+  %167 = load i64, ptr %142, align 8
+  %168 = getelementptr inbounds double, ptr %166, i64 %167
+  %169 = icmp sgt i64 %90, 0
+  br i1 %169, label %170, label %180
 
-168:                                              ; preds = %150, %168
-  %169 = phi i64 [ %176, %168 ], [ 0, %150 ]
-  %170 = shl nsw i64 %169, 6
-  %171 = getelementptr inbounds i8, ptr %166, i64 %170
-  %172 = load <8 x double>, ptr %171, align 8
-  %173 = getelementptr inbounds i8, ptr %164, i64 %170
+170:                                              ; preds = %151, %170
+  %171 = phi i64 [ %178, %170 ], [ 0, %151 ]
+  %172 = shl nsw i64 %171, 6
+  %173 = getelementptr inbounds i8, ptr %168, i64 %172
   %174 = load <8 x double>, ptr %173, align 8
-  %175 = fsub <8 x double> %172, %174
-  store <8 x double> %175, ptr %171, align 8
-  %176 = add nuw nsw i64 %169, 1
-  %177 = icmp eq i64 %176, %89
-  br i1 %177, label %178, label %168, !llvm.loop !32
+  %175 = getelementptr inbounds i8, ptr %166, i64 %172
+  %176 = load <8 x double>, ptr %175, align 8
+  %177 = fsub <8 x double> %174, %176
+  store <8 x double> %177, ptr %173, align 8
+  %178 = add nuw nsw i64 %171, 1
+  %179 = icmp eq i64 %178, %90
+  br i1 %179, label %180, label %170, !llvm.loop !32
 
-178:                                              ; preds = %168, %150
-  %179 = load ptr, ptr %87, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %166, ptr noundef %179, ptr noundef nonnull %87, i64 noundef %89) #11
-  %180 = load <8 x double>, ptr %7, align 16
-  %181 = fdiv <8 x double> %180, %108
-  %182 = fcmp ogt <8 x double> %94, %181
-  %183 = select <8 x i1> %182, <8 x double> %94, <8 x double> %181
-  %184 = fcmp ogt <8 x double> %183, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
-  %185 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %183
-  %186 = select <8 x i1> %184, <8 x double> %185, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
-  %187 = bitcast <8 x double> %186 to <8 x i64>
-  %188 = add <8 x i64> %187, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %189 = ashr <8 x i64> %188, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %190 = and <8 x i64> %188, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %191 = sub <8 x i64> %187, %190
-  %192 = bitcast <8 x i64> %191 to <8 x double>
-  %193 = fadd <8 x double> %192, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %194 = fadd <8 x double> %192, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %195 = fdiv <8 x double> %193, %194
-  %196 = fmul <8 x double> %195, %195
-  %197 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %196, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %198 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %197, <8 x double> %196, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %199 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %198, <8 x double> %196, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> %196, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %201 = trunc nsw <8 x i64> %189 to <8 x i32>
-  %202 = sitofp <8 x i32> %201 to <8 x double>
-  %203 = fmul <8 x double> %195, %200
-  %204 = fadd <8 x double> %203, %202
-  %205 = insertelement <8 x double> poison, double %163, i64 0
-  %206 = shufflevector <8 x double> %205, <8 x double> poison, <8 x i32> zeroinitializer
-  %207 = fmul <8 x double> %206, %204
-  %208 = fcmp ogt <8 x double> %207, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %209 = bitcast <8 x double> %207 to <8 x i64>
-  %210 = select <8 x i1> %208, <8 x i64> %209, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %211 = bitcast <8 x i64> %210 to <8 x double>
-  %212 = fcmp olt <8 x double> %211, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %213 = bitcast <8 x i64> %210 to <8 x double>
-  %214 = select <8 x i1> %212, <8 x double> %213, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %215 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %214)
-  %216 = fsub <8 x double> %214, %215
-  %217 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %216, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %218 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %217, <8 x double> %216, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %219 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %218, <8 x double> %216, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %220 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %219, <8 x double> %216, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %221 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %220, <8 x double> %216, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %222 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %221, <8 x double> %216, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> %216, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %224 = bitcast <8 x double> %223 to <8 x i64>
-  %225 = fptosi <8 x double> %215 to <8 x i32>
-  %226 = zext <8 x i32> %225 to <8 x i64>
-  %227 = shl <8 x i64> %226, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %228 = add <8 x i64> %227, %224
-  %229 = fmul <8 x double> %108, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %230 = fcmp olt <8 x double> %229, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
-  %231 = bitcast <8 x double> %229 to <8 x i64>
-  %232 = select <8 x i1> %230, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %231
-  %233 = fmul <8 x double> %108, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
-  %234 = select <8 x i1> %184, <8 x i64> %228, <8 x i64> %232
-  %235 = bitcast <8 x i64> %234 to <8 x double>
-  %236 = fcmp olt <8 x double> %233, %235
-  %237 = bitcast <8 x double> %233 to <8 x i64>
-  %238 = select <8 x i1> %236, <8 x i64> %237, <8 x i64> %234
-  %239 = bitcast <8 x i64> %238 to <8 x double>
-  %240 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %18)
-  %241 = fmul <8 x double> %240, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
-  %242 = fcmp ogt <8 x double> %241, %239
-  %243 = bitcast <8 x double> %241 to <8 x i64>
-  %244 = select <8 x i1> %242, <8 x i64> %243, <8 x i64> %238
-  %245 = bitcast <8 x i64> %244 to <8 x double>
-  %246 = fcmp olt <8 x double> %99, %245
-  %247 = select <8 x i1> %246, <8 x i64> %106, <8 x i64> %244
-  %248 = trunc i32 %159 to i8
-  %249 = bitcast i8 %248 to <8 x i1>
-  %250 = select <8 x i1> %249, <8 x i64> %231, <8 x i64> %247
-  %251 = bitcast <8 x i64> %250 to <8 x double>
-  %252 = select <8 x i1> %86, <8 x double> %251, <8 x double> %82
-  br label %253
+180:                                              ; preds = %170, %151
+  %181 = load ptr, ptr %88, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %168, ptr noundef %181, ptr noundef nonnull %88, i64 noundef %90) #11
+  %182 = load <8 x double>, ptr %7, align 16
+  %183 = fdiv <8 x double> %182, %109
+  %184 = fcmp ogt <8 x double> %95, %183
+  %185 = select <8 x i1> %184, <8 x double> %95, <8 x double> %183
+  %186 = fcmp ogt <8 x double> %185, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
+  %187 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %185
+  %188 = select <8 x i1> %186, <8 x double> %187, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
+  %189 = bitcast <8 x double> %188 to <8 x i64>
+  %190 = add <8 x i64> %189, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %191 = ashr <8 x i64> %190, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %192 = and <8 x i64> %190, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %193 = sub <8 x i64> %189, %192
+  %194 = bitcast <8 x i64> %193 to <8 x double>
+  %195 = fadd <8 x double> %194, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %196 = fadd <8 x double> %194, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %197 = fdiv <8 x double> %195, %196
+  %198 = fmul <8 x double> %197, %197
+  %199 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %198, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> %198, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %201 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %200, <8 x double> %198, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %202 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %201, <8 x double> %198, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %203 = trunc nsw <8 x i64> %191 to <8 x i32>
+  %204 = sitofp <8 x i32> %203 to <8 x double>
+  %205 = fmul <8 x double> %197, %202
+  %206 = fadd <8 x double> %205, %204
+  %207 = insertelement <8 x double> poison, double %165, i64 0
+  %208 = shufflevector <8 x double> %207, <8 x double> poison, <8 x i32> zeroinitializer
+  %209 = fmul <8 x double> %208, %206
+  %210 = fcmp ogt <8 x double> %209, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %211 = bitcast <8 x double> %209 to <8 x i64>
+  %212 = select <8 x i1> %210, <8 x i64> %211, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %213 = bitcast <8 x i64> %212 to <8 x double>
+  %214 = fcmp olt <8 x double> %213, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %215 = bitcast <8 x i64> %212 to <8 x double>
+  %216 = select <8 x i1> %214, <8 x double> %215, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %217 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %216)
+  %218 = fsub <8 x double> %216, %217
+  %219 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %218, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %220 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %219, <8 x double> %218, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %221 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %220, <8 x double> %218, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %222 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %221, <8 x double> %218, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> %218, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %224 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %223, <8 x double> %218, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %225 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %224, <8 x double> %218, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %226 = bitcast <8 x double> %225 to <8 x i64>
+  %227 = fptosi <8 x double> %217 to <8 x i32>
+  %228 = zext <8 x i32> %227 to <8 x i64>
+  %229 = shl <8 x i64> %228, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %230 = add <8 x i64> %229, %226
+  %231 = fmul <8 x double> %109, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %232 = fcmp olt <8 x double> %231, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
+  %233 = bitcast <8 x double> %231 to <8 x i64>
+  %234 = select <8 x i1> %232, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %233
+  %235 = fmul <8 x double> %109, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
+  %236 = select <8 x i1> %186, <8 x i64> %230, <8 x i64> %234
+  %237 = bitcast <8 x i64> %236 to <8 x double>
+  %238 = fcmp olt <8 x double> %235, %237
+  %239 = bitcast <8 x double> %235 to <8 x i64>
+  %240 = select <8 x i1> %238, <8 x i64> %239, <8 x i64> %236
+  %241 = bitcast <8 x i64> %240 to <8 x double>
+  %242 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %18)
+  %243 = fmul <8 x double> %242, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %244 = fcmp ogt <8 x double> %243, %241
+  %245 = bitcast <8 x double> %243 to <8 x i64>
+  %246 = select <8 x i1> %244, <8 x i64> %245, <8 x i64> %240
+  %247 = bitcast <8 x i64> %246 to <8 x double>
+  %248 = fcmp olt <8 x double> %100, %247
+  %249 = select <8 x i1> %248, <8 x i64> %107, <8 x i64> %246
+  %250 = trunc i32 %161 to i8
+  %251 = bitcast i8 %250 to <8 x i1>
+  %252 = select <8 x i1> %251, <8 x i64> %233, <8 x i64> %249
+  %253 = bitcast <8 x i64> %252 to <8 x double>
+  %254 = select <8 x i1> %87, <8 x double> %253, <8 x double> %83
+  br label %255
 
-253:                                              ; preds = %178, %79
-  %254 = phi <8 x double> [ %252, %178 ], [ %82, %79 ]
-  %255 = getelementptr inbounds i8, ptr %0, i64 672
-  %256 = load ptr, ptr %255, align 8
-  %257 = load <8 x double>, ptr %256, align 8
-  %258 = select <8 x i1> %16, <8 x double> %254, <8 x double> %257
-  store <8 x double> %258, ptr %256, align 8
-  %259 = getelementptr inbounds i8, ptr %0, i64 696
-  %260 = load ptr, ptr %259, align 8
-  %261 = load <8 x double>, ptr %260, align 8
-  %262 = select <8 x i1> %16, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %261
-  store <8 x double> %262, ptr %260, align 8
-  %263 = getelementptr inbounds i8, ptr %0, i64 720
-  %264 = load ptr, ptr %263, align 8
-  %265 = load ptr, ptr %1, align 8
-  %266 = getelementptr inbounds i8, ptr %265, i64 120
-  %267 = load ptr, ptr %266, align 8
-  %268 = getelementptr inbounds i8, ptr %267, i64 40
-  %269 = load double, ptr %268, align 8
-  %270 = insertelement <8 x double> poison, double %269, i64 0
-  %271 = load <8 x i64>, ptr %264, align 8
-  %272 = bitcast <8 x double> %270 to <8 x i64>
-  %273 = shufflevector <8 x i64> %272, <8 x i64> poison, <8 x i32> zeroinitializer
-  %274 = select <8 x i1> %16, <8 x i64> %273, <8 x i64> %271
-  store <8 x i64> %274, ptr %264, align 8
-  %275 = getelementptr inbounds i8, ptr %0, i64 792
-  %276 = load ptr, ptr %275, align 8
-  %277 = load <8 x double>, ptr %276, align 8
-  %278 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %277
-  store <8 x double> %278, ptr %276, align 8
-  %279 = getelementptr inbounds i8, ptr %0, i64 816
-  %280 = load ptr, ptr %279, align 8
-  %281 = load <8 x double>, ptr %280, align 8
-  %282 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %281
-  store <8 x double> %282, ptr %280, align 8
-  %283 = getelementptr inbounds i8, ptr %0, i64 840
-  %284 = load ptr, ptr %283, align 8
-  %285 = load <8 x double>, ptr %284, align 8
-  %286 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %285
-  store <8 x double> %286, ptr %284, align 8
-  %287 = getelementptr inbounds i8, ptr %0, i64 864
-  %288 = load ptr, ptr %287, align 8
-  %289 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %254, i32 384)
-  %290 = select <8 x i1> %289, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %291 = load <8 x i64>, ptr %288, align 8
-  %292 = select <8 x i1> %16, <8 x i64> %290, <8 x i64> %291
-  store <8 x i64> %292, ptr %288, align 8
-  %293 = icmp eq i64 %2, 0
-  br i1 %293, label %326, label %294
+255:                                              ; preds = %180, %80
+  %256 = phi <8 x double> [ %254, %180 ], [ %83, %80 ]
+  %257 = getelementptr inbounds i8, ptr %0, i64 672
+  %258 = load ptr, ptr %257, align 8
+  %259 = load <8 x double>, ptr %258, align 8
+  %260 = select <8 x i1> %16, <8 x double> %256, <8 x double> %259
+  store <8 x double> %260, ptr %258, align 8
+  %261 = getelementptr inbounds i8, ptr %0, i64 696
+  %262 = load ptr, ptr %261, align 8
+  %263 = load <8 x double>, ptr %262, align 8
+  %264 = select <8 x i1> %16, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %263
+  store <8 x double> %264, ptr %262, align 8
+  %265 = getelementptr inbounds i8, ptr %0, i64 720
+  %266 = load ptr, ptr %265, align 8
+  %267 = load ptr, ptr %1, align 8
+  %268 = getelementptr inbounds i8, ptr %267, i64 120
+  %269 = load ptr, ptr %268, align 8
+  %270 = getelementptr inbounds i8, ptr %269, i64 40
+  %271 = load double, ptr %270, align 8
+  %272 = insertelement <8 x double> poison, double %271, i64 0
+  %273 = load <8 x i64>, ptr %266, align 8
+  %274 = bitcast <8 x double> %272 to <8 x i64>
+  %275 = shufflevector <8 x i64> %274, <8 x i64> poison, <8 x i32> zeroinitializer
+  %276 = select <8 x i1> %16, <8 x i64> %275, <8 x i64> %273
+  store <8 x i64> %276, ptr %266, align 8
+  %277 = getelementptr inbounds i8, ptr %0, i64 792
+  %278 = load ptr, ptr %277, align 8
+  %279 = load <8 x double>, ptr %278, align 8
+  %280 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %279
+  store <8 x double> %280, ptr %278, align 8
+  %281 = getelementptr inbounds i8, ptr %0, i64 816
+  %282 = load ptr, ptr %281, align 8
+  %283 = load <8 x double>, ptr %282, align 8
+  %284 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %283
+  store <8 x double> %284, ptr %282, align 8
+  %285 = getelementptr inbounds i8, ptr %0, i64 840
+  %286 = load ptr, ptr %285, align 8
+  %287 = load <8 x double>, ptr %286, align 8
+  %288 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %287
+  store <8 x double> %288, ptr %286, align 8
+  %289 = getelementptr inbounds i8, ptr %0, i64 864
+  %290 = load ptr, ptr %289, align 8
+  %291 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %256, i32 384)
+  %292 = select <8 x i1> %291, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %293 = load <8 x i64>, ptr %290, align 8
+  %294 = select <8 x i1> %16, <8 x i64> %292, <8 x i64> %293
+  store <8 x i64> %294, ptr %290, align 8
+  %295 = icmp eq i64 %2, 0
+  br i1 %295, label %328, label %296
 
-294:                                              ; preds = %253
-  %295 = getelementptr inbounds i8, ptr %0, i64 888
-  %296 = getelementptr inbounds i8, ptr %0, i64 984
-  %297 = getelementptr inbounds i8, ptr %0, i64 992
-  %298 = getelementptr inbounds i8, ptr %0, i64 744
-  %299 = getelementptr inbounds i8, ptr %0, i64 768
-  %300 = getelementptr inbounds i8, ptr %0, i64 912
-  br label %301
+296:                                              ; preds = %255
+  %297 = getelementptr inbounds i8, ptr %0, i64 888
+  %298 = getelementptr inbounds i8, ptr %0, i64 984
+  %299 = getelementptr inbounds i8, ptr %0, i64 992
+  %300 = getelementptr inbounds i8, ptr %0, i64 744
+  %301 = getelementptr inbounds i8, ptr %0, i64 768
+  %302 = getelementptr inbounds i8, ptr %0, i64 912
+  br label %303
 
-301:                                              ; preds = %294, %301
-  %302 = phi i64 [ %2, %294 ], [ %324, %301 ]
-  %303 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %302, i1 true)
-  %304 = load ptr, ptr %295, align 8
-  %305 = getelementptr inbounds i64, ptr %304, i64 %303
-  %306 = load i64, ptr %305, align 8
-  %307 = load i64, ptr %297, align 8
-  %308 = add nsw i64 %307, -1
-  %309 = load ptr, ptr %298, align 8
-  %310 = getelementptr inbounds double, ptr %309, i64 %303
-  store double 0.000000e+00, ptr %310, align 8
-  %311 = load ptr, ptr %296, align 8
-  %312 = load double, ptr %311, align 8
-  %313 = load ptr, ptr %299, align 8
-  %314 = getelementptr inbounds double, ptr %313, i64 %303
-  store double %312, ptr %314, align 8
-  %315 = load ptr, ptr %9, align 8
-  %316 = getelementptr inbounds i8, ptr %315, i64 24
-  %317 = load i64, ptr %316, align 8
-  %318 = shl i64 %306, 3
-  %319 = mul i64 %318, %308
-  %320 = add nsw i64 %317, %319
-  %321 = load ptr, ptr %300, align 8
-  %322 = getelementptr inbounds i64, ptr %321, i64 %303
-  store i64 %320, ptr %322, align 8
-  %323 = add nsw i64 %302, -1
-  %324 = and i64 %323, %302
-  %325 = icmp eq i64 %324, 0
-  br i1 %325, label %326, label %301, !llvm.loop !33
+303:                                              ; preds = %296, %303
+  %304 = phi i64 [ %2, %296 ], [ %326, %303 ]
+  %305 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %304, i1 true)
+  %306 = load ptr, ptr %297, align 8
+  %307 = getelementptr inbounds i64, ptr %306, i64 %305
+  %308 = load i64, ptr %307, align 8
+  %309 = load i64, ptr %299, align 8
+  %310 = add nsw i64 %309, -1
+  %311 = load ptr, ptr %300, align 8
+  %312 = getelementptr inbounds double, ptr %311, i64 %305
+  store double 0.000000e+00, ptr %312, align 8
+  %313 = load ptr, ptr %298, align 8
+  %314 = load double, ptr %313, align 8
+  %315 = load ptr, ptr %301, align 8
+  %316 = getelementptr inbounds double, ptr %315, i64 %305
+  store double %314, ptr %316, align 8
+  %317 = load ptr, ptr %9, align 8
+  %318 = getelementptr inbounds i8, ptr %317, i64 24
+  %319 = load i64, ptr %318, align 8
+  %320 = shl i64 %308, 3
+  %321 = mul i64 %320, %310
+  %322 = add nsw i64 %319, %321
+  %323 = load ptr, ptr %302, align 8
+  %324 = getelementptr inbounds i64, ptr %323, i64 %305
+  store i64 %322, ptr %324, align 8
+  %325 = add nsw i64 %304, -1
+  %326 = and i64 %325, %304
+  %327 = icmp eq i64 %326, 0
+  br i1 %327, label %328, label %303, !llvm.loop !33
 
-326:                                              ; preds = %301, %253
-  %327 = xor i64 %40, -1
-  %328 = and i64 %327, %2
-  %329 = icmp eq i64 %328, 0
-  br i1 %329, label %333, label %330
+328:                                              ; preds = %303, %255
+  %329 = xor i64 %41, -1
+  %330 = and i64 %329, %2
+  %331 = icmp eq i64 %330, 0
+  br i1 %331, label %335, label %332
 
-330:                                              ; preds = %326
-  %331 = getelementptr inbounds i8, ptr %0, i64 768
-  %332 = getelementptr inbounds i8, ptr %0, i64 984
-  br label %354
+332:                                              ; preds = %328
+  %333 = getelementptr inbounds i8, ptr %0, i64 768
+  %334 = getelementptr inbounds i8, ptr %0, i64 984
+  br label %356
 
-333:                                              ; preds = %354, %326
-  %334 = and i64 %14, %40
-  %335 = xor i64 %334, %14
-  %336 = getelementptr inbounds i8, ptr %0, i64 768
-  %337 = load ptr, ptr %336, align 8
-  %338 = load <8 x double>, ptr %337, align 8
-  %339 = fcmp oeq <8 x double> %338, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %340 = bitcast <8 x i1> %339 to i8
-  %341 = zext i8 %340 to i64
-  %342 = and i64 %335, %341
-  %343 = load ptr, ptr %283, align 8
-  %344 = load <8 x double>, ptr %343, align 8
-  %345 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %346 = or i64 %342, %334
-  %347 = xor i64 %346, -1
-  %348 = and i64 %80, %347
-  %349 = trunc i64 %348 to i8
-  %350 = bitcast i8 %349 to <8 x i1>
-  %351 = select <8 x i1> %350, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %352 = fadd <8 x double> %345, %351
-  %353 = fadd <8 x double> %344, %352
-  store <8 x double> %353, ptr %343, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %334, i64 noundef 3) #11
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %342, i64 noundef 0) #11
+335:                                              ; preds = %356, %328
+  %336 = and i64 %14, %41
+  %337 = xor i64 %336, %14
+  %338 = getelementptr inbounds i8, ptr %0, i64 768
+  %339 = load ptr, ptr %338, align 8
+  %340 = load <8 x double>, ptr %339, align 8
+  %341 = fcmp oeq <8 x double> %340, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %342 = bitcast <8 x i1> %341 to i8
+  %343 = zext i8 %342 to i64
+  %344 = and i64 %337, %343
+  %345 = load ptr, ptr %285, align 8
+  %346 = load <8 x double>, ptr %345, align 8
+  %347 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %348 = or i64 %344, %336
+  %349 = xor i64 %348, -1
+  %350 = and i64 %81, %349
+  %351 = trunc i64 %350 to i8
+  %352 = bitcast i8 %351 to <8 x i1>
+  %353 = select <8 x i1> %352, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %354 = fadd <8 x double> %347, %353
+  %355 = fadd <8 x double> %346, %354
+  store <8 x double> %355, ptr %345, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %336, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %344, i64 noundef 0) #11
   ret void
 
-354:                                              ; preds = %330, %354
-  %355 = phi i64 [ %328, %330 ], [ %366, %354 ]
-  %356 = load ptr, ptr %11, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %356, i64 noundef %355) #11
-  %357 = load ptr, ptr %331, align 8
-  %358 = load <8 x double>, ptr %357, align 8
-  %359 = load ptr, ptr %332, align 8
-  %360 = load double, ptr %359, align 8
-  %361 = insertelement <8 x double> poison, double %360, i64 0
-  %362 = shufflevector <8 x double> %361, <8 x double> poison, <8 x i32> zeroinitializer
-  %363 = fcmp oeq <8 x double> %358, %362
-  %364 = bitcast <8 x i1> %363 to i8
-  %365 = zext i8 %364 to i64
-  %366 = and i64 %355, %365
-  %367 = icmp eq i64 %366, 0
-  br i1 %367, label %333, label %354, !llvm.loop !34
+356:                                              ; preds = %332, %356
+  %357 = phi i64 [ %330, %332 ], [ %368, %356 ]
+  %358 = load ptr, ptr %11, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %358, i64 noundef %357) #11
+  %359 = load ptr, ptr %333, align 8
+  %360 = load <8 x double>, ptr %359, align 8
+  %361 = load ptr, ptr %334, align 8
+  %362 = load double, ptr %361, align 8
+  %363 = insertelement <8 x double> poison, double %362, i64 0
+  %364 = shufflevector <8 x double> %363, <8 x double> poison, <8 x i32> zeroinitializer
+  %365 = fcmp oeq <8 x double> %360, %364
+  %366 = bitcast <8 x i1> %365 to i8
+  %367 = zext i8 %366 to i64
+  %368 = and i64 %357, %367
+  %369 = icmp eq i64 %368, 0
+  br i1 %369, label %335, label %356, !llvm.loop !34
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -2562,7 +2570,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %16 = getelementptr inbounds i8, ptr %4, i64 24
   %17 = load i64, ptr %16, align 8
   %18 = icmp eq i64 %17, 0
-  br i1 %18, label %142, label %19
+  br i1 %18, label %143, label %19
 
 19:                                               ; preds = %1
   %20 = getelementptr inbounds i8, ptr %0, i64 1304
@@ -2577,9 +2585,9 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %27 = getelementptr inbounds i8, ptr %0, i64 392
   %28 = getelementptr inbounds i8, ptr %0, i64 1248
   %29 = getelementptr inbounds i8, ptr %4, i64 32
-  br label %62
+  br label %63
 
-30:                                               ; preds = %85, %19
+30:                                               ; preds = %86, %19
   %31 = getelementptr inbounds i8, ptr %0, i64 1248
   %32 = load ptr, ptr %31, align 8
   %33 = getelementptr inbounds i8, ptr %4, i64 32
@@ -2605,120 +2613,121 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %51 = getelementptr inbounds i8, ptr %0, i64 1344
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
-  %54 = tail call i32 %53(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
-  %55 = trunc i32 %54 to i8
-  %56 = xor i8 %55, -1
-  %57 = icmp sgt i64 %12, 0
-  br i1 %57, label %58, label %113
+  %54 = load ptr, ptr %53, align 8
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
+  %56 = trunc i32 %55 to i8
+  %57 = xor i8 %56, -1
+  %58 = icmp sgt i64 %12, 0
+  br i1 %58, label %59, label %114
 
-58:                                               ; preds = %30
-  %59 = bitcast i8 %56 to <8 x i1>
-  %60 = sext <8 x i1> %59 to <8 x i64>
-  %61 = getelementptr inbounds i8, ptr %0, i64 1368
-  br label %116
+59:                                               ; preds = %30
+  %60 = bitcast i8 %57 to <8 x i1>
+  %61 = sext <8 x i1> %60 to <8 x i64>
+  %62 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %117
 
-62:                                               ; preds = %23, %85
-  %63 = phi i64 [ 0, %23 ], [ %93, %85 ]
-  %64 = load ptr, ptr %24, align 8
-  %65 = getelementptr inbounds i64, ptr %64, i64 %63
-  %66 = load i64, ptr %65, align 8
-  %67 = load ptr, ptr %25, align 8
-  %68 = shl nsw i64 %66, 6
-  %69 = getelementptr inbounds i8, ptr %67, i64 %68
-  %70 = load <8 x double>, ptr %69, align 8
-  %71 = load ptr, ptr %2, align 8
-  %72 = getelementptr inbounds i8, ptr %71, i64 %68
-  %73 = load <8 x double>, ptr %72, align 8
-  %74 = fsub <8 x double> %70, %73
-  %75 = fneg <8 x double> %74
-  %76 = fcmp ogt <8 x double> %74, zeroinitializer
-  %77 = select <8 x i1> %76, <8 x double> %74, <8 x double> %75
-  %78 = load ptr, ptr %0, align 8
-  %79 = load i64, ptr %78, align 8
-  %80 = icmp slt i64 %79, 0
-  br i1 %80, label %85, label %81
+63:                                               ; preds = %23, %86
+  %64 = phi i64 [ 0, %23 ], [ %94, %86 ]
+  %65 = load ptr, ptr %24, align 8
+  %66 = getelementptr inbounds i64, ptr %65, i64 %64
+  %67 = load i64, ptr %66, align 8
+  %68 = load ptr, ptr %25, align 8
+  %69 = shl nsw i64 %67, 6
+  %70 = getelementptr inbounds i8, ptr %68, i64 %69
+  %71 = load <8 x double>, ptr %70, align 8
+  %72 = load ptr, ptr %2, align 8
+  %73 = getelementptr inbounds i8, ptr %72, i64 %69
+  %74 = load <8 x double>, ptr %73, align 8
+  %75 = fsub <8 x double> %71, %74
+  %76 = fneg <8 x double> %75
+  %77 = fcmp ogt <8 x double> %75, zeroinitializer
+  %78 = select <8 x i1> %77, <8 x double> %75, <8 x double> %76
+  %79 = load ptr, ptr %0, align 8
+  %80 = load i64, ptr %79, align 8
+  %81 = icmp slt i64 %80, 0
+  br i1 %81, label %86, label %82
 
-81:                                               ; preds = %62
-  %82 = load ptr, ptr %26, align 8
-  %83 = load i64, ptr %27, align 8
-  %84 = getelementptr i8, ptr %82, i64 %68
-  br label %96
+82:                                               ; preds = %63
+  %83 = load ptr, ptr %26, align 8
+  %84 = load i64, ptr %27, align 8
+  %85 = getelementptr i8, ptr %83, i64 %69
+  br label %97
 
-85:                                               ; preds = %96, %62
-  %86 = phi <8 x double> [ %77, %62 ], [ %107, %96 ]
-  %87 = load ptr, ptr %28, align 8
-  %88 = load i64, ptr %29, align 8
-  %89 = add nsw i64 %88, %66
-  %90 = fmul <8 x double> %86, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  %91 = shl nsw i64 %89, 6
-  %92 = getelementptr inbounds i8, ptr %87, i64 %91
-  store <8 x double> %90, ptr %92, align 8
-  %93 = add nuw nsw i64 %63, 1
-  %94 = load i64, ptr %20, align 8
-  %95 = icmp slt i64 %93, %94
-  br i1 %95, label %62, label %30, !llvm.loop !41
+86:                                               ; preds = %97, %63
+  %87 = phi <8 x double> [ %78, %63 ], [ %108, %97 ]
+  %88 = load ptr, ptr %28, align 8
+  %89 = load i64, ptr %29, align 8
+  %90 = add nsw i64 %89, %67
+  %91 = fmul <8 x double> %87, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  %92 = shl nsw i64 %90, 6
+  %93 = getelementptr inbounds i8, ptr %88, i64 %92
+  store <8 x double> %91, ptr %93, align 8
+  %94 = add nuw nsw i64 %64, 1
+  %95 = load i64, ptr %20, align 8
+  %96 = icmp slt i64 %94, %95
+  br i1 %96, label %63, label %30, !llvm.loop !41
 
-96:                                               ; preds = %81, %96
-  %97 = phi i64 [ 0, %81 ], [ %108, %96 ]
-  %98 = phi <8 x double> [ %77, %81 ], [ %107, %96 ]
-  %99 = mul nsw i64 %83, %97
-  %100 = getelementptr double, ptr %84, i64 %99
-  %101 = load <8 x double>, ptr %100, align 8
-  %102 = fneg <8 x double> %101
-  %103 = fcmp ogt <8 x double> %101, zeroinitializer
-  %104 = select <8 x i1> %103, <8 x double> %101, <8 x double> %102
-  %105 = fmul <8 x double> %15, %104
-  %106 = fcmp ogt <8 x double> %98, %105
-  %107 = select <8 x i1> %106, <8 x double> %98, <8 x double> %105
-  %108 = add nuw i64 %97, 1
-  %109 = icmp eq i64 %97, %79
-  br i1 %109, label %85, label %96, !llvm.loop !42
+97:                                               ; preds = %82, %97
+  %98 = phi i64 [ 0, %82 ], [ %109, %97 ]
+  %99 = phi <8 x double> [ %78, %82 ], [ %108, %97 ]
+  %100 = mul nsw i64 %84, %98
+  %101 = getelementptr double, ptr %85, i64 %100
+  %102 = load <8 x double>, ptr %101, align 8
+  %103 = fneg <8 x double> %102
+  %104 = fcmp ogt <8 x double> %102, zeroinitializer
+  %105 = select <8 x i1> %104, <8 x double> %102, <8 x double> %103
+  %106 = fmul <8 x double> %15, %105
+  %107 = fcmp ogt <8 x double> %99, %106
+  %108 = select <8 x i1> %107, <8 x double> %99, <8 x double> %106
+  %109 = add nuw i64 %98, 1
+  %110 = icmp eq i64 %98, %80
+  br i1 %110, label %86, label %97, !llvm.loop !42
 
-110:                                              ; preds = %138
-  %111 = icmp ne <8 x i64> %139, zeroinitializer
-  %112 = bitcast <8 x i1> %111 to i8
-  br label %113
+111:                                              ; preds = %139
+  %112 = icmp ne <8 x i64> %140, zeroinitializer
+  %113 = bitcast <8 x i1> %112 to i8
+  br label %114
 
-113:                                              ; preds = %110, %30
-  %114 = phi i8 [ %56, %30 ], [ %112, %110 ]
-  %115 = zext i8 %114 to i64
-  br label %142
+114:                                              ; preds = %111, %30
+  %115 = phi i8 [ %57, %30 ], [ %113, %111 ]
+  %116 = zext i8 %115 to i64
+  br label %143
 
-116:                                              ; preds = %58, %138
-  %117 = phi i64 [ 0, %58 ], [ %140, %138 ]
-  %118 = phi <8 x i64> [ %60, %58 ], [ %139, %138 ]
-  %119 = getelementptr inbounds i64, ptr %10, i64 %117
-  %120 = load i64, ptr %119, align 8
-  %121 = and i64 %120, 2
-  %122 = icmp eq i64 %121, 0
-  br i1 %122, label %123, label %138
+117:                                              ; preds = %59, %139
+  %118 = phi i64 [ 0, %59 ], [ %141, %139 ]
+  %119 = phi <8 x i64> [ %61, %59 ], [ %140, %139 ]
+  %120 = getelementptr inbounds i64, ptr %10, i64 %118
+  %121 = load i64, ptr %120, align 8
+  %122 = and i64 %121, 2
+  %123 = icmp eq i64 %122, 0
+  br i1 %123, label %124, label %139
 
-123:                                              ; preds = %116
-  %124 = load ptr, ptr %51, align 8
-  %125 = shl nsw i64 %117, 6
-  %126 = getelementptr inbounds i8, ptr %124, i64 %125
-  %127 = load <8 x double>, ptr %126, align 8
-  %128 = load ptr, ptr %61, align 8
-  %129 = getelementptr inbounds i8, ptr %128, i64 %125
-  %130 = load <8 x double>, ptr %129, align 8
-  %131 = fmul <8 x double> %127, %130
-  %132 = add nuw nsw i64 %117, %12
-  %133 = shl nsw i64 %132, 6
-  %134 = getelementptr inbounds i8, ptr %124, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8
-  %136 = fcmp ogt <8 x double> %131, %135
-  %137 = select <8 x i1> %136, <8 x i64> %118, <8 x i64> zeroinitializer
-  br label %138
+124:                                              ; preds = %117
+  %125 = load ptr, ptr %51, align 8
+  %126 = shl nsw i64 %118, 6
+  %127 = getelementptr inbounds i8, ptr %125, i64 %126
+  %128 = load <8 x double>, ptr %127, align 8
+  %129 = load ptr, ptr %62, align 8
+  %130 = getelementptr inbounds i8, ptr %129, i64 %126
+  %131 = load <8 x double>, ptr %130, align 8
+  %132 = fmul <8 x double> %128, %131
+  %133 = add nuw nsw i64 %118, %12
+  %134 = shl nsw i64 %133, 6
+  %135 = getelementptr inbounds i8, ptr %125, i64 %134
+  %136 = load <8 x double>, ptr %135, align 8
+  %137 = fcmp ogt <8 x double> %132, %136
+  %138 = select <8 x i1> %137, <8 x i64> %119, <8 x i64> zeroinitializer
+  br label %139
 
-138:                                              ; preds = %116, %123
-  %139 = phi <8 x i64> [ %118, %116 ], [ %137, %123 ]
-  %140 = add nuw nsw i64 %117, 1
-  %141 = icmp eq i64 %140, %12
-  br i1 %141, label %110, label %116, !llvm.loop !43
+139:                                              ; preds = %117, %124
+  %140 = phi <8 x i64> [ %119, %117 ], [ %138, %124 ]
+  %141 = add nuw nsw i64 %118, 1
+  %142 = icmp eq i64 %141, %12
+  br i1 %142, label %111, label %117, !llvm.loop !43
 
-142:                                              ; preds = %1, %113
-  %143 = phi i64 [ %115, %113 ], [ 0, %1 ]
-  ret i64 %143
+143:                                              ; preds = %1, %114
+  %144 = phi i64 [ %116, %114 ], [ 0, %1 ]
+  ret i64 %144
 }
 
 define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3, ptr noundef %4, ptr noundef writeonly %5, ptr noundef %6) unnamed_addr #2 {
@@ -3839,7 +3848,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %24 = zext i8 %23 to i64
   %25 = and i64 %24, %2
   %26 = icmp eq i64 %25, 0
-  br i1 %26, label %94, label %27
+  br i1 %26, label %95, label %27
 
 27:                                               ; preds = %4
   %28 = getelementptr inbounds i8, ptr %0, i64 1344
@@ -3898,322 +3907,324 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %73 = getelementptr inbounds i8, ptr %0, i64 1224
   %74 = load ptr, ptr %73, align 8
   %75 = inttoptr i64 %65 to ptr
-  %76 = tail call i32 %75(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #12
-  %77 = zext i32 %76 to i64
-  %78 = and i64 %77, %24
-  %79 = icmp sgt i64 %9, 0
-  br i1 %79, label %80, label %94
+  %76 = load ptr, ptr %75, align 8
+  %77 = tail call i32 %76(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #12
+  %78 = zext i32 %77 to i64
+  %79 = and i64 %78, %24
+  %80 = icmp sgt i64 %9, 0
+  br i1 %80, label %81, label %95
 
-80:                                               ; preds = %63
-  %81 = getelementptr inbounds i8, ptr %0, i64 1320
-  br label %82
+81:                                               ; preds = %63
+  %82 = getelementptr inbounds i8, ptr %0, i64 1320
+  br label %83
 
-82:                                               ; preds = %80, %82
-  %83 = phi i64 [ 0, %80 ], [ %92, %82 ]
-  %84 = load ptr, ptr %81, align 8
-  %85 = load ptr, ptr %28, align 8
-  %86 = shl nsw i64 %83, 6
-  %87 = getelementptr inbounds i8, ptr %85, i64 %86
-  %88 = load <8 x i64>, ptr %87, align 8
-  %89 = getelementptr inbounds i8, ptr %84, i64 %86
-  %90 = load <8 x i64>, ptr %89, align 8
-  %91 = select <8 x i1> %22, <8 x i64> %88, <8 x i64> %90
-  store <8 x i64> %91, ptr %89, align 8
-  %92 = add nuw nsw i64 %83, 1
-  %93 = icmp eq i64 %92, %9
-  br i1 %93, label %94, label %82, !llvm.loop !67
+83:                                               ; preds = %81, %83
+  %84 = phi i64 [ 0, %81 ], [ %93, %83 ]
+  %85 = load ptr, ptr %82, align 8
+  %86 = load ptr, ptr %28, align 8
+  %87 = shl nsw i64 %84, 6
+  %88 = getelementptr inbounds i8, ptr %86, i64 %87
+  %89 = load <8 x i64>, ptr %88, align 8
+  %90 = getelementptr inbounds i8, ptr %85, i64 %87
+  %91 = load <8 x i64>, ptr %90, align 8
+  %92 = select <8 x i1> %22, <8 x i64> %89, <8 x i64> %91
+  store <8 x i64> %92, ptr %90, align 8
+  %93 = add nuw nsw i64 %84, 1
+  %94 = icmp eq i64 %93, %9
+  br i1 %94, label %95, label %83, !llvm.loop !67
 
-94:                                               ; preds = %82, %63, %4
-  %95 = phi i64 [ 0, %4 ], [ %78, %63 ], [ %78, %82 ]
-  %96 = getelementptr inbounds i8, ptr %0, i64 1320
-  %97 = shl i64 %9, 6
-  %98 = getelementptr inbounds i8, ptr %1, i64 16
-  %99 = getelementptr inbounds i8, ptr %1, i64 8
-  %100 = getelementptr inbounds i8, ptr %0, i64 168
-  %101 = getelementptr inbounds i8, ptr %0, i64 296
-  %102 = getelementptr inbounds i8, ptr %0, i64 144
-  %103 = getelementptr inbounds i8, ptr %0, i64 168
-  %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 1224
-  br label %119
+95:                                               ; preds = %83, %63, %4
+  %96 = phi i64 [ 0, %4 ], [ %79, %63 ], [ %79, %83 ]
+  %97 = getelementptr inbounds i8, ptr %0, i64 1320
+  %98 = shl i64 %9, 6
+  %99 = getelementptr inbounds i8, ptr %1, i64 16
+  %100 = getelementptr inbounds i8, ptr %1, i64 8
+  %101 = getelementptr inbounds i8, ptr %0, i64 168
+  %102 = getelementptr inbounds i8, ptr %0, i64 296
+  %103 = getelementptr inbounds i8, ptr %0, i64 144
+  %104 = getelementptr inbounds i8, ptr %0, i64 168
+  %105 = getelementptr inbounds i8, ptr %0, i64 192
+  %106 = getelementptr inbounds i8, ptr %0, i64 1224
+  br label %120
 
-106:                                              ; preds = %159
-  %107 = xor i64 %171, -1
-  %108 = and i64 %107, %2
-  %109 = trunc i64 %108 to i8
-  %110 = bitcast i8 %109 to <8 x i1>
-  %111 = sext <8 x i1> %110 to <8 x i64>
-  %112 = icmp sgt i64 %9, 0
-  br i1 %112, label %113, label %174
+107:                                              ; preds = %160
+  %108 = xor i64 %173, -1
+  %109 = and i64 %108, %2
+  %110 = trunc i64 %109 to i8
+  %111 = bitcast i8 %110 to <8 x i1>
+  %112 = sext <8 x i1> %111 to <8 x i64>
+  %113 = icmp sgt i64 %9, 0
+  br i1 %113, label %114, label %176
 
-113:                                              ; preds = %106
-  %114 = getelementptr inbounds i8, ptr %0, i64 1368
-  %115 = load ptr, ptr %114, align 8
-  %116 = getelementptr inbounds i8, ptr %0, i64 1320
-  %117 = load ptr, ptr %116, align 8
-  %118 = getelementptr inbounds i8, ptr %5, i64 64
-  br label %181
+114:                                              ; preds = %107
+  %115 = getelementptr inbounds i8, ptr %0, i64 1368
+  %116 = load ptr, ptr %115, align 8
+  %117 = getelementptr inbounds i8, ptr %0, i64 1320
+  %118 = load ptr, ptr %117, align 8
+  %119 = getelementptr inbounds i8, ptr %5, i64 64
+  br label %183
 
-119:                                              ; preds = %94, %159
-  %120 = phi i64 [ 1, %94 ], [ %172, %159 ]
-  %121 = phi i64 [ %95, %94 ], [ %171, %159 ]
-  %122 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %120
-  %123 = load double, ptr %122, align 8
-  %124 = load ptr, ptr %96, align 8
-  %125 = mul i64 %97, %120
-  %126 = getelementptr inbounds i8, ptr %124, i64 %125
-  %127 = load ptr, ptr %19, align 8
-  %128 = load <8 x double>, ptr %127, align 8
-  %129 = load ptr, ptr %98, align 8
-  %130 = getelementptr inbounds i8, ptr %129, i64 72
-  %131 = load ptr, ptr %130, align 8
-  %132 = load <8 x double>, ptr %131, align 8
-  %133 = insertelement <8 x double> poison, double %123, i64 0
-  %134 = shufflevector <8 x double> %133, <8 x double> poison, <8 x i32> zeroinitializer
-  %135 = getelementptr inbounds i8, ptr %129, i64 48
-  %136 = load ptr, ptr %135, align 8
-  %137 = getelementptr inbounds i8, ptr %129, i64 96
-  %138 = load ptr, ptr %137, align 8
-  store <8 x double> %134, ptr %138, align 8
-  %139 = load ptr, ptr %129, align 8
-  %140 = getelementptr inbounds i8, ptr %129, i64 192
-  %141 = load ptr, ptr %140, align 8
-  %142 = getelementptr inbounds i8, ptr %129, i64 8
-  %143 = load i64, ptr %142, align 8
-  %144 = load ptr, ptr %1, align 8
-  %145 = load ptr, ptr %144, align 8
-  %146 = getelementptr inbounds i8, ptr %145, i64 24
-  %147 = load i64, ptr %146, align 8
-  %148 = load ptr, ptr %137, align 8
-  %149 = load ptr, ptr %99, align 8
-  %150 = load ptr, ptr %149, align 8
-  %151 = getelementptr inbounds i8, ptr %150, i64 16
-  %152 = load i64, ptr %151, align 8
-  tail call fastcc void @nested(ptr noundef %136, ptr noundef %139, ptr noundef %141, i64 noundef %143, i64 noundef %147, ptr noundef %148, i64 noundef %152) #11
-  %153 = fmul <8 x double> %134, %132
-  %154 = fadd <8 x double> %128, %153
-  %155 = load ptr, ptr %100, align 8
-  store <8 x double> %154, ptr %155, align 8
-  %156 = load i64, ptr %101, align 8
-  %157 = icmp sgt i64 %156, 0
-  br i1 %157, label %158, label %159
+120:                                              ; preds = %95, %160
+  %121 = phi i64 [ 1, %95 ], [ %174, %160 ]
+  %122 = phi i64 [ %96, %95 ], [ %173, %160 ]
+  %123 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = load ptr, ptr %97, align 8
+  %126 = mul i64 %98, %121
+  %127 = getelementptr inbounds i8, ptr %125, i64 %126
+  %128 = load ptr, ptr %19, align 8
+  %129 = load <8 x double>, ptr %128, align 8
+  %130 = load ptr, ptr %99, align 8
+  %131 = getelementptr inbounds i8, ptr %130, i64 72
+  %132 = load ptr, ptr %131, align 8
+  %133 = load <8 x double>, ptr %132, align 8
+  %134 = insertelement <8 x double> poison, double %124, i64 0
+  %135 = shufflevector <8 x double> %134, <8 x double> poison, <8 x i32> zeroinitializer
+  %136 = getelementptr inbounds i8, ptr %130, i64 48
+  %137 = load ptr, ptr %136, align 8
+  %138 = getelementptr inbounds i8, ptr %130, i64 96
+  %139 = load ptr, ptr %138, align 8
+  store <8 x double> %135, ptr %139, align 8
+  %140 = load ptr, ptr %130, align 8
+  %141 = getelementptr inbounds i8, ptr %130, i64 192
+  %142 = load ptr, ptr %141, align 8
+  %143 = getelementptr inbounds i8, ptr %130, i64 8
+  %144 = load i64, ptr %143, align 8
+  %145 = load ptr, ptr %1, align 8
+  %146 = load ptr, ptr %145, align 8
+  %147 = getelementptr inbounds i8, ptr %146, i64 24
+  %148 = load i64, ptr %147, align 8
+  %149 = load ptr, ptr %138, align 8
+  %150 = load ptr, ptr %100, align 8
+  %151 = load ptr, ptr %150, align 8
+  %152 = getelementptr inbounds i8, ptr %151, i64 16
+  %153 = load i64, ptr %152, align 8
+  tail call fastcc void @nested(ptr noundef %137, ptr noundef %140, ptr noundef %142, i64 noundef %144, i64 noundef %148, ptr noundef %149, i64 noundef %153) #11
+  %154 = fmul <8 x double> %135, %133
+  %155 = fadd <8 x double> %129, %154
+  %156 = load ptr, ptr %101, align 8
+  store <8 x double> %155, ptr %156, align 8
+  %157 = load i64, ptr %102, align 8
+  %158 = icmp sgt i64 %157, 0
+  br i1 %158, label %159, label %160
 
-158:                                              ; preds = %119
-  tail call fastcc void @sample(ptr noundef nonnull %102) #11
-  br label %159
+159:                                              ; preds = %120
+  tail call fastcc void @sample(ptr noundef nonnull %103) #11
+  br label %160
 
-159:                                              ; preds = %119, %158
-  %160 = load ptr, ptr %6, align 8
-  %161 = load i64, ptr %160, align 8
-  %162 = load ptr, ptr %103, align 8
-  %163 = load ptr, ptr %98, align 8
-  %164 = getelementptr inbounds i8, ptr %163, i64 48
-  %165 = load ptr, ptr %164, align 8
-  %166 = load ptr, ptr %104, align 8
+160:                                              ; preds = %120, %159
+  %161 = load ptr, ptr %6, align 8
+  %162 = load i64, ptr %161, align 8
+  %163 = load ptr, ptr %104, align 8
+  %164 = load ptr, ptr %99, align 8
+  %165 = getelementptr inbounds i8, ptr %164, i64 48
+  %166 = load ptr, ptr %165, align 8
   %167 = load ptr, ptr %105, align 8
-  %168 = inttoptr i64 %161 to ptr
-  %169 = tail call i32 %168(ptr noundef %162, ptr noundef %165, ptr noundef %166, ptr noundef %167, ptr noundef %126) #12
-  %170 = zext i32 %169 to i64
-  %171 = or i64 %121, %170
-  %172 = add nuw nsw i64 %120, 1
-  %173 = icmp eq i64 %172, 5
-  br i1 %173, label %106, label %119, !llvm.loop !68
+  %168 = load ptr, ptr %106, align 8
+  %169 = inttoptr i64 %162 to ptr
+  %170 = load ptr, ptr %169, align 8
+  %171 = tail call i32 %170(ptr noundef %163, ptr noundef %166, ptr noundef %167, ptr noundef %168, ptr noundef %127) #12
+  %172 = zext i32 %171 to i64
+  %173 = or i64 %122, %172
+  %174 = add nuw nsw i64 %121, 1
+  %175 = icmp eq i64 %174, 5
+  br i1 %175, label %107, label %120, !llvm.loop !68
 
-174:                                              ; preds = %302, %106
-  %175 = phi <8 x i64> [ %111, %106 ], [ %304, %302 ]
-  %176 = icmp sgt i64 %9, 0
-  br i1 %176, label %177, label %307
+176:                                              ; preds = %304, %107
+  %177 = phi <8 x i64> [ %112, %107 ], [ %306, %304 ]
+  %178 = icmp sgt i64 %9, 0
+  br i1 %178, label %179, label %309
 
-177:                                              ; preds = %174
-  %178 = getelementptr inbounds i8, ptr %0, i64 1320
-  %179 = shl i64 %9, 8
-  %180 = icmp slt <8 x i64> %175, zeroinitializer
-  br label %316
+179:                                              ; preds = %176
+  %180 = getelementptr inbounds i8, ptr %0, i64 1320
+  %181 = shl i64 %9, 8
+  %182 = icmp slt <8 x i64> %177, zeroinitializer
+  br label %318
 
-181:                                              ; preds = %113, %302
-  %182 = phi <8 x double> [ undef, %113 ], [ %216, %302 ]
-  %183 = phi <8 x double> [ undef, %113 ], [ %211, %302 ]
-  %184 = phi i64 [ 0, %113 ], [ %305, %302 ]
-  %185 = phi <8 x i64> [ %111, %113 ], [ %304, %302 ]
-  %186 = shl nsw i64 %184, 6
-  %187 = getelementptr inbounds i8, ptr %115, i64 %186
-  %188 = load <8 x double>, ptr %187, align 8
-  br label %194
+183:                                              ; preds = %114, %304
+  %184 = phi <8 x double> [ undef, %114 ], [ %218, %304 ]
+  %185 = phi <8 x double> [ undef, %114 ], [ %213, %304 ]
+  %186 = phi i64 [ 0, %114 ], [ %307, %304 ]
+  %187 = phi <8 x i64> [ %112, %114 ], [ %306, %304 ]
+  %188 = shl nsw i64 %186, 6
+  %189 = getelementptr inbounds i8, ptr %116, i64 %188
+  %190 = load <8 x double>, ptr %189, align 8
+  br label %196
 
-189:                                              ; preds = %220
-  %190 = getelementptr inbounds i64, ptr %15, i64 %184
-  %191 = load i64, ptr %190, align 8
-  %192 = and i64 %191, 1
-  %193 = icmp eq i64 %192, 0
-  br i1 %193, label %224, label %236
+191:                                              ; preds = %222
+  %192 = getelementptr inbounds i64, ptr %15, i64 %186
+  %193 = load i64, ptr %192, align 8
+  %194 = and i64 %193, 1
+  %195 = icmp eq i64 %194, 0
+  br i1 %195, label %226, label %238
 
-194:                                              ; preds = %181, %220
-  %195 = phi i64 [ 0, %181 ], [ %222, %220 ]
-  %196 = phi <8 x double> [ %182, %181 ], [ %216, %220 ]
-  %197 = phi <8 x double> [ %183, %181 ], [ %211, %220 ]
-  %198 = phi <8 x i64> [ %185, %181 ], [ %221, %220 ]
-  %199 = mul nuw nsw i64 %9, %195
-  %200 = add nuw nsw i64 %199, %184
-  %201 = shl nsw i64 %200, 6
-  %202 = getelementptr inbounds i8, ptr %117, i64 %201
-  %203 = load <8 x double>, ptr %202, align 8
-  %204 = fmul <8 x double> %188, %203
-  %205 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %195
-  store <8 x double> %204, ptr %205, align 64
-  %206 = icmp eq i64 %195, 0
-  br i1 %206, label %210, label %207
+196:                                              ; preds = %183, %222
+  %197 = phi i64 [ 0, %183 ], [ %224, %222 ]
+  %198 = phi <8 x double> [ %184, %183 ], [ %218, %222 ]
+  %199 = phi <8 x double> [ %185, %183 ], [ %213, %222 ]
+  %200 = phi <8 x i64> [ %187, %183 ], [ %223, %222 ]
+  %201 = mul nuw nsw i64 %9, %197
+  %202 = add nuw nsw i64 %201, %186
+  %203 = shl nsw i64 %202, 6
+  %204 = getelementptr inbounds i8, ptr %118, i64 %203
+  %205 = load <8 x double>, ptr %204, align 8
+  %206 = fmul <8 x double> %190, %205
+  %207 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %197
+  store <8 x double> %206, ptr %207, align 64
+  %208 = icmp eq i64 %197, 0
+  br i1 %208, label %212, label %209
 
-207:                                              ; preds = %194
-  %208 = fcmp olt <8 x double> %197, %203
-  %209 = select <8 x i1> %208, <8 x double> %197, <8 x double> %203
-  br label %210
+209:                                              ; preds = %196
+  %210 = fcmp olt <8 x double> %199, %205
+  %211 = select <8 x i1> %210, <8 x double> %199, <8 x double> %205
+  br label %212
 
-210:                                              ; preds = %194, %207
-  %211 = phi <8 x double> [ %203, %194 ], [ %209, %207 ]
-  br i1 %206, label %215, label %212
+212:                                              ; preds = %196, %209
+  %213 = phi <8 x double> [ %205, %196 ], [ %211, %209 ]
+  br i1 %208, label %217, label %214
 
-212:                                              ; preds = %210
-  %213 = fcmp ogt <8 x double> %196, %203
-  %214 = select <8 x i1> %213, <8 x double> %196, <8 x double> %203
-  br label %215
+214:                                              ; preds = %212
+  %215 = fcmp ogt <8 x double> %198, %205
+  %216 = select <8 x i1> %215, <8 x double> %198, <8 x double> %205
+  br label %217
 
-215:                                              ; preds = %210, %212
-  %216 = phi <8 x double> [ %203, %210 ], [ %214, %212 ]
-  br i1 %206, label %220, label %217
+217:                                              ; preds = %212, %214
+  %218 = phi <8 x double> [ %205, %212 ], [ %216, %214 ]
+  br i1 %208, label %222, label %219
 
-217:                                              ; preds = %215
-  %218 = fcmp ogt <8 x double> %204, zeroinitializer
-  %219 = select <8 x i1> %218, <8 x i64> %198, <8 x i64> zeroinitializer
-  br label %220
+219:                                              ; preds = %217
+  %220 = fcmp ogt <8 x double> %206, zeroinitializer
+  %221 = select <8 x i1> %220, <8 x i64> %200, <8 x i64> zeroinitializer
+  br label %222
 
-220:                                              ; preds = %215, %217
-  %221 = phi <8 x i64> [ %219, %217 ], [ %198, %215 ]
-  %222 = add nuw nsw i64 %195, 1
-  %223 = icmp eq i64 %222, 5
-  br i1 %223, label %189, label %194, !llvm.loop !69
+222:                                              ; preds = %217, %219
+  %223 = phi <8 x i64> [ %221, %219 ], [ %200, %217 ]
+  %224 = add nuw nsw i64 %197, 1
+  %225 = icmp eq i64 %224, 5
+  br i1 %225, label %191, label %196, !llvm.loop !69
 
-224:                                              ; preds = %189
-  %225 = fmul <8 x double> %211, %216
-  %226 = fcmp ogt <8 x double> %225, zeroinitializer
-  %227 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %211)
-  %228 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %216)
-  %229 = fcmp olt <8 x double> %227, %228
-  %230 = select <8 x i1> %229, <8 x double> %227, <8 x double> %228
-  %231 = fsub <8 x double> %216, %211
-  %232 = fmul <8 x double> %231, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %233 = fcmp ogt <8 x double> %230, %232
-  %234 = select <8 x i1> %233, <8 x i1> %226, <8 x i1> zeroinitializer
-  %235 = select <8 x i1> %234, <8 x i64> %221, <8 x i64> zeroinitializer
-  br label %236
+226:                                              ; preds = %191
+  %227 = fmul <8 x double> %213, %218
+  %228 = fcmp ogt <8 x double> %227, zeroinitializer
+  %229 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %213)
+  %230 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %218)
+  %231 = fcmp olt <8 x double> %229, %230
+  %232 = select <8 x i1> %231, <8 x double> %229, <8 x double> %230
+  %233 = fsub <8 x double> %218, %213
+  %234 = fmul <8 x double> %233, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %235 = fcmp ogt <8 x double> %232, %234
+  %236 = select <8 x i1> %235, <8 x i1> %228, <8 x i1> zeroinitializer
+  %237 = select <8 x i1> %236, <8 x i64> %223, <8 x i64> zeroinitializer
+  br label %238
 
-236:                                              ; preds = %224, %189
-  %237 = phi <8 x i64> [ %221, %189 ], [ %235, %224 ]
-  %238 = load <8 x double>, ptr %118, align 64
-  %239 = load <8 x double>, ptr %5, align 64
-  %240 = fsub <8 x double> %238, %239
-  %241 = fdiv <8 x double> %240, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
-  br label %242
+238:                                              ; preds = %226, %191
+  %239 = phi <8 x i64> [ %223, %191 ], [ %237, %226 ]
+  %240 = load <8 x double>, ptr %119, align 64
+  %241 = load <8 x double>, ptr %5, align 64
+  %242 = fsub <8 x double> %240, %241
+  %243 = fdiv <8 x double> %242, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
+  br label %244
 
-242:                                              ; preds = %236, %299
-  %243 = phi i64 [ 1, %236 ], [ %249, %299 ]
-  %244 = phi <8 x i64> [ zeroinitializer, %236 ], [ %300, %299 ]
-  %245 = phi <8 x double> [ %241, %236 ], [ %260, %299 ]
-  %246 = add nsw i64 %243, -1
-  %247 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %243
-  %248 = load double, ptr %247, align 8
-  %249 = add nuw nsw i64 %243, 1
-  %250 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %249
-  %251 = load double, ptr %250, align 8
-  %252 = getelementptr inbounds <8 x double>, ptr %5, i64 %249
-  %253 = load <8 x double>, ptr %252, align 64
-  %254 = getelementptr inbounds <8 x double>, ptr %5, i64 %243
+244:                                              ; preds = %238, %301
+  %245 = phi i64 [ 1, %238 ], [ %251, %301 ]
+  %246 = phi <8 x i64> [ zeroinitializer, %238 ], [ %302, %301 ]
+  %247 = phi <8 x double> [ %243, %238 ], [ %262, %301 ]
+  %248 = add nsw i64 %245, -1
+  %249 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %245
+  %250 = load double, ptr %249, align 8
+  %251 = add nuw nsw i64 %245, 1
+  %252 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %251
+  %253 = load double, ptr %252, align 8
+  %254 = getelementptr inbounds <8 x double>, ptr %5, i64 %251
   %255 = load <8 x double>, ptr %254, align 64
-  %256 = fsub <8 x double> %253, %255
-  %257 = fsub double %251, %248
-  %258 = insertelement <8 x double> poison, double %257, i64 0
-  %259 = shufflevector <8 x double> %258, <8 x double> poison, <8 x i32> zeroinitializer
-  %260 = fdiv <8 x double> %256, %259
-  %261 = fcmp ogt <8 x double> %260, %245
-  %262 = getelementptr inbounds <8 x double>, ptr %5, i64 %246
-  %263 = load <8 x double>, ptr %262, align 64
-  %264 = fcmp ogt <8 x double> %263, zeroinitializer
-  %265 = and <8 x i1> %261, %264
-  %266 = bitcast <8 x i1> %265 to i8
-  %267 = icmp eq i8 %266, 0
-  br i1 %267, label %299, label %268
+  %256 = getelementptr inbounds <8 x double>, ptr %5, i64 %245
+  %257 = load <8 x double>, ptr %256, align 64
+  %258 = fsub <8 x double> %255, %257
+  %259 = fsub double %253, %250
+  %260 = insertelement <8 x double> poison, double %259, i64 0
+  %261 = shufflevector <8 x double> %260, <8 x double> poison, <8 x i32> zeroinitializer
+  %262 = fdiv <8 x double> %258, %261
+  %263 = fcmp ogt <8 x double> %262, %247
+  %264 = getelementptr inbounds <8 x double>, ptr %5, i64 %248
+  %265 = load <8 x double>, ptr %264, align 64
+  %266 = fcmp ogt <8 x double> %265, zeroinitializer
+  %267 = and <8 x i1> %263, %266
+  %268 = bitcast <8 x i1> %267 to i8
+  %269 = icmp eq i8 %268, 0
+  br i1 %269, label %301, label %270
 
-268:                                              ; preds = %242
-  %269 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %246
-  %270 = load double, ptr %269, align 8
-  %271 = fsub <8 x double> %260, %245
-  %272 = fsub double %251, %270
-  %273 = insertelement <8 x double> poison, double %272, i64 0
-  %274 = shufflevector <8 x double> %273, <8 x double> poison, <8 x i32> zeroinitializer
-  %275 = fdiv <8 x double> %271, %274
-  %276 = fsub double %248, %270
-  %277 = insertelement <8 x double> poison, double %276, i64 0
-  %278 = shufflevector <8 x double> %277, <8 x double> poison, <8 x i32> zeroinitializer
-  %279 = fmul <8 x double> %278, %275
-  %280 = fadd <8 x double> %245, %279
-  %281 = insertelement <8 x double> poison, double %248, i64 0
-  %282 = shufflevector <8 x double> %281, <8 x double> poison, <8 x i32> zeroinitializer
-  %283 = fmul <8 x double> %280, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %284 = fdiv <8 x double> %283, %275
-  %285 = fsub <8 x double> %282, %284
-  %286 = icmp ugt i64 %243, 1
-  %287 = select i1 %286, double %270, double 0xBFCE3779B97F4A7C
-  %288 = icmp eq i64 %243, 3
-  %289 = select i1 %288, double 0x3FF4498517A7B356, double %251
-  %290 = insertelement <8 x double> poison, double %287, i64 0
-  %291 = shufflevector <8 x double> %290, <8 x double> poison, <8 x i32> zeroinitializer
-  %292 = fcmp oge <8 x double> %285, %291
-  %293 = insertelement <8 x double> poison, double %289, i64 0
-  %294 = shufflevector <8 x double> %293, <8 x double> poison, <8 x i32> zeroinitializer
-  %295 = fcmp ole <8 x double> %285, %294
-  %296 = and <8 x i1> %295, %292
-  %297 = and <8 x i1> %296, %265
-  %298 = select <8 x i1> %297, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %244
-  br label %299
+270:                                              ; preds = %244
+  %271 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %248
+  %272 = load double, ptr %271, align 8
+  %273 = fsub <8 x double> %262, %247
+  %274 = fsub double %253, %272
+  %275 = insertelement <8 x double> poison, double %274, i64 0
+  %276 = shufflevector <8 x double> %275, <8 x double> poison, <8 x i32> zeroinitializer
+  %277 = fdiv <8 x double> %273, %276
+  %278 = fsub double %250, %272
+  %279 = insertelement <8 x double> poison, double %278, i64 0
+  %280 = shufflevector <8 x double> %279, <8 x double> poison, <8 x i32> zeroinitializer
+  %281 = fmul <8 x double> %280, %277
+  %282 = fadd <8 x double> %247, %281
+  %283 = insertelement <8 x double> poison, double %250, i64 0
+  %284 = shufflevector <8 x double> %283, <8 x double> poison, <8 x i32> zeroinitializer
+  %285 = fmul <8 x double> %282, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %286 = fdiv <8 x double> %285, %277
+  %287 = fsub <8 x double> %284, %286
+  %288 = icmp ugt i64 %245, 1
+  %289 = select i1 %288, double %272, double 0xBFCE3779B97F4A7C
+  %290 = icmp eq i64 %245, 3
+  %291 = select i1 %290, double 0x3FF4498517A7B356, double %253
+  %292 = insertelement <8 x double> poison, double %289, i64 0
+  %293 = shufflevector <8 x double> %292, <8 x double> poison, <8 x i32> zeroinitializer
+  %294 = fcmp oge <8 x double> %287, %293
+  %295 = insertelement <8 x double> poison, double %291, i64 0
+  %296 = shufflevector <8 x double> %295, <8 x double> poison, <8 x i32> zeroinitializer
+  %297 = fcmp ole <8 x double> %287, %296
+  %298 = and <8 x i1> %297, %294
+  %299 = and <8 x i1> %298, %267
+  %300 = select <8 x i1> %299, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %246
+  br label %301
 
-299:                                              ; preds = %268, %242
-  %300 = phi <8 x i64> [ %298, %268 ], [ %244, %242 ]
-  %301 = icmp eq i64 %249, 4
-  br i1 %301, label %302, label %242, !llvm.loop !70
+301:                                              ; preds = %270, %244
+  %302 = phi <8 x i64> [ %300, %270 ], [ %246, %244 ]
+  %303 = icmp eq i64 %251, 4
+  br i1 %303, label %304, label %244, !llvm.loop !70
 
-302:                                              ; preds = %299
-  %303 = xor <8 x i64> %300, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %304 = and <8 x i64> %237, %303
-  %305 = add nuw nsw i64 %184, 1
-  %306 = icmp eq i64 %305, %9
-  br i1 %306, label %174, label %181, !llvm.loop !71
+304:                                              ; preds = %301
+  %305 = xor <8 x i64> %302, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %306 = and <8 x i64> %239, %305
+  %307 = add nuw nsw i64 %186, 1
+  %308 = icmp eq i64 %307, %9
+  br i1 %308, label %176, label %183, !llvm.loop !71
 
-307:                                              ; preds = %316, %174
-  %308 = load ptr, ptr %16, align 8
-  %309 = load <8 x i64>, ptr %3, align 8
-  %310 = load <8 x i64>, ptr %308, align 8
-  %311 = icmp slt <8 x i64> %175, zeroinitializer
-  %312 = select <8 x i1> %311, <8 x i64> %309, <8 x i64> %310
-  store <8 x i64> %312, ptr %308, align 8
-  %313 = icmp ne <8 x i64> %175, zeroinitializer
-  %314 = bitcast <8 x i1> %313 to i8
-  %315 = zext i8 %314 to i64
-  ret i64 %315
+309:                                              ; preds = %318, %176
+  %310 = load ptr, ptr %16, align 8
+  %311 = load <8 x i64>, ptr %3, align 8
+  %312 = load <8 x i64>, ptr %310, align 8
+  %313 = icmp slt <8 x i64> %177, zeroinitializer
+  %314 = select <8 x i1> %313, <8 x i64> %311, <8 x i64> %312
+  store <8 x i64> %314, ptr %310, align 8
+  %315 = icmp ne <8 x i64> %177, zeroinitializer
+  %316 = bitcast <8 x i1> %315 to i8
+  %317 = zext i8 %316 to i64
+  ret i64 %317
 
-316:                                              ; preds = %177, %316
-  %317 = phi i64 [ 0, %177 ], [ %327, %316 ]
-  %318 = load ptr, ptr %178, align 8
-  %319 = shl i64 %317, 6
-  %320 = getelementptr i8, ptr %318, i64 %179
-  %321 = getelementptr i8, ptr %320, i64 %319
-  %322 = load <8 x i64>, ptr %321, align 8
-  %323 = shl nsw i64 %317, 6
-  %324 = getelementptr inbounds i8, ptr %318, i64 %323
-  %325 = load <8 x i64>, ptr %324, align 8
-  %326 = select <8 x i1> %180, <8 x i64> %322, <8 x i64> %325
-  store <8 x i64> %326, ptr %324, align 8
-  %327 = add nuw nsw i64 %317, 1
-  %328 = icmp eq i64 %327, %9
-  br i1 %328, label %307, label %316, !llvm.loop !72
+318:                                              ; preds = %179, %318
+  %319 = phi i64 [ 0, %179 ], [ %329, %318 ]
+  %320 = load ptr, ptr %180, align 8
+  %321 = shl i64 %319, 6
+  %322 = getelementptr i8, ptr %320, i64 %181
+  %323 = getelementptr i8, ptr %322, i64 %321
+  %324 = load <8 x i64>, ptr %323, align 8
+  %325 = shl nsw i64 %319, 6
+  %326 = getelementptr inbounds i8, ptr %320, i64 %325
+  %327 = load <8 x i64>, ptr %326, align 8
+  %328 = select <8 x i1> %182, <8 x i64> %324, <8 x i64> %327
+  store <8 x i64> %328, ptr %326, align 8
+  %329 = add nuw nsw i64 %319, 1
+  %330 = icmp eq i64 %329, %9
+  br i1 %330, label %309, label %318, !llvm.loop !72
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {

@@ -316,12 +316,13 @@ def evaluate_samples(
 
 
 def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
-    """Return the address of a Kernel of `LANES` lanes, its constants, and what prepares these."""
-    addresses = kernel.addresses
-    assert addresses is not None
+    """Return the place of a Kernel of `LANES` lanes, its constants, and what prepares these."""
+    cell = kernel.cell
+    assert cell is not None
     assert kernel.lanes == LANES
     c = lined_up(LANES * max(1, len(kernel.program.carried)))
-    return addresses[0], c, [(addresses[1], address(c))]
+    place = address(cell)
+    return place, c, [(place + 8, address(c))]
 
 
 def _problem(

@@ -27,6 +27,7 @@ PairRows = Annotated[np.ndarray, np.complex128, 2]
 STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 # Method.control
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
+# Kernels are known by the place of their address, in all words of them.
 # Problem.words; of the last two, how many states, which come first, the error is controlled of
 KERNEL, STATES, BLOCKS, CONTROLLED, CONTROLLED_BLOCKS = range(5)
 # Progress.state
@@ -41,13 +42,12 @@ SCRATCH, TANGENTS, POSITIONS, MOTIONS, JUDGED = range(8, 13)
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it; LATEST is how near it was at the latest projection.
 RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
-# Tangents.words: the addresses of the projection of the state and of the kernel, and the number of
-# columns.
+# Tangents.words: the address of the projection of the state, the kernel, and the number of columns.
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
-# The last are the address of what tells how far events may come in a step, or 0, the place in
-# Watch.reach of how far the first state does, and the number of these. ACT is the address of what
-# acts on events, or 0, with those of the kernels of their rates and resets.
+# REACHER tells how far events may come in a step, or is 0; then follow the place in Watch.reach of
+# how far the first state does, and the number of these. ACT is the address of what acts on events,
+# or 0, with the kernels of their rates and resets.
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
 # added up: the last two where nothing else is to be done
@@ -58,7 +58,7 @@ PARTS = 4
 PROBES = 2 * PARTS + 3
 # Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
 KEPT, ROOM = range(2)
-# Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
+# Newton.words: the Jacobian's kernel, or 0 for differences; whether a new Jacobian
 # is wanted, the one there is that of the present state, the factors there are its own, and no step
 # has been accepted since the last rejected one; and the number of columns of sensitivities.
 GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)

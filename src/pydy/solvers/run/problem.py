@@ -13,6 +13,7 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._backends.llvm.native import gates
 from pydy._checks import vector
+from pydy._forks import once
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.run.layout import Problem
@@ -29,14 +30,16 @@ def blocks(n: int) -> int:
 
 
 class Bound:
-    """A native Kernel, by its address, with an array c of what it computes of constants alone."""
+    """A native Kernel, with an array c of what it computes of constants alone.
+
+    It is known by the `place` of its address; that of what prepares the constants is the next one.
+    """
 
     def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
-        addresses = kernel.addresses
-        assert addresses is not None
-        self._kernel = kernel  # the code lives as long as it does
-        self.address, self.preparing = addresses
-        self._prepare = _prepare(self.preparing)
+        cell = kernel.cell
+        assert cell is not None
+        self._kernel, self._cell = kernel, cell  # the code lives as long as they do
+        self.place = address(cell)
         self.c = np.zeros(max(1, len(kernel.program.carried)))
         self._p = np.empty(np.shape(p))
         self._places = address(self._p), address(self.c)
@@ -45,7 +48,7 @@ class Bound:
     def take(self, p: np.ndarray) -> None:
         """Take other constants: compute the array c from them."""
         self._p[:] = p
-        self._prepare(*self._places)
+        _prepare(int(self._cell[1]))(*self._places)
 
 
 def lined_up(*shape: int) -> np.ndarray:
@@ -54,6 +57,12 @@ def lined_up(*shape: int) -> np.ndarray:
     room = np.zeros(size + BLOCK)
     first = -address(room) % 64 // 8
     return room[first : first + size].reshape(shape)
+
+
+@once
+def _python_cell() -> np.ndarray:
+    """Return the address of what calls Python functions, as Kernels have theirs."""
+    return np.array([gates().code.addresses["call_python"]], dtype=np.int64)
 
 
 @lru_cache(maxsize=256)
@@ -92,7 +101,8 @@ class Callback:
     A callback of ctypes would print it and go on.
 
     The `function` of a state and time returns so many `outputs`, called `what` in messages;
-    interrupts are looked at before each call. The native function has an `address` and constants c.
+    interrupts are looked at before each call. The `place` has the address of the native function,
+    whose constants are c.
     """
 
     def __init__(
@@ -110,7 +120,7 @@ class Callback:
         self._interrupts = interrupts
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
         self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
-        self.address = gates().code.addresses["call_python"]
+        self.place = address(_python_cell())
         self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
 
     def __call__(self) -> None:
@@ -128,5 +138,5 @@ def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Pro
     r, tables = np.zeros(1), tables_of(())
     if call is not None and call.inputs is None:
         r, tables = np.array(call.r if len(call.r) else r, dtype=float), tables_of(call.sampled)
-    words = np.array([called.address, n, blocks(n), n, blocks(n)])
+    words = np.array([called.place, n, blocks(n), n, blocks(n)])
     return Problem(words, np.zeros(1), r, called.c, *tables)

@@ -201,7 +201,7 @@ class Workspace:
             if (place := columns.get(address(array))) is not None:
                 own.append(array[None].repeat(lanes, axis=0))
                 places[id(array)] = tables[:, place] = address(own[-1]) + array.nbytes * lane
-        prepared = [[b.preparing, *places[id(b.c)]] for b in self._bound if id(b.c) in places]
+        prepared = [[b.place + 8, *places[id(b.c)]] for b in self._bound if id(b.c) in places]
         runs = address(tables) + tables.strides[0] * lane
         return own, runs, np.array(prepared, dtype=np.int64).reshape(-1, 1 + lanes)
 
@@ -261,7 +261,7 @@ class Workspace:
 
     def _bind(self, f: Callable[..., Any], args: tuple[Any, ...]) -> Problem:
         call, n = self.call, self.n
-        if call is not None and call.inputs is None and call.kernel.addresses is not None:
+        if call is not None and call.inputs is None and call.kernel.cell is not None:
             if call.kernel.program.num_states != n:
                 raise ValueError(
                     f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
@@ -281,16 +281,16 @@ class Workspace:
         return problem_of(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
-        """Return the address and constants of a further Kernel of the system."""
+        """Return the place of the address and the constants of a further Kernel of the system."""
         call = self.call
         assert call is not None
-        if call.inputs is None and kernel.addresses is not None:
+        if call.inputs is None and kernel.cell is not None:
             bound = self._bind_native(kernel, call.p)
-            return bound.address, bound.c
+            return bound.place, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
         what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
-        return callback.address, callback.c
+        return callback.place, callback.c
 
     def _bind_native(self, kernel: Kernel, p: np.ndarray) -> Bound:
         self._bound.append(Bound(kernel, p))
@@ -363,11 +363,11 @@ class Workspace:
             )
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
-        if (far := wanted.reach) is not None and far.addresses is not None and not self.callbacks:
+        if (far := wanted.reach) is not None and far.cell is not None and not self.callbacks:
             assert self.call is not None
             bound = self._bind_native(far, self.call.p)
             size, moving = far.program.num_specifieds, far.program.num_states
-            reacher, reach_c = [bound.address, size - moving - 1, moving], bound.c
+            reacher, reach_c = [bound.place, size - moving - 1, moving], bound.c
             reach = np.zeros(size + BLOCK)
         act, rates_c, resets_c = self._acting(wanted)
         return Watch(
@@ -405,7 +405,7 @@ class Workspace:
         beside = beside or options.recorded not in (None, self.n)  # such as an integral
         if beside or self.callbacks or call is None or call.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
-        if resets.addresses is None or wanted.rates.addresses is None:
+        if resets.cell is None or wanted.rates.cell is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (wanted.rates, resets))
         return [shipped.address_of("act_on_event"), rater, resetter], rates_c, resets_c
