@@ -14,7 +14,7 @@ from harness.model import Model
 from harness.program import assembly_of
 from harness.report import save, seconds, table
 
-from pydy._graph.switches import Passes
+from pydy._graph.passes import names, rewriting
 
 
 def main() -> None:
@@ -72,10 +72,10 @@ def _count(model: Model, passes: bool) -> dict[str, Any]:
 
 def _without_each(model: Model) -> dict[str, int]:
     """Return the operations at every call with one pass or strategy left out, or all passes."""
-    chosen = {name: Passes.without(name) for name in Passes.names()} | {"passes": Passes.none()}
+    chosen = {name: frozenset({name}) for name in names()} | {"passes": rewriting()}
     counts = {}
     for name, switched in chosen.items():
-        count = assembly_of(model, passes=switched).program("rates").operation_count
+        count = assembly_of(model, off=switched).program("rates").operation_count
         counts[name] = sum(count["run"].values())
     return counts
 

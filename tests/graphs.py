@@ -11,7 +11,6 @@ from pydy._graph.node import Graph, input_nodes
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.ldl import UnrolledLDL
-from pydy._graph.switches import Passes
 from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.reader import Multibody
 
@@ -53,15 +52,15 @@ def nodes_of(expressions, graph=None):
     return graph, SymPyReader(graph, input_nodes(graph, t=[T], x=X, p=P)).all(expressions)
 
 
-def on_tape(graph, nodes, sizes=SIZES, **options):
+def on_tape(graph, nodes, sizes=SIZES):
     """The Program of nodes as they are."""
-    return lower(graph, sizes, [("values", (len(nodes),), nodes)], **options)
+    return lower(graph, sizes, [("values", (len(nodes),), nodes)])
 
 
-def program_of(expressions, passes=None):
+def program_of(expressions, off=frozenset()):
     """The Program of expressions in X, P and T, on the way that a system's equations take."""
-    graph, nodes = nodes_of(expressions)
-    assembly = Assembly(graph, SIZES, [], [], list(nodes), passes=passes or Passes())
+    graph, nodes = nodes_of(expressions, Graph(off))
+    assembly = Assembly(graph, SIZES, [], [], list(nodes))
     return assembly.program("outputs")
 
 
@@ -83,13 +82,13 @@ def evaluate(expression, *x):
     return float(values(program_of([expression]), x)[0])
 
 
-def solve_program(n, kind, columns=1, **options):
+def solve_program(n, kind, columns=1, off=frozenset()):
     """The Program that solves A · X = B; A row-major, then B column by column, are the state."""
-    graph = Graph()
+    graph = Graph(off)
     matrix = [[graph.input("x", i * n + j) for j in range(n)] for i in range(n)]
     right = [[graph.input("x", (n + c) * n + i) for i in range(n)] for c in range(columns)]
     nodes = [k for column in graph.solve(matrix, right, kind) for k in column]
-    return on_tape(graph, nodes, (n * (n + columns), 0, 0), **options)
+    return on_tape(graph, nodes, (n * (n + columns), 0, 0))
 
 
 _AWKWARD = [0.1, -2.5, 3.0, 1e20, 5e-324, np.inf, -np.inf, np.nan]

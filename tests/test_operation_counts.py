@@ -19,8 +19,8 @@ from harness.models import spring_chain
 from harness.program import assembly_of
 
 import zoo
+from pydy._graph.passes import names, rewriting
 from pydy._graph.program import Program
-from pydy._graph.switches import Passes
 from pydy._graph.tuning import COLUMNS_TOGETHER
 from pydy.system import System
 
@@ -165,7 +165,7 @@ WORTH = {
 
 
 def test_every_pass_and_strategy_is_measured_below():
-    assert set(WORTH) == set(Passes.names())
+    assert set(WORTH) == set(names())
 
 
 @pytest.mark.in_parts
@@ -173,13 +173,8 @@ def test_every_pass_and_strategy_is_measured_below():
 def test_each_pass_and_strategy_is_worth_its_lines_and_really_off_without(switch):
     name, times = WORTH[switch]
     model = spring_chain(20, absolute=False) if "springs-20" in name else frozen.read(name)
-    without = assembly_of(model, passes=Passes.without(switch)).program("rates")
+    without = assembly_of(model, off=frozenset({switch})).program("rates")
     assert operations(without) >= times * operations(assembly_of(model).program("rates"))
-
-
-def test_there_is_no_switch_of_an_unknown_name():
-    with pytest.raises(ValueError, match=r"'mrege', which is no pass or strategy.*merge"):
-        Passes.without("mrege")
 
 
 def test_pendulums_on_one_cart_are_eliminated_before_it():
@@ -207,8 +202,8 @@ def test_pendulums_on_one_cart_are_eliminated_before_it():
 def test_the_matrix_is_solved_as_given_where_no_unknowns_are_changed():
     model = frozen.read("springs-100-stretch")
     assert assembly_of(model).mass_matrix not in solved_matrices(assembly_of(model))
-    for passes in (Passes.without("differences"), Passes.none()):
-        assembly = assembly_of(model, passes=passes)
+    for off in (frozenset({"differences"}), rewriting()):
+        assembly = assembly_of(model, off=off)
         assert assembly.mass_matrix in solved_matrices(assembly)
 
 

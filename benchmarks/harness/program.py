@@ -14,7 +14,6 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.system import assemble_system
-from pydy._graph.switches import Passes
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -39,11 +38,11 @@ def equations_of(model: Model) -> Equations:
 
 
 def assembly_of(
-    model: Model, equations: Equations | None = None, passes: Passes | None = None
+    model: Model, equations: Equations | None = None, off: frozenset[str] = frozenset()
 ) -> Assembly:
     """Read a model into a graph, as System does."""
     equations = equations or equations_of(model)
-    return assemble_system(equations, (), (), model.specifieds, model.constants, passes=passes)
+    return assemble_system(equations, (), (), model.specifieds, model.constants, off=off)
 
 
 def compiled_model_of(model: Model) -> CompiledModel:

@@ -15,8 +15,7 @@ DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))
 def made_of(assembly, directions):
     """Columns, and the derivatives of states and columns by time."""
     columns = Columns(assembly.sizes[0], directions)
-    parts = assembly.sizes, assembly.passes
-    return columns, columns.tangent(*assembly.simplified("rates"), *parts, "rates")
+    return columns, columns.tangent(*assembly.simplified("rates"), assembly.sizes, "rates")
 
 
 def assembly_of(system):

@@ -8,14 +8,13 @@ import sympy as sm
 from graphs import P, X, evaluate, nodes_of, program_of
 from pydy._graph.passes.expand import expand_sums
 from pydy._graph.simplify import operations, simplify
-from pydy._graph.switches import Passes
 
 x, y, z, w = X
 a, b, c = P
 
 
 def total(expressions, *without):
-    program = program_of(expressions, Passes.without(*without))
+    program = program_of(expressions, frozenset(without))
     return program.operation_count["run"].total()
 
 

@@ -7,10 +7,9 @@ from graphs import on_tape, solve_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.switches import Passes
 
 ENGINES = ["interpreted", "compiled"]
-UNROLLED, LOOP = {}, {"passes": Passes.without("ldl", "lu")}
+UNROLLED, LOOP = {}, {"off": frozenset({"ldl", "lu"})}
 WAYS = {"unrolled ldl": ("ldl", UNROLLED), "ldl in a loop": ("ldl", LOOP), "lu": ("lu", UNROLLED)}
 
 

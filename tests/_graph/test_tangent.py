@@ -33,7 +33,7 @@ def in_parts(assembly, parts=None):
     if parts is None:
         parts = worthwhile_parts(graph, nodes, [graph.input("x", k) for k in range(n)])
     places = [("x", k) for k in range(n)]
-    return jacobian_tangent(graph, nodes, places, assembly.sizes, assembly.passes, parts)
+    return jacobian_tangent(graph, nodes, places, assembly.sizes, parts)
 
 
 def evaluated(jacobian, t, x, r, p):

@@ -183,7 +183,7 @@ def test_derivatives_of_ordinary_models_take_no_more_operations():
         graph, nodes = assembly.simplified("rates")
         if not guarded:
             nodes = rebuild(graph, nodes, lambda node, op, args: as_found(graph, node, op, args))
-        parts = [("x", k) for k in range(len(nodes))], "jacobian", assembly.sizes, assembly.passes
+        parts = [("x", k) for k in range(len(nodes))], "jacobian", assembly.sizes
         return derivative_program(graph, nodes, *parts).operation_count["run"].total()
 
     def as_found(graph, node, op, args):

@@ -22,7 +22,6 @@ from pydy._assembly import assembly
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
 from pydy._graph.solve.choose import solve_accelerations
-from pydy._graph.switches import Passes
 from pydy._mechanics import formed
 from pydy._mechanics.form import useful_axes
 from pydy._mechanics.formed import chosen
@@ -73,7 +72,7 @@ def straight_arm(n):
 def operations(found):
     graph, solved = found.graph, found.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, found.matrix, found.forcing, "ldl", Passes())
+        solved = solve_accelerations(graph, found.matrix, found.forcing, "ldl")
     nodes = simplify(graph, [*found.rates, *solved])
     sizes = (len(nodes), len(found.specifieds), len(found.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

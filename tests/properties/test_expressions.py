@@ -15,7 +15,7 @@ from graphs import P, X, program_of
 from parts import PART, WHOLE
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
-from pydy._graph.switches import Passes
+from pydy._graph.passes import rewriting
 from pydy.system import System
 from rounding import SAFETY, OutsideError, UnclearError, bounded
 
@@ -213,7 +213,7 @@ def test_a_random_expression_and_its_rewriting_stay_within_eight_times_its_round
     expressions, points = expressions_of(recipe), points_of(numbers)
     table = expected(expressions, points)
     assume(table)
-    plain = sweep(BACKENDS["lambdify"], program_of(expressions, Passes.none()), points)
+    plain = sweep(BACKENDS["lambdify"], program_of(expressions, rewriting()), points)
     check(plain, table, expressions, points, "as read")
     program = program_of(expressions)
     for name, backend in BACKENDS.items():

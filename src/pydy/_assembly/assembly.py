@@ -19,7 +19,6 @@ from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
-from pydy._graph.switches import Passes
 from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
@@ -51,7 +50,6 @@ class Assembly:
     # The linear system for the accelerations; empty where the form has none.
     mass_matrix: list[int] = field(default_factory=list)
     forcing: list[int] = field(default_factory=list)
-    passes: Passes = field(default_factory=Passes)  # the rewriting that Programs go through
     # What further expressions may hold; see `expression_program`.
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
@@ -135,7 +133,7 @@ class Assembly:
             graph, nodes = self.simplified("rates")
             with collector_paused():
                 blocks = [("rates", (len(nodes),), nodes)]
-                return lower(graph, self.sizes, blocks, passes=self.passes)
+                return lower(graph, self.sizes, blocks)
         own = self.fork()
         parts = {name: getattr(own, name) for name in names}
         squares = {"kinetic_hessian": len(self.speeds), "mass_matrix": len(self.forcing)}
@@ -161,7 +159,7 @@ class Assembly:
         """Return the Program of a block's Jacobian."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
-        return derivative_program(graph, nodes, places, "jacobian", self.sizes, self.passes)
+        return derivative_program(graph, nodes, places, "jacobian", self.sizes)
 
     def jacobian_in_parts(
         self, name: str, by: str | Sequence[tuple[str, int]]
@@ -172,7 +170,7 @@ class Assembly:
         parts = worthwhile_parts(graph, nodes, [graph.input(*place) for place in places])
         if not parts:
             return self.jacobian_program(name, by)
-        return jacobian_tangent(graph, nodes, places, self.sizes, self.passes, parts)
+        return jacobian_tangent(graph, nodes, places, self.sizes, parts)
 
     def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
         if not isinstance(by, str):
@@ -187,7 +185,7 @@ class Assembly:
         if known is None:
             own = self.fork()
             with collector_paused():
-                nodes = simplify(own.graph, getattr(own, name), self.passes)
+                nodes = simplify(own.graph, getattr(own, name))
             known = self._simplified[name] = (own.graph, nodes)
         return known[0].copy(), known[1]
 
@@ -216,19 +214,18 @@ class Assembly:
         """
         with collector_paused():
             whole = [n for part in parts.values() for n in part]
-            nodes = iter(whole if as_is else simplify(self.graph, whole, self.passes))
+            nodes = iter(whole if as_is else simplify(self.graph, whole))
             new = {name: [next(nodes) for _ in part] for name, part in parts.items()}
             if bounded is not None:
                 new["rounding"] = rounding_bounds(self.graph, new[bounded])
             own = shapes or {}
             blocks = [(name, own.get(name, (len(part),)), part) for name, part in new.items()]
-            passes = None if as_is else self.passes
-            return lower(self.graph, sizes or self.sizes, blocks, passes=passes)
+            return lower(self.graph, sizes or self.sizes, blocks)
 
     def fingerprint(self) -> bytes:
         """Return a digest of all that Programs are made from."""
         blocks = [*(getattr(self, name) for name in ("sizes", *_BLOCKS)), *self.open.values()]
         ready = self.ready and (self.ready[0], self.ready[1].ops, self.ready[1].args, self.ready[2])
-        content = (self.graph.ops, self.graph.args, blocks, ready, self.passes.running())
+        content = (self.graph.ops, self.graph.args, blocks, ready, sorted(self.graph.off))
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
         return hashlib.sha256(marshal.dumps(content, 2)).digest()

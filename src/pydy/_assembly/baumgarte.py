@@ -61,7 +61,7 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
         for i in range(count):
             forcing[n - count + i] = graph.sub(forcing[n - count + i], pull[i])
-        after = solve_accelerations(graph, rows, forcing, "lu", assembly.passes)
+        after = solve_accelerations(graph, rows, forcing, "lu")
     pairs = zip(before, after, strict=True)
     mapping = {old: new for old, new in pairs if not graph.constant[old]}
     rates = substitute(graph, assembly.rates, mapping)

@@ -14,7 +14,6 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
-from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 
@@ -35,9 +34,11 @@ class Form:
 
 
 @collector_paused()
-def assemble_form(form: Form, *, external: bool = False, passes: Passes | None = None) -> Assembly:
+def assemble_form(
+    form: Form, *, external: bool = False, off: frozenset[str] = frozenset()
+) -> Assembly:
     """Assemble equations in one of the forms."""
-    graph, time = Graph(), form.time
+    graph, time = Graph(off), form.time
     states = [*form.coordinates, *form.speeds]
     atoms = input_nodes(graph, p=form.constants, t=[time], r=form.specifieds, x=states)
     read = SymPyReader(graph, atoms, "the right-hand side")
@@ -75,7 +76,6 @@ def assemble_form(form: Form, *, external: bool = False, passes: Passes | None =
         **depending(rates),
         mass_matrix=matrix,
         forcing=forcing,
-        passes=passes or Passes(),
         open=depending(opened) if external else {},
     )
 
@@ -172,12 +172,12 @@ def assemble_system(
     constants: Sequence[Any],
     *,
     external: bool = False,
-    passes: Passes | None = None,
+    off: frozenset[str] = frozenset(),
 ) -> Assembly:
     """Assemble a mechanical system with its outputs."""
-    passes = passes or Passes()
     formed = equations.formed and equations.formed.placed(constants, specifieds)
     graph = Graph() if formed is None else formed.graph
+    graph.off = off
     q, u, t = equations.coordinates, equations.speeds, equations.time
     atoms = input_nodes(graph, p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
     accelerations = [graph.input("a", k) for k in range(len(u))]
@@ -213,9 +213,9 @@ def assemble_system(
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
         if formed is None or moved:
-            solved = solve_accelerations(graph, rows, forcing, kind, passes)
+            solved = solve_accelerations(graph, rows, forcing, kind)
         else:
-            beyond = solve_accelerations(graph, rows, formed.rest, kind, passes)
+            beyond = solve_accelerations(graph, rows, formed.rest, kind)
             solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)
@@ -234,7 +234,7 @@ def assemble_system(
 
     blocks = depending(solved)
     ready = None
-    if formed is not None and formed.simplified is not None and passes == Passes():
+    if formed is not None and formed.simplified is not None and not off:
         # What residuals with speeds give moves with u' too, and is not simplified yet.
         first = moved or any(integrated) or blocks["rates"][: len(q)] != kinematics
         ready = None if first else (blocks["rates"], *formed.simplified)
@@ -248,7 +248,6 @@ def assemble_system(
         nonholonomic=nonholonomic,
         mass_matrix=matrix,
         forcing=forcing,
-        passes=passes,
         # A user's solver finds u' from M and F, which what is read later cannot wait for.
         atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         speeds=[atoms[s] for s in u],

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._graph.node import Graph
-from pydy._graph.switches import Passes
 from pydy._graph.tangent import Along, Tangent, tangent
 
 
@@ -66,7 +65,6 @@ class Columns:
         graph: Graph,
         nodes: Sequence[int],
         sizes: tuple[int, int, int],
-        passes: Passes,
         values: str = "",
     ) -> Tangent:
         """Return the derivatives of simplified nodes along the columns.
@@ -89,4 +87,4 @@ class Columns:
         rows = [[float(d == one) for d in self.directions] for one in inputs]
         table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
         whole = (2 * n, s + self.weights, c + len(inputs))
-        return tangent(graph, nodes, [part], (sizes, whole), passes, self.count, table, values)
+        return tangent(graph, nodes, [part], (sizes, whole), self.count, table, values)

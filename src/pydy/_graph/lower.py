@@ -15,7 +15,6 @@ from pydy._graph.operations import TRUTHS
 from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.program import NEVER_PUT_OFF, Program, Tape
 from pydy._graph.solve.choose import Factor, factorised
-from pydy._graph.switches import Passes
 
 
 def lower(
@@ -23,7 +22,6 @@ def lower(
     sizes: tuple[int, int, int],
     blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     *,
-    passes: Passes | None = None,
     own: tuple[int, int, int] | None = None,
 ) -> Program:
     """Return the Program that computes `blocks` of names, shapes, and nodes, row-major.
@@ -33,8 +31,7 @@ def lower(
     alone, by default on all: pivots are chosen at random states of so many inputs, and further ones
     leave the choice as it is.
     """
-    passes = Passes() if passes is None else passes
-    lowering = _Lowering(graph, sizes, passes, own or sizes)
+    lowering = _Lowering(graph, sizes, own or sizes)
     return Program.from_tape(*lowering.run(blocks))
 
 
@@ -43,14 +40,12 @@ class _Lowering:
         self,
         graph: Graph,
         sizes: tuple[int, int, int],
-        passes: Passes,
         own: tuple[int, int, int],
     ) -> None:
         self.graph = graph
         self.sizes = sizes
         self.own = own
         self.tape = Tape()
-        self.passes = passes
         self.new: dict[int, int] = {}
         self.hot: set[int] = set()
         self.put_off: set[int] = set()  # what the fallbacks so far need, but no call
@@ -108,7 +103,7 @@ class _Lowering:
         if op == "factor":
             kind, n, entries = args
             cells = [new[e] for e in entries]
-            self.factors[node] = factorised(tape, kind, n, cells, self.own, self.passes)
+            self.factors[node] = factorised(tape, kind, n, cells, self.own, self.graph.off)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -158,7 +153,7 @@ class _Lowering:
             terms = [((n, abs(c)), c > 0.0) for n, c in graph.args[node][1]]
             rows.append(sorted(terms, key=rank))
         self.sums = dict(zip(sums, rows, strict=True))
-        if "share sums" in self.passes:
+        if "share sums" not in self.graph.off:
             self.sums.update(zip(sums[:count], share_pairs(rows[:count]), strict=True))
 
     def _sum(self, node: int) -> int:
@@ -234,7 +229,7 @@ class _Lowering:
             if fixed or size != 1.0:
                 above.insert(0, ("fixed", fixed, size))
             factors.append(above)
-        if "share products" in self.passes:
+        if "share products" not in self.graph.off:
             shared = share_pairs([[(factor, True) for factor in row] for row in factors[:count]])
             factors[:count] = [[tree for tree, _ in row] for row in shared]
         self.products = dict(zip(places, factors, strict=True))

@@ -78,8 +78,9 @@ class Graph(Nodes):
     (factor, right-hand sides), ``guard`` (see `Graph.guard`) and ``item`` (solve or guard, index).
     """
 
-    def __init__(self) -> None:
+    def __init__(self, off: frozenset[str] = frozenset()) -> None:
         super().__init__()
+        self.off = off  # what its nodes are not simplified by (`pydy._graph.passes.names`)
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
@@ -93,7 +94,7 @@ class Graph(Nodes):
         other.ops, other.args = self.ops.copy(), self.args.copy()
         other.constant, other._known = self.constant.copy(), self._known.copy()
         other._operands, other._counted = self._operands.copy(), self._counted.copy()
-        other.zero, other.one = self.zero, self.one
+        other.zero, other.one, other.off = self.zero, self.one, self.off
         return other
 
     def renamed(self, names: Mapping[tuple[str, int], tuple[str, int]]) -> Graph:

@@ -16,7 +16,6 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
-from pydy._graph.switches import Passes
 
 KINDS = ("jacobian", "jacobian-vector", "vector-jacobian", "gradient", "hessian-vector")
 
@@ -27,7 +26,6 @@ def derivative_program(
     variables: Sequence[tuple[str, int]],
     kind: str,
     sizes: tuple[int, int, int],
-    passes: Passes,
     vectors: int = 1,
 ) -> Program:
     """Return the Program of derivatives of some nodes.
@@ -73,8 +71,8 @@ def derivative_program(
         else:
             shape, extra = (k, vectors), k * vectors
             first = adjoints(g, nodes, [g.one], by)
-            first = factor_sums(g, first) if "factor" in passes else first
+            first = first if "factor" in g.off else factor_sums(g, first)
             seeds = {node: given(k, i) for i, node in enumerate(by)}
             cells = dense(g, directional(g, first, seeds), vectors)
-        cells = factor_sums(g, cells) if "factor" in passes else cells
-        return lower(g, (n, s + extra, c), [(kind, shape, cells)], passes=passes)
+        cells = cells if "factor" in g.off else factor_sums(g, cells)
+        return lower(g, (n, s + extra, c), [(kind, shape, cells)])

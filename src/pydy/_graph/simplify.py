@@ -7,16 +7,14 @@ from collections.abc import Sequence
 from pydy._graph.node import Graph
 from pydy._graph.passes import ONCE, ROUND, Pass
 from pydy._graph.rewrite import substitute
-from pydy._graph.switches import Passes
 
 
-def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -> list[int]:
-    """Return roots that cost fewer operations, by all passes or some."""
-    passes = Passes() if passes is None else passes
+def simplify(graph: Graph, roots: Sequence[int]) -> list[int]:
+    """Return roots that cost fewer operations, by all passes that the graph does not have `off`."""
     guards = [n for n in graph.reachable(roots) if graph.ops[n] == "guard"]
     if guards:
-        return _around_guards(graph, roots, guards, passes)
-    run = _Run(graph, roots, passes)
+        return _around_guards(graph, roots, guards)
+    run = _Run(graph, roots)
     run.all(ONCE)
     before = run.cost
     # Only new equal nodes give factors that the first round of passes did not see.
@@ -30,9 +28,8 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
 class _Run:
     """The nodes as the passes so far left them."""
 
-    def __init__(self, graph: Graph, roots: Sequence[int], passes: Passes) -> None:
+    def __init__(self, graph: Graph, roots: Sequence[int]) -> None:
         self.graph = graph
-        self.passes = passes
         self.nodes = list(roots)
         self._counts: dict[int, int] = {}
         self.cost = operations(graph, roots, self._counts)
@@ -42,7 +39,7 @@ class _Run:
         """Run passes one after another, keeping cheaper results; return the savings by merging."""
         merged = 0
         for name, function in passes:
-            if name not in self.passes or self._left.get(name) == self.nodes:
+            if name in self.graph.off or self._left.get(name) == self.nodes:
                 continue
             tried = function(self.graph, self.nodes)
             if tried != self.nodes:
@@ -54,14 +51,12 @@ class _Run:
         return merged
 
 
-def _around_guards(
-    graph: Graph, roots: Sequence[int], guards: Sequence[int], passes: Passes
-) -> list[int]:
+def _around_guards(graph: Graph, roots: Sequence[int], guards: Sequence[int]) -> list[int]:
     """Simplify operations of every call; leave those for guards' fallbacks alone."""
     away = {guard: graph.input("guard", k) for k, guard in enumerate(guards)}
     hot = [[graph.args[guard][3], *graph.args[guard][4]] for guard in guards]
     every = substitute(graph, [*roots, *(n for part in hot for n in part)], away)
-    nodes = iter(simplify(graph, every, passes))
+    nodes = iter(simplify(graph, every))
     new_roots = [next(nodes) for _ in roots]
     back: dict[int, int] = {}
     for guard, part in zip(guards, hot, strict=True):

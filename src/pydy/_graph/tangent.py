@@ -32,7 +32,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, TRUTHS, operands, with_operands
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Block, Program, Tape
-from pydy._graph.switches import Passes
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
 
 _MARK = b"tangent"
@@ -219,7 +218,6 @@ def tangent(
     outputs: Sequence[int],
     wanted: Iterable[Along],
     sizes: tuple[tuple[int, int, int], tuple[int, int, int]],
-    passes: Passes,
     columns: int,
     directions: np.ndarray | None = None,
     values: str = "",
@@ -237,10 +235,10 @@ def tangent(
             parts.append(part)
             rows = Rows(graph, {node: {0: seed} for node, seed in part.along.items()})
             cells += [rows(node).get(0, graph.zero) for node in outputs]
-        cells = factor_sums(graph, cells) if "factor" in passes else cells
+        cells = cells if "factor" in graph.off else factor_sums(graph, cells)
         blocks = [(str(k), (m,), cells[k * m : (k + 1) * m]) for k in range(len(parts))]
         first = [(values, (m,), [*outputs])] if values else []
-        lowered = lower(graph, whole, [*first, *blocks], passes=passes, own=sizes[0])
+        lowered = lower(graph, whole, [*first, *blocks], own=sizes[0])
         found = [(b.name, lowered.outputs[b.start : b.stop]) for b in lowered.blocks]
         parting = _Parting(lowered)
         made = []
@@ -342,7 +340,6 @@ def jacobian_tangent(
     outputs: Sequence[int],
     variables: Sequence[tuple[str, int]],
     sizes: tuple[int, int, int],
-    passes: Passes,
     parts: Sequence[tuple[int, int]],
 ) -> Tangent:
     """Return the Jacobian of simplified nodes in parts, see `parts_of`."""
@@ -358,7 +355,7 @@ def jacobian_tangent(
             yield Along(first, stop, along, own, (stop - first, 0))
 
     whole = (n + len(variables), s, c)
-    return tangent(graph, outputs, wanted(), (sizes, whole), passes, len(variables))
+    return tangent(graph, outputs, wanted(), (sizes, whole), len(variables))
 
 
 def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter[int]:

@@ -22,8 +22,6 @@ INDEPENDENT, REDUNDANT = -(2.0**120), -(2.0**121)
 # 2,528 operations without for 10 and 20 links (670 and 1,390 with).
 LONGEST_MULTIPLIED_OUT = {1: 4, 2: 2}
 
-# -- order of operations --------------------------------------------------------------------------
-
 # -- linear solves --------------------------------------------------------------------------------
 
 # Multiply-adds of an elimination that is written out, about those of a full 24 by 24 matrix;

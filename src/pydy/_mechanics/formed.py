@@ -28,7 +28,6 @@ from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import operations, simplify
 from pydy._graph.solve.choose import difference_basis, solve_accelerations
-from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
 from pydy._mechanics.generic import (
@@ -177,7 +176,7 @@ def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        beyond = solve_accelerations(graph, formed.matrix, formed.rest, "ldl", Passes())
+        beyond = solve_accelerations(graph, formed.matrix, formed.rest, "ldl")
         solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     return graph, simplify(graph, [*formed.rates, *solved])
 

@@ -150,10 +150,8 @@ class Projections:
 
         def make() -> Program:
             own = assembly.fork()
-            nodes = simplify(own.graph, [*own.holonomic, *own.velocity], own.passes)
-            return derivative_program(
-                own.graph, nodes, wanted, "vector-jacobian", own.sizes, own.passes
-            )
+            nodes = simplify(own.graph, [*own.holonomic, *own.velocity])
+            return derivative_program(own.graph, nodes, wanted, "vector-jacobian", own.sizes)
 
         kernel = model.compiled_by(("adjoint of the constraints", wanted), make)
         rows = np.broadcast_to(self._r, (len(self.times), self._r.shape[1]))
@@ -274,9 +272,7 @@ class Task:
 
         def make() -> Program:
             graph, rates = assembly.simplified("rates")
-            return derivative_program(
-                graph, rates, by, "vector-jacobian", assembly.sizes, assembly.passes
-            )
+            return derivative_program(graph, rates, by, "vector-jacobian", assembly.sizes)
 
         key = ("adjoint of the rates", self.wanted)
         return self.call_whole(model.compiled_by(key, make), n)
@@ -291,8 +287,8 @@ class Task:
 
         def make() -> Program:
             own = assembly.fork()
-            nodes = simplify(own.graph, [node_of(own, self.final, "`final`")], own.passes)
-            return derivative_program(own.graph, nodes, by, "gradient", own.sizes, own.passes)
+            nodes = simplify(own.graph, [node_of(own, self.final, "`final`")])
+            return derivative_program(own.graph, nodes, by, "gradient", own.sizes)
 
         key = ("gradient at the end", self.final, self.wanted)
         return self.call(model.compiled_by(key, make))

@@ -184,8 +184,8 @@ class Quantity(NamedTuple):
         sizes = n + count, s, c
         if not by:
             return assembly.lowered({self.name: nodes}, sizes=sizes)
-        nodes = simplify(g, nodes, assembly.passes)
-        return derivative_program(g, nodes, by, "jacobian", sizes, assembly.passes)
+        nodes = simplify(g, nodes)
+        return derivative_program(g, nodes, by, "jacobian", sizes)
 
 
 def _warn_of_rest(at: At, program: Program, left: tuple[Iterable[int], Iterable[int]]) -> None:

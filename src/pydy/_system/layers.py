@@ -154,7 +154,7 @@ class _Values:
 
         def program() -> Program:
             graph, nodes = assembly.simplified(block)
-            return derivative_program(graph, nodes, by, kind, assembly.sizes, assembly.passes)
+            return derivative_program(graph, nodes, by, kind, assembly.sizes)
 
         kernel = model.compiled_by(("product", kind, block, (), by, 1), program)
         self._products[kind, wanted] = kernel, parts

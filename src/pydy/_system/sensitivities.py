@@ -194,11 +194,11 @@ class Sensitive:
 
         def make() -> Tangent:
             if blocks:
-                graph, passes = assembly.graph.copy(), assembly.passes
+                graph = assembly.graph.copy()
                 nodes = [node for name in blocks for node in getattr(assembly, name)]
-                return columns.tangent(graph, simplify(graph, nodes, passes), sizes, passes)
+                return columns.tangent(graph, simplify(graph, nodes), sizes)
             graph, rates = assembly.simplified("rates")
-            return columns.tangent(graph, rates, sizes, assembly.passes, "rates")
+            return columns.tangent(graph, rates, sizes, "rates")
 
         sizes = assembly.sizes
         return stored_program(
@@ -370,7 +370,7 @@ def program_of_event(
     graph, (n, s, c) = own.graph, own.sizes
     after = [event.reset.get(state, state) for state in symbols]
     read = own.read([event.expression, *after], f"the event `{event.name}`")
-    crossing, *rest = simplify(graph, [*read, *own.rates], own.passes)
+    crossing, *rest = simplify(graph, [*read, *own.rates])
     after, rates = rest[:n], rest[n:]
     states = [graph.input("x", i) for i in range(n)]
     along = {graph.input("t", 0): {0: graph.one}}
@@ -393,7 +393,7 @@ def program_of_event(
         (name, shapes.get(name, (len(part),)), [next(cells) for _ in part])
         for name, part in parts.items()
     ]
-    return lower(graph, (n, 2 * s, c), blocks, passes=own.passes, own=own.sizes)
+    return lower(graph, (n, 2 * s, c), blocks, own=own.sizes)
 
 
 def compiled_event(

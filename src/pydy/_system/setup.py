@@ -17,7 +17,7 @@ from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
 from pydy._checks import Keyed, check_mapping, flag, shown
 from pydy._errors import warn_user
-from pydy._graph.switches import Passes
+from pydy._graph.passes import rewriting
 from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._mechanics.implicit import Implicit
@@ -91,12 +91,12 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
             positive_definite=True,
         )
         solver = None
-    passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
+    off = frozenset() if flag(options.get("cse", True), "`cse`") else rewriting()
     arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
     backend = make_backend(options.pop("generator", "llvm"), options)
     layout, external = definition.layout, solver is not None
     given = definition.groups, definition.auxiliaries, layout.specifieds, layout.constants
-    assembly = assemble_system(equations, *given, external=external, passes=passes)
+    assembly = assemble_system(equations, *given, external=external, off=off)
     model = CompiledModel(layout, assembly, backend, solver, definition)
     return Generated(definition, model, arguments)
 

@@ -52,7 +52,7 @@ class Target:
             own.outputs[one] if isinstance(one, int) else own.read([one], "`of`")[0]
             for one in self.chosen
         ]
-        return own.graph, simplify(own.graph, nodes, assembly.passes)
+        return own.graph, simplify(own.graph, nodes)
 
 
 def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
@@ -160,9 +160,7 @@ def evaluate_product(
 
         def program() -> Program:
             graph, nodes = target.nodes(assembly)
-            return derivative_program(
-                graph, nodes, by, kind, assembly.sizes, assembly.passes, count
-            )
+            return derivative_program(graph, nodes, by, kind, assembly.sizes, count)
 
         return model.compiled_by(("product", kind, target.block, target.chosen, by, count), program)
 

@@ -18,7 +18,7 @@ from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolical
 from pydy._assembly.system import Form, assemble_form
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
-from pydy._graph.switches import Passes
+from pydy._graph.passes import rewriting
 from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
@@ -158,10 +158,10 @@ def generate_ode_function(
             **generator_options,
         ).generate()
         return made
-    passes = Passes() if flag(generator_options.get("cse", True), "`cse`") else Passes.none()
+    off = frozenset() if flag(generator_options.get("cse", True), "`cse`") else rewriting()
     external = callable(solver)
     form = Form(force, q, u, p, r, time, matrix, first, values)
-    assembly = assemble_form(form, external=external, passes=passes)
+    assembly = assemble_form(form, external=external, off=off)
     return make_function(
         RightHandSide(
             CompiledModel(

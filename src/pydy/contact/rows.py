@@ -26,7 +26,6 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
 from pydy._graph.solve.choose import solve_accelerations
-from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
@@ -223,7 +222,7 @@ class ContactRows:
         if formed.accelerations is not None:
             return list(formed.accelerations)
         kind = "ldl" if self.equations.positive_definite else "lu"
-        beyond = solve_accelerations(g, formed.matrix, formed.rest, kind, Passes())
+        beyond = solve_accelerations(g, formed.matrix, formed.rest, kind)
         return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
 
     def _moves(self) -> list[list[int]]:

@@ -19,7 +19,6 @@ from pydy._graph.columns import Columns
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.switches import Passes
 from pydy._graph.tangent import Tangent, jacobian_tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
@@ -39,7 +38,7 @@ def assembly_of(name):
 def in_parts(assembly, parts):
     graph, nodes = assembly.simplified("rates")
     places = [("x", k) for k in range(assembly.sizes[0])]
-    return jacobian_tangent(graph, nodes, places, assembly.sizes, assembly.passes, parts)
+    return jacobian_tangent(graph, nodes, places, assembly.sizes, parts)
 
 
 def sample(assembly, m):
@@ -94,7 +93,7 @@ def test_columns_of_no_part_are_zero():
     x = [graph.input("x", k) for k in range(7)]
     nodes = [graph.mul(x[2], x[3]), graph.call("sin", x[2])]
     places = [("x", k) for k in range(7)]
-    made = jacobian_tangent(graph, nodes, places, (7, 0, 0), Passes(), [(2, 4)])
+    made = jacobian_tangent(graph, nodes, places, (7, 0, 0), [(2, 4)])
     at = np.arange(7.0)
     out = np.full((1, 14), np.nan)
     LLVMBackend().compile(made).evaluate(np.zeros(1), at[None], np.empty((1, 0)), np.zeros(0), out)
@@ -116,7 +115,7 @@ def chain(n, kind):
     solution = graph.solve(rows, [right], kind)[0]
     places = [("x", k) for k in range(2 * n)]
     parts = [(0, n), (n, 2 * n)]
-    return jacobian_tangent(graph, solution, places, (2 * n, 0, 1), Passes(), parts)
+    return jacobian_tangent(graph, solution, places, (2 * n, 0, 1), parts)
 
 
 @pytest.mark.parametrize("kind", ["ldl", "lu"])
@@ -149,7 +148,7 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     more = graph.call("atan", column[0])
     nodes = graph.guard(rows, [more, *column[1:]], sound, [*fast])
     places = [("x", k) for k in range(3 * n)]
-    made = jacobian_tangent(graph, nodes, places, sizes, Passes(), [(0, n), (n, 3 * n)])
+    made = jacobian_tangent(graph, nodes, places, sizes, [(0, n), (n, 3 * n)])
     # No call computes what only the fallback needs, for itself or for the columns.
     assert "atan" in made.shared.ops
     assert "atan" not in made.operation_count["run"]
@@ -170,9 +169,9 @@ def test_derivatives_by_a_definite_matrix_take_nothing_but_its_elimination():
     places = [("x", k) for k in range(27)]
     by = [graph.input(*place) for place in places]
     parts = [(0, 9), (9, 27)]
-    made = jacobian_tangent(graph, nodes, places, sizes, Passes(), parts)
+    made = jacobian_tangent(graph, nodes, places, sizes, parts)
     plain = graph.args[graph.args[nodes[0]][0]][4]
-    bare = jacobian_tangent(graph, plain, places, sizes, Passes(), parts)
+    bare = jacobian_tangent(graph, plain, places, sizes, parts)
     # The judgement of the matrix: itself, and what tells where it is sound.
     judged = on_tape(graph, nodes, sizes).num_operations
     assert made.num_operations <= bare.num_operations + judged + 2 * 27
@@ -206,8 +205,8 @@ def beside(name, count):
     n, _, c = assembly.sizes
     directions = tuple(("p", (k // 2) % c) if k % 2 else None for k in range(count))
     columns = Columns(n, directions)
-    parts = assembly.sizes, assembly.passes
-    return assembly, columns, columns.tangent(*assembly.simplified("rates"), *parts, "rates")
+    made = columns.tangent(*assembly.simplified("rates"), assembly.sizes, "rates")
+    return assembly, columns, made
 
 
 @pytest.mark.in_parts

@@ -34,6 +34,17 @@ SHARING = ("share products", "share sums")
 """In which order factors are multiplied and terms added: decided as they are lowered (`share`)."""
 
 
+def names() -> list[str]:
+    """Return what a Graph may have `off`: passes, and ways to solve (`pydy._graph.solve`)."""
+    rewriting = [name for name, _ in [*ONCE, *ROUND]]
+    return list(dict.fromkeys(["differences", *rewriting, *SHARING, "ldl", "lu"]))
+
+
+def rewriting() -> frozenset[str]:
+    """Return these names without plain elimination, which rewrites nothing."""
+    return frozenset(names()) - {"ldl", "lu"}
+
+
 def register(name: str, function: Pass, after: str = "merge") -> None:
     """Add a pass; it runs in each round, after the one named `after`."""
     names = [known for known, _ in ROUND]

@@ -42,16 +42,16 @@ def factorised(
     n: int,
     entries: list[int],
     sizes: tuple[int, int, int],
-    passes: Container[str],
+    off: Container[str],
 ) -> Factor:
     """Factorise a matrix of nodes of a tape, of the kind that `Graph.solve` describes.
 
-    Its pivots are chosen at generic inputs of these sizes.
+    Its pivots are chosen at generic inputs of these sizes; a kind that is `off` is not written out.
     """
     found: Factor | None = None
-    if kind in passes and kind == "ldl":
+    if kind not in off and kind == "ldl":
         found = ldl.unrolled(tape, n, entries)
-    elif kind in passes:
+    elif kind not in off:
         found = lu.unrolled(tape, n, entries, sizes)
     return found or LoopFactor(tape, kind, n, entries)
 
@@ -61,10 +61,9 @@ def solve_accelerations(
     rows: list[list[int]],
     forcing: list[int],
     kind: str,
-    passes: Container[str],
 ) -> list[int]:
     """Return the solution of the equations of motion ``M u' = F``."""
-    change = kind == "ldl" and "differences" in passes
+    change = kind == "ldl" and "differences" not in graph.off
     found = difference_basis(graph, rows, forcing) if change else None
     if found is None:
         return graph.solve(rows, [forcing], kind, judged=True)[0]
