@@ -62,14 +62,21 @@ class Mechanism:
     @cached_property
     def symbols(self) -> set[Any]:
         """The symbols in the bodies and loads, whether the equations of motion hold them or not."""
+        return set().union(*(part.free_symbols for part in self.parts))
+
+    @cached_property
+    def parts(self) -> tuple[Any, ...]:
+        """Masses, inertias, velocities and loads, of which energies are made."""
         parts = [body.mass for body in self.bodies]
         vectors = [vector for _, vector in self.loads]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # as for the kinetic energy
+            vectors += [body.masscenter.vel(self.frame) for body in self.bodies]
         for body in self.bodies:
-            vectors.append(body.masscenter.vel(self.frame))
             if not isinstance(body, Particle):
                 parts += [size for size, _, _ in body.central_inertia.args]
         parts += [part for vector in vectors for own, _ in vector.args for part in own]
-        return set().union(*(sm.sympify(part).free_symbols for part in parts))
+        return tuple(map(sm.sympify, parts))
 
     def _square(self, vector: Any) -> Any:
         if len(vector.args) == 1:

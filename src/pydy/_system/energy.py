@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -79,12 +78,11 @@ class EnergyModel:
     @cached_property
     def _held(self) -> tuple[Any, ...]:
         """The symbols in energies and positions that are neither time nor states."""
-        parts: list[Any] = []
-        for name in ("kinetic", "potential"):
-            with suppress(ValueError):
-                parts.append(getattr(self, name))
+        parts: list[Any] = [] if self.given is None else [self.given]
         equations, mechanism = self.equations, self.equations.mechanism
         if mechanism is not None:
+            parts += [*mechanism.parts, mechanism.lagrangian or 0]
+            parts += [body.potential_energy for body in mechanism.bodies]
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:
                 points += [other for other in places(point) if other not in points]
