@@ -126,6 +126,32 @@ def test_a_body_that_tumbles_on_two_feet(friction, end, hypothesis):
     assert len(exact.impacts) >= 2
 
 
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+@pytest.mark.parametrize("right", [1.0, 1.3])
+@pytest.mark.parametrize("hypothesis", ["newton", "poisson"])
+def test_a_rod_that_comes_down_on_both_ends_until_it_rests(hypothesis, right, tolerance):
+    system, ends = falling_body([(-1, 0), (right, 0)], restitution=e, mu=mu)
+    system.constants.update({J: 1 / 3, e: 0.5})
+    system.initial_conditions, system.times = {y: 0.5, vx: 0.4}, [0.0, 1.2]
+    contacts = Contacts(system, ends, {mu: 0.05}, hypothesis=hypothesis)
+    motion = contacts.simulate(sensitivities=[e, mu, vx], rtol=tolerance, atol=tolerance)
+    assert set(motion.modes[-1][2].values()) == {"sticks"}
+    # The first two blows brake it by μ (1 + e) v each; at the third it stops.
+    v = math.sqrt(9.81)
+    first, second = sm.symbols("first second")
+    slower = vx - mu * (1 + e) * first
+    reach = vx * first / g + slower * 2 * e * first / g
+    reach += (slower - mu * (1 + e) * second) * 2 * e**2 * first / g
+    reach = reach.subs(second, e * first)
+    at = {vx: 0.4, mu: 0.05, e: 0.5, first: v, g: 9.81}
+    assert motion["x"][-1] == pytest.approx(float(reach.subs(at)), rel=1e-9)
+    for parameter in (e, mu, vx):
+        slope = float(reach.diff(parameter).subs(at))
+        assert motion.sensitivity["x", parameter][-1] == pytest.approx(slope, rel=1e-9)
+    with pytest.raises(ContactError, match="closes at the instant of another transition"):
+        contacts.simulate(sensitivities=[a])  # one end comes down first, or the other
+
+
 @pytest.mark.parametrize("ratio", [0.2, 0.9])
 def test_a_blow_through_bodies_that_touch(ratio):
     """By Poisson's hypothesis one of them gives back more if the other presses it."""

@@ -238,24 +238,31 @@ def _blow(
     """Return an impact, and the speeds of rebounds that are left out of it, as they are low."""
     hypothesis, e, speed = run.kept.hypothesis, p.restitution, p.moving()
     every, free = frozenset(hit), np.zeros(len(e))
+    flying = problem
     problem = replace(problem, hold=p.mu, pressed=free, resting=every, touching=every)
     by_phases = hypothesis == "poisson"
-    blow = poisson(problem, speed, e) if by_phases else None
     rests: dict[int, float] = {}
-    for i in sorted(hit if by_phases else closing):
-        normal = run.rows.normal[i]
-        leaves = e[i] * abs(p.speed[normal])
-        if by_phases:  # friction, and other contacts, change it
-            hits = blow is not None and blow.modes[i] != OPEN
-            leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
-        if e[i] > 0.0 and run.is_low(i, leaves, rates[normal], p, state.x):
-            rests[i] = leaves
     left = e.copy()
-    left[list(rests)] = 0.0
-    if not by_phases:
-        blow = newton(problem, speed, left, closing, state.touching)
-    elif rests:
-        blow = poisson(problem, speed, left)
+    while True:
+        if by_phases:
+            blow = poisson(problem, speed, left)
+        else:
+            blow = newton(problem, speed, left, closing, state.touching)
+        low: dict[int, float] = {}
+        for i in sorted((hit if by_phases else closing) - rests.keys()):
+            normal = run.rows.normal[i]
+            leaves = e[i] * abs(p.speed[normal])
+            if by_phases:  # friction, and other contacts, change it
+                hits = blow is not None and blow.modes[i] != OPEN
+                leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
+            if e[i] > 0.0 and run.is_low(i, leaves, rates[normal], p, state.x):
+                low[i] = leaves
+        if not low:
+            break
+        rests |= low
+        left[list(rests)] = 0.0
+        # What stays closed changes the accelerations of others, whose rebounds may be low too.
+        rates = solved(flying, [CLOSED if i in rests else m for i, m in enumerate(run.modes)]).rates
     if blow is None:
         raise run.fail(state.t, state.x, contradiction(hypothesis, left))
     return blow, rests

@@ -362,13 +362,17 @@ class ContactRows:
         sizes = len(e.coordinates) + len(e.speeds), len(f.specifieds), len(f.constants)
         return Evaluated(lower(g, sizes, parts))
 
-    def are_open(self, t: float, x: np.ndarray, p: np.ndarray) -> bool:
-        """Whether all gaps are open, as can be told quickly where constants are as `checked`."""
+    def open_gaps(self, t: float, x: np.ndarray, p: np.ndarray) -> np.ndarray | None:
+        """Return the `near` of gaps that are all open; None unless that is told quickly.
+
+        It is where the constants are as `checked`.
+        """
         if self.checked is None or self.checked[0] != p.tobytes() or self._gaps is None:
-            return False
+            return None
         found = self._gaps(np.array([t]), x[None], self._idle, self.checked[1])
+        near: np.ndarray = found["near"][0]
         # Compiled code may round in another way.
-        return bool((found["gap"] > 2.0 * WITHIN * ROUNDING * found["near"]).all())
+        return near if (found["gap"] > 2.0 * WITHIN * ROUNDING * near).all() else None
 
     def owners_of(self, held: Sequence[int]) -> dict[int, int]:
         """Return the contacts of the normal rows among the active rows, in their order."""

@@ -99,6 +99,7 @@ class Run:
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
         self.struck: set[int] = set()  # contacts that have closed
+        self.widest = np.zeros(len(self.contacts))  # bounds on roundings of the gaps until now
         self._numbers_of: dict[Any, float] = dict(
             zip(now.definition.constants, now.p.tolist(), strict=True)
         )
@@ -173,9 +174,13 @@ class Run:
     def begin(self) -> State:
         """Return the state at the first time, after the impacts that happen there."""
         t, x = float(self.times[0]), self.now.x.copy()
-        if self.begun is None and self.rows.are_open(t, x, self.now.p):
-            return State(t, x, set(), set(), set())
+        if self.begun is None:
+            near = self.rows.open_gaps(t, x, self.now.p)
+            if near is not None:
+                self.widest = near
+                return State(t, x, set(), set(), set())
         p = self.numbers(t, x)
+        self.widest = p.near
         check_values(self.contacts, p)
         for expression in self.rows.switched:
             expression.check(self.values(t, x))
@@ -644,6 +649,8 @@ class Run:
         p, eps = self.numbers(state.t, state.x), np.finfo(float).eps
         solution = solved(self.problem(p, state), self.modes)
         resolved = self.resolution(state.t)
+        # What closes together has roundings of all heights from which it has fallen.
+        self.widest = np.maximum(self.widest, p.near)
         closing: set[int] = set()
         fixed: dict[int, str] = {}
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
@@ -655,11 +662,11 @@ class Run:
                 what.discard("slips")
             if mode == OPEN:
                 assert normal is not None
-                near, speed = WITHIN * eps * p.near[i], p.speed[normal]
+                near, speed = WITHIN * eps * self.widest[i], p.speed[normal]
                 if i in state.rising:
                     if what:
                         state.rising.discard(i)
-                    if what and p.gap[i] <= near:
+                    if what and p.is_closed(i):
                         state.touching.add(i)
                         if rows and np.linalg.norm(p.speed[rows]) <= self.unresolved(i):
                             state.resting.add(i)  # not even its direction is known

@@ -25,7 +25,7 @@ from pydy._forks import cached_property
 from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
 from pydy._names import column_names
-from pydy._rank import DEPENDENT
+from pydy._rank import DEPENDENT, ROUNDING
 from pydy._system.sensitivities import Sensitive, Wanted
 from pydy._system.simulation import simulated
 from pydy._system.snapshot import Snapshot
@@ -34,7 +34,7 @@ from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers, by_name
 from pydy.contact.trajectory import Piece, PieceSensitivities
-from pydy.contact.tuning import SLACK
+from pydy.contact.tuning import SLACK, WITHIN
 from pydy.trajectory import EventRecord
 
 _SLOPES = ("gap", "speed", "square", "moves", "restitution", "mu", "free")
@@ -56,6 +56,8 @@ class Transitions:
         self.total = total
         self.time = np.zeros(len(constants))
         self.doubtful = np.zeros(len(constants), dtype=bool)  # whose time is not known
+        # By contact: how far roundings of the impulses' derivatives may have moved the gap since.
+        self.blurred = np.zeros((len(rows.contacts), len(constants)))
 
     @cached_property
     def _slopes(self) -> Any:
@@ -130,7 +132,7 @@ class Transitions:
         """
         terms = np.abs(p.gradient[i]) @ np.abs(self.total[: self._first])
         terms += np.abs(p.speed[self.rows.normal[i]] * self.time)
-        wrong: np.ndarray = ~(np.abs(slopes) <= share * terms)
+        wrong: np.ndarray = ~(np.abs(slopes) <= share * terms + self.blurred[i])
         return wrong
 
     def impact(
@@ -170,6 +172,12 @@ class Transitions:
             own = self._impulses(d, p, phase, given, moved)
             moved = moved + p.square @ own
             total = total + slopes + own
+        # Entries of J M⁻¹ Jᵀ that should be zero are rounded as √(A_ii A_jj).
+        root = np.sqrt(np.abs(p.square.diagonal()))
+        span = WITHIN * ROUNDING * float(np.ptp(self.now.times))
+        for i, normal in enumerate(self.rows.normal):
+            if normal is not None:
+                self.blurred[i] += span * root[normal] * (root @ np.abs(total))
         change = np.einsum("ijk,j->ik", d["moves"], found.forces) + p.moves @ total
         self.total = self.total.copy()
         self.total[self._first : self._first + len(change)] += change
