@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
+import scipy.special
 import sympy as sm
 import sympy.physics.mechanics as me
 
@@ -11,7 +12,7 @@ import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy._graph.interpret import run as interpret
-from pydy.ensemble.model import Model
+from pydy.ensemble.model import Batch, Model
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
@@ -236,17 +237,17 @@ def linkage(make, **given):
 LINKAGES = ("bricard", "parallelogram", "spatial_four_bar", "even_slider_crank", "sarrus")
 
 
+HELD = [
+    ("dop853", {"rtol": 1e-8, "atol": 1e-8}),
+    ("tsit5", {"rtol": 1e-6, "atol": 1e-6}),
+    ("vern9", {"rtol": 1.0, "atol": 1.0, "first_step": 0.7}),  # far off, or not at all
+    ("tsit5", {"rtol": 100.0, "atol": 100.0, "first_step": 0.7, "max_steps": 200}),
+    ("rk4", {"step": 0.05}),
+]
+
+
 @pytest.mark.in_parts
-@pytest.mark.parametrize(
-    ("method", "options"),
-    [
-        ("dop853", {"rtol": 1e-8, "atol": 1e-8}),
-        ("tsit5", {"rtol": 1e-6, "atol": 1e-6}),
-        ("vern9", {"rtol": 1.0, "atol": 1.0, "first_step": 0.7}),  # far off, or not at all
-        ("tsit5", {"rtol": 100.0, "atol": 100.0, "first_step": 0.7, "max_steps": 200}),
-        ("rk4", {"step": 0.05}),
-    ],
-)
+@pytest.mark.parametrize(("method", "options"), HELD)
 @pytest.mark.filterwarnings("ignore")
 def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, options):
     gravities = np.geomspace(1.0, 400.0, num=12)
@@ -421,3 +422,47 @@ def test_balls_come_to_rest_in_lanes():
     heights = {"initial_conditions": {x: np.array([0.0, 0.5, 1.0, 30.0])}}
     found = watched(system, [floor], heights)
     assert found.status.values.tolist()[1:] == [EVENTS_ACCUMULATE] * 2 + [0]
+
+
+@pytest.mark.in_parts
+@pytest.mark.parametrize(("method", "options"), HELD)
+@pytest.mark.parametrize("name", [*LINKAGES, "bead"])
+def test_events_on_constraints_have_the_bits_of_the_solver_for_one(name, method, options):
+    system = bead() if name == "bead" else linkage(getattr(loops, name))
+    if system.specifieds_symbols:
+        t = np.linspace(0.0, 3.0, num=9)
+        system.specifieds = {"push": SampledInput(t, 9.0 * np.cos(3.0 * t), interpolation="pchip")}
+    q, u = system.coordinates[0], system.speeds[0]
+    start = float(system.initial_conditions.get(u, 0.0))
+    events = [
+        Event(q - float(system.initial_conditions[q]), name="there"),  # zero at the beginning
+        Event(u - 0.9 * start + 0.1, name="slower", direction=-1),
+        Event(sm.sin(9 * q) * u, name="often"),
+        Event(u + 3.0 * abs(start) + 4.0, name="slow", terminal=True),
+    ]
+    values = {"constants": {"g": np.geomspace(1.0, 400.0, num=12)}}
+    many = watched(system, events, values, ode_solver=method, constraints="project", **options)
+    assert int(many["often_count"].sum()) > 12
+
+
+def test_events_on_constraints_are_seen_to_in_lanes(monkeypatch):
+    """A bead on a circle is a pendulum, whose period is an elliptic integral."""
+    alone = []
+    monkeypatch.setattr(Batch, "_one_by_one", lambda self, *_: alone.append(len(self.x)))
+    system = bead()
+    system.specifieds = {"push": 0.0}
+    x = next(q for q in system.coordinates if q.name == "x")
+    bottom = Event(x, name="bottom", direction=-1)
+    gravities = np.linspace(5.0, 15.0, num=21)
+    many = system.integrate_ensemble(
+        constants={"g": gravities}, constraints="project", ode_solver="dop853",
+        rtol=1e-10, atol=1e-10, events=[bottom], reduce=["final", ("events", 9)],
+    )  # fmt: skip
+    assert not alone
+    assert many.attrs["lanes"] == 8
+    size = np.arctan2(0.6, 0.8)
+    period = 4.0 * np.sqrt(1.0 / gravities) * scipy.special.ellipk(np.sin(size / 2) ** 2)
+    times = many["bottom_times"].values
+    expected = period[:, None] * (0.25 + np.arange(9))
+    expected[expected > 3.0] = np.nan
+    np.testing.assert_allclose(times, expected, rtol=1e-8)

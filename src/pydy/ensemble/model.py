@@ -25,7 +25,7 @@ from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
-    from pydy.solvers.run.lanes import LanesBeside, LanesHeld, LanesWatched
+    from pydy.solvers.run.lanes import LanesBeside
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -197,12 +197,12 @@ class Model:
         """Whether events need Python for exceptions alone."""
         options, events = self.options, self.options.events
         assert events is not None
-        beside = self.sensitivities is not None or options.constraints is not None
         kernels = (events.values, events.rates, events.resets)
         native = all(k is None or k.entry is not None for k in kernels)
-        acts = not (any(events.resetting) and self.sampled) and not any(events.turns)
+        python = bool(self.sampled) or options.constraints is not None  # acts on resets then
+        acts = not (any(events.resetting) and python) and not any(events.turns)
         exact = bool(np.min(options.rtol) < 10.0 * ROUNDING)  # what then is told of each start
-        return native and acts and not (beside or exact or any(events.constant))
+        return native and acts and not (self.sensitivities or exact or any(events.constant))
 
     @property
     def event_names(self) -> tuple[str, ...]:
@@ -353,14 +353,11 @@ class Batch:
         model = self.model
         if not model.in_lanes:
             return self._one_by_one(times, states)
-        x = self.x
         beside: LanesBeside | None = None
-        if model.options.constraints is not None:
-            x, beside = self._on_constraints(times)
-        elif model.options.events is not None:
-            beside = self._watched(times)
+        if model.options.constraints is not None or model.options.events is not None:
+            beside = self._lanes_beside(times)
         counted, reached = integrate_samples(
-            _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
+            _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
             times, model.options, states, self.stopped, controlled, beside,
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
@@ -374,30 +371,21 @@ class Batch:
                 results.take(lost, self.some(lost)._one_by_one(times))
         return results
 
-    def _watched(self, times: np.ndarray) -> LanesWatched:
-        """Return how lanes look for events."""
-        from pydy.solvers.run.lanes import LanesWatched
-
-        one, samples = self._single(0, times, None), (self.x, self.r, self.p, self.model.sampled)
-        return LanesWatched(one, samples, times, partial(_kernel, lanes=LANES), self.logs)
-
-    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, LanesHeld]:
-        """Return the states in which motions begin, and how they are held on constraints.
-
-        NaN where a motion cannot begin: the solver of single trajectories tells why.
-        """
+    def _lanes_beside(self, times: np.ndarray) -> LanesBeside:
+        """Return what lanes have to do beside their motions: to hold or to watch them, or both."""
         from pydy._errors import IntegrationError
-        from pydy.solvers.run.lanes import LanesHeld
+        from pydy.solvers.run.lanes import LanesBeside, LanesWatched
 
-        x, seen, one = np.full_like(self.x, np.nan), [], None
-        for k in range(len(x)):
-            one = self._single(k, times, one)
-            with suppress(IntegrationError):
-                x[k] = one.begin(np.ascontiguousarray(self.x[k]))
-            seen.append(one.seen.copy())
-        wanted = self.model.options.constraints
-        assert wanted is not None
-        return x, LanesHeld(wanted, _kernel(wanted.kernel.program, LANES), np.array(seen))
+        held, watched = self.model.options.constraints, self.model.options.events
+        one, beside = self._single(0, times, None), LanesBeside(len(self.x))
+        if watched is not None:
+            samples, kernel = (self.r, self.p, self.model.sampled), partial(_kernel, lanes=LANES)
+            beside = LanesWatched(one, samples, times, kernel, self.logs)
+        if held is not None:
+            with suppress(IntegrationError):  # redundant constraints are told of
+                one.begin(np.ascontiguousarray(self.x[0]))
+            beside.hold(held, _kernel(held.kernel.program, LANES))
+        return beside
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""

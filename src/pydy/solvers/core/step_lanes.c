@@ -14,9 +14,6 @@
     for (int64_t left_ = (which), lane; left_ != 0 && (lane = __builtin_ctzll(left_), 1); \
         left_ &= left_ - 1)
 
-typedef int64_t ProjectLanes(
-    const LaneRun *run, const double *t, double *x, const double *from, int64_t which);
-
 #define OF(field) item(l->field.at, 0)
 #define SET(field, which, value) put(l->field.at, 0, where(which, (Real)(value), OF(field)))
 #define ADD(field, value) put(l->field.at, 0, OF(field) + (value))
@@ -27,12 +24,6 @@ typedef int64_t ProjectLanes(
 INLINE const Run *alone_in(const LaneRun *run, int64_t lane)
 {
     return (const Run *)run->alone.runs.at[lane];
-}
-
-/* What the projection notes, in all lanes. */
-INLINE double *seen_by(const LaneRun *run)
-{
-    return run->constraints.values.at + run->constraints.values.size - W * run->queue.seen.columns;
 }
 
 /* Give the run of a lane the inputs of a sample, and no events yet. */
@@ -155,9 +146,7 @@ APART void retire(const LaneRun *run, int64_t which, int64_t status)
         counts[LANES_EVALUATIONS] = (int64_t)l->evaluations.at[lane];
         counts[LANES_STATUS] = status < 0 ? (int64_t)l->reason.at[lane] : status;
         q->reached.at[sample] = l->time.at[lane];
-        SERIAL
-        for (int64_t i = 0; i < q->seen.columns; i++)
-            q->seen.at[sample * q->seen.columns + i] = seen_by(run)[i * W + lane];
+        copy_out(seen_by(run), lane, &q->seen, sample);
         if (run->alone.runs.size > 0)
             leave_alone(run, sample, lane);
         l->samples.at[lane] = LANES_VACANT;
@@ -423,14 +412,19 @@ APART int64_t look_for_events(const LaneRun *run, const Stepper *s, int64_t look
     return stopped;
 }
 
-/* Set the states in which the steps of some lanes end before their time. */
-APART void end_within(const Stepper *s, int64_t stopped, const double *theta)
+/* Set the states in which the steps of some lanes end before their time; return the bits of those whose
+   constraints were missed there. */
+APART int64_t end_within(const LaneRun *run, const Stepper *s, int64_t stopped, const double *ends,
+    const double *theta)
 {
     const Memory *m = s->memory;
     const Flags inside = flags(stopped) & (item(theta, 0) < 1.0);
     interpolate(s, where(inside, item(theta, 0), (Real)(1.0)), m->trial.at);
     for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
         put(m->new.at, i, where(inside, item(m->trial.at, i), item(m->new.at, i)));
+    if (run->constraints.words.at[ACTIVE] != 1 || bits(inside) == 0)
+        return 0;
+    return hold_lanes(run, ends, m->new.at, bits(inside), 0);
 }
 
 /* Act on an event that has ended the step of a run. The code says how its integration ends, or that
@@ -612,11 +606,17 @@ int64_t step_lanes(const LaneRun *run)
             if (look != 0)
                 stopped = look_for_events(run, s, look, reached, codes, theta, &unresolved);
             within &= ~(broken | unresolved);
-            missed |= write_within(run, s, within, reached, stopped == 0 ? 0 : theta);
-            good = good & flags(~(broken | unresolved | missed));
+            int64_t off = write_within(run, s, within, reached, stopped == 0 ? 0 : theta);
             after = item(reached, 0);
             if (stopped != 0)
-                end_within(s, stopped, theta);
+                off |= end_within(run, s, stopped & ~off, reached, theta);
+            if (watched && off != 0) { /* events have been noted: no step is taken again */
+                retire(run, off, CONSTRAINTS_NOT_MET);
+                working &= ~off, stopped &= ~off;
+                vacant = 1;
+            }
+            missed |= off;
+            good = good & flags(~(broken | unresolved | missed));
         }
         for (int64_t at_end = bits(good & (OF(due) == after)); at_end != 0;) {
             write_outputs(run, m->new.at, at_end);

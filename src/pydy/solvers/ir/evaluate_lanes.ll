@@ -1,4 +1,4 @@
-; sources 4cf1e51928eb55ab41db168399657bad5b0b811711564e30ee6478ae6b6657c3
+; sources 4fb120de306c5602bf7bdc637ed053b6f0a4e1e5650e85f9499f369d21359c8a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

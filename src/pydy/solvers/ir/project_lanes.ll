@@ -1,4 +1,4 @@
-; sources 54342e80b7b0ff01d257ce5732b08efce6242eec2a6c22fe7ec31ea1af7a4628
+; sources 5d9776cfb773728e027e8da8bdf8da988ec6e6973e1107f3ada2b733b7b26532
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources ce4906d8435ccf2a91aad06ff6f0f77b039daa502f0ad5c689d8b76a75f5258f
+; sources 259fe512857ba4ed46c1c8d1a257775d2000dc9fa24b9013f66cc8a100ece3fe
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -177,7 +177,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %153, label %157, label %159
 
 157:                                              ; preds = %156
-  %158 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #11
+  %158 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
   br label %159
 
 159:                                              ; preds = %156, %157
@@ -192,7 +192,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %165, label %181, label %166
 
 166:                                              ; preds = %163
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %160, i64 noundef %152) #11
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %160, i64 noundef %152) #10
   br label %167
 
 167:                                              ; preds = %166, %176
@@ -219,14 +219,14 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %182 = phi i32 [ 1, %159 ], [ 8, %163 ], [ 0, %176 ]
   %183 = phi i32 [ %151, %159 ], [ 0, %163 ], [ %178, %176 ]
   %184 = phi i64 [ %152, %159 ], [ %152, %163 ], [ 0, %176 ]
-  switch i32 %182, label %1107 [
+  switch i32 %182, label %1123 [
     i32 0, label %185
     i32 8, label %188
   ]
 
-185:                                              ; preds = %181, %1105, %263
-  %186 = phi i32 [ %183, %181 ], [ %1106, %1105 ], [ 1, %263 ]
-  %187 = phi i64 [ %184, %181 ], [ %1095, %1105 ], [ %190, %263 ]
+185:                                              ; preds = %181, %1121, %263
+  %186 = phi i32 [ %183, %181 ], [ %1122, %1121 ], [ 1, %263 ]
+  %187 = phi i64 [ %184, %181 ], [ %1111, %1121 ], [ %190, %263 ]
   br label %150, !llvm.loop !7
 
 188:                                              ; preds = %181, %150
@@ -236,7 +236,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %192 = getelementptr inbounds i8, ptr %191, i64 8
   %193 = load i64, ptr %192, align 8
   %194 = icmp slt i64 %193, 1
-  br i1 %194, label %1107, label %195
+  br i1 %194, label %1123, label %195
 
 195:                                              ; preds = %188
   br i1 %59, label %196, label %216
@@ -265,7 +265,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 213:                                              ; preds = %196, %199
   %214 = phi i32 [ 0, %196 ], [ %212, %199 ]
   %215 = icmp eq i32 %214, 0
-  br i1 %215, label %216, label %1107
+  br i1 %215, label %216, label %1123
 
 216:                                              ; preds = %213, %195
   %217 = add nsw i64 %193, -1
@@ -332,10 +332,10 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %265 = bitcast <8 x i1> %253 to i8
   %266 = zext i8 %265 to i64
   %267 = and i64 %264, %266
-  call fastcc void @retire(ptr noundef %0, i64 noundef %267, i64 noundef 1) #11
+  call fastcc void @retire(ptr noundef %0, i64 noundef %267, i64 noundef 1) #10
   %268 = xor i64 %266, -1
   %269 = and i64 %264, %268
-  call fastcc void @retire(ptr noundef %0, i64 noundef %269, i64 noundef -1) #11
+  call fastcc void @retire(ptr noundef %0, i64 noundef %269, i64 noundef -1) #10
   br label %185
 
 270:                                              ; preds = %239
@@ -367,7 +367,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %293 = getelementptr inbounds i64, ptr %292, i64 %285
   %294 = load ptr, ptr %79, align 8
   %295 = getelementptr inbounds double, ptr %294, i64 %285
-  call fastcc void @combine(ptr noundef %278, ptr noundef %279, ptr noundef %290, ptr noundef %291, ptr noundef %293, ptr noundef %295, i64 noundef %289, i64 noundef %282) #11
+  call fastcc void @combine(ptr noundef %278, ptr noundef %279, ptr noundef %290, ptr noundef %291, ptr noundef %293, ptr noundef %295, i64 noundef %289, i64 noundef %282) #10
   %296 = load ptr, ptr %77, align 8
   %297 = load i64, ptr %80, align 8
   %298 = mul nsw i64 %297, %277
@@ -387,7 +387,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %310, label %311, label %312
 
 311:                                              ; preds = %275
-  call fastcc void @sample(ptr noundef nonnull %9) #11
+  call fastcc void @sample(ptr noundef nonnull %9) #10
   br label %312
 
 312:                                              ; preds = %275, %311
@@ -398,7 +398,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %317 = load ptr, ptr %85, align 8
   %318 = inttoptr i64 %314 to ptr
   %319 = load ptr, ptr %318, align 8
-  %320 = call i32 %319(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #12
+  %320 = call i32 %319(ptr noundef %315, ptr noundef %307, ptr noundef %316, ptr noundef %317, ptr noundef %299) #11
   %321 = zext i32 %320 to i64
   %322 = or i64 %276, %321
   %323 = add nuw nsw i64 %277, 1
@@ -425,7 +425,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %342 = getelementptr inbounds i64, ptr %341, i64 %334
   %343 = load ptr, ptr %90, align 8
   %344 = getelementptr inbounds double, ptr %343, i64 %334
-  call fastcc void @combine(ptr noundef %327, ptr noundef %328, ptr noundef %339, ptr noundef %340, ptr noundef %342, ptr noundef %344, i64 noundef %338, i64 noundef %331) #11
+  call fastcc void @combine(ptr noundef %327, ptr noundef %328, ptr noundef %339, ptr noundef %340, ptr noundef %342, ptr noundef %344, i64 noundef %338, i64 noundef %331) #10
   br i1 %57, label %362, label %345
 
 345:                                              ; preds = %325
@@ -437,7 +437,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %349, label %350, label %351
 
 350:                                              ; preds = %345
-  call fastcc void @sample(ptr noundef nonnull %9) #11
+  call fastcc void @sample(ptr noundef nonnull %9) #10
   br label %351
 
 351:                                              ; preds = %345, %350
@@ -448,7 +448,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %356 = load ptr, ptr %95, align 8
   %357 = inttoptr i64 %353 to ptr
   %358 = load ptr, ptr %357, align 8
-  %359 = call i32 %358(ptr noundef %354, ptr noundef %346, ptr noundef %355, ptr noundef %356, ptr noundef %60) #12
+  %359 = call i32 %358(ptr noundef %354, ptr noundef %346, ptr noundef %355, ptr noundef %356, ptr noundef %60) #11
   %360 = zext i32 %359 to i64
   %361 = or i64 %326, %360
   br label %362
@@ -517,7 +517,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %409 = getelementptr inbounds i64, ptr %408, i64 %401
   %410 = load ptr, ptr %90, align 8
   %411 = getelementptr inbounds double, ptr %410, i64 %401
-  call fastcc void @combine(ptr noundef %395, ptr noundef %396, ptr noundef %406, ptr noundef %407, ptr noundef %409, ptr noundef %411, i64 noundef %405, i64 noundef %391) #11
+  call fastcc void @combine(ptr noundef %395, ptr noundef %396, ptr noundef %406, ptr noundef %407, ptr noundef %409, ptr noundef %411, i64 noundef %405, i64 noundef %391) #10
   %412 = add nuw nsw i64 %389, 1
   %413 = icmp eq i64 %412, %373
   br i1 %413, label %380, label %388, !llvm.loop !9
@@ -688,7 +688,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %555 = zext i8 %552 to i64
   store <8 x double> %245, ptr %3, align 16
   %556 = load ptr, ptr %103, align 8
-  %557 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %556, i64 noundef %555, i32 noundef %56) #11
+  %557 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %556, i64 noundef %555, i32 noundef %56) #10
   %558 = trunc i64 %557 to i8
   %559 = bitcast i8 %558 to <8 x i1>
   %560 = select <8 x i1> %559, <8 x i64> zeroinitializer, <8 x i64> %548
@@ -712,7 +712,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %572, label %573, label %574
 
 573:                                              ; preds = %568
-  call fastcc void @sample(ptr noundef nonnull %9) #11
+  call fastcc void @sample(ptr noundef nonnull %9) #10
   br label %574
 
 574:                                              ; preds = %568, %573
@@ -723,7 +723,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %579 = load ptr, ptr %108, align 8
   %580 = inttoptr i64 %576 to ptr
   %581 = load ptr, ptr %580, align 8
-  %582 = call i32 %581(ptr noundef %577, ptr noundef %569, ptr noundef %578, ptr noundef %579, ptr noundef %60) #12
+  %582 = call i32 %581(ptr noundef %577, ptr noundef %569, ptr noundef %578, ptr noundef %579, ptr noundef %60) #11
   %583 = zext i32 %582 to i64
   %584 = or i64 %363, %583
   %585 = trunc i64 %584 to i8
@@ -757,7 +757,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 
 607:                                              ; preds = %603
   %608 = zext i8 %605 to i64
-  %609 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %609 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
   %610 = xor i64 %609, -1
   %611 = and i64 %610, %608
   br label %612
@@ -774,7 +774,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %620 = zext i8 %619 to i64
   %621 = or i64 %613, %620
   %622 = icmp eq i64 %621, 0
-  br i1 %622, label %802, label %623
+  br i1 %622, label %818, label %623
 
 623:                                              ; preds = %612
   %624 = load ptr, ptr %0, align 8
@@ -832,7 +832,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %668 = getelementptr inbounds i64, ptr %667, i64 %660
   %669 = load ptr, ptr %90, align 8
   %670 = getelementptr inbounds double, ptr %669, i64 %660
-  call fastcc void @combine(ptr noundef %655, ptr noundef %656, ptr noundef %665, ptr noundef %666, ptr noundef %668, ptr noundef %670, i64 noundef %664, i64 noundef %627) #11
+  call fastcc void @combine(ptr noundef %655, ptr noundef %656, ptr noundef %665, ptr noundef %666, ptr noundef %668, ptr noundef %670, i64 noundef %664, i64 noundef %627) #10
   %671 = load ptr, ptr %88, align 8
   %672 = mul nsw i64 %653, %629
   %673 = getelementptr inbounds double, ptr %671, i64 %672
@@ -851,7 +851,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %684, label %685, label %686
 
 685:                                              ; preds = %651
-  call fastcc void @sample(ptr noundef nonnull %9) #11
+  call fastcc void @sample(ptr noundef nonnull %9) #10
   br label %686
 
 686:                                              ; preds = %651, %685
@@ -862,7 +862,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %691 = load ptr, ptr %123, align 8
   %692 = inttoptr i64 %688 to ptr
   %693 = load ptr, ptr %692, align 8
-  %694 = call i32 %693(ptr noundef %689, ptr noundef %681, ptr noundef %690, ptr noundef %691, ptr noundef %673) #12
+  %694 = call i32 %693(ptr noundef %689, ptr noundef %681, ptr noundef %690, ptr noundef %691, ptr noundef %673) #11
   %695 = sext i32 %694 to i64
   %696 = or i64 %652, %695
   %697 = add nsw i64 %653, 1
@@ -935,7 +935,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %755 = getelementptr inbounds i64, ptr %754, i64 %747
   %756 = load ptr, ptr %90, align 8
   %757 = getelementptr inbounds double, ptr %756, i64 %747
-  call fastcc void @combine(ptr noundef %739, ptr noundef %740, ptr noundef %752, ptr noundef %753, ptr noundef %755, ptr noundef %757, i64 noundef %751, i64 noundef %627) #11
+  call fastcc void @combine(ptr noundef %739, ptr noundef %740, ptr noundef %752, ptr noundef %753, ptr noundef %755, ptr noundef %757, i64 noundef %751, i64 noundef %627) #10
   %758 = add nuw nsw i64 %737, 1
   %759 = load i64, ptr %705, align 8
   %760 = icmp slt i64 %758, %759
@@ -958,7 +958,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %773, label %778, label %774
 
 774:                                              ; preds = %761
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %762, i64 noundef 3) #11
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %762, i64 noundef 3) #10
   %775 = xor i64 %762, -1
   %776 = and i64 %218, %775
   store i64 %776, ptr %5, align 8
@@ -973,7 +973,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   br i1 %781, label %784, label %782
 
 782:                                              ; preds = %778
-  %783 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %779, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #11
+  %783 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %779, ptr noundef nonnull %3, ptr noundef nonnull %6, ptr noundef nonnull %4, ptr noundef nonnull %7) #10
   br label %784
 
 784:                                              ; preds = %782, %778
@@ -984,377 +984,400 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %789 = and i64 %621, %788
   %790 = icmp eq i64 %785, 0
   %791 = select i1 %790, ptr null, ptr %4
-  %792 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %789, ptr noundef nonnull %3, ptr noundef %791) #11
-  %793 = or i64 %792, %563
-  %794 = or i64 %786, %762
-  %795 = or i64 %794, %793
-  %796 = trunc i64 %795 to i8
-  %797 = xor i8 %796, -1
-  %798 = bitcast i8 %797 to <8 x i1>
-  %799 = select <8 x i1> %798, <8 x i64> %589, <8 x i64> zeroinitializer
-  %800 = load <8 x double>, ptr %3, align 16
-  br i1 %790, label %802, label %801
+  %792 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %789, ptr noundef nonnull %3, ptr noundef %791) #10
+  %793 = load <8 x double>, ptr %3, align 16
+  br i1 %790, label %799, label %794
 
-801:                                              ; preds = %784
-  call fastcc void @end_within(ptr noundef nonnull %2, i64 noundef %785, ptr noundef nonnull %4) #11
-  br label %802
+794:                                              ; preds = %784
+  %795 = xor i64 %792, -1
+  %796 = and i64 %785, %795
+  %797 = call fastcc i64 @end_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %796, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
+  %798 = or i64 %797, %792
+  br label %799
 
-802:                                              ; preds = %784, %801, %612
-  %803 = phi <8 x double> [ %245, %612 ], [ %800, %784 ], [ %800, %801 ]
-  %804 = phi <8 x i64> [ %589, %612 ], [ %799, %784 ], [ %799, %801 ]
-  %805 = phi i64 [ %563, %612 ], [ %793, %784 ], [ %793, %801 ]
-  %806 = phi i32 [ %189, %612 ], [ %780, %784 ], [ %780, %801 ]
-  %807 = phi i64 [ 0, %612 ], [ %785, %784 ], [ %785, %801 ]
-  %808 = load ptr, ptr %115, align 8
-  %809 = load <8 x double>, ptr %808, align 8
-  %810 = fcmp oeq <8 x double> %809, %803
-  %811 = icmp ne <8 x i64> %804, zeroinitializer
-  %812 = select <8 x i1> %810, <8 x i1> %811, <8 x i1> zeroinitializer
-  %813 = bitcast <8 x i1> %812 to i8
-  %814 = icmp eq i8 %813, 0
-  br i1 %814, label %817, label %815
+799:                                              ; preds = %794, %784
+  %800 = phi i64 [ %798, %794 ], [ %792, %784 ]
+  %801 = icmp ne i64 %800, 0
+  %802 = select i1 %59, i1 %801, i1 false
+  br i1 %802, label %803, label %808
 
-815:                                              ; preds = %802
-  %816 = zext i8 %813 to i64
-  br label %826
+803:                                              ; preds = %799
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %800, i64 noundef 6) #10
+  %804 = xor i64 %800, -1
+  %805 = load i64, ptr %5, align 8
+  %806 = and i64 %805, %804
+  store i64 %806, ptr %5, align 8
+  %807 = and i64 %785, %804
+  br label %808
 
-817:                                              ; preds = %826, %802
-  %818 = xor <8 x i64> %804, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %819 = select <8 x i1> %220, <8 x i64> %818, <8 x i64> zeroinitializer
-  %820 = load ptr, ptr %70, align 8
-  %821 = load <8 x double>, ptr %820, align 8
-  %822 = icmp slt <8 x i64> %804, zeroinitializer
-  %823 = select <8 x i1> %822, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %824 = bitcast <8 x i64> %823 to <8 x double>
-  %825 = fadd <8 x double> %821, %824
-  store <8 x double> %825, ptr %820, align 8
-  br i1 %34, label %836, label %960
+808:                                              ; preds = %803, %799
+  %809 = phi i32 [ 1, %803 ], [ %780, %799 ]
+  %810 = phi i64 [ %807, %803 ], [ %785, %799 ]
+  %811 = or i64 %800, %563
+  %812 = or i64 %786, %762
+  %813 = or i64 %812, %811
+  %814 = trunc i64 %813 to i8
+  %815 = xor i8 %814, -1
+  %816 = bitcast i8 %815 to <8 x i1>
+  %817 = select <8 x i1> %816, <8 x i64> %589, <8 x i64> zeroinitializer
+  br label %818
 
-826:                                              ; preds = %815, %826
-  %827 = phi i64 [ %834, %826 ], [ %816, %815 ]
-  %828 = load ptr, ptr %126, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %828, i64 noundef %827) #11
-  %829 = load ptr, ptr %115, align 8
-  %830 = load <8 x double>, ptr %829, align 8
-  %831 = fcmp oeq <8 x double> %830, %803
-  %832 = bitcast <8 x i1> %831 to i8
-  %833 = zext i8 %832 to i64
-  %834 = and i64 %827, %833
-  %835 = icmp eq i64 %834, 0
-  br i1 %835, label %817, label %826, !llvm.loop !17
+818:                                              ; preds = %808, %612
+  %819 = phi <8 x double> [ %245, %612 ], [ %793, %808 ]
+  %820 = phi <8 x i64> [ %589, %612 ], [ %817, %808 ]
+  %821 = phi i64 [ %563, %612 ], [ %811, %808 ]
+  %822 = phi i32 [ %189, %612 ], [ %809, %808 ]
+  %823 = phi i64 [ 0, %612 ], [ %810, %808 ]
+  %824 = load ptr, ptr %115, align 8
+  %825 = load <8 x double>, ptr %824, align 8
+  %826 = fcmp oeq <8 x double> %825, %819
+  %827 = icmp ne <8 x i64> %820, zeroinitializer
+  %828 = select <8 x i1> %826, <8 x i1> %827, <8 x i1> zeroinitializer
+  %829 = bitcast <8 x i1> %828 to i8
+  %830 = icmp eq i8 %829, 0
+  br i1 %830, label %833, label %831
 
-836:                                              ; preds = %817
-  %837 = load ptr, ptr %127, align 8
-  %838 = load <8 x double>, ptr %837, align 8
-  %839 = load ptr, ptr %128, align 8
-  %840 = load <8 x double>, ptr %839, align 8
-  %841 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %842 = bitcast <8 x double> %541 to <8 x i64>
-  %843 = select <8 x i1> %841, <8 x i64> %842, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %844 = load double, ptr %129, align 8
-  %845 = insertelement <8 x double> poison, double %844, i64 0
-  %846 = shufflevector <8 x double> %845, <8 x double> poison, <8 x i32> zeroinitializer
-  %847 = load double, ptr %130, align 8
-  %848 = fneg double %847
-  %849 = add <8 x i64> %843, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %850 = ashr <8 x i64> %849, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %851 = and <8 x i64> %849, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %852 = sub <8 x i64> %843, %851
-  %853 = bitcast <8 x i64> %852 to <8 x double>
-  %854 = fadd <8 x double> %853, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %855 = fadd <8 x double> %853, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %856 = fdiv <8 x double> %854, %855
-  %857 = fmul <8 x double> %856, %856
-  %858 = call <8 x double> @llvm.fma.v8f64(<8 x double> %857, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %859 = call <8 x double> @llvm.fma.v8f64(<8 x double> %858, <8 x double> %857, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %860 = call <8 x double> @llvm.fma.v8f64(<8 x double> %859, <8 x double> %857, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %861 = call <8 x double> @llvm.fma.v8f64(<8 x double> %860, <8 x double> %857, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %862 = trunc nsw <8 x i64> %850 to <8 x i32>
-  %863 = sitofp <8 x i32> %862 to <8 x double>
-  %864 = fmul <8 x double> %856, %861
-  %865 = fadd <8 x double> %864, %863
-  %866 = insertelement <8 x double> poison, double %848, i64 0
-  %867 = shufflevector <8 x double> %866, <8 x double> poison, <8 x i32> zeroinitializer
-  %868 = fmul <8 x double> %865, %867
-  %869 = fcmp ogt <8 x double> %868, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %870 = bitcast <8 x double> %868 to <8 x i64>
-  %871 = select <8 x i1> %869, <8 x i64> %870, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %872 = bitcast <8 x i64> %871 to <8 x double>
-  %873 = fcmp olt <8 x double> %872, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %874 = bitcast <8 x i64> %871 to <8 x double>
-  %875 = select <8 x i1> %873, <8 x double> %874, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %876 = call <8 x double> @llvm.rint.v8f64(<8 x double> %875)
-  %877 = fsub <8 x double> %875, %876
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %877, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %877, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %881 = call <8 x double> @llvm.fma.v8f64(<8 x double> %880, <8 x double> %877, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %882 = call <8 x double> @llvm.fma.v8f64(<8 x double> %881, <8 x double> %877, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %883 = call <8 x double> @llvm.fma.v8f64(<8 x double> %882, <8 x double> %877, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %884 = call <8 x double> @llvm.fma.v8f64(<8 x double> %883, <8 x double> %877, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %885 = bitcast <8 x double> %884 to <8 x i64>
-  %886 = fptosi <8 x double> %876 to <8 x i32>
-  %887 = zext <8 x i32> %886 to <8 x i64>
-  %888 = shl <8 x i64> %887, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %889 = add <8 x i64> %888, %885
-  %890 = bitcast <8 x i64> %889 to <8 x double>
-  %891 = fmul <8 x double> %846, %890
-  %892 = load double, ptr %131, align 8
-  %893 = fcmp une double %892, 0.000000e+00
-  br i1 %893, label %894, label %939
+831:                                              ; preds = %818
+  %832 = zext i8 %829 to i64
+  br label %842
 
-894:                                              ; preds = %836
-  %895 = bitcast <8 x double> %838 to <8 x i64>
-  %896 = add <8 x i64> %895, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %897 = ashr <8 x i64> %896, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %898 = and <8 x i64> %896, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %899 = sub <8 x i64> %895, %898
-  %900 = bitcast <8 x i64> %899 to <8 x double>
-  %901 = fadd <8 x double> %900, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %902 = fadd <8 x double> %900, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %903 = fdiv <8 x double> %901, %902
-  %904 = fmul <8 x double> %903, %903
-  %905 = call <8 x double> @llvm.fma.v8f64(<8 x double> %904, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %906 = call <8 x double> @llvm.fma.v8f64(<8 x double> %905, <8 x double> %904, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %907 = call <8 x double> @llvm.fma.v8f64(<8 x double> %906, <8 x double> %904, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %908 = call <8 x double> @llvm.fma.v8f64(<8 x double> %907, <8 x double> %904, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %909 = trunc nsw <8 x i64> %897 to <8 x i32>
-  %910 = sitofp <8 x i32> %909 to <8 x double>
-  %911 = fmul <8 x double> %903, %908
-  %912 = fadd <8 x double> %911, %910
-  %913 = insertelement <8 x double> poison, double %892, i64 0
-  %914 = shufflevector <8 x double> %913, <8 x double> poison, <8 x i32> zeroinitializer
-  %915 = fmul <8 x double> %914, %912
-  %916 = fcmp ogt <8 x double> %915, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %917 = bitcast <8 x double> %915 to <8 x i64>
-  %918 = select <8 x i1> %916, <8 x i64> %917, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %919 = bitcast <8 x i64> %918 to <8 x double>
-  %920 = fcmp olt <8 x double> %919, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %921 = bitcast <8 x i64> %918 to <8 x double>
-  %922 = select <8 x i1> %920, <8 x double> %921, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %923 = call <8 x double> @llvm.rint.v8f64(<8 x double> %922)
-  %924 = fsub <8 x double> %922, %923
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %924, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %924, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %927, <8 x double> %924, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %929 = call <8 x double> @llvm.fma.v8f64(<8 x double> %928, <8 x double> %924, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %930 = call <8 x double> @llvm.fma.v8f64(<8 x double> %929, <8 x double> %924, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %931 = call <8 x double> @llvm.fma.v8f64(<8 x double> %930, <8 x double> %924, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %932 = bitcast <8 x double> %931 to <8 x i64>
-  %933 = fptosi <8 x double> %923 to <8 x i32>
-  %934 = zext <8 x i32> %933 to <8 x i64>
-  %935 = shl <8 x i64> %934, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %936 = add <8 x i64> %935, %932
-  %937 = bitcast <8 x i64> %936 to <8 x double>
-  %938 = fmul <8 x double> %891, %937
-  br label %939
+833:                                              ; preds = %842, %818
+  %834 = xor <8 x i64> %820, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %835 = select <8 x i1> %220, <8 x i64> %834, <8 x i64> zeroinitializer
+  %836 = load ptr, ptr %70, align 8
+  %837 = load <8 x double>, ptr %836, align 8
+  %838 = icmp slt <8 x i64> %820, zeroinitializer
+  %839 = select <8 x i1> %838, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %840 = bitcast <8 x i64> %839 to <8 x double>
+  %841 = fadd <8 x double> %837, %840
+  store <8 x double> %841, ptr %836, align 8
+  br i1 %34, label %852, label %976
 
-939:                                              ; preds = %836, %894
-  %940 = phi <8 x double> [ %938, %894 ], [ %891, %836 ]
-  %941 = load double, ptr %132, align 8
-  %942 = insertelement <8 x double> poison, double %941, i64 0
-  %943 = shufflevector <8 x double> %942, <8 x double> poison, <8 x i32> zeroinitializer
-  %944 = fcmp ogt <8 x double> %940, %943
-  %945 = select <8 x i1> %944, <8 x double> %940, <8 x double> %943
-  %946 = fcmp olt <8 x double> %840, %945
-  %947 = select <8 x i1> %946, <8 x double> %840, <8 x double> %945
-  %948 = fmul <8 x double> %247, %947
-  %949 = fcmp ogt <8 x double> %541, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %950 = select <8 x i1> %949, <8 x i64> %842, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %951 = bitcast <8 x double> %838 to <8 x i64>
-  %952 = select <8 x i1> %822, <8 x i64> %950, <8 x i64> %951
-  store <8 x i64> %952, ptr %837, align 8
-  %953 = load ptr, ptr %128, align 8
-  %954 = load double, ptr %133, align 8
-  %955 = insertelement <8 x double> poison, double %954, i64 0
-  %956 = bitcast <8 x double> %955 to <8 x i64>
-  %957 = shufflevector <8 x i64> %956, <8 x i64> poison, <8 x i32> zeroinitializer
-  %958 = icmp slt <8 x i64> %819, zeroinitializer
-  %959 = select <8 x i1> %958, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %957
-  store <8 x i64> %959, ptr %953, align 8
-  br label %960
+842:                                              ; preds = %831, %842
+  %843 = phi i64 [ %850, %842 ], [ %832, %831 ]
+  %844 = load ptr, ptr %126, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %844, i64 noundef %843) #10
+  %845 = load ptr, ptr %115, align 8
+  %846 = load <8 x double>, ptr %845, align 8
+  %847 = fcmp oeq <8 x double> %846, %819
+  %848 = bitcast <8 x i1> %847 to i8
+  %849 = zext i8 %848 to i64
+  %850 = and i64 %843, %849
+  %851 = icmp eq i64 %850, 0
+  br i1 %851, label %833, label %842, !llvm.loop !17
 
-960:                                              ; preds = %939, %817
-  %961 = phi <8 x double> [ %948, %939 ], [ %229, %817 ]
-  %962 = icmp ne <8 x i64> %819, zeroinitializer
-  %963 = bitcast <8 x i1> %962 to i8
-  %964 = icmp eq i8 %963, 0
-  br i1 %964, label %1058, label %965
+852:                                              ; preds = %833
+  %853 = load ptr, ptr %127, align 8
+  %854 = load <8 x double>, ptr %853, align 8
+  %855 = load ptr, ptr %128, align 8
+  %856 = load <8 x double>, ptr %855, align 8
+  %857 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %858 = bitcast <8 x double> %541 to <8 x i64>
+  %859 = select <8 x i1> %857, <8 x i64> %858, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %860 = load double, ptr %129, align 8
+  %861 = insertelement <8 x double> poison, double %860, i64 0
+  %862 = shufflevector <8 x double> %861, <8 x double> poison, <8 x i32> zeroinitializer
+  %863 = load double, ptr %130, align 8
+  %864 = fneg double %863
+  %865 = add <8 x i64> %859, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %866 = ashr <8 x i64> %865, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %867 = and <8 x i64> %865, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %868 = sub <8 x i64> %859, %867
+  %869 = bitcast <8 x i64> %868 to <8 x double>
+  %870 = fadd <8 x double> %869, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %871 = fadd <8 x double> %869, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %872 = fdiv <8 x double> %870, %871
+  %873 = fmul <8 x double> %872, %872
+  %874 = call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %875 = call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %873, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> %873, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %873, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %878 = trunc nsw <8 x i64> %866 to <8 x i32>
+  %879 = sitofp <8 x i32> %878 to <8 x double>
+  %880 = fmul <8 x double> %872, %877
+  %881 = fadd <8 x double> %880, %879
+  %882 = insertelement <8 x double> poison, double %864, i64 0
+  %883 = shufflevector <8 x double> %882, <8 x double> poison, <8 x i32> zeroinitializer
+  %884 = fmul <8 x double> %881, %883
+  %885 = fcmp ogt <8 x double> %884, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %886 = bitcast <8 x double> %884 to <8 x i64>
+  %887 = select <8 x i1> %885, <8 x i64> %886, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %888 = bitcast <8 x i64> %887 to <8 x double>
+  %889 = fcmp olt <8 x double> %888, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %890 = bitcast <8 x i64> %887 to <8 x double>
+  %891 = select <8 x i1> %889, <8 x double> %890, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %892 = call <8 x double> @llvm.rint.v8f64(<8 x double> %891)
+  %893 = fsub <8 x double> %891, %892
+  %894 = call <8 x double> @llvm.fma.v8f64(<8 x double> %893, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %895 = call <8 x double> @llvm.fma.v8f64(<8 x double> %894, <8 x double> %893, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %896 = call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> %893, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %897 = call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %893, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %898 = call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> %893, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %899 = call <8 x double> @llvm.fma.v8f64(<8 x double> %898, <8 x double> %893, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> %893, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %901 = bitcast <8 x double> %900 to <8 x i64>
+  %902 = fptosi <8 x double> %892 to <8 x i32>
+  %903 = zext <8 x i32> %902 to <8 x i64>
+  %904 = shl <8 x i64> %903, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %905 = add <8 x i64> %904, %901
+  %906 = bitcast <8 x i64> %905 to <8 x double>
+  %907 = fmul <8 x double> %862, %906
+  %908 = load double, ptr %131, align 8
+  %909 = fcmp une double %908, 0.000000e+00
+  br i1 %909, label %910, label %955
 
-965:                                              ; preds = %960
-  %966 = trunc i64 %590 to i8
-  %967 = bitcast i8 %966 to <8 x i1>
-  %968 = trunc i64 %805 to i8
-  %969 = bitcast i8 %968 to <8 x i1>
-  %970 = load i64, ptr %7, align 8
-  %971 = trunc i64 %970 to i8
-  %972 = bitcast i8 %971 to <8 x i1>
-  %973 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %541)
-  %974 = fcmp one <8 x double> %973, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %975 = xor <8 x i1> %967, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %976 = select <8 x i1> %974, <8 x i1> %975, <8 x i1> zeroinitializer
-  %977 = or <8 x i1> %972, %969
-  %978 = xor <8 x i1> %977, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %979 = and <8 x i1> %976, %978
-  br i1 %34, label %980, label %1039
+910:                                              ; preds = %852
+  %911 = bitcast <8 x double> %854 to <8 x i64>
+  %912 = add <8 x i64> %911, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %913 = ashr <8 x i64> %912, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %914 = and <8 x i64> %912, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %915 = sub <8 x i64> %911, %914
+  %916 = bitcast <8 x i64> %915 to <8 x double>
+  %917 = fadd <8 x double> %916, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %918 = fadd <8 x double> %916, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %919 = fdiv <8 x double> %917, %918
+  %920 = fmul <8 x double> %919, %919
+  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %920, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %920, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %920, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %925 = trunc nsw <8 x i64> %913 to <8 x i32>
+  %926 = sitofp <8 x i32> %925 to <8 x double>
+  %927 = fmul <8 x double> %919, %924
+  %928 = fadd <8 x double> %927, %926
+  %929 = insertelement <8 x double> poison, double %908, i64 0
+  %930 = shufflevector <8 x double> %929, <8 x double> poison, <8 x i32> zeroinitializer
+  %931 = fmul <8 x double> %930, %928
+  %932 = fcmp ogt <8 x double> %931, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %933 = bitcast <8 x double> %931 to <8 x i64>
+  %934 = select <8 x i1> %932, <8 x i64> %933, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %935 = bitcast <8 x i64> %934 to <8 x double>
+  %936 = fcmp olt <8 x double> %935, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %937 = bitcast <8 x i64> %934 to <8 x double>
+  %938 = select <8 x i1> %936, <8 x double> %937, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %939 = call <8 x double> @llvm.rint.v8f64(<8 x double> %938)
+  %940 = fsub <8 x double> %938, %939
+  %941 = call <8 x double> @llvm.fma.v8f64(<8 x double> %940, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %942 = call <8 x double> @llvm.fma.v8f64(<8 x double> %941, <8 x double> %940, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %943 = call <8 x double> @llvm.fma.v8f64(<8 x double> %942, <8 x double> %940, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %944 = call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> %940, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> %940, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %945, <8 x double> %940, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %947 = call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> %940, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %948 = bitcast <8 x double> %947 to <8 x i64>
+  %949 = fptosi <8 x double> %939 to <8 x i32>
+  %950 = zext <8 x i32> %949 to <8 x i64>
+  %951 = shl <8 x i64> %950, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %952 = add <8 x i64> %951, %948
+  %953 = bitcast <8 x i64> %952 to <8 x double>
+  %954 = fmul <8 x double> %907, %953
+  br label %955
 
-980:                                              ; preds = %965
-  %981 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %982 = bitcast <8 x double> %541 to <8 x i64>
-  %983 = select <8 x i1> %981, <8 x i64> %982, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %984 = load double, ptr %134, align 8
-  %985 = insertelement <8 x double> poison, double %984, i64 0
-  %986 = shufflevector <8 x double> %985, <8 x double> poison, <8 x i32> zeroinitializer
-  %987 = load double, ptr %31, align 8
-  %988 = fneg double %987
-  %989 = add <8 x i64> %983, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %990 = ashr <8 x i64> %989, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %991 = and <8 x i64> %989, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %992 = sub <8 x i64> %983, %991
-  %993 = bitcast <8 x i64> %992 to <8 x double>
-  %994 = fadd <8 x double> %993, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %995 = fadd <8 x double> %993, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %996 = fdiv <8 x double> %994, %995
-  %997 = fmul <8 x double> %996, %996
-  %998 = call <8 x double> @llvm.fma.v8f64(<8 x double> %997, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %999 = call <8 x double> @llvm.fma.v8f64(<8 x double> %998, <8 x double> %997, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1000 = call <8 x double> @llvm.fma.v8f64(<8 x double> %999, <8 x double> %997, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1001 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1000, <8 x double> %997, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1002 = trunc nsw <8 x i64> %990 to <8 x i32>
-  %1003 = sitofp <8 x i32> %1002 to <8 x double>
-  %1004 = fmul <8 x double> %996, %1001
-  %1005 = fadd <8 x double> %1004, %1003
-  %1006 = insertelement <8 x double> poison, double %988, i64 0
-  %1007 = shufflevector <8 x double> %1006, <8 x double> poison, <8 x i32> zeroinitializer
-  %1008 = fmul <8 x double> %1005, %1007
-  %1009 = fcmp ogt <8 x double> %1008, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1010 = bitcast <8 x double> %1008 to <8 x i64>
-  %1011 = select <8 x i1> %1009, <8 x i64> %1010, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1012 = bitcast <8 x i64> %1011 to <8 x double>
-  %1013 = fcmp olt <8 x double> %1012, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1014 = bitcast <8 x i64> %1011 to <8 x double>
-  %1015 = select <8 x i1> %1013, <8 x double> %1014, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1016 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1015)
-  %1017 = fsub <8 x double> %1015, %1016
-  %1018 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1017, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1019 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1018, <8 x double> %1017, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> %1017, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> %1017, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1017, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1017, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1024 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1023, <8 x double> %1017, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1025 = bitcast <8 x double> %1024 to <8 x i64>
-  %1026 = fptosi <8 x double> %1016 to <8 x i32>
-  %1027 = zext <8 x i32> %1026 to <8 x i64>
-  %1028 = shl <8 x i64> %1027, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1029 = add <8 x i64> %1028, %1025
-  %1030 = bitcast <8 x i64> %1029 to <8 x double>
-  %1031 = fmul <8 x double> %986, %1030
-  %1032 = load double, ptr %135, align 8
-  %1033 = insertelement <8 x double> poison, double %1032, i64 0
-  %1034 = shufflevector <8 x double> %1033, <8 x double> poison, <8 x i32> zeroinitializer
-  %1035 = fcmp ogt <8 x double> %1031, %1034
-  %1036 = select <8 x i1> %1035, <8 x double> %1031, <8 x double> %1034
-  %1037 = select <8 x i1> %979, <8 x double> %1036, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1038 = fmul <8 x double> %247, %1037
-  br label %1039
+955:                                              ; preds = %852, %910
+  %956 = phi <8 x double> [ %954, %910 ], [ %907, %852 ]
+  %957 = load double, ptr %132, align 8
+  %958 = insertelement <8 x double> poison, double %957, i64 0
+  %959 = shufflevector <8 x double> %958, <8 x double> poison, <8 x i32> zeroinitializer
+  %960 = fcmp ogt <8 x double> %956, %959
+  %961 = select <8 x i1> %960, <8 x double> %956, <8 x double> %959
+  %962 = fcmp olt <8 x double> %856, %961
+  %963 = select <8 x i1> %962, <8 x double> %856, <8 x double> %961
+  %964 = fmul <8 x double> %247, %963
+  %965 = fcmp ogt <8 x double> %541, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %966 = select <8 x i1> %965, <8 x i64> %858, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %967 = bitcast <8 x double> %854 to <8 x i64>
+  %968 = select <8 x i1> %838, <8 x i64> %966, <8 x i64> %967
+  store <8 x i64> %968, ptr %853, align 8
+  %969 = load ptr, ptr %128, align 8
+  %970 = load double, ptr %133, align 8
+  %971 = insertelement <8 x double> poison, double %970, i64 0
+  %972 = bitcast <8 x double> %971 to <8 x i64>
+  %973 = shufflevector <8 x i64> %972, <8 x i64> poison, <8 x i32> zeroinitializer
+  %974 = icmp slt <8 x i64> %835, zeroinitializer
+  %975 = select <8 x i1> %974, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %973
+  store <8 x i64> %975, ptr %969, align 8
+  br label %976
 
-1039:                                             ; preds = %965, %980
-  %1040 = phi <8 x double> [ %1038, %980 ], [ zeroinitializer, %965 ]
-  %1041 = or <8 x i1> %979, %972
-  %1042 = select <8 x i1> %1041, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1043 = icmp slt <8 x i64> %819, zeroinitializer
-  %1044 = select <8 x i1> %1043, <8 x double> %1040, <8 x double> %961
-  %1045 = load ptr, ptr %136, align 8
-  %1046 = select <8 x i1> %969, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1042
-  %1047 = load <8 x i64>, ptr %1045, align 8
-  %1048 = select <8 x i1> %1043, <8 x i64> %1046, <8 x i64> %1047
-  store <8 x i64> %1048, ptr %1045, align 8
-  %1049 = load ptr, ptr %136, align 8
-  %1050 = select <8 x i1> %967, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1042
-  %1051 = load <8 x i64>, ptr %1049, align 8
-  %1052 = select <8 x i1> %1043, <8 x i64> %1050, <8 x i64> %1051
-  store <8 x i64> %1052, ptr %1049, align 8
-  %1053 = load ptr, ptr %71, align 8
-  %1054 = load <8 x double>, ptr %1053, align 8
-  %1055 = select <8 x i1> %1043, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1056 = bitcast <8 x i64> %1055 to <8 x double>
-  %1057 = fadd <8 x double> %1054, %1056
-  store <8 x double> %1057, ptr %1053, align 8
-  br label %1058
+976:                                              ; preds = %955, %833
+  %977 = phi <8 x double> [ %964, %955 ], [ %229, %833 ]
+  %978 = icmp ne <8 x i64> %835, zeroinitializer
+  %979 = bitcast <8 x i1> %978 to i8
+  %980 = icmp eq i8 %979, 0
+  br i1 %980, label %1074, label %981
 
-1058:                                             ; preds = %1039, %960
-  %1059 = phi <8 x double> [ %961, %960 ], [ %1044, %1039 ]
-  %1060 = load ptr, ptr %67, align 8
-  store <8 x double> %1059, ptr %1060, align 8
-  %1061 = load ptr, ptr %54, align 8
-  %1062 = select <8 x i1> %822, <8 x double> %803, <8 x double> %222
-  store <8 x double> %1062, ptr %1061, align 8
-  br i1 %137, label %1065, label %1063
+981:                                              ; preds = %976
+  %982 = trunc i64 %590 to i8
+  %983 = bitcast i8 %982 to <8 x i1>
+  %984 = trunc i64 %821 to i8
+  %985 = bitcast i8 %984 to <8 x i1>
+  %986 = load i64, ptr %7, align 8
+  %987 = trunc i64 %986 to i8
+  %988 = bitcast i8 %987 to <8 x i1>
+  %989 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %541)
+  %990 = fcmp one <8 x double> %989, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %991 = xor <8 x i1> %983, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %992 = select <8 x i1> %990, <8 x i1> %991, <8 x i1> zeroinitializer
+  %993 = or <8 x i1> %988, %985
+  %994 = xor <8 x i1> %993, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %995 = and <8 x i1> %992, %994
+  br i1 %34, label %996, label %1055
 
-1063:                                             ; preds = %1065, %1058
-  %1064 = icmp eq i64 %807, 0
-  br i1 %1064, label %1092, label %1083
+996:                                              ; preds = %981
+  %997 = fcmp ogt <8 x double> %541, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %998 = bitcast <8 x double> %541 to <8 x i64>
+  %999 = select <8 x i1> %997, <8 x i64> %998, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1000 = load double, ptr %134, align 8
+  %1001 = insertelement <8 x double> poison, double %1000, i64 0
+  %1002 = shufflevector <8 x double> %1001, <8 x double> poison, <8 x i32> zeroinitializer
+  %1003 = load double, ptr %31, align 8
+  %1004 = fneg double %1003
+  %1005 = add <8 x i64> %999, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1006 = ashr <8 x i64> %1005, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1007 = and <8 x i64> %1005, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1008 = sub <8 x i64> %999, %1007
+  %1009 = bitcast <8 x i64> %1008 to <8 x double>
+  %1010 = fadd <8 x double> %1009, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1011 = fadd <8 x double> %1009, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1012 = fdiv <8 x double> %1010, %1011
+  %1013 = fmul <8 x double> %1012, %1012
+  %1014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1013, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1014, <8 x double> %1013, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1015, <8 x double> %1013, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1016, <8 x double> %1013, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1018 = trunc nsw <8 x i64> %1006 to <8 x i32>
+  %1019 = sitofp <8 x i32> %1018 to <8 x double>
+  %1020 = fmul <8 x double> %1012, %1017
+  %1021 = fadd <8 x double> %1020, %1019
+  %1022 = insertelement <8 x double> poison, double %1004, i64 0
+  %1023 = shufflevector <8 x double> %1022, <8 x double> poison, <8 x i32> zeroinitializer
+  %1024 = fmul <8 x double> %1021, %1023
+  %1025 = fcmp ogt <8 x double> %1024, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1026 = bitcast <8 x double> %1024 to <8 x i64>
+  %1027 = select <8 x i1> %1025, <8 x i64> %1026, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1028 = bitcast <8 x i64> %1027 to <8 x double>
+  %1029 = fcmp olt <8 x double> %1028, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1030 = bitcast <8 x i64> %1027 to <8 x double>
+  %1031 = select <8 x i1> %1029, <8 x double> %1030, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1032 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1031)
+  %1033 = fsub <8 x double> %1031, %1032
+  %1034 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1033, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1035 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1034, <8 x double> %1033, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1036 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1035, <8 x double> %1033, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1037 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1036, <8 x double> %1033, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1038 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1037, <8 x double> %1033, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1039 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1038, <8 x double> %1033, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1040 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1039, <8 x double> %1033, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1041 = bitcast <8 x double> %1040 to <8 x i64>
+  %1042 = fptosi <8 x double> %1032 to <8 x i32>
+  %1043 = zext <8 x i32> %1042 to <8 x i64>
+  %1044 = shl <8 x i64> %1043, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1045 = add <8 x i64> %1044, %1041
+  %1046 = bitcast <8 x i64> %1045 to <8 x double>
+  %1047 = fmul <8 x double> %1002, %1046
+  %1048 = load double, ptr %135, align 8
+  %1049 = insertelement <8 x double> poison, double %1048, i64 0
+  %1050 = shufflevector <8 x double> %1049, <8 x double> poison, <8 x i32> zeroinitializer
+  %1051 = fcmp ogt <8 x double> %1047, %1050
+  %1052 = select <8 x i1> %1051, <8 x double> %1047, <8 x double> %1050
+  %1053 = select <8 x i1> %995, <8 x double> %1052, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1054 = fmul <8 x double> %247, %1053
+  br label %1055
 
-1065:                                             ; preds = %1058, %1065
-  %1066 = phi i64 [ %1081, %1065 ], [ 0, %1058 ]
-  %1067 = load ptr, ptr %11, align 8
-  %1068 = load ptr, ptr %138, align 8
-  %1069 = shl nsw i64 %1066, 6
-  %1070 = getelementptr inbounds i8, ptr %1068, i64 %1069
-  %1071 = load <8 x i64>, ptr %1070, align 8
-  %1072 = getelementptr inbounds i8, ptr %1067, i64 %1069
-  %1073 = load <8 x i64>, ptr %1072, align 8
-  %1074 = select <8 x i1> %822, <8 x i64> %1071, <8 x i64> %1073
-  store <8 x i64> %1074, ptr %1072, align 8
-  %1075 = load ptr, ptr %45, align 8
-  %1076 = getelementptr inbounds i8, ptr %60, i64 %1069
-  %1077 = load <8 x i64>, ptr %1076, align 8
-  %1078 = getelementptr inbounds i8, ptr %1075, i64 %1069
-  %1079 = load <8 x i64>, ptr %1078, align 8
-  %1080 = select <8 x i1> %822, <8 x i64> %1077, <8 x i64> %1079
-  store <8 x i64> %1080, ptr %1078, align 8
-  %1081 = add nuw nsw i64 %1066, 1
-  %1082 = icmp eq i64 %1081, %15
-  br i1 %1082, label %1063, label %1065, !llvm.loop !18
+1055:                                             ; preds = %981, %996
+  %1056 = phi <8 x double> [ %1054, %996 ], [ zeroinitializer, %981 ]
+  %1057 = or <8 x i1> %995, %988
+  %1058 = select <8 x i1> %1057, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1059 = icmp slt <8 x i64> %835, zeroinitializer
+  %1060 = select <8 x i1> %1059, <8 x double> %1056, <8 x double> %977
+  %1061 = load ptr, ptr %136, align 8
+  %1062 = select <8 x i1> %985, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1058
+  %1063 = load <8 x i64>, ptr %1061, align 8
+  %1064 = select <8 x i1> %1059, <8 x i64> %1062, <8 x i64> %1063
+  store <8 x i64> %1064, ptr %1061, align 8
+  %1065 = load ptr, ptr %136, align 8
+  %1066 = select <8 x i1> %983, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1058
+  %1067 = load <8 x i64>, ptr %1065, align 8
+  %1068 = select <8 x i1> %1059, <8 x i64> %1066, <8 x i64> %1067
+  store <8 x i64> %1068, ptr %1065, align 8
+  %1069 = load ptr, ptr %71, align 8
+  %1070 = load <8 x double>, ptr %1069, align 8
+  %1071 = select <8 x i1> %1059, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1072 = bitcast <8 x i64> %1071 to <8 x double>
+  %1073 = fadd <8 x double> %1070, %1072
+  store <8 x double> %1073, ptr %1069, align 8
+  br label %1074
 
-1083:                                             ; preds = %1063
-  %1084 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %807, ptr noundef nonnull %6) #11
-  %1085 = icmp ne i32 %806, 0
-  %1086 = icmp ne i64 %1084, %807
-  %1087 = select i1 %1085, i1 true, i1 %1086
-  %1088 = zext i1 %1087 to i32
-  %1089 = trunc i64 %807 to i8
-  %1090 = bitcast i8 %1089 to <8 x i1>
-  %1091 = select <8 x i1> %1090, <8 x i64> zeroinitializer, <8 x i64> %804
-  br label %1092
+1074:                                             ; preds = %1055, %976
+  %1075 = phi <8 x double> [ %977, %976 ], [ %1060, %1055 ]
+  %1076 = load ptr, ptr %67, align 8
+  store <8 x double> %1075, ptr %1076, align 8
+  %1077 = load ptr, ptr %54, align 8
+  %1078 = select <8 x i1> %838, <8 x double> %819, <8 x double> %222
+  store <8 x double> %1078, ptr %1077, align 8
+  br i1 %137, label %1081, label %1079
 
-1092:                                             ; preds = %1083, %1063
-  %1093 = phi <8 x i64> [ %1091, %1083 ], [ %804, %1063 ]
-  %1094 = phi i32 [ %1088, %1083 ], [ %806, %1063 ]
-  %1095 = phi i64 [ %1084, %1083 ], [ %190, %1063 ]
-  %1096 = load ptr, ptr %115, align 8
-  %1097 = load <8 x double>, ptr %1096, align 8
-  %1098 = fcmp oeq <8 x double> %1097, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1099 = icmp ne <8 x i64> %1093, zeroinitializer
-  %1100 = select <8 x i1> %1098, <8 x i1> %1099, <8 x i1> zeroinitializer
-  %1101 = bitcast <8 x i1> %1100 to i8
-  %1102 = icmp eq i8 %1101, 0
-  br i1 %1102, label %1105, label %1103
+1079:                                             ; preds = %1081, %1074
+  %1080 = icmp eq i64 %823, 0
+  br i1 %1080, label %1108, label %1099
 
-1103:                                             ; preds = %1092
-  %1104 = zext i8 %1101 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1104, i64 noundef 0) #11
-  br label %1105
+1081:                                             ; preds = %1074, %1081
+  %1082 = phi i64 [ %1097, %1081 ], [ 0, %1074 ]
+  %1083 = load ptr, ptr %11, align 8
+  %1084 = load ptr, ptr %138, align 8
+  %1085 = shl nsw i64 %1082, 6
+  %1086 = getelementptr inbounds i8, ptr %1084, i64 %1085
+  %1087 = load <8 x i64>, ptr %1086, align 8
+  %1088 = getelementptr inbounds i8, ptr %1083, i64 %1085
+  %1089 = load <8 x i64>, ptr %1088, align 8
+  %1090 = select <8 x i1> %838, <8 x i64> %1087, <8 x i64> %1089
+  store <8 x i64> %1090, ptr %1088, align 8
+  %1091 = load ptr, ptr %45, align 8
+  %1092 = getelementptr inbounds i8, ptr %60, i64 %1085
+  %1093 = load <8 x i64>, ptr %1092, align 8
+  %1094 = getelementptr inbounds i8, ptr %1091, i64 %1085
+  %1095 = load <8 x i64>, ptr %1094, align 8
+  %1096 = select <8 x i1> %838, <8 x i64> %1093, <8 x i64> %1095
+  store <8 x i64> %1096, ptr %1094, align 8
+  %1097 = add nuw nsw i64 %1082, 1
+  %1098 = icmp eq i64 %1097, %15
+  br i1 %1098, label %1079, label %1081, !llvm.loop !18
 
-1105:                                             ; preds = %1103, %1092
-  %1106 = phi i32 [ 1, %1103 ], [ %1094, %1092 ]
+1099:                                             ; preds = %1079
+  %1100 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %823, ptr noundef nonnull %6) #10
+  %1101 = icmp ne i32 %822, 0
+  %1102 = icmp ne i64 %1100, %823
+  %1103 = select i1 %1101, i1 true, i1 %1102
+  %1104 = zext i1 %1103 to i32
+  %1105 = trunc i64 %823 to i8
+  %1106 = bitcast i8 %1105 to <8 x i1>
+  %1107 = select <8 x i1> %1106, <8 x i64> zeroinitializer, <8 x i64> %820
+  br label %1108
+
+1108:                                             ; preds = %1099, %1079
+  %1109 = phi <8 x i64> [ %1107, %1099 ], [ %820, %1079 ]
+  %1110 = phi i32 [ %1104, %1099 ], [ %822, %1079 ]
+  %1111 = phi i64 [ %1100, %1099 ], [ %190, %1079 ]
+  %1112 = load ptr, ptr %115, align 8
+  %1113 = load <8 x double>, ptr %1112, align 8
+  %1114 = fcmp oeq <8 x double> %1113, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1115 = icmp ne <8 x i64> %1109, zeroinitializer
+  %1116 = select <8 x i1> %1114, <8 x i1> %1115, <8 x i1> zeroinitializer
+  %1117 = bitcast <8 x i1> %1116 to i8
+  %1118 = icmp eq i8 %1117, 0
+  br i1 %1118, label %1121, label %1119
+
+1119:                                             ; preds = %1108
+  %1120 = zext i8 %1117 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1120, i64 noundef 0) #10
+  br label %1121
+
+1121:                                             ; preds = %1119, %1108
+  %1122 = phi i32 [ 1, %1119 ], [ %1110, %1108 ]
   br label %185
 
-1107:                                             ; preds = %188, %213, %181
-  %1108 = phi i64 [ 1, %181 ], [ 0, %213 ], [ 0, %188 ]
-  ret i64 %1108
+1123:                                             ; preds = %188, %213, %181
+  %1124 = phi i64 [ 1, %181 ], [ 0, %213 ], [ 0, %188 ]
+  ret i64 %1124
 }
 
 
@@ -1627,7 +1650,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %212 = getelementptr i8, ptr %211, i64 8
   %213 = load i64, ptr %212, align 8
   %214 = inttoptr i64 %213 to ptr
-  tail call void %206(ptr noundef %210, ptr noundef %214) #12
+  tail call void %206(ptr noundef %210, ptr noundef %214) #11
   %215 = add nuw nsw i64 %199, 1
   %216 = load i64, ptr %28, align 8
   %217 = icmp slt i64 %215, %216
@@ -1748,7 +1771,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %303 = getelementptr inbounds i64, ptr %295, i64 %302
   %304 = load i64, ptr %303, align 8
   %305 = inttoptr i64 %304 to ptr
-  tail call void %300(ptr noundef %301, ptr noundef %305) #12
+  tail call void %300(ptr noundef %301, ptr noundef %305) #11
   %306 = add nuw nsw i64 %294, 1
   %307 = load i64, ptr %287, align 8
   %308 = icmp slt i64 %306, %307
@@ -1897,7 +1920,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %28, label %29, label %30
 
 29:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef %20) #11
+  tail call fastcc void @sample(ptr noundef %20) #10
   br label %30
 
 30:                                               ; preds = %4, %29
@@ -1910,7 +1933,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %37 = load ptr, ptr %36, align 8
   %38 = inttoptr i64 %32 to ptr
   %39 = load ptr, ptr %38, align 8
-  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #12
+  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #11
   %41 = sext i32 %40 to i64
   %42 = load ptr, ptr %19, align 8
   %43 = load ptr, ptr %42, align 8
@@ -1975,11 +1998,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %89 = getelementptr inbounds i8, ptr %50, i64 24
   %90 = load i64, ptr %89, align 8
   %91 = load ptr, ptr %88, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %91, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #11
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %91, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #10
   %92 = load <8 x double>, ptr %5, align 16
   %93 = getelementptr inbounds i8, ptr %88, i64 168
   %94 = load ptr, ptr %93, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %94, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #11
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %94, ptr noundef %91, ptr noundef nonnull %88, i64 noundef %90) #10
   %95 = load <8 x double>, ptr %6, align 16
   %96 = fcmp olt <8 x double> %92, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
   %97 = fcmp olt <8 x double> %95, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
@@ -2046,7 +2069,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %149, label %150, label %151
 
 150:                                              ; preds = %136
-  tail call fastcc void @sample(ptr noundef nonnull %137) #11
+  tail call fastcc void @sample(ptr noundef nonnull %137) #10
   br label %151
 
 151:                                              ; preds = %136, %150
@@ -2059,7 +2082,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %158 = load ptr, ptr %157, align 8
   %159 = inttoptr i64 %153 to ptr
   %160 = load ptr, ptr %159, align 8
-  %161 = tail call i32 %160(ptr noundef %154, ptr noundef %140, ptr noundef %156, ptr noundef %158, ptr noundef %144) #12
+  %161 = tail call i32 %160(ptr noundef %154, ptr noundef %140, ptr noundef %156, ptr noundef %158, ptr noundef %144) #11
   %162 = load ptr, ptr %1, align 8
   %163 = getelementptr inbounds i8, ptr %162, i64 120
   %164 = load ptr, ptr %163, align 8
@@ -2085,7 +2108,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
 
 180:                                              ; preds = %170, %151
   %181 = load ptr, ptr %88, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %168, ptr noundef %181, ptr noundef nonnull %88, i64 noundef %90) #11
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %168, ptr noundef %181, ptr noundef nonnull %88, i64 noundef %90) #10
   %182 = load <8 x double>, ptr %7, align 16
   %183 = fdiv <8 x double> %182, %109
   %184 = fcmp ogt <8 x double> %95, %183
@@ -2283,14 +2306,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %354 = fadd <8 x double> %347, %353
   %355 = fadd <8 x double> %346, %354
   store <8 x double> %355, ptr %345, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %336, i64 noundef 3) #11
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %344, i64 noundef 0) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %336, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %344, i64 noundef 0) #10
   ret void
 
 356:                                              ; preds = %332, %356
   %357 = phi i64 [ %330, %332 ], [ %368, %356 ]
   %358 = load ptr, ptr %11, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %358, i64 noundef %357) #11
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %358, i64 noundef %357) #10
   %359 = load ptr, ptr %333, align 8
   %360 = load <8 x double>, ptr %359, align 8
   %361 = load ptr, ptr %334, align 8
@@ -2316,7 +2339,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %11 = getelementptr inbounds i8, ptr %10, i64 32
   %12 = load i64, ptr %11, align 8
   %13 = icmp eq i64 %1, 0
-  br i1 %13, label %59, label %14
+  br i1 %13, label %60, label %14
 
 14:                                               ; preds = %3
   %15 = getelementptr inbounds i8, ptr %0, i64 888
@@ -2332,204 +2355,205 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %25 = icmp slt i64 %2, 0
   %26 = getelementptr inbounds i8, ptr %0, i64 864
   %27 = getelementptr inbounds i8, ptr %0, i64 1104
-  %28 = getelementptr inbounds i8, ptr %0, i64 1144
-  %29 = getelementptr inbounds i8, ptr %0, i64 1128
-  %30 = getelementptr inbounds i8, ptr %0, i64 1656
-  %31 = getelementptr inbounds i8, ptr %0, i64 1664
-  %32 = getelementptr inbounds i8, ptr %0, i64 1160
-  %33 = getelementptr inbounds i8, ptr %0, i64 1200
-  %34 = getelementptr inbounds i8, ptr %0, i64 1368
-  %35 = getelementptr inbounds i8, ptr %0, i64 1416
-  %36 = getelementptr inbounds i8, ptr %0, i64 1432
-  %37 = getelementptr inbounds i8, ptr %0, i64 1152
-  %38 = getelementptr inbounds i8, ptr %0, i64 1464
-  %39 = getelementptr inbounds i8, ptr %0, i64 1480
-  br label %40
+  %28 = getelementptr inbounds i8, ptr %0, i64 1656
+  %29 = getelementptr inbounds i8, ptr %0, i64 1664
+  %30 = getelementptr inbounds i8, ptr %0, i64 1144
+  %31 = getelementptr inbounds i8, ptr %0, i64 1128
+  %32 = getelementptr inbounds i8, ptr %0, i64 1144
+  %33 = getelementptr inbounds i8, ptr %0, i64 1160
+  %34 = getelementptr inbounds i8, ptr %0, i64 1200
+  %35 = getelementptr inbounds i8, ptr %0, i64 1368
+  %36 = getelementptr inbounds i8, ptr %0, i64 1416
+  %37 = getelementptr inbounds i8, ptr %0, i64 1432
+  %38 = getelementptr inbounds i8, ptr %0, i64 1152
+  %39 = getelementptr inbounds i8, ptr %0, i64 1464
+  %40 = getelementptr inbounds i8, ptr %0, i64 1480
+  br label %41
 
-40:                                               ; preds = %14, %174
-  %41 = phi i64 [ %1, %14 ], [ %178, %174 ]
-  %42 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %41, i1 true)
-  %43 = load ptr, ptr %15, align 8
-  %44 = getelementptr inbounds i64, ptr %43, i64 %42
-  %45 = load i64, ptr %44, align 8
-  %46 = load i64, ptr %17, align 8
-  %47 = load ptr, ptr %18, align 8
-  %48 = getelementptr inbounds double, ptr %47, i64 %42
-  %49 = load double, ptr %48, align 8
-  %50 = fptosi double %49 to i64
-  %51 = xor i64 %50, -1
-  %52 = add i64 %46, %51
-  %53 = icmp sgt i64 %52, 0
-  br i1 %53, label %54, label %63
+41:                                               ; preds = %14, %175
+  %42 = phi i64 [ %1, %14 ], [ %179, %175 ]
+  %43 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %42, i1 true)
+  %44 = load ptr, ptr %15, align 8
+  %45 = getelementptr inbounds i64, ptr %44, i64 %43
+  %46 = load i64, ptr %45, align 8
+  %47 = load i64, ptr %17, align 8
+  %48 = load ptr, ptr %18, align 8
+  %49 = getelementptr inbounds double, ptr %48, i64 %43
+  %50 = load double, ptr %49, align 8
+  %51 = fptosi double %50 to i64
+  %52 = xor i64 %51, -1
+  %53 = add i64 %47, %52
+  %54 = icmp sgt i64 %53, 0
+  br i1 %54, label %55, label %64
 
-54:                                               ; preds = %40
-  %55 = load ptr, ptr %16, align 8
-  %56 = getelementptr inbounds i64, ptr %55, i64 %42
-  %57 = load i64, ptr %56, align 8
-  %58 = inttoptr i64 %57 to ptr
-  br label %60
+55:                                               ; preds = %41
+  %56 = load ptr, ptr %16, align 8
+  %57 = getelementptr inbounds i64, ptr %56, i64 %43
+  %58 = load i64, ptr %57, align 8
+  %59 = inttoptr i64 %58 to ptr
+  br label %61
 
-59:                                               ; preds = %174, %3
+60:                                               ; preds = %175, %3
   ret void
 
-60:                                               ; preds = %54, %82
-  %61 = phi i64 [ %83, %82 ], [ %52, %54 ]
-  %62 = phi ptr [ %84, %82 ], [ %58, %54 ]
-  br i1 %19, label %86, label %82
+61:                                               ; preds = %55, %83
+  %62 = phi i64 [ %84, %83 ], [ %53, %55 ]
+  %63 = phi ptr [ %85, %83 ], [ %59, %55 ]
+  br i1 %19, label %87, label %83
 
-63:                                               ; preds = %82, %40
-  %64 = load ptr, ptr %20, align 8
-  %65 = load i64, ptr %21, align 8
-  %66 = mul nsw i64 %65, %45
-  %67 = getelementptr inbounds i64, ptr %64, i64 %66
-  %68 = load ptr, ptr %22, align 8
-  %69 = getelementptr inbounds double, ptr %68, i64 %42
-  %70 = load double, ptr %69, align 8
-  %71 = fptosi double %70 to i64
-  store i64 %71, ptr %67, align 8
-  %72 = load ptr, ptr %23, align 8
-  %73 = getelementptr inbounds double, ptr %72, i64 %42
-  %74 = load double, ptr %73, align 8
-  %75 = fptosi double %74 to i64
-  %76 = getelementptr inbounds i8, ptr %67, i64 8
-  store i64 %75, ptr %76, align 8
-  %77 = load ptr, ptr %24, align 8
-  %78 = getelementptr inbounds double, ptr %77, i64 %42
-  %79 = load double, ptr %78, align 8
-  %80 = fptosi double %79 to i64
-  %81 = getelementptr inbounds i8, ptr %67, i64 16
-  store i64 %80, ptr %81, align 8
-  br i1 %25, label %92, label %97
+64:                                               ; preds = %83, %41
+  %65 = load ptr, ptr %20, align 8
+  %66 = load i64, ptr %21, align 8
+  %67 = mul nsw i64 %66, %46
+  %68 = getelementptr inbounds i64, ptr %65, i64 %67
+  %69 = load ptr, ptr %22, align 8
+  %70 = getelementptr inbounds double, ptr %69, i64 %43
+  %71 = load double, ptr %70, align 8
+  %72 = fptosi double %71 to i64
+  store i64 %72, ptr %68, align 8
+  %73 = load ptr, ptr %23, align 8
+  %74 = getelementptr inbounds double, ptr %73, i64 %43
+  %75 = load double, ptr %74, align 8
+  %76 = fptosi double %75 to i64
+  %77 = getelementptr inbounds i8, ptr %68, i64 8
+  store i64 %76, ptr %77, align 8
+  %78 = load ptr, ptr %24, align 8
+  %79 = getelementptr inbounds double, ptr %78, i64 %43
+  %80 = load double, ptr %79, align 8
+  %81 = fptosi double %80 to i64
+  %82 = getelementptr inbounds i8, ptr %68, i64 16
+  store i64 %81, ptr %82, align 8
+  br i1 %25, label %93, label %98
 
-82:                                               ; preds = %86, %60
-  %83 = add nsw i64 %61, -1
-  %84 = getelementptr inbounds i8, ptr %62, i64 8
-  %85 = icmp sgt i64 %61, 1
-  br i1 %85, label %60, label %63, !llvm.loop !35
+83:                                               ; preds = %87, %61
+  %84 = add nsw i64 %62, -1
+  %85 = getelementptr inbounds i8, ptr %63, i64 8
+  %86 = icmp sgt i64 %62, 1
+  br i1 %86, label %61, label %64, !llvm.loop !35
 
-86:                                               ; preds = %60, %86
-  %87 = phi i64 [ %90, %86 ], [ 0, %60 ]
-  %88 = mul nsw i64 %87, %12
-  %89 = getelementptr inbounds double, ptr %62, i64 %88
-  store double 0x7FF8000000000000, ptr %89, align 8
-  %90 = add nuw nsw i64 %87, 1
-  %91 = icmp eq i64 %90, %9
-  br i1 %91, label %82, label %86, !llvm.loop !36
+87:                                               ; preds = %61, %87
+  %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
+  %89 = mul nsw i64 %88, %12
+  %90 = getelementptr inbounds double, ptr %63, i64 %89
+  store double 0x7FF8000000000000, ptr %90, align 8
+  %91 = add nuw nsw i64 %88, 1
+  %92 = icmp eq i64 %91, %9
+  br i1 %92, label %83, label %87, !llvm.loop !36
 
-92:                                               ; preds = %63
-  %93 = load ptr, ptr %26, align 8
-  %94 = getelementptr inbounds double, ptr %93, i64 %42
-  %95 = load double, ptr %94, align 8
-  %96 = fptosi double %95 to i64
-  br label %97
+93:                                               ; preds = %64
+  %94 = load ptr, ptr %26, align 8
+  %95 = getelementptr inbounds double, ptr %94, i64 %43
+  %96 = load double, ptr %95, align 8
+  %97 = fptosi double %96 to i64
+  br label %98
 
-97:                                               ; preds = %63, %92
-  %98 = phi i64 [ %96, %92 ], [ %2, %63 ]
-  %99 = getelementptr inbounds i8, ptr %67, i64 24
-  store i64 %98, ptr %99, align 8
-  %100 = load ptr, ptr %4, align 8
-  %101 = getelementptr inbounds double, ptr %100, i64 %42
-  %102 = load double, ptr %101, align 8
-  %103 = load ptr, ptr %27, align 8
-  %104 = getelementptr inbounds double, ptr %103, i64 %45
-  store double %102, ptr %104, align 8
-  %105 = load i64, ptr %28, align 8
-  %106 = icmp sgt i64 %105, 0
-  br i1 %106, label %110, label %107
+98:                                               ; preds = %64, %93
+  %99 = phi i64 [ %97, %93 ], [ %2, %64 ]
+  %100 = getelementptr inbounds i8, ptr %68, i64 24
+  store i64 %99, ptr %100, align 8
+  %101 = load ptr, ptr %4, align 8
+  %102 = getelementptr inbounds double, ptr %101, i64 %43
+  %103 = load double, ptr %102, align 8
+  %104 = load ptr, ptr %27, align 8
+  %105 = getelementptr inbounds double, ptr %104, i64 %46
+  store double %103, ptr %105, align 8
+  %106 = load ptr, ptr %28, align 8
+  %107 = load i64, ptr %29, align 8
+  %108 = getelementptr inbounds double, ptr %106, i64 %107
+  %109 = load i64, ptr %30, align 8
+  %110 = mul i64 %109, -64
+  %111 = getelementptr inbounds i8, ptr %108, i64 %110
+  %112 = load ptr, ptr %31, align 8
+  %113 = mul nsw i64 %109, %46
+  %114 = getelementptr inbounds double, ptr %112, i64 %113
+  %115 = getelementptr double, ptr %111, i64 %43
+  %116 = load i64, ptr %32, align 8
+  %117 = icmp sgt i64 %116, 0
+  br i1 %117, label %118, label %127
 
-107:                                              ; preds = %110, %97
-  %108 = load i64, ptr %32, align 8
-  %109 = icmp sgt i64 %108, 0
-  br i1 %109, label %129, label %174
+118:                                              ; preds = %98, %118
+  %119 = phi i64 [ %124, %118 ], [ 0, %98 ]
+  %120 = shl i64 %119, 6
+  %121 = getelementptr i8, ptr %115, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr inbounds double, ptr %114, i64 %119
+  store double %122, ptr %123, align 8
+  %124 = add nuw nsw i64 %119, 1
+  %125 = load i64, ptr %32, align 8
+  %126 = icmp slt i64 %124, %125
+  br i1 %126, label %118, label %127, !llvm.loop !37
 
-110:                                              ; preds = %97, %110
-  %111 = phi i64 [ %127, %110 ], [ %105, %97 ]
-  %112 = phi i64 [ %126, %110 ], [ 0, %97 ]
-  %113 = load ptr, ptr %30, align 8
-  %114 = load i64, ptr %31, align 8
-  %115 = getelementptr inbounds double, ptr %113, i64 %114
-  %116 = mul i64 %111, -64
-  %117 = getelementptr inbounds i8, ptr %115, i64 %116
-  %118 = shl nsw i64 %112, 6
-  %119 = getelementptr inbounds i8, ptr %117, i64 %118
-  %120 = getelementptr inbounds double, ptr %119, i64 %42
-  %121 = load double, ptr %120, align 8
-  %122 = load ptr, ptr %29, align 8
-  %123 = mul nsw i64 %111, %45
-  %124 = getelementptr double, ptr %122, i64 %123
-  %125 = getelementptr double, ptr %124, i64 %112
-  store double %121, ptr %125, align 8
-  %126 = add nuw nsw i64 %112, 1
-  %127 = load i64, ptr %28, align 8
-  %128 = icmp slt i64 %126, %127
-  br i1 %128, label %110, label %107, !llvm.loop !37
+127:                                              ; preds = %118, %98
+  %128 = load i64, ptr %33, align 8
+  %129 = icmp sgt i64 %128, 0
+  br i1 %129, label %130, label %175
 
-129:                                              ; preds = %107
-  %130 = load ptr, ptr %33, align 8
-  %131 = getelementptr inbounds i8, ptr %130, i64 8
-  %132 = load i64, ptr %131, align 8
-  %133 = icmp sgt i64 %132, 0
-  br i1 %133, label %134, label %173
+130:                                              ; preds = %127
+  %131 = load ptr, ptr %34, align 8
+  %132 = getelementptr inbounds i8, ptr %131, i64 8
+  %133 = load i64, ptr %132, align 8
+  %134 = icmp sgt i64 %133, 0
+  br i1 %134, label %135, label %174
 
-134:                                              ; preds = %129, %149
-  %135 = phi i64 [ %155, %149 ], [ 2, %129 ]
-  %136 = phi i64 [ %150, %149 ], [ 0, %129 ]
-  %137 = load ptr, ptr %34, align 8
-  %138 = shl i64 %136, 6
-  %139 = getelementptr i8, ptr %137, i64 %138
-  %140 = getelementptr double, ptr %139, i64 %42
-  %141 = load double, ptr %140, align 8
-  %142 = fptosi double %141 to i64
-  %143 = load ptr, ptr %35, align 8
-  %144 = load i64, ptr %36, align 8
-  %145 = mul nsw i64 %144, %45
-  %146 = getelementptr i64, ptr %143, i64 %145
-  %147 = getelementptr i64, ptr %146, i64 %136
-  store i64 %142, ptr %147, align 8
-  %148 = shl nuw nsw i64 %136, 1
-  br label %156
+135:                                              ; preds = %130, %150
+  %136 = phi i64 [ %156, %150 ], [ 2, %130 ]
+  %137 = phi i64 [ %151, %150 ], [ 0, %130 ]
+  %138 = load ptr, ptr %35, align 8
+  %139 = shl i64 %137, 6
+  %140 = getelementptr i8, ptr %138, i64 %139
+  %141 = getelementptr double, ptr %140, i64 %43
+  %142 = load double, ptr %141, align 8
+  %143 = fptosi double %142 to i64
+  %144 = load ptr, ptr %36, align 8
+  %145 = load i64, ptr %37, align 8
+  %146 = mul nsw i64 %145, %46
+  %147 = getelementptr i64, ptr %144, i64 %146
+  %148 = getelementptr i64, ptr %147, i64 %137
+  store i64 %143, ptr %148, align 8
+  %149 = shl nuw nsw i64 %137, 1
+  br label %157
 
-149:                                              ; preds = %156
-  %150 = add nuw nsw i64 %136, 1
-  %151 = load ptr, ptr %33, align 8
-  %152 = getelementptr inbounds i8, ptr %151, i64 8
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp slt i64 %150, %153
-  %155 = add nuw i64 %135, 2
-  br i1 %154, label %134, label %173, !llvm.loop !38
+150:                                              ; preds = %157
+  %151 = add nuw nsw i64 %137, 1
+  %152 = load ptr, ptr %34, align 8
+  %153 = getelementptr inbounds i8, ptr %152, i64 8
+  %154 = load i64, ptr %153, align 8
+  %155 = icmp slt i64 %151, %154
+  %156 = add nuw i64 %136, 2
+  br i1 %155, label %135, label %174, !llvm.loop !38
 
-156:                                              ; preds = %134, %156
-  %157 = phi i64 [ %148, %134 ], [ %171, %156 ]
-  %158 = load ptr, ptr %37, align 8
-  %159 = getelementptr inbounds i64, ptr %158, i64 %42
-  %160 = load i64, ptr %159, align 8
-  %161 = inttoptr i64 %160 to ptr
-  %162 = getelementptr inbounds i8, ptr %161, i64 960
-  %163 = load ptr, ptr %162, align 8
-  %164 = getelementptr inbounds double, ptr %163, i64 %157
-  %165 = load double, ptr %164, align 8
-  %166 = load ptr, ptr %38, align 8
-  %167 = load i64, ptr %39, align 8
-  %168 = mul nsw i64 %167, %45
-  %169 = getelementptr double, ptr %166, i64 %168
-  %170 = getelementptr double, ptr %169, i64 %157
-  store double %165, ptr %170, align 8
-  %171 = add nuw nsw i64 %157, 1
-  %172 = icmp eq i64 %171, %135
-  br i1 %172, label %149, label %156, !llvm.loop !39
+157:                                              ; preds = %135, %157
+  %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
+  %159 = load ptr, ptr %38, align 8
+  %160 = getelementptr inbounds i64, ptr %159, i64 %43
+  %161 = load i64, ptr %160, align 8
+  %162 = inttoptr i64 %161 to ptr
+  %163 = getelementptr inbounds i8, ptr %162, i64 960
+  %164 = load ptr, ptr %163, align 8
+  %165 = getelementptr inbounds double, ptr %164, i64 %158
+  %166 = load double, ptr %165, align 8
+  %167 = load ptr, ptr %39, align 8
+  %168 = load i64, ptr %40, align 8
+  %169 = mul nsw i64 %168, %46
+  %170 = getelementptr double, ptr %167, i64 %169
+  %171 = getelementptr double, ptr %170, i64 %158
+  store double %166, ptr %171, align 8
+  %172 = add nuw nsw i64 %158, 1
+  %173 = icmp eq i64 %172, %136
+  br i1 %173, label %150, label %157, !llvm.loop !39
 
-173:                                              ; preds = %149, %129
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %42) #11
-  br label %174
+174:                                              ; preds = %150, %130
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #10
+  br label %175
 
-174:                                              ; preds = %173, %107
-  %175 = load ptr, ptr %15, align 8
-  %176 = getelementptr inbounds i64, ptr %175, i64 %42
-  store i64 -1, ptr %176, align 8
-  %177 = add nsw i64 %41, -1
-  %178 = and i64 %177, %41
-  %179 = icmp eq i64 %178, 0
-  br i1 %179, label %59, label %40, !llvm.loop !40
+175:                                              ; preds = %174, %127
+  %176 = load ptr, ptr %15, align 8
+  %177 = getelementptr inbounds i64, ptr %176, i64 %43
+  store i64 -1, ptr %177, align 8
+  %178 = add nsw i64 %42, -1
+  %179 = and i64 %178, %42
+  %180 = icmp eq i64 %179, 0
+  br i1 %180, label %60, label %41, !llvm.loop !40
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
@@ -2548,7 +2572,7 @@ define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr nound
 14:                                               ; preds = %5, %11
   %15 = phi ptr [ %13, %11 ], [ null, %5 ]
   %16 = inttoptr i64 %9 to ptr
-  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #11
   ret i64 %17
 }
 
@@ -2614,7 +2638,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = load ptr, ptr %53, align 8
-  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #11
   %56 = trunc i32 %55 to i8
   %57 = xor i8 %56, -1
   %58 = icmp sgt i64 %12, 0
@@ -2734,7 +2758,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   br label %13
 
 8:                                                ; preds = %13
-  %9 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3) #11
+  %9 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3) #10
   %10 = xor i64 %9, -1
   %11 = and i64 %10, %2
   %12 = icmp eq i64 %11, 0
@@ -2755,7 +2779,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %22 = getelementptr inbounds double, ptr %3, i64 %21
   %23 = load double, ptr %22, align 8
   %24 = getelementptr inbounds double, ptr %5, i64 %21
-  %25 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %21, double noundef %23, ptr noundef %24) #11
+  %25 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %21, double noundef %23, ptr noundef %24) #10
   %26 = getelementptr inbounds i64, ptr %4, i64 %21
   store i64 %25, ptr %26, align 8
   %27 = icmp eq i64 %25, -6
@@ -2888,7 +2912,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
-  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #10
   %85 = load ptr, ptr %38, align 8
   %86 = load i64, ptr %85, align 8
   %87 = icmp eq i64 %86, 1
@@ -2896,7 +2920,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 88:                                               ; preds = %65
   %89 = load ptr, ptr %18, align 8
-  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #10
   %91 = or i64 %90, %48
   br label %92
 
@@ -2904,7 +2928,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #10
   br label %46, !llvm.loop !47
 
 96:                                               ; preds = %63, %96
@@ -2932,68 +2956,88 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   ret i64 %48
 }
 
-define internal fastcc void @end_within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 16
-  %5 = load ptr, ptr %4, align 8
-  %6 = trunc i64 %1 to i8
-  %7 = bitcast i8 %6 to <8 x i1>
-  %8 = load <8 x double>, ptr %2, align 8
-  %9 = fcmp olt <8 x double> %8, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %10 = and <8 x i1> %9, %7
-  %11 = select <8 x i1> %10, <8 x double> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %12 = getelementptr inbounds i8, ptr %5, i64 48
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %5, i64 96
+define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
+  %6 = getelementptr inbounds i8, ptr %1, i64 16
+  %7 = load ptr, ptr %6, align 8
+  %8 = trunc i64 %2 to i8
+  %9 = bitcast i8 %8 to <8 x i1>
+  %10 = load <8 x double>, ptr %4, align 8
+  %11 = fcmp olt <8 x double> %10, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %12 = and <8 x i1> %11, %9
+  %13 = select <8 x i1> %12, <8 x double> %10, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %14 = getelementptr inbounds i8, ptr %7, i64 48
   %15 = load ptr, ptr %14, align 8
-  store <8 x double> %11, ptr %15, align 8
-  %16 = load ptr, ptr %5, align 8
-  %17 = getelementptr inbounds i8, ptr %5, i64 192
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %5, i64 8
-  %20 = load i64, ptr %19, align 8
-  %21 = load ptr, ptr %0, align 8
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds i8, ptr %22, i64 24
-  %24 = load i64, ptr %23, align 8
-  %25 = load ptr, ptr %14, align 8
-  %26 = getelementptr inbounds i8, ptr %0, i64 8
-  %27 = load ptr, ptr %26, align 8
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr inbounds i8, ptr %28, i64 16
-  %30 = load i64, ptr %29, align 8
-  tail call fastcc void @nested(ptr noundef %13, ptr noundef %16, ptr noundef %18, i64 noundef %20, i64 noundef %24, ptr noundef %25, i64 noundef %30) #11
-  %31 = load ptr, ptr %26, align 8
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr inbounds i8, ptr %32, i64 8
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp sgt i64 %34, 0
-  br i1 %35, label %36, label %38
+  %16 = getelementptr inbounds i8, ptr %7, i64 96
+  %17 = load ptr, ptr %16, align 8
+  store <8 x double> %13, ptr %17, align 8
+  %18 = load ptr, ptr %7, align 8
+  %19 = getelementptr inbounds i8, ptr %7, i64 192
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds i8, ptr %7, i64 8
+  %22 = load i64, ptr %21, align 8
+  %23 = load ptr, ptr %1, align 8
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr inbounds i8, ptr %24, i64 24
+  %26 = load i64, ptr %25, align 8
+  %27 = load ptr, ptr %16, align 8
+  %28 = getelementptr inbounds i8, ptr %1, i64 8
+  %29 = load ptr, ptr %28, align 8
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr inbounds i8, ptr %30, i64 16
+  %32 = load i64, ptr %31, align 8
+  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #10
+  %33 = load ptr, ptr %28, align 8
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr inbounds i8, ptr %34, i64 8
+  %36 = load i64, ptr %35, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %38, label %40
 
-36:                                               ; preds = %3
-  %37 = getelementptr inbounds i8, ptr %5, i64 24
-  br label %39
+38:                                               ; preds = %5
+  %39 = getelementptr inbounds i8, ptr %7, i64 24
+  br label %45
 
-38:                                               ; preds = %39, %3
-  ret void
+40:                                               ; preds = %45, %5
+  %41 = getelementptr inbounds i8, ptr %0, i64 1608
+  %42 = load ptr, ptr %41, align 8
+  %43 = load i64, ptr %42, align 8
+  %44 = icmp eq i64 %43, 1
+  br i1 %44, label %61, label %69
 
-39:                                               ; preds = %36, %39
-  %40 = phi i64 [ 0, %36 ], [ %49, %39 ]
-  %41 = load ptr, ptr %37, align 8
-  %42 = load ptr, ptr %12, align 8
-  %43 = shl nsw i64 %40, 6
-  %44 = getelementptr inbounds i8, ptr %42, i64 %43
-  %45 = load <8 x i64>, ptr %44, align 8
-  %46 = getelementptr inbounds i8, ptr %41, i64 %43
-  %47 = load <8 x i64>, ptr %46, align 8
-  %48 = select <8 x i1> %10, <8 x i64> %45, <8 x i64> %47
-  store <8 x i64> %48, ptr %46, align 8
-  %49 = add nuw nsw i64 %40, 1
-  %50 = load ptr, ptr %26, align 8
-  %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %51, i64 8
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp slt i64 %49, %53
-  br i1 %54, label %39, label %38, !llvm.loop !49
+45:                                               ; preds = %38, %45
+  %46 = phi i64 [ 0, %38 ], [ %55, %45 ]
+  %47 = load ptr, ptr %39, align 8
+  %48 = load ptr, ptr %14, align 8
+  %49 = shl nsw i64 %46, 6
+  %50 = getelementptr inbounds i8, ptr %48, i64 %49
+  %51 = load <8 x i64>, ptr %50, align 8
+  %52 = getelementptr inbounds i8, ptr %47, i64 %49
+  %53 = load <8 x i64>, ptr %52, align 8
+  %54 = select <8 x i1> %12, <8 x i64> %51, <8 x i64> %53
+  store <8 x i64> %54, ptr %52, align 8
+  %55 = add nuw nsw i64 %46, 1
+  %56 = load ptr, ptr %28, align 8
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr inbounds i8, ptr %57, i64 8
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp slt i64 %55, %59
+  br i1 %60, label %45, label %40, !llvm.loop !49
+
+61:                                               ; preds = %40
+  %62 = bitcast <8 x i1> %12 to i8
+  %63 = icmp eq i8 %62, 0
+  br i1 %63, label %69, label %64
+
+64:                                               ; preds = %61
+  %65 = zext i8 %62 to i64
+  %66 = getelementptr inbounds i8, ptr %7, i64 24
+  %67 = load ptr, ptr %66, align 8
+  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #10
+  br label %69
+
+69:                                               ; preds = %40, %61, %64
+  %70 = phi i64 [ %68, %64 ], [ 0, %61 ], [ 0, %40 ]
+  ret i64 %70
 }
 
 define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {
@@ -3065,7 +3109,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   br i1 %54, label %29, label %46, !llvm.loop !51
 }
 
-declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #6
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
   %4 = getelementptr inbounds i8, ptr %0, i64 144
@@ -3135,7 +3179,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %50, label %34, label %40, !llvm.loop !52
 
 51:                                               ; preds = %34
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
   br label %156
 
 52:                                               ; preds = %34
@@ -3190,7 +3234,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %94, label %80, label %83, !llvm.loop !53
 
 95:                                               ; preds = %80
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
   br label %96
 
 96:                                               ; preds = %95, %80
@@ -3263,7 +3307,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
 
 145:                                              ; preds = %140
   %146 = inttoptr i64 %143 to ptr
-  %147 = tail call i64 %146(ptr noundef %56) #12
+  %147 = tail call i64 %146(ptr noundef %56) #11
   br label %148
 
 148:                                              ; preds = %145, %140
@@ -3271,7 +3315,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %75, label %150, label %151
 
 150:                                              ; preds = %148
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
   br label %151
 
 151:                                              ; preds = %150, %148
@@ -3359,7 +3403,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br label %214
 
 213:                                              ; preds = %196
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #10
   br label %214
 
 214:                                              ; preds = %213, %211
@@ -3370,9 +3414,9 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %218, label %32, label %20, !llvm.loop !57
 }
 
-declare i64 @llvm.cttz.i64(i64, i1 immarg) #6
+declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
 
-define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #7 {
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
   %6 = icmp sgt i64 %4, 0
   br i1 %6, label %7, label %13
 
@@ -3426,13 +3470,13 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   br i1 %48, label %13, label %20, !llvm.loop !58
 }
 
-declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #6
+declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #6
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
 
-declare <8 x double> @llvm.rint.v8f64(<8 x double>) #6
+declare <8 x double> @llvm.rint.v8f64(<8 x double>) #5
 
-declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #6
+declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #5
 
 define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) unnamed_addr #4 {
   %3 = getelementptr inbounds i8, ptr %0, i64 1200
@@ -3533,7 +3577,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   br i1 %76, label %57, label %61, !llvm.loop !60
 }
 
-define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #8 {
+define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
   %9 = load <8 x double>, ptr %2, align 8
   %10 = shl nsw i64 %7, 3
   %11 = icmp slt i64 %7, 4
@@ -3878,7 +3922,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %51 = load ptr, ptr %50, align 8
   %52 = getelementptr inbounds i8, ptr %51, i64 16
   %53 = load i64, ptr %52, align 8
-  tail call fastcc void @nested(ptr noundef %36, ptr noundef %39, ptr noundef %41, i64 noundef %43, i64 noundef %47, ptr noundef %48, i64 noundef %53) #11
+  tail call fastcc void @nested(ptr noundef %36, ptr noundef %39, ptr noundef %41, i64 noundef %43, i64 noundef %47, ptr noundef %48, i64 noundef %53) #10
   %54 = fmul <8 x double> %34, zeroinitializer
   %55 = fadd <8 x double> %21, %54
   %56 = getelementptr inbounds i8, ptr %0, i64 168
@@ -3891,7 +3935,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 
 61:                                               ; preds = %27
   %62 = getelementptr inbounds i8, ptr %0, i64 144
-  tail call fastcc void @sample(ptr noundef nonnull %62) #11
+  tail call fastcc void @sample(ptr noundef nonnull %62) #10
   br label %63
 
 63:                                               ; preds = %27, %61
@@ -3908,7 +3952,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %74 = load ptr, ptr %73, align 8
   %75 = inttoptr i64 %65 to ptr
   %76 = load ptr, ptr %75, align 8
-  %77 = tail call i32 %76(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #12
+  %77 = tail call i32 %76(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #11
   %78 = zext i32 %77 to i64
   %79 = and i64 %78, %24
   %80 = icmp sgt i64 %9, 0
@@ -3999,7 +4043,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %151 = load ptr, ptr %150, align 8
   %152 = getelementptr inbounds i8, ptr %151, i64 16
   %153 = load i64, ptr %152, align 8
-  tail call fastcc void @nested(ptr noundef %137, ptr noundef %140, ptr noundef %142, i64 noundef %144, i64 noundef %148, ptr noundef %149, i64 noundef %153) #11
+  tail call fastcc void @nested(ptr noundef %137, ptr noundef %140, ptr noundef %142, i64 noundef %144, i64 noundef %148, ptr noundef %149, i64 noundef %153) #10
   %154 = fmul <8 x double> %135, %133
   %155 = fadd <8 x double> %129, %154
   %156 = load ptr, ptr %101, align 8
@@ -4009,7 +4053,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %158, label %159, label %160
 
 159:                                              ; preds = %120
-  tail call fastcc void @sample(ptr noundef nonnull %103) #11
+  tail call fastcc void @sample(ptr noundef nonnull %103) #10
   br label %160
 
 160:                                              ; preds = %120, %159
@@ -4023,7 +4067,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %168 = load ptr, ptr %106, align 8
   %169 = inttoptr i64 %162 to ptr
   %170 = load ptr, ptr %169, align 8
-  %171 = tail call i32 %170(ptr noundef %163, ptr noundef %166, ptr noundef %167, ptr noundef %168, ptr noundef %127) #12
+  %171 = tail call i32 %170(ptr noundef %163, ptr noundef %166, ptr noundef %167, ptr noundef %168, ptr noundef %127) #11
   %172 = zext i32 %171 to i64
   %173 = or i64 %122, %172
   %174 = add nuw nsw i64 %121, 1
@@ -4317,7 +4361,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %77 = load ptr, ptr %76, align 8
   %78 = getelementptr inbounds double, ptr %77, i64 %1
   %79 = load double, ptr %78, align 8
-  %80 = tail call i64 %71(ptr noundef %9, double noundef %75, double noundef %79) #12
+  %80 = tail call i64 %71(ptr noundef %9, double noundef %75, double noundef %79) #11
   %81 = load ptr, ptr %65, align 8
   %82 = getelementptr inbounds i8, ptr %81, i64 48
   %83 = load double, ptr %82, align 8
@@ -4421,7 +4465,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br i1 %161, label %143, label %140, !llvm.loop !74
 }
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -4472,21 +4516,20 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   br i1 %43, label %32, label %24, !llvm.loop !76
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
 attributes #2 = { noinline nounwind }
 attributes #3 = { noinline nounwind }
 attributes #4 = { noinline nounwind }
-attributes #5 = { noinline nounwind }
-attributes #6 = { nounwind willreturn memory(none) }
+attributes #5 = { nounwind willreturn memory(none) }
+attributes #6 = { noinline nounwind }
 attributes #7 = { noinline nounwind }
-attributes #8 = { noinline nounwind }
-attributes #9 = { nounwind willreturn memory(none) }
+attributes #8 = { nounwind willreturn memory(none) }
+attributes #9 = { nounwind }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
-attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._kernel import Kernel
-from pydy.solvers.tuning import DEPENDENT, ROUNDING, ROUNDINGS
+from pydy.solvers.tuning import DEPENDENT, HALF, ROUNDING, ROUNDINGS
 
 
 def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
@@ -44,6 +44,25 @@ class CompiledConstraints:
     names: Sequence[str]  # what to call the holonomic residuals, then the velocity residuals
     # How many of the holonomic, and of the velocity constraints are redundant: the last of each.
     left_out: tuple[int, int] = (0, 0)
+
+    def moved(self, before: np.ndarray, after: np.ndarray, span: float) -> np.ndarray:
+        """Return how far states (..., n) have moved, in units of what they are beside their kind.
+
+        In any units: what is rounding beside the largest of its kind is noise, and so are speeds
+        beside one by which coordinates would change as much as they are over the whole `span`.
+        """
+        first, last = self.coordinates, self.coordinates + self.speeds
+        size, moved = np.abs(before), np.abs(after - before)
+        far = size[..., :first].max(axis=-1, initial=0.0, keepdims=True)
+        far[far == 0.0] = 1.0
+        fast = np.maximum(size, np.abs(after))[..., first:last].max(
+            axis=-1, initial=0.0, keepdims=True
+        )
+        fast = np.maximum(fast, HALF * far / (span or 1.0))
+        size[..., :first] += np.maximum(np.minimum(1.0, far), HALF * far)
+        size[..., first:] += np.maximum(np.minimum(1.0, fast), HALF * fast)
+        moved[..., list(self.following)] = 0.0
+        return np.asarray(moved / size)
 
     def dependent(self, values: np.ndarray) -> list[str]:
         """Return the names of redundant constraints: linear combinations of earlier ones.

@@ -60,7 +60,6 @@ from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
     CROWDED,
-    HALF,
     LEAST_TOLERANCE,
     NEARLY_SINGULAR,
     NO_LATER,
@@ -346,20 +345,12 @@ class Integration(Workspace):
         self, x: np.ndarray, wanted: CompiledConstraints, off: int, **details: Any
     ) -> None:
         """Project an initial state onto the constraints, unless it is far from them."""
-        before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
+        before, t = x.copy(), float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
         code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
-        # In any units: what is rounding beside the largest of its kind is noise, and so are speeds
-        # beside one by which coordinates would change as much as they are over the whole run.
-        size, speeds = np.abs(before[: self.states]), slice(first, first + wanted.speeds)
-        far = float(size[:first].max(initial=0.0)) or 1.0
-        fast = np.abs([before[speeds], x[speeds]]).max(initial=HALF * far / (self.span or 1.0))
-        size[:first] += max(min(1.0, far), HALF * far)
-        size[first:] += max(min(1.0, float(fast)), HALF * fast)
-        moved = np.abs(x[: self.states] - before[: self.states])
-        moved[list(wanted.following)] = 0.0
-        if code != 0 or (moved > STARTING_MOVE * size).any():
-            k = int(np.argmax(moved / size))
+        moved = wanted.moved(before[: self.states], x[: self.states], self.span)
+        if code != 0 or (moved > STARTING_MOVE).any():
+            k = int(np.argmax(moved))
             mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"
             x[:] = before
             self._stop(off, change="did not converge" if code else mended, **details)

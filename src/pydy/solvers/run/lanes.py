@@ -28,9 +28,15 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.run.problem import lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
-from pydy.solvers.run.workspace import NO_CONSTRAINTS, Workspace, constraints_for, memory_for
+from pydy.solvers.run.workspace import (
+    NO_CONSTRAINTS,
+    Workspace,
+    constraints_for,
+    memory_for,
+    seen_of,
+)
 from pydy.solvers.tableaus import method_arrays
-from pydy.solvers.tuning import LANES, LEAST_TOLERANCE, ROUNDING
+from pydy.solvers.tuning import LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
 from pydy.trajectory import EventRecord
 
 _NO_ONE = Alone(np.zeros(0, dtype=np.int64), np.zeros((0, 1), dtype=np.int64))
@@ -40,19 +46,39 @@ _NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
 
 
 class LanesBeside:
-    """What lanes have to do beside the motions of some samples: here nothing.
+    """What m lanes have to do beside the motions of their samples: here nothing, or to hold them.
 
-    Each sample has a row of `seen`: what was noted of it at its beginning, and then at its end.
+    Each sample has a row of `seen`, what was noted of its projections.
     """
 
     alone, watch, held = _NO_ONE, _NO_EVENTS, NO_CONSTRAINTS
+    _wanted: CompiledConstraints | None = None
 
-    def __init__(self, seen: np.ndarray) -> None:
-        self.seen, self.prepared = seen, list[tuple[int, int]]()
+    def __init__(self, m: int) -> None:
+        self.seen, self.prepared = np.zeros((m, 0)), list[tuple[int, int]]()
+
+    def hold(self, wanted: CompiledConstraints, kernel: Kernel) -> None:
+        """Hold motions on constraints, of which the `kernel` is that for lanes."""
+        n, (place, c, prepared) = kernel.program.num_states, _bound(kernel)
+        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
+        self.seen, self._wanted = np.zeros((len(self.seen), seen_of(wanted, n))), wanted
+        self.prepared += prepared
+
+    def begin(self, x: np.ndarray, span: float, place: int) -> None:
+        """Move states (m, n) onto their constraints, with a table at some place.
+
+        NaN where a motion cannot begin: the solver of single trajectories tells why.
+        """
+        if self._wanted is not None:
+            before = x.copy()
+            function_of("begin_lanes")(place)
+            x[(self._wanted.moved(before, x, span) > STARTING_MOVE).any(axis=1)] = np.nan
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
-        return np.ones(len(self.seen))
+        if self._wanted is None:
+            return np.ones(len(self.seen))
+        return np.where(self.seen[:, at.RANK] != 0.0, self.seen[:, at.NEARNESS], 1.0)
 
     def look(self) -> None:
         """Do what compiled code leaves to Python now and then."""
@@ -70,24 +96,7 @@ class LanesBeside:
         return {}
 
 
-_NOTHING = LanesBeside(np.zeros((0, 0)))
-
-
-class LanesHeld(LanesBeside):
-    """Lanes whose motions are held on constraints.
-
-    The `kernel` is that of the `wanted` ones, for lanes; of them the rows of `seen` tell.
-    """
-
-    def __init__(self, wanted: CompiledConstraints, kernel: Kernel, seen: np.ndarray) -> None:
-        super().__init__(seen)
-        n, (place, c, self.prepared) = kernel.program.num_states, _bound(kernel)
-        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
-
-    def nearness(self) -> np.ndarray:
-        """Return how near the constraints of each sample came to losing rank."""
-        seen = self.seen
-        return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
+_NOTHING = LanesBeside(0)
 
 
 class LanesWatched(LanesBeside):
@@ -96,39 +105,34 @@ class LanesWatched(LanesBeside):
     Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
     events, which are its own. `logs` tells whether events are noted.
 
-    The `samples` are the inputs x, r and p, with a row for each, and data in time with their places
-    in r. `kernel` compiles Programs for lanes.
+    The `samples` are the inputs r and p, with a row for each, and data in time with their places in
+    r. `kernel` compiles Programs for lanes.
     """
 
     def __init__(
         self,
         workspace: Workspace,
-        samples: tuple[np.ndarray, np.ndarray, np.ndarray, Sequence[tuple[np.ndarray, Any]]],
+        samples: tuple[np.ndarray, np.ndarray, Sequence[tuple[np.ndarray, Any]]],
         times: np.ndarray,
         kernel: Callable[[Any], Kernel],
         logs: bool,
     ) -> None:
         events = workspace.options.events
         assert events is not None
-        super().__init__(np.zeros((len(samples[0]), 0)))
+        super().__init__(len(samples[0]))
         self._own, runs, prepared = workspace.alone(LANES)
         self.alone = Alone(runs, prepared)
         self._workspace = workspace  # which compiled code goes on using
         self._events, self._times, self._samples, self._logs = events, times, samples, logs
         self._kernels = kernel(events.values.program), kernel(events.rates.program)
-        values, rates = self._at(samples[0].T[:, :, None], float(times[0]))
-        told = np.where(values == 0.0, rates, values)
-        sides = np.sign(np.where(np.isfinite(told), told, 0.0)).astype(np.int64, order="C")
-        wanted = np.array(events.directions)
-        self._zero = (values == 0.0) & ((wanted == 0) | (wanted == sides))
         self._taken: list[tuple[np.ndarray, ...]] = []
         self._far = None
         if workspace.watch.words[at.REACHER] != 0 and events.reach is not None:
             self._far = kernel(events.reach.program)
-        self.watch = self._watch(workspace, sides)
+        self.watch = self._watch(workspace)
 
-    def _watch(self, workspace: Workspace, sides: np.ndarray) -> LaneWatch:
-        own, (m, number), n = workspace.watch, sides.shape, workspace.n
+    def _watch(self, workspace: Workspace) -> LaneWatch:
+        own, m, n, number = workspace.watch, len(self.seen), workspace.n, len(self._events.names)
         words = np.append(own.words, 0)
         words[at.WATCHER], c, self.prepared = _bound(self._kernels[0])
         reach_c = np.zeros(0)
@@ -152,8 +156,8 @@ class LanesWatched(LanesBeside):
             further=lined_up(LANES * 2 * number),
             sides=lined_up(LANES * number),
             known=lined_up(LANES),
-            began=sides,
-            first=np.where(self._zero, self._times[0], -np.inf),
+            began=np.zeros((m, number), dtype=np.int64),
+            first=np.zeros((m, number)),
             rests=np.full((m, 2 * number), np.nan),
             log_samples=np.zeros(rows, dtype=np.int64),
             log_times=np.zeros(rows),
@@ -162,9 +166,19 @@ class LanesWatched(LanesBeside):
             log_after=np.zeros((rows, n)),
         )
 
+    def begin(self, x: np.ndarray, span: float, place: int) -> None:
+        """Also find the signs of events."""
+        super().begin(x, span, place)
+        values, rates = self._at(x.T[:, :, None], float(self._times[0]))
+        told = np.where(values == 0.0, rates, values)
+        self.watch.began[:] = sides = np.sign(np.where(np.isfinite(told), told, 0.0))
+        wanted = np.array(self._events.directions)
+        self._x, self._zero = x, (values == 0.0) & ((wanted == 0) | (wanted == sides))
+        self.watch.first[:] = np.where(self._zero, self._times[0], -np.inf)
+
     def _at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the events' expressions and rates in states (n, m, 1) at a time, each (m, ·)."""
-        _, r, p, sampled = self._samples
+        r, p, sampled = self._samples
         r = r.copy()
         for columns, data in sampled:
             r[:, columns] = data.at(t)
@@ -205,7 +219,7 @@ class LanesWatched(LanesBeside):
         if not self._logs:
             return {}
         for k, event in np.argwhere(self._zero).tolist():
-            x = self._samples[0][k]
+            x = self._x[k]
             found[k].append(EventRecord(t, names[event], event, x.copy(), x.copy()))
         for part in self._taken:
             samples, times, events = (column.tolist() for column in part[:3])
@@ -233,10 +247,9 @@ def integrate_samples(
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
     sample lie side by side, and the next sample's follow. The error is controlled of all
-    components, or of so many that come first. Motions may be held on constraints, which their
-    beginnings satisfy, or watched for events, by what is `beside`; those that begin with NaN are
-    left out then, as not computed. Asked now and then whether the work is `stopped`, True ends it
-    with KeyboardInterrupt.
+    components, or of so many that come first. Motions may be held on constraints and watched for
+    events, by what is `beside`; those that cannot begin are left out then, as not computed. Asked
+    now and then whether the work is `stopped`, True ends it with KeyboardInterrupt.
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
@@ -256,19 +269,20 @@ def integrate_samples(
         state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
         numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
         times=np.append(times, np.inf),
-        x=np.ascontiguousarray(x),
+        x=np.array(x, order="C"),
         r=np.ascontiguousarray(r),
         p=np.ascontiguousarray(p),
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
         seen=own.seen,
     )
-    if beside is not None:
-        out = np.isnan(x).any(axis=1)
-        queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
     problem = _problem(kernel, sampled, controlled, own.prepared)
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
     table = table_of(*parts, rows_of(own.alone), rows_of(own.watch), rows_of(own.held))
+    if beside is not None:
+        beside.begin(queue.x, float(times[-1] - times[0]), address(table))
+        out = np.isnan(queue.x).any(axis=1)
+        queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget
