@@ -28,8 +28,6 @@ LONGEST_MULTIPLIED_OUT = {1: 4, 2: 2}
 # beyond, compiling takes longer than the loop loses. Of constants four times as many: they run
 # once.
 UNROLL_LIMIT = 3500
-# A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
-SMALL_PIVOT = 1e-9
 
 # -- Jacobians in parts ---------------------------------------------------------------------------
 

@@ -26,6 +26,7 @@ from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, constraint_names
+from pydy._system.tuning import TOGETHER
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.kept import (
     Ran,
@@ -42,7 +43,6 @@ from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
 
-_TOGETHER = 4096  # samples that are looked at together
 NO_INPUTS: Mapping[int, int | None] = {}
 
 # -- where a motion begins, and after resets -------------------------------------------------------
@@ -203,8 +203,8 @@ def check_samples(
                 return True
         return False
 
-    for start in range(0, total, _TOGETHER):
-        numbers = np.arange(start, min(start + _TOGETHER, total))
+    for start in range(0, total, TOGETHER):
+        numbers = np.arange(start, min(start + TOGETHER, total))
         looked_at = some(numbers)
         residuals, sizes = evaluated_rows(looked_at, "sizes")
         shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)

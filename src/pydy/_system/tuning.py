@@ -7,3 +7,6 @@ What moves by less than the second over a period, in units of its size, does not
 
 BEGINNING = 1e-3
 """An event that ends a period may be where it begins: it is looked for after this share."""
+
+TOGETHER = 1024
+"""States that are evaluated together: their inputs fit in a cache."""

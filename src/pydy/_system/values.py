@@ -28,8 +28,7 @@ from pydy._system.energy import Energy
 from pydy._system.kept import warn_of_left_out
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot, samples
-
-_TOGETHER = 1024  # states: their inputs fit in a cache
+from pydy._system.tuning import TOGETHER
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
@@ -178,8 +177,8 @@ def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
-    for first in range(0, m, _TOGETHER):
-        rows = slice(first, first + _TOGETHER)
+    for first in range(0, m, TOGETHER):
+        rows = slice(first, first + TOGETHER)
         some = at.some(rows)
         r = np.empty((len(some.x), width))
         r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors

@@ -3,6 +3,7 @@
 import math
 
 from pydy._rank import HALF, ROUNDING
+from pydy.solvers.tuning import NO_LATER
 
 SLACK = HALF
 """An inequality between forces or accelerations holds if it is missed by this share of the largest
@@ -13,7 +14,7 @@ WITHIN = 2.0**10
 """A gap or a sliding speed is zero within so many of its bounds on rounding errors: initial
 conditions may have been computed in some hundred operations."""
 
-RESOLUTION = 16.0 * ROUNDING
+RESOLUTION = NO_LATER * ROUNDING
 """Events whose times differ by less, in units of the time, happen at the same instant: the solver
 locates them to rounding."""
 

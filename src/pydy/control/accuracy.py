@@ -35,7 +35,7 @@ from pydy.control.ipopt import Solution
 from pydy.control.nlp import Nlp
 from pydy.control.schemes import derivatives, lagrange, radau_points
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import JUMPS, SECANTS, STEP, TOLERANCE, UNCERTAIN
+from pydy.control.tuning import JUMPS, ONE_DIGIT, SECANTS, STEP, TOLERANCE
 
 
 def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
@@ -116,7 +116,7 @@ def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
             f"the errors of its intervals add up to {total:.2g} times the size of a state, which "
             "is how far a simulation with these controls may end from the solution"
         )
-    elif uncertain := [p for p in phases if not _objective(p, UNCERTAIN, objective)[2]]:
+    elif uncertain := [p for p in phases if not _objective(p, ONE_DIGIT, objective)[2]]:
         off, ends = np.abs(uncertain[0].objective_error), uncertain[0].mesh
         k = int(off.argmax())
         what = (

@@ -23,8 +23,8 @@ from pydy.control.tuning import (
     LARGEST_ORDER,
     MOST_PARTS,
     MOST_STEPS,
+    ONE_DIGIT,
     STEP,
-    SURE,
     TOLERANCE,
     UNEVEN,
 )
@@ -64,7 +64,7 @@ def _missed(
         missed = (ends - last) / scale
         if before is not None:
             error, change = _largest(missed), _largest((ends - before) / scale)
-            if ((change <= SURE * error) | (error + change <= enough)).all():
+            if ((change <= ONE_DIGIT * error) | (error + change <= enough)).all():
                 break
         if 2 * steps > MOST_STEPS:
             break

@@ -15,8 +15,9 @@ TOLERANCE = 1e-9
 Lagrangian vanish, to this share of their sizes. The barrier leaves a tenth of it of the objective
 at each active bound, so that a thousand of them change the objective by 1e-7."""
 
-SURE = 0.1
-"""An interval's error is known when twice as many steps change it by less than this share."""
+ONE_DIGIT = 0.1
+"""An interval's error is known when twice as many steps change it by less than this share; where
+the error of an objective is more of it, not one digit is certain, and a warning says so."""
 
 SECANTS = 8
 """Steps towards the control that minimises the Hamiltonian, for the estimate of the objective's
@@ -29,10 +30,6 @@ rounding, about, so that half of the digits are right."""
 JUMPS = 4
 """Intervals in which a control may go back and forth for another reason than a singular arc: it
 jumps at both ends of an arc, where its polynomials overshoot in an interval and the next one."""
-
-UNCERTAIN = 0.1
-"""The share of an objective that its error may be without a warning: not one digit is certain
-then."""
 
 CARRIED = 10
 """How many tolerances of a mesh a simulation from the start on may be beside a node: errors of ten

@@ -9,7 +9,8 @@ import numpy as np
 
 from pydy._graph.interpret import run
 from pydy._graph.program import Program, Tape
-from pydy._graph.tuning import SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
+from pydy._graph.tuning import SINGULAR, UNROLL_LIMIT
+from pydy._rank import HALF, SOUND
 
 
 def unrolled(
@@ -64,7 +65,7 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
         in_row = pattern[np.ix_(rows_left, columns_left)].sum(axis=1)
         in_column = pattern[np.ix_(rows_left, columns_left)].sum(axis=0)
         size = np.abs(a[:, rows_left][:, :, columns_left])
-        sound = (size >= 0.01 * size.max(axis=1, keepdims=True)) & (size > SMALL_PIVOT)
+        sound = (size >= SOUND * size.max(axis=1, keepdims=True)) & (size > HALF)
         allowed = sound.all(axis=0) & pattern[np.ix_(rows_left, columns_left)]
         for i, j in zip(*np.nonzero(allowed), strict=True):
             rank = (int((in_row[i] - 1) * (in_column[j] - 1)), int(i), int(j))
@@ -89,9 +90,10 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
 class UnrolledLU:
     """L U with pivots chosen beforehand, guarded by the backward error of each solution.
 
-    A solution x is taken when no pivot is small and every residual ``b − A x`` is within rounding
-    of ``|A| |x| + |b|``: x is then the exact solution of a system that differs from the given one
-    by so many roundings in each entry (Oettli & Prager, Numerische Mathematik 6, 1964, 405–409).
+    A solution x is taken when no pivot has lost half of its row's digits, and every residual
+    ``b − A x`` is within rounding of ``|A| |x| + |b|``: x is then the exact solution of a system
+    that differs from the given one by so many roundings in each entry (Oettli & Prager, Numerische
+    Mathematik 6, 1964, 405–409).
     Otherwise partial pivoting decides. Further columns are taken with the first, unless its
     solution is zero and tells nothing: what spoils a solution is the growth of the factors, which
     they have in common (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., theorem
@@ -109,7 +111,7 @@ class UnrolledLU:
         self.columns = columns
         zero = self.zero = tape.const(0.0)
         cell = [[entries[i * n + j] for j in columns] for i in rows]
-        one, small = tape.const(1.0), tape.const(SMALL_PIVOT)
+        one, small = tape.const(1.0), tape.const(HALF)
         sizes = [self._largest([c for c in row if c != zero]) for row in cell]
         self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
         self.inverse: list[int] = []
