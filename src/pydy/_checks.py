@@ -194,11 +194,19 @@ def choice(value: Any, options: Iterable[Any], what: str) -> Any:
     raise ValueError(f"{what} must be one of {', '.join(map(repr, options))}, got {shown(value)}.")
 
 
-def text(value: Any, what: str) -> str:
-    """Return a string, or raise an error that shows the value."""
-    if not isinstance(value, str):
-        raise TypeError(f"{what} must be a string, got {shown(value)}.")
+def text(value: Any, what: str, *, empty: bool = True) -> str:
+    """Return a string, which may be `empty` or not, or raise an error that shows the value."""
+    if not isinstance(value, str) or not (value or empty):
+        kind = "a string" if empty else "a string that is not empty"
+        raise TypeError(f"{what} must be {kind}, got {shown(value)}.")
     return value
+
+
+def instance(value: Any, kind: type, what: str, called: str = "") -> None:
+    """Refuse a value that is not of a class, which errors may call something else."""
+    if not isinstance(value, kind):
+        got = f"the {type(value).__name__} {shown(value)}"
+        raise TypeError(f"{what} must be {called or f'a {kind.__name__}'}, got {got}.")
 
 
 # A table of options gives each name its check.

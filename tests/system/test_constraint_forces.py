@@ -218,9 +218,9 @@ BAD = [
     ({"bodies": "nobody"}, ValueError, "`bodies` has 'nobody', which is not one of the system's"),
     ({"bodies": 3}, TypeError, "`bodies` must be a RigidBody or Particle, its name, or a list"),
     ({"bodies": []}, ValueError, "`bodies` must hold one body of the system or more: bob"),
-    ({"point": "P"}, TypeError, "`point` must be a Point, got 'P'"),
+    ({"point": "P"}, TypeError, "`point` must be a Point, got the str 'P'"),
     ({"point": me.Point("far")}, ValueError, r"`point` is far, but the position of P from there"),
-    ({"frame": 1}, TypeError, "`frame` must be a ReferenceFrame, got 1"),
+    ({"frame": 1}, TypeError, "`frame` must be a ReferenceFrame, got the int 1"),
     ({"loads": 1}, TypeError, "`loads` must be a sequence of loads, got 1"),
     ({"loads": [(me.Point("far"), me.ReferenceFrame("N").x)]}, ValueError, "position of far"),
     ({"loads": [(me.Point("Q"), 3)]}, TypeError, r"The load at Q must be a Vector"),
@@ -295,5 +295,5 @@ def test_a_joint_of_another_system_is_refused():
 
 def test_bodies_need_a_point():
     system = string_pendulum()
-    with pytest.raises(TypeError, match="`point` must be a Point, got None"):
+    with pytest.raises(TypeError, match="`point` must be a Point, got the NoneType None"):
         system.reaction("bob")

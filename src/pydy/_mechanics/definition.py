@@ -10,7 +10,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from pydy._checks import Places, check_mapping, describe, listed, number, shown
+from pydy._checks import Places, check_mapping, describe, instance, listed, number, shown
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
@@ -105,8 +105,7 @@ class Definition:
         frames: Mapping[str, tuple[ReferenceFrame, Any]] | None = None,
         values: Mapping[Any, float] | None = None,
     ) -> None:
-        if not isinstance(frame, ReferenceFrame):
-            raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
+        instance(frame, ReferenceFrame, "`frame`")
         t = dynamicsymbols._t
         self.frame = frame
         self.coordinates = _functions("coordinates", coordinates)

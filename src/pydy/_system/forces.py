@@ -10,7 +10,7 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 from sympy.physics.mechanics.joint import Joint
 
-from pydy._checks import describe, listed, shown
+from pydy._checks import describe, instance, listed, shown, text
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
@@ -56,8 +56,7 @@ class Reaction:
             The outputs are called ``name_Fx``, ``name_Fy``, ``name_Fz``, ``name_Tx``, ``name_Ty``
             and ``name_Tz``.
         """
-        if not isinstance(name, str) or not name:
-            raise TypeError(f"`name` must be a string that is not empty, got {shown(name)}.")
+        text(name, "`name`", empty=False)
         found = {}
         for part, vector in (("F", self.force), ("T", self.torque)):
             for axis, value in zip("xyz", vector.to_matrix(self.frame), strict=True):
@@ -256,12 +255,10 @@ class Forces(Setup):
             raise ValueError(
                 f"`bodies` must hold one body of the system or more: {describe(list(own))}."
             )
-        if not isinstance(point, Point):
-            raise TypeError(f"`point` must be a Point, got {shown(point)}.")
+        instance(point, Point, "`point`")
         if frame is None:
             frame = forces.body.frame
-        if not isinstance(frame, ReferenceFrame):
-            raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
+        instance(frame, ReferenceFrame, "`frame`")
         more = read_loads(listed("loads", loads, "loads"))
         for where, _ in more:
             if isinstance(where, Point):

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, listed, positive
+from pydy._checks import flag, instance, listed, positive
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
@@ -142,8 +142,8 @@ class _Search:
                 f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
                 f"as floats, got {self.guess!r}."
             )
-        if until is not None and not isinstance(until, Event):
-            raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
+        if until is not None:
+            instance(until, Event, "`until`", "a pydy.solvers.Event")
         self.until = until
         self._choose_states(system, moving)
         self.runner = copy(system)

@@ -13,13 +13,12 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
-from pydy._checks import flag
+from pydy._checks import flag, instance
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.reader import given_velocity
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF
-from pydy.viz.arguments import check_kind
 from pydy.viz.defaults import arms, find_origin, gravities, guess_up, load_arrows, skeleton
 from pydy.viz.motion import Geometry, Model, Motion, Names, place
 from pydy.viz.scene import Scene
@@ -90,7 +89,7 @@ def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[An
         if mechanism is None:
             raise ValueError("`reference_frame` must be given: the System knows of no frame.")
         frame = mechanism.frame
-    check_kind("reference_frame", frame, ReferenceFrame)
+    instance(frame, ReferenceFrame, "`reference_frame`")
     if origin is None:
         bodies = mechanism.bodies if mechanism is not None else ()
         origin = find_origin(frame, [body.masscenter for body in bodies])
@@ -100,7 +99,7 @@ def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[An
                 f"`{frame}` is connected with the bodies. Pass `origin=O`, or say "
                 f"`O.set_vel({frame}, 0)` when you derive the equations."
             )
-    check_kind("origin", origin, Point)
+    instance(origin, Point, "`origin`")
     return frame, origin
 
 

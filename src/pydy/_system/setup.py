@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag, shown
+from pydy._checks import Keyed, check_mapping, flag, instance, shown
 from pydy._errors import warn_user
 from pydy._graph.passes import rewriting
 from pydy._html import html_table
@@ -121,11 +121,8 @@ class Setup:
     ) -> None:
         if equations not in (None, "graph", "method"):
             raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
-        if not (implicit is None or isinstance(implicit, Implicit)):
-            raise TypeError(
-                "`implicit` must be a pydy.mechanics.Implicit, got an object of type "
-                f"{type(implicit).__name__}."
-            )
+        if implicit is not None:
+            instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
-from pydy._checks import shown
+from pydy._checks import instance, shown
 from pydy.contact.laws import _axes, _check_units, _expressions
 from pydy.solvers.events import Event
 
@@ -94,14 +94,10 @@ class CompliantContact:
         reaction: bool = False,
         name: str = "touch",
     ) -> None:
-        for argument, value, kind in (
-            ("point", point, Point),
-            ("plane", plane, Point),
-            ("normal", normal, Vector),
-            ("frame", frame, ReferenceFrame),
-        ):
-            if not isinstance(value, kind):
-                raise TypeError(f"`{argument}` must be a {kind.__name__}, got {shown(value)}.")
+        instance(point, Point, "`point`")
+        instance(plane, Point, "`plane`")
+        instance(normal, Vector, "`normal`")
+        instance(frame, ReferenceFrame, "`frame`")
         for argument, function in (("force", force), ("friction", friction)):
             if not callable(function) and (function is not None or argument == "force"):
                 raise TypeError(f"`{argument}` must be a function, got {shown(function)}.")

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
-from pydy._checks import listed, shown
+from pydy._checks import instance, listed, shown, text
 from pydy.contact.laws import _axes, _expressions
 
 
@@ -46,7 +46,7 @@ class Unilateral:
         _within("restitution", self.restitution, 1.0)
         if self.gap.is_number:
             raise ValueError(f"`gap` must depend on coordinates, got the number {self.gap}.")
-        self.name = _named(name)
+        self.name = text(name, "`name`", empty=False)
 
     def __repr__(self) -> str:
         return f"<Unilateral {self.name}: {self.gap}>"
@@ -109,8 +109,8 @@ class Stick:
                 "`on` or `normal` must say what presses: give a Unilateral as `on`, or a known "
                 "normal force as `normal`, and not both."
             )
-        if on is not None and not isinstance(on, Unilateral):
-            raise TypeError(f"`on` must be a Unilateral, got {shown(on)}.")
+        if on is not None:
+            instance(on, Unilateral, "`on`")
         axes = _axes(along)
         if isinstance(point, Point) != bool(axes):
             raise TypeError(
@@ -135,7 +135,8 @@ class Stick:
             raise ValueError(
                 f"`mu_static` must not be below `mu`, got {self.mu_static} and {self.mu}."
             )
-        self.name = _named(name or ("friction" if on is None else on.name))
+        name = name or ("friction" if on is None else on.name)
+        self.name = text(name, "`name`", empty=False)
 
     def __repr__(self) -> str:
         return f"<Stick {self.name}>"
@@ -251,9 +252,3 @@ def _within(argument: str, value: Any, most: float | None = None) -> None:
     if not (value.is_real and value >= 0 and (most is None or value <= most)):
         range_ = "not be negative" if most is None else f"be from 0 to {most:g}"
         raise ValueError(f"`{argument}` must {range_}, got {value}.")
-
-
-def _named(name: Any) -> str:
-    if not isinstance(name, str) or not name:
-        raise TypeError(f"`name` must be a string that is not empty, got {shown(name)}.")
-    return name

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Keyed, check_mapping, choice, flag, shown
+from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
@@ -112,8 +112,7 @@ class Contacts:
         *,
         hypothesis: str = "newton",
     ) -> None:
-        if not isinstance(system, System):
-            raise TypeError(f"`system` must be a System, got {type(system).__name__}.")
+        instance(system, System, "`system`")
         self.system = system
         self.contacts = paired(contacts)
         self.hypothesis: str = choice(hypothesis, ("newton", "poisson"), "`hypothesis`")

@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
 
-from pydy._checks import shown
+from pydy._checks import instance, shown
 from pydy.contact.conditions import Stick, Unilateral
 from pydy.contact.laws import _check_units, _expressions
 
@@ -67,11 +67,10 @@ class Roll(Stick):
         restitution: Any = 0,
         name: str = "roll",
     ) -> None:
-        if not isinstance(body, RigidBody):
-            raise TypeError(f"`body` must be a RigidBody, got {shown(body)}.")
+        instance(body, RigidBody, "`body`")
         (self.radius,) = _expressions(radius=radius)
         _positive("radius", self.radius)
-        _is("on", on, Point, "a Point of the plane")
+        instance(on, Point, "`on`", "a Point of the plane")
         _unit("normal", normal)
         if len(normal.args) != 1:
             raise ValueError(
@@ -156,8 +155,8 @@ class Clearance(Stick):
         restitution: Any = 0,
         name: str = "clearance",
     ) -> None:
-        _is("pin", pin, Point, "a Point")
-        _is("bush", bush, Point, "a Point")
+        instance(pin, Point, "`pin`")
+        instance(bush, Point, "`bush`")
         self.radius, self.play = _expressions(radius=radius, play=play)
         _positive("radius", self.radius)
         _positive("play", self.play)
@@ -185,13 +184,8 @@ class Clearance(Stick):
         return (moves / self.play + self.radius * pin - (self.radius + self.play) * bush,)
 
 
-def _is(argument: str, value: Any, kind: type, what: str) -> None:
-    if not isinstance(value, kind):
-        raise TypeError(f"`{argument}` must be {what}, got {shown(value)}.")
-
-
 def _unit(argument: str, value: Any) -> None:
-    _is(argument, value, Vector, "a unit Vector")
+    instance(value, Vector, f"`{argument}`", "a unit Vector")
     _check_units(argument, (value,))
 
 

@@ -19,15 +19,6 @@ from pydy.viz.shapes import Arrow, Line
 from pydy.viz.visuals import Visual
 
 
-def check_kind(argument: str, value: Any, kind: type) -> None:
-    """Refuse a value that is not of a class."""
-    if not isinstance(value, kind):
-        raise TypeError(
-            f"`{argument}` must be a {kind.__name__}, got the {type(value).__name__} "
-            f"{shown(value)}."
-        )
-
-
 def as_visual(thing: Any) -> Visual:
     """Return a Visual; a body gets a default shape."""
     if isinstance(thing, Visual):

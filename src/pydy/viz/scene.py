@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, text, vector
+from pydy._checks import Keyed, choice, file_of, flag, instance, listed, number, shown, text, vector
 from pydy._files import write_files
 from pydy._interpolation import evenly
 from pydy._names import nearest
@@ -21,7 +21,6 @@ from pydy.trajectory import Trajectory
 from pydy.viz.animation import Animation, Item, Look, animate
 from pydy.viz.arguments import (
     as_visual,
-    check_kind,
     columns_of,
     events_of,
     filmed,
@@ -244,8 +243,8 @@ class Scene:
         if unknown:
             names = (*_ARGUMENTS, *_MOTION, *_IGNORED)
             raise TypeError(f"Scene has no argument `{unknown[0]}`. {nearest(unknown[0], names)}")
-        check_kind("reference_frame", reference_frame, ReferenceFrame)
-        check_kind("origin", origin, Point)
+        instance(reference_frame, ReferenceFrame, "`reference_frame`")
+        instance(origin, Point, "`origin`")
         self.reference_frame = reference_frame
         self.origin = origin
         self.visuals = tuple(as_visual(v) for v in visuals)
