@@ -131,36 +131,22 @@ def forms(
     # take 4,359 operations in place of 4,211.
     free = not body.velocity
     kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=free)
-    g, read = kinematics.graph, kinematics.read
+    g = kinematics.graph
     inertias, loads, plain = lumped(kinematics)
     kinetic = _kinetic(kinematics, plain)
     if body.implicit is not None:
         check_forces(body, g, kinetic)
     matrix, rest = composite(kinematics, inertias, loads)
-    start = kinematics.start()
-    moved = bool(set(kinematics.accelerations) & set(g.reachable(rest)))
+    start, moved = kinematics.start(), _depends_on_accelerations(kinematics, rest)
     if not moved:
-        _check_masses(body, g, matrix, read.specifieds)
-    accelerations = None
-    if body.velocity:
-        matrix, rest, accelerations = reduced(kinematics, matrix, rest, moved)
-    # F of M u' = F.
-    forcing = kinematics.plus(rest, kinematics.turned(matrix, start))
+        _check_masses(body, g, matrix, kinematics.read.specifieds)
     found = [
-        Formed(
-            g,
-            read.constants,
-            read.specifieds,
-            kinematics.rates,
-            matrix,
-            forcing,
-            accelerations,
-            start,
-            rest,
-            kinetic,
-            tuple(sorted(kinematics.honoured, key=str)),
-            kinematics.in_one_frame,
-            tuple(_measures(kinematics, plain)) if in_bodies else (),
+        replace(
+            _composed(kinematics, matrix, rest, start),
+            kinetic=kinetic,
+            honoured=tuple(sorted(kinematics.honoured, key=str)),
+            in_one_frame=kinematics.in_one_frame,
+            measures=tuple(_measures(kinematics, plain)) if in_bodies else (),
         )
     ]
     if not body.velocity and not moved:
@@ -168,6 +154,30 @@ def forms(
         beyond = g.guard(matrix, rest, sound, fast)
         found.append(replace(found[0], accelerations=kinematics.plus(start, beyond)))
     return [_without_idle(formed) for formed in found] if body.auxiliary else found
+
+
+def _composed(kinematics: Kinematics, matrix: list[Vec], rest: Vec, start: Vec) -> Formed:
+    """Return the equations M (u' − start) = rest of all speeds, reduced to independent ones."""
+    g, read, accelerations = kinematics.graph, kinematics.read, None
+    if kinematics.body.velocity:
+        moved = _depends_on_accelerations(kinematics, rest)
+        matrix, rest, accelerations = reduced(kinematics, matrix, rest, moved)
+    return Formed(
+        g,
+        read.constants,
+        read.specifieds,
+        kinematics.rates,
+        matrix,
+        kinematics.plus(rest, kinematics.turned(matrix, start)),
+        accelerations,
+        start,
+        rest,
+        kinetic=g.zero,
+    )
+
+
+def _depends_on_accelerations(kinematics: Kinematics, nodes: Vec) -> bool:
+    return not {*kinematics.accelerations}.isdisjoint(kinematics.graph.reachable(nodes))
 
 
 def _without_idle(formed: Formed) -> Formed:
@@ -317,24 +327,8 @@ def form_lagrangian(body: Multibody) -> Formed:
     speeds are dependent. M and F are reduced as Kane's.
     """
     kinematics = moving(body, in_bodies=True)
-    g, read = kinematics.graph, kinematics.read
     matrix, forcing = lagranges_equations(kinematics)
-    accelerations = None
-    if body.velocity:
-        moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
-        matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
-    return Formed(
-        g,
-        read.constants,
-        read.specifieds,
-        kinematics.rates,
-        matrix,
-        forcing,
-        accelerations,
-        [g.zero] * len(forcing),
-        forcing,
-        g.zero,
-    )
+    return _composed(kinematics, matrix, forcing, [kinematics.graph.zero] * len(forcing))
 
 
 def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
@@ -344,7 +338,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
     g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
     _, forces = composite(kinematics, inertias, loads)
     node = kinematics.read(body.lagrangian)
-    if set(kinematics.accelerations) & set(g.reachable([node])):
+    if _depends_on_accelerations(kinematics, [node]):
         raise ValueError(
             "The Lagrangian holds second derivatives of coordinates. Leave out what is a "
             "derivative by time: it does not change the equations."

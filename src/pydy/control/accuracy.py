@@ -57,7 +57,7 @@ def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.nd
         found: np.ndarray = h * (w @ density.reshape(len(w), M))
         return found
 
-    missed = integral(point.given + _passed_bounds(made, nlp, solution, k, s))
+    missed = integral(point.given + _passed_bounds(made, solution, k, s))
     missed -= _quadrature(made, nlp, z)
     change = point.least() - point.given
     raised = np.maximum(missed, 0.0) + integral(np.maximum(change, 0.0))
@@ -66,7 +66,7 @@ def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.nd
     return larger
 
 
-def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.ndarray:
+def relative_errors(found: Any, tolerance: float, objective: float) -> np.ndarray:
     """Return each interval's error of the solution, or of its objective if that is larger.
 
     The objective's are shares of its size, times the number of intervals; they do not count where
@@ -80,9 +80,7 @@ def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.
     return worst
 
 
-def _objective(
-    found: Any, tolerance: float, objective: float = 0.0
-) -> tuple[np.ndarray, float, bool]:
+def _objective(found: Any, tolerance: float, objective: float) -> tuple[np.ndarray, float, bool]:
     """Return the objective's errors by intervals, its size, and whether no error counts."""
     made, nlp, solution = found._transcription, found._nlp, found.solution
     if made.scheme.convergence == 1:
@@ -265,7 +263,7 @@ class _Between:
 
 
 def _passed_bounds(
-    made: Transcription, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+    made: Transcription, solution: Solution, k: np.ndarray, s: np.ndarray
 ) -> np.ndarray:
     """Return ν · (x − b) where states pass their bounds between the points."""
     scheme, M, h = made.scheme, made.intervals, np.diff(made.mesh)

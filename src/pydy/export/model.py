@@ -195,7 +195,7 @@ _LETTERS = re.compile(r"(?:GREEK|LATIN) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-
 _WORDS = {"∫": "integral ", "'": "_prime", "′": "_prime", "″": "_second", "∂": "d", "Δ": "Delta"}
 
 
-def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
+def identifiers(names: Iterable[str]) -> list[str]:
     """Return an identifier for each name, none twice and none a word of C, JavaScript or Python.
 
     A name that is an identifier stays as it is, whatever others are spelled like.
@@ -206,7 +206,7 @@ def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
     >>> identifiers(["q1", "θ_1", "∫ N_r dt", "lambda", "q-1", "q+1"])
     ['q1', 'theta_1', 'integral_N_r_dt', 'lambda_', 'q_1', 'q_1_2']
     """
-    names, used = list(names), set(taken)
+    names, used = list(names), set[str]()
     result = [*map(_identifier, names)]
     for k in sorted(range(len(names)), key=lambda k: result[k] != names[k]):
         result[k] = untaken(result[k], used)
