@@ -104,9 +104,9 @@ def test_each_combination_of_modes_and_each_state_is_made_once(monkeypatch):
         programs.append(args[1])
         return rates(*args, **options)
 
-    def noted(self, values):
-        states.append(tuple(values().values()))
-        return numbers(self, values)
+    def noted(self, t, *at):
+        states.append((t, *(tuple(values) for values in at)))
+        return numbers(self, t, *at)
 
     monkeypatch.setattr(solving, "event_rates_program", counted)
     monkeypatch.setattr(ContactRows, "numbers", noted)

@@ -25,30 +25,14 @@ def evaluator(graph: Graph, nodes: Sequence[int]) -> Evaluator:
     It takes a number or m numbers for each input node, and m. It returns an array of shape
     (m, number of nodes).
     """
-    groups_at = evaluator_of_groups(graph, nodes)
-    return lambda inputs, m: groups_at(inputs, m)(0)
+    order = graph.reachable(nodes)
 
-
-def evaluator_of_groups(
-    graph: Graph, *groups: Sequence[int]
-) -> Callable[[Mapping[int, Any], int], Callable[[int], np.ndarray]]:
-    """Return the same of several groups of nodes: a function of the group, when it is wanted.
-
-    What groups share is evaluated once.
-    """
-    orders = [graph.reachable(nodes) for nodes in groups]
-
-    def groups_at(inputs: Mapping[int, Any], m: int) -> Callable[[int], np.ndarray]:
+    def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
         samples = _Samples(graph, inputs.__getitem__, m, {})
+        samples.evaluate(order, np.ones(m, dtype=bool))
+        return samples.columns(nodes)
 
-        def values_of(k: int) -> np.ndarray:
-            left = [n for n in orders[k] if n not in samples.values]
-            samples.evaluate(left, np.ones(m, dtype=bool))
-            return samples.columns(groups[k])
-
-        return values_of
-
-    return groups_at
+    return values_at
 
 
 def run(

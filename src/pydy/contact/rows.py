@@ -15,12 +15,13 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._assembly.model import Evaluated
+from pydy._backends.base import Kernel
+from pydy._backends.registry import compile_program
 from pydy._checks import describe
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian, jacobian_rows
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator, evaluator_of_groups
+from pydy._graph.interpret import evaluator
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -125,8 +126,7 @@ class ContactRows:
             *(s for own in self.references.values() for s in own), *self.biases, *self.rising
         ]  # fmt: skip
         constants = [*constants, *self.hidden]
-        # The constants that coefficients were checked with last, and those of the graph.
-        self.checked: tuple[bytes, np.ndarray] | None = None
+        self.checked: bytes | None = None  # the constants that coefficients were checked with
         more = [s for s in constants if s not in formed.constants]
         others = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(
@@ -137,9 +137,10 @@ class ContactRows:
             simplified=None,
         )
         self.graph = self.formed.graph
-        places = {symbol: k for k, symbol in enumerate(constants)}
-        self._order = [places.get(symbol, len(places)) for symbol in self.formed.constants]
-        self._idle = np.zeros((1, len(self.formed.specifieds)))
+        self._orders = (
+            _places(specifieds, self.formed.specifieds),
+            _places(constants[: -len(self.hidden)], self.formed.constants),
+        )
         self._read()
 
     def _read(self) -> None:
@@ -292,12 +293,22 @@ class ContactRows:
         }
 
     @cached_property
-    def _groups(self) -> tuple[Parts, Parts, Any]:
-        """The parts without M⁻¹, the others, and the function that evaluates these on demand."""
-        late = {name: self.parts[name] for name in _LATE}
-        early = {name: part for name, part in self.parts.items() if name not in late}
-        groups = ([n for _, nodes in own.values() for n in nodes] for own in (early, late))
-        return early, late, evaluator_of_groups(self.graph, *groups)
+    def _early(self) -> Kernel:
+        """The Kernel of the parts without M⁻¹."""
+        return self._compiled(name for name in self.parts if name not in _LATE)
+
+    @cached_property
+    def _late(self) -> Kernel:
+        """The Kernel of the others."""
+        return self._compiled(_LATE)
+
+    def _compiled(self, names: Iterable[str]) -> Kernel:
+        # From the first state on: interpreted, it would have other last bits in later motions.
+        f = self.formed
+        n = len(self.equations.coordinates) + len(self.equations.speeds)
+        blocks = [(name, *self.parts[name]) for name in names]
+        sizes = n, len(f.specifieds), len(f.constants)
+        return compile_program(lower(self.graph, sizes, blocks), "llvm", {})
 
     @cached_property
     def _ways(self) -> dict[int, Any]:
@@ -332,47 +343,38 @@ class ContactRows:
                 moves, axes = found[n : 4 * n].reshape(3, n), found[4 * n :].reshape(-1, 3)
                 _check_direction(self.contacts[i].name, found[:n], moves, axes)
 
-    def numbers(self, values: Callable[[], dict[Any, float]]) -> Numbers:
-        """Return the rows, given what returns a number for each symbol."""
-        *groups, values_at = self._groups
-        found: list[Any] = []
+    def numbers(self, t: float, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Numbers:
+        """Return the rows at a state, with specifieds and constants as `arranged`."""
+        at = np.array([t]), x[None].copy(), r[None], p
 
         def values_of(late: bool) -> dict[str, np.ndarray]:
-            if not found:
-                known = values()
-                inputs = {node: known.get(symbol, 0.0) for node, symbol in self.symbols.items()}
-                found.append(values_at(inputs, 1))
-            return by_name(groups[late], found[0](late)[0])
+            kernel = self._late if late else self._early
+            out, failed = kernel.evaluate(*at)
+            out[failed] = np.nan
+            return kernel.program.by_block(out[0])
 
         return Numbers(values_of)
 
-    def note_checked(self, p: np.ndarray) -> None:
-        """Note that coefficients, and what switches, have been checked with some constants."""
-        self.checked = p.tobytes(), np.append(p, np.zeros(len(self.hidden) + 1))[self._order]
+    def arranged(self, specifieds: np.ndarray, constants: np.ndarray) -> tuple[Any, Any]:
+        """Return the values of the definition's specifieds and constants in the graph's order."""
+        # Inputs that the definition does not have, and the hidden ones, are zero in the rows.
+        return tuple(
+            np.append(values, 0.0)[order]
+            for values, order in zip((specifieds, constants), self._orders, strict=True)
+        )
 
     @cached_property
-    def _gaps(self) -> Evaluated | None:
-        """The gaps, with bounds on their roundings, if a start asks for nothing else."""
-        g, e, f = self.graph, self.equations, self.formed
-        coefficients = [*self.mu, *self.static, *self.restitution]
+    def _checks_constants(self) -> bool:
+        """Whether what a start checks, but for gaps, depends on the constants alone."""
+        g, coefficients = self.graph, [*self.mu, *self.static, *self.restitution]
         held = g.inputs_of(coefficients) | (g.inputs_of(self.gaps) - {"t", "x"})
-        if None in self.normal or held - {"p"}:
-            return None
-        parts = [(name, *self.parts[name]) for name in ("gap", "near")]
-        sizes = len(e.coordinates) + len(e.speeds), len(f.specifieds), len(f.constants)
-        return Evaluated(lower(g, sizes, parts))
+        return None not in self.normal and not held - {"p"}
 
-    def open_gaps(self, t: float, x: np.ndarray, p: np.ndarray) -> np.ndarray | None:
-        """Return the `near` of gaps that are all open; None unless that is told quickly.
-
-        It is where the constants are as `checked`.
-        """
-        if self.checked is None or self.checked[0] != p.tobytes() or self._gaps is None:
-            return None
-        found = self._gaps(np.array([t]), x[None], self._idle, self.checked[1])
-        near: np.ndarray = found["near"][0]
-        # Compiled code may round in another way.
-        return near if (found["gap"] > 2.0 * WITHIN * ROUNDING * near).all() else None
+    def are_open(self, gaps: Numbers, p: np.ndarray) -> bool:
+        """Whether all gaps are open, where no more is to be checked: constants are as `checked`."""
+        if self.checked != p.tobytes() or not self._checks_constants:
+            return False
+        return bool((gaps.gap > WITHIN * ROUNDING * gaps.near).all())
 
     def owners_of(self, held: Sequence[int]) -> dict[int, int]:
         """Return the contacts of the normal rows among the active rows, in their order."""
@@ -394,6 +396,12 @@ def by_name(parts: Parts, found: np.ndarray) -> dict[str, np.ndarray]:
     ends = np.cumsum([len(nodes) for _, nodes in parts.values()])
     pieces = zip(parts.items(), np.split(found, ends[:-1]), strict=True)
     return {name: own.reshape(*shape, *found.shape[1:]) for (name, (shape, _)), own in pieces}
+
+
+def _places(given: Sequence[Any], symbols: Sequence[Any]) -> list[int]:
+    """Return where each symbol is among those given; -1 if it is not."""
+    found = {symbol: k for k, symbol in enumerate(given)}
+    return [found.get(symbol, -1) for symbol in symbols]
 
 
 def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.ndarray) -> None:

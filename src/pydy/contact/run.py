@@ -119,7 +119,10 @@ class Run:
         """Return the rows of the contacts at a state."""
         key = t, x.tobytes()
         if self._latest is None or self._latest[0] != key:
-            self._latest = key, self.rows.numbers(partial(self.values, t, x.copy()))
+            r = np.zeros(0)
+            if self.now.definition.specifieds:
+                r = self.now.specifieds(np.array([t]), x[None])[0]
+            self._latest = key, self.rows.numbers(t, x, *self.rows.arranged(r, self.now.p))
         return self._latest[1]
 
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
@@ -174,17 +177,14 @@ class Run:
     def begin(self) -> State:
         """Return the state at the first time, after the impacts that happen there."""
         t, x = float(self.times[0]), self.now.x.copy()
-        if self.begun is None:
-            near = self.rows.open_gaps(t, x, self.now.p)
-            if near is not None:
-                self.widest = near
-                return State(t, x, set(), set(), set())
         p = self.numbers(t, x)
         self.widest = p.near
+        if self.begun is None and self.rows.are_open(p, self.now.p):
+            return State(t, x, set(), set(), set())
         check_values(self.contacts, p)
         for expression in self.rows.switched:
             expression.check(self.values(t, x))
-        self.rows.note_checked(self.now.p)
+        self.rows.checked = self.now.p.tobytes()
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
         self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())
