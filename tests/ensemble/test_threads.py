@@ -1,4 +1,4 @@
-"""Ensembles where the system starts few threads, or none."""
+"""Samples in blocks on threads, also where the system starts few of them, or none."""
 
 from threading import Thread
 
@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from ensemble_cases import runaway
+from pydy.ensemble import engine
+from pydy.ensemble.work import Work
+from pydy.models import multi_mass_spring_damper
 
 
 @pytest.fixture
@@ -35,3 +38,20 @@ def test_an_ensemble_runs_on_the_threads_that_there_are(few_threads, number):
     few_threads(number)
     found = system.integrate_ensemble(initial_conditions=start, max_steps=1000, workers=3)
     np.testing.assert_array_equal(found[str(x.func.__name__)], expected[str(x.func.__name__)])
+
+
+@pytest.mark.parametrize(("brief", "blocks"), [(0.0, 25), (np.inf, 9)])
+def test_quick_samples_that_come_one_by_one_come_in_larger_blocks(monkeypatch, brief, blocks):
+    called = []
+    own = Work.__call__
+    monkeypatch.setattr(Work, "__call__", lambda *a: called.append(1) or own(*a))
+    monkeypatch.setattr(engine, "BRIEF", brief)
+    monkeypatch.setattr(engine, "_processors", lambda: 2)
+    system = multi_mass_spring_damper(1)
+    system.ode_solver, system.times = "radau", [0.0, 1.0]
+    x = np.linspace(0.1, 0.2, 200)
+    found = system.integrate_ensemble(initial_conditions={system.coordinates[0]: x})
+    assert len(called) == blocks
+    first = system.states[0]
+    system.initial_conditions = {first: x[7]}
+    np.testing.assert_array_equal(found["x0"].values[7], system.integrate()[:, 0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
@@ -31,6 +32,10 @@ from pydy.ensemble.samples import (
 )
 from pydy.ensemble.work import SMALLEST_BLOCK, Work
 from pydy.solvers.outcome import NOT_COMPUTED
+
+# Samples that one after the other take less than this for eight, in seconds, come in larger blocks,
+# of which each costs 0.5 ms.
+BRIEF = 0.02
 
 _ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
 
@@ -74,8 +79,7 @@ class Ensemble:
         share = -(-self.samples.size // (4 * self._threads()))
         # An interrupt keeps the finished blocks of what takes long.
         number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else 8
-        sizes = block_sizes(self.samples.dims, number, number)
-        left = [block for _, block in self.samples.blocks(sizes)]
+        left = self._blocks(number)
         whole: dict[str, Variable] = {}
         lock = Lock()
         states = None
@@ -107,6 +111,11 @@ class Ensemble:
                 left.remove(block)
 
         try:
+            if not model.in_lanes and share > number:
+                first, began = left[0], time.perf_counter()
+                _check(_Here().submit(do, first, lambda: False), first, self.samples)
+                if time.perf_counter() - began < BRIEF:
+                    left[:] = self._blocks(min(SMALLEST_BLOCK, share))
             self._on_threads(tuple(left), do)
         except (KeyboardInterrupt, MemoryError) as error:
             if not whole:
@@ -121,6 +130,11 @@ class Ensemble:
                 results[1],
             ) from None
         return self._dataset(whole)
+
+    def _blocks(self, number: int) -> list[Block]:
+        """Return blocks of so many samples, as nearly as whole rows allow."""
+        sizes = block_sizes(self.samples.dims, number, number)
+        return [block for _, block in self.samples.blocks(sizes)]
 
     def _finished(self, whole: dict[str, Variable], left: Sequence[Block]) -> tuple[str, Any]:
         """Return the number of finished samples, in words, and their Dataset."""
