@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 from scipy import optimize
 
 import loops
+from pydy._assembly.model import CompiledModel
 from pydy._mechanics import dependents
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
@@ -203,3 +204,24 @@ def test_residuals_of_kept_rows_do_not_hide_those_that_were_left_out():
         with pytest.warns(PyDyUserWarning, match=what + kind):
             found = evaluate(states, times)
         assert np.abs(found).max() < 1e-7
+
+
+def test_samples_are_looked_at_together_and_one_that_contradicts_is_refused(monkeypatch):
+    pytest.importorskip("xarray")
+    (a, b, c), asked = LENGTHS, []
+    interpreted = CompiledModel.interpreted
+
+    def counted(model, parts, at):
+        asked.append(len(at[0]))
+        return interpreted(model, parts, at)
+
+    monkeypatch.setattr(CompiledModel, "interpreted", counted)
+    system = pair({"holonomic_constraints": [far, rest(a + b - c)]}, {a: 0.1, b: 0.2, c: 0.3})
+    system.ode_solver = "dop853"
+    third = np.full(40, 0.3)
+    system.integrate_ensemble(constants={c: third}, constraints="project")
+    assert asked
+    assert set(asked) == {40}
+    third[27] = 0.4
+    with pytest.raises(ValueError, match=r"constraint: a \+ b - c, .* alone: it is -0\.1\."):
+        system.integrate_ensemble(constants={c: third}, constraints="project")

@@ -172,6 +172,27 @@ def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
     return np.repeat(wanted, [len(part) for part in parts])
 
 
+@dataclass(frozen=True, eq=False)
+class _Among(At):
+    """One of some states: what is `known` of them is found for all together."""
+
+    whole: At
+    place: int
+    known: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
+
+    def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
+        """Return the values of nodes here, shape (1, o) for each name."""
+        if parts not in self.known:
+            self.known[parts] = self.whole.values(parts)
+        return {name: values[[self.place]] for name, values in self.known[parts].items()}
+
+
+def _each(whole: At) -> list[_Among]:
+    known: dict[Any, dict[str, np.ndarray]] = {}
+    some = (vars(whole.some([k])) for k in range(len(whole.x)))
+    return [_Among(**own, whole=whole, place=k, known=known) for k, own in enumerate(some)]
+
+
 def check_samples(
     at: Callable[[np.ndarray, np.ndarray], At],
     t: float,
@@ -196,10 +217,13 @@ def check_samples(
         return replace(common, r=np.where(varied, r, common.r), p=p)
 
     def told(numbers: np.ndarray) -> bool:
-        for number in numbers[evenly(len(numbers), TRIED)]:
+        if not len(numbers):
+            return False
+        numbers = numbers[evenly(len(numbers), TRIED)]
+        for number, own in zip(numbers, _each(some(numbers)), strict=True):
             places = np.unravel_index(number, shape)
             whose = f" of sample {', '.join(map(str, places))}" if shape else ""
-            if check_start(some(np.array([number])), whose, mended):
+            if check_start(own, whose, mended):
                 return True
         return False
 
