@@ -6,7 +6,7 @@ contact forces, the accelerations of the rows are J a + b + J W λ.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import replace
 from typing import Any
@@ -15,7 +15,6 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._backends.base import Kernel
 from pydy._backends.registry import compile_program
 from pydy._checks import describe
 from pydy._forks import cached_property
@@ -27,6 +26,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
 from pydy._graph.solve.choose import solve_accelerations
+from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
@@ -47,7 +47,7 @@ _LATE = ("free", "terms", "square", "moves")  # what takes M⁻¹, which open co
 
 
 class Numbers:
-    """The rows at one state: `values_of` returns what is early, or late, when it is wanted."""
+    """The rows at one state: what takes M⁻¹, and the others, are evaluated when they are wanted."""
 
     gap: np.ndarray  # (contacts,); zero without one
     near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
@@ -64,13 +64,16 @@ class Numbers:
     square: np.ndarray  # (rows, rows), J W
     moves: np.ndarray  # (speeds, rows), W
 
-    def __init__(self, values_of: Callable[[bool], Mapping[str, np.ndarray]]) -> None:
-        self._values_of = values_of
+    def __init__(self, rows: ContactRows, *at: np.ndarray) -> None:
+        self._rows, self._at = rows, at
 
     def __getattr__(self, name: str) -> Any:  # of what has not been evaluated
         if name not in Numbers.__annotations__:
             raise AttributeError(name)
-        vars(self).update(self._values_of(name in _LATE))
+        kernel = self._rows.late if name in _LATE else self._rows.early
+        out, failed = kernel.evaluate(*self._at)
+        out[failed] = np.nan
+        vars(self).update(kernel.program.by_block(out[0]))
         return vars(self)[name]
 
     def is_closed(self, i: int) -> bool:
@@ -293,12 +296,12 @@ class ContactRows:
         }
 
     @cached_property
-    def _early(self) -> Kernel:
+    def early(self) -> Kernel:
         """The Kernel of the parts without M⁻¹."""
         return self._compiled(name for name in self.parts if name not in _LATE)
 
     @cached_property
-    def _late(self) -> Kernel:
+    def late(self) -> Kernel:
         """The Kernel of the others."""
         return self._compiled(_LATE)
 
@@ -344,24 +347,10 @@ class ContactRows:
                 _check_direction(self.contacts[i].name, found[:n], moves, axes)
 
     def numbers(self, t: float, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Numbers:
-        """Return the rows at a state, with specifieds and constants as `arranged`."""
-        at = np.array([t]), x[None].copy(), r[None], p
-
-        def values_of(late: bool) -> dict[str, np.ndarray]:
-            kernel = self._late if late else self._early
-            out, failed = kernel.evaluate(*at)
-            out[failed] = np.nan
-            return kernel.program.by_block(out[0])
-
-        return Numbers(values_of)
-
-    def arranged(self, specifieds: np.ndarray, constants: np.ndarray) -> tuple[Any, Any]:
-        """Return the values of the definition's specifieds and constants in the graph's order."""
-        # Inputs that the definition does not have, and the hidden ones, are zero in the rows.
-        return tuple(
-            np.append(values, 0.0)[order]
-            for values, order in zip((specifieds, constants), self._orders, strict=True)
-        )
+        """Return the rows at a state, with values of the definition's specifieds and constants."""
+        r_order, p_order = self._orders  # inputs that it does not have are zero, or hidden
+        r, p = np.append(r, 0.0)[r_order], np.append(p, 0.0)[p_order]
+        return Numbers(self, np.array([t]), x[None].copy(), r[None], p)
 
     @cached_property
     def _checks_constants(self) -> bool:

@@ -122,7 +122,7 @@ class Run:
             r = np.zeros(0)
             if self.now.definition.specifieds:
                 r = self.now.specifieds(np.array([t]), x[None])[0]
-            self._latest = key, self.rows.numbers(t, x, *self.rows.arranged(r, self.now.p))
+            self._latest = key, self.rows.numbers(t, x, r, self.now.p)
         return self._latest[1]
 
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
