@@ -17,6 +17,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
+from pydy.solvers.kept import judge
 from pydy.solvers.outcome import (
     ENERGY_CHANGED,
     EVENT_UNDEFINED,
@@ -310,6 +311,30 @@ def test_samples_are_judged_together_as_alone(monkeypatch):
         alone = system.integrate_ensemble(constants={"g": gravities[k : k + 1]}, **options)
         for name in alone.data_vars:
             assert same_bits(alone[name][0], many[name][k]), name
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_samples_that_are_sound_at_a_glance_need_no_judgement(monkeypatch):
+    judged = []
+
+    def counted(ran, part):
+        judged.append(ran)
+        return judge(ran, part)
+
+    monkeypatch.setattr("pydy.ensemble.work.judge", counted)
+    options = {"ode_solver": "dop853", "constraints": "project", "rtol": 1e-8, "atol": 1e-8}
+    values = {"constants": {"g": np.linspace(5.0, 15.0, num=30)}}
+    system = linkage(loops.parallelogram)
+    for last, all_sound in ((0.1, True), (5.0, False)):
+        system.times = np.linspace(0.0, last, num=51)
+        many = system.integrate_ensemble(**values, **options)
+        assert (many.status == 0).all() == all_sound
+        assert bool(judged) != all_sound
+        with monkeypatch.context() as patch:
+            patch.setattr("pydy.ensemble.work._unsure", lambda *given: np.full(len(given[2]), True))
+            identical(many, system.integrate_ensemble(**values, **options))
+        assert len(judged) >= 30
+        judged.clear()
 
 
 # -- events ----------------------------------------------------------------------------------------

@@ -38,6 +38,7 @@ SMALLEST_BLOCK = 64
 """Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""
 
 _OCCURRENCES = 8
+_INTERPRETED = 8_000_000  # values that are interpreted at a time
 
 COUNTS = (*COUNTED, "end_time")
 """What the result tells of each sample beside its states and outputs."""
@@ -444,17 +445,16 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     suspects = np.flatnonzero(ended)
     if not projected:
         suspects = _suspects(batch, kept.programs, suspects, results.states, times)
-    alike: dict[tuple[int, ...], list[int]] = {}  # samples by the times that are looked at
-    for k in suspects.tolist():
-        few = looked_at(results.states[:, k].T, projected)
-        alike.setdefault(tuple(few.tolist()), []).append(k)
-    for places, samples in alike.items():
-        for start in range(0, len(samples), SMALLEST_BLOCK):
-            some = samples[start : start + SMALLEST_BLOCK]
-            states = results.states[:, some][:, :, list(places)].transpose(1, 2, 0).copy()
-            at = times[list(places)]
-            part_of = _together(batch.some(np.array(some)), kept.programs, at, states)
-            for j, k in enumerate(some):
+    for samples in _alike(results.states, suspects):
+        places = looked_at(results.states[:, samples[0]].T, projected)
+        at, own = times[places], samples
+        if projected and len(places):
+            own = own[_unsure(batch, results, own, places, at)]
+        for start in range(0, len(own), SMALLEST_BLOCK):
+            some = own[start : start + SMALLEST_BLOCK]
+            states = _along(results, some, places)
+            part_of = _together(batch.some(some), kept.programs, at, states)
+            for j, k in enumerate(some.tolist()):
                 ran = Ran(
                     at,
                     states[j],
@@ -469,6 +469,40 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 verdict = judge(ran, partial(part_of, j))
                 if verdict is not None:
                     _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.code)
+
+
+def _alike(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:
+    """Return groups of samples that have states at the same times."""
+    finite = np.isfinite(states).all(axis=0)[samples]
+    group = np.unique(finite, axis=0, return_inverse=True)[1].reshape(-1)
+    return [samples[group == k] for k in range(group.max(initial=-1) + 1)]
+
+
+def _along(results: Results, samples: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Return the states (m, f, n) of some samples at some times."""
+    return results.states[:, samples][:, :, places].transpose(1, 2, 0).copy()
+
+
+def _unsure(
+    batch: Batch, results: Results, samples: np.ndarray, places: np.ndarray, times: np.ndarray
+) -> np.ndarray:
+    """Return of which projected samples `judge` may tell something; most are sound at a glance.
+
+    Those kept all constraints to six digits, far from where they lose rank.
+    """
+    kept = batch.model.kept
+    assert kept is not None
+    unsure: np.ndarray = results.told["nearness"][samples] < NEAR_SINGULAR
+    if kept.programs["contradictions"] is not None:
+        return np.ones(len(samples), dtype=bool)
+    if (program := kept.programs["rows"]) is not None and kept.redundant:
+        number = max(SMALLEST_BLOCK, _INTERPRETED // (len(times) * len(program.ops)))
+        for start in range(0, len(samples), number):
+            some = samples[start : start + number]
+            states = _along(results, some, places)
+            found = _values(batch, kept.programs, "rows", some.tolist(), times, states)
+            unsure[start : start + number] |= beyond_digits(found["rows"], found["sizes"])
+    return unsure
 
 
 def _together(
@@ -501,15 +535,16 @@ def _values(
     x: np.ndarray,
 ) -> dict[str, np.ndarray]:
     """Return the values (m, f, ·) of a Program along m of the samples; times are (f,) or (m, f)."""
-    program = programs[name]
+    program, own = programs[name], list(places)
     if program is None:
         return {}
-    (m, f, n), rows, t = x.shape, [], np.broadcast_to(t, x.shape[:2])
-    for j, states, times in zip(places, x, t, strict=True):
-        inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
-        rows.append(np.broadcast_to(inputs.rows(states, times), (f, batch.r.shape[1])))
-    p = np.repeat(batch.p[list(places)], f, axis=0)
-    flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), np.concatenate(rows), p)
+    (m, f, n), t = x.shape, np.broadcast_to(t, x.shape[:2])
+    r, p = (np.repeat(rows[own], f, axis=0) for rows in (batch.r, batch.p))
+    if batch.model.sampled or batch.model.functions:
+        for k, (j, states, times) in enumerate(zip(own, x, t, strict=True)):
+            inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
+            r[k * f : (k + 1) * f] = inputs.rows(states, times)
+    flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), r, p)
     found: dict[str, np.ndarray] = program.by_block(flat.reshape(m, f, -1))
     return found
 
