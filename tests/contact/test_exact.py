@@ -698,3 +698,24 @@ def test_symbols_of_events_alone_are_constants_too():
     )
     wanted = [[0.5], [0.7]]
     assert several["passes_times"].values[:, :1] ** 2 * 9.81 / 2 == pytest.approx(np.array(wanted))
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.5])
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_a_gap_without_a_slope_where_it_closes_is_refused(unit, ratio):
+    system, _ = ball()
+    crank = y / unit  # as an angle
+    dead = 4.0 - sm.cos(crank) - sm.sqrt(9.0 - sm.sin(crank) ** 2)  # a slider's way to its end
+    for gap, start in ((y**3, 0.5), (y**3, 0.0), (dead, 0.0), (dead - 1e-15, 1.0)):
+        system.constants[g], system.times = 9.81 * unit, [0.0, 1.0]
+        system.initial_conditions = {y: start * unit, vy: -unit}
+        with pytest.raises(ContactError, match=r"has no slope where it closes: .* Write a gap"):
+            Contacts(system, [Unilateral(gap, restitution=ratio, name="stop")]).simulate()
+    # Shortly before it, the stop is where it was put.
+    system.constants[g] = 0.0
+    near = 4.0 - sm.cos(0.01) - sm.sqrt(9.0 - sm.sin(0.01) ** 2)
+    stop = Unilateral(dead - float(near), restitution=ratio, name="stop")
+    system.initial_conditions = {y: unit, vy: -unit}
+    (hit,) = Contacts(system, [stop]).simulate(rtol=1e-10, atol=1e-12 * unit).events[:1]
+    assert hit.time == pytest.approx(0.99, rel=1e-9)
+    assert hit.after[1] == pytest.approx(ratio * unit, abs=1e-9 * unit)

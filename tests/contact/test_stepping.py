@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
-from touching import J, N, O, a, e, falling_body, g, m, mu, slope, vx, vy, w, x, y
+from touching import TIGHT, J, N, O, a, e, falling_body, g, m, mu, slope, vx, vy, w, x, y
 
 
 def moreau(inertia, feet, friction, tilt, q, u, end, h):
@@ -155,3 +155,27 @@ def test_a_table_on_four_feet_has_the_least_forces_and_turns_on_its_edges():
     tilted = contacts.simulate(rtol=1e-9, atol=1e-10)
     assert tilted[[f"{foot.name}_gap" for foot in feet]].min() > -1e-10
     assert vy not in tilted
+
+
+@pytest.mark.parametrize("later", [1e-13, 1e-9, 1e-5])
+def test_blocks_that_slip_at_nearly_one_instant_have_times_of_their_own(later):
+    t = me.dynamicsymbols._t
+    xs, vs = me.dynamicsymbols("x:2"), me.dynamicsymbols("v:2")
+    pulls = (4.0, 4.0 / (1.0 + later))
+    bodies, loads, brakes = [], [], []
+    for k in range(2):
+        P = O.locatenew(f"P{k}", xs[k] * N.x)
+        P.set_vel(N, vs[k] * N.x)
+        bodies.append(me.Particle(f"block{k}", P, m))
+        loads.append((P, pulls[k] * t * N.x))
+        brakes.append(Stick(vs[k], mu=0.3, mu_static=0.5, normal=10.0, name=f"brake{k}"))
+    system = System(
+        Definition(N, xs, vs, bodies=bodies, loads=loads), ode_solver="dop853", times=[0.0, 2.0]
+    )
+    motion = Contacts(system, brakes).simulate(**TIGHT)
+    for k, pull in enumerate(pulls):
+        start = 0.5 * 10.0 / pull
+        (slip,) = [event.time for event in motion.events if event.name == f"brake{k} slips"]
+        assert slip == pytest.approx(start, rel=1e-12)
+        speed = pull * (4.0 - start**2) / 2.0 - 0.3 * 10.0 * (2.0 - start)
+        assert motion[f"v{k}"][-1] == pytest.approx(speed, rel=1e-12)

@@ -268,6 +268,29 @@ def independent(square: np.ndarray, rows: Sequence[int]) -> list[int]:
     return found
 
 
+def linked(problem: Problem, some: Collection[int]) -> set[int]:
+    """Return the contacts whose forces may depend on those of some, through bodies in between."""
+    size = np.sqrt(np.abs(problem.square.diagonal()))
+    rows = {
+        i: [*(() if (n := problem.normal[i]) is None else (n,)), *problem.tangent[i]]
+        for i in problem.touching
+    }
+    found = set(some)
+    latest = found & rows.keys()
+    while latest:
+        own = [row for i in latest for row in rows[i]]
+        latest = {
+            i
+            for i in rows.keys() - found
+            if (
+                np.abs(problem.square[np.ix_(rows[i], own)])
+                > ROUNDED * np.outer(size[rows[i]], size[own])
+            ).any()
+        }
+        found |= latest
+    return found
+
+
 def direction(problem: Problem, i: int, mode: str) -> np.ndarray:
     """Return the unit vector in which a contact slides."""
     if mode in (SLIDING, STARTING):

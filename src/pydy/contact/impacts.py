@@ -27,6 +27,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._rank import ROUNDING
 from pydy.contact.decide import (
     BACKWARD,
     CLOSED,
@@ -38,6 +39,7 @@ from pydy.contact.decide import (
     chosen,
     solved,
 )
+from pydy.contact.missed import flat
 from pydy.contact.tuning import SLACK, WITHIN
 
 OPTIONS = (  # what an impulse may do, by the number of tangential directions
@@ -188,6 +190,11 @@ def strike(run: Any, state: Any, closing: set[int]) -> None:
     run.struck |= hit
     problem = run.problem(p, state)
     rates = solved(problem, run.modes).rates
+    for i in sorted(closing):  # those that could be turned by roundings of the gap or the time
+        speed, rate = abs(p.speed[rows.normal[i]]), abs(rates[rows.normal[i]])
+        least = ROUNDING * p.near[i] + speed * run.resolution(state.t)
+        if speed**2 <= 16.0 * rate * least and (why := flat(run, state.t, state.x, [i])):
+            raise run.fail(state.t, state.x, why)
     blow, rests = _blow(run, state, p, problem, rates, hit, closing)
     work, rises = blow.work(p.speed)
     if rises:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._interpolation import evenly
+from pydy._rank import ROUNDING
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
@@ -78,6 +79,33 @@ def missed(
                 + remedy,
             )  # fmt: skip
     return broken
+
+
+def flat(run: Any, t: float, x: np.ndarray, some: Collection[int]) -> str:
+    """Say which of some closed gaps has no slope there, such as q² at q = 0; or nothing.
+
+    Its slope changes as much as it is within the roundings of the gap and of the time of closing.
+    """
+    p = run.numbers(t, x)
+    for i in some:
+        normal = run.rows.normal[i]
+        own = p.square[normal, normal]
+        step = np.zeros(run.first)
+        if own > 0.0:
+            least = ROUNDING * p.near[i] + abs(p.speed[normal]) * run.resolution(t)
+            step = p.kinematics @ p.moves[:, normal] * (least / own)
+        for way in (step, -step):
+            beside = x.copy()
+            beside[: run.first] += way
+            other = run.numbers(t, beside).square[normal, normal]
+            if not own / 4.0 < other < 4.0 * own:
+                return (
+                    f"The gap of {run.contacts[i].name!r} has no slope where it closes: no speed "
+                    "changes it there, so that it has no normal force and no impact. Write a gap "
+                    "that changes as a distance does, such as q in place of q**2 or q**3, and a "
+                    "stop at a dead centre as a limit of the crank's angle."
+                )
+    return ""
 
 
 def _limits(run: Any, i: int, resting: bool) -> Iterator[tuple[Any, float, str, str]]:

@@ -31,12 +31,13 @@ from pydy.contact.decide import (
     held_rows,
     independent,
     leaps,
+    linked,
     opened,
     solved,
     within,
 )
 from pydy.contact.impacts import strike
-from pydy.contact.missed import missed
+from pydy.contact.missed import flat, missed
 from pydy.contact.modes import Compiled
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
@@ -99,6 +100,7 @@ class Run:
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
         self.struck: set[int] = set()  # contacts that have closed
+        self.untold: dict[int, str] = {}  # transitions that an event of another contact has shown
         self.widest = np.zeros(len(self.contacts))  # bounds on roundings of the gaps until now
         self._numbers_of: dict[Any, float] = dict(
             zip(now.definition.constants, now.p.tolist(), strict=True)
@@ -197,7 +199,7 @@ class Run:
             nothing = WITHIN * np.finfo(float).eps * p.near[i]
             # Open, it may be widest.
             if not (p.gap[i] > nothing or p.square[normal, normal] > 0.0):
-                raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
+                raise self.fail(t, x, flat(self, t, x, [i]))
             if -p.gap[i] > max(nothing, self.unresolved_gap(i, p, x)):
                 why = (
                     f"The gap of {c.name!r} must not be negative at the first time, got "
@@ -379,6 +381,10 @@ class Run:
             found = self.decide(state, fixed, excluded)
             if self.redundant and excluded:
                 self.note_changes(state, found)
+            for i, kind in self.untold.items():
+                if found.modes[i] == fixed.get(i):
+                    self.note(state, i, kind, state.x)
+            self.untold = {}
             self.modes = found.modes
             ended, fired = self.run(state, found)
             if ended:
@@ -463,7 +469,9 @@ class Run:
             last = error.state[: self.n]
             if isinstance(error, IntegrationInterrupted):
                 raise IntegrationInterrupted(str(error), *self.so_far(error.time, last)) from None
-            why = f"The integration stopped in the modes {', '.join(self.modes)}: {error}"
+            closed = self.rows.owners_of(held).values()
+            why = flat(self, error.time, last, closed) if np.isfinite(last).all() else ""
+            why = why or f"The integration stopped in the modes {', '.join(self.modes)}: {error}"
             raise self.fail(error.time, last, why) from error
         return self.take(state, part, kinds)
 
@@ -647,12 +655,16 @@ class Run:
         What happens to several contacts at the same instant is told by values that are nearly zero.
         """
         p, eps = self.numbers(state.t, state.x), np.finfo(float).eps
-        solution = solved(self.problem(p, state), self.modes)
+        problem = self.problem(p, state)
+        solution = solved(problem, self.modes)
         resolved = self.resolution(state.t)
         # What closes together has roundings of all heights from which it has fallen.
         self.widest = np.maximum(self.widest, p.near)
         closing: set[int] = set()
         fixed: dict[int, str] = {}
+        self.untold = {}
+        # Others have events of their own.
+        near_by = linked(problem, {i for _, i in fired})
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
         self.sure = {i for kind, i in fired if kind == "opens" or (kind == "slips" and not turning)}
         for i, mode in enumerate(self.modes):
@@ -680,17 +692,19 @@ class Run:
                     f"Painlevé's paradox: the normal force at {self.contacts[i].name!r}, which "
                     "slides, has no bound, because its friction presses the bodies together.",
                 )  # fmt: skip
-            little = SLACK * solution.sizes[i]
+            little = (SLACK if i in near_by else ROUNDED) * solution.sizes[i]
             if normal is not None and ("opens" in what or press < little):
                 fixed[i] = OPEN
+                self.untold[i] = "opens"
             elif mode == STICKS:
                 force = solution.forces[rows]
                 if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) < little:
                     one = FORWARD if force[0] < 0.0 else BACKWARD
                     fixed[i] = STARTING if len(rows) == 2 else one
+                    self.untold[i] = "slips"
             elif rows:
                 speed = np.linalg.norm(p.speed[rows])
-                if turning and speed <= self.unresolved(i):
+                if turning and i in near_by and speed <= self.unresolved(i):
                     what.add("stops")  # a body on several feet comes to rest on all of them at once
                 if mode == STARTING and speed > self.unresolved(i):
                     what.discard("stops")  # it has turned by a right angle
@@ -699,6 +713,7 @@ class Run:
                     state.resting.add(i)
             for kind in what & {"opens", "slips", "stops"}:
                 self.note(state, i, kind, state.x)
+                self.untold.pop(i, None)
         if closing:
             strike(self, state, closing)
             return {}
