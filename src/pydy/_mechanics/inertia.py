@@ -175,7 +175,9 @@ def inertia_seen(
 class _Lump:
     """Mass, first moment, second moments Σ m r rᵀ and inertia about a point, in a frame's axes.
 
-    Inertia and second moments follow from each other, but sums do not cancel by themselves.
+    Inertia and second moments follow from each other. Both are kept because each is a sum of what
+    has one sign: one computed from the other would lose the moment of a slender body about its own
+    axis in the rounding of the others.
     """
 
     mass: int

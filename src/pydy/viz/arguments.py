@@ -10,7 +10,16 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
-from pydy._checks import Places, check_mapping, number, real_array, refuse_twice, shown, text
+from pydy._checks import (
+    Places,
+    check_mapping,
+    number,
+    positive,
+    real_array,
+    refuse_twice,
+    shown,
+    text,
+)
 from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of, some
@@ -228,9 +237,7 @@ def playback(fps: float | None, speed: float | None, duration: float) -> tuple[f
         if not fps > 0:
             raise ValueError(f"`fps` must be positive, or None for all instants, got {fps}.")
     if speed is not None:
-        speed = number(speed, "`speed`", finite=True)
-        if not speed > 0:
-            raise ValueError(f"`speed` must be a positive number, got {speed}.")
+        speed = positive(speed, "`speed`", finite=True)
     chosen = speed or watchable_speed(duration)
     return chosen, None if fps is None else chosen / fps
 
