@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
-from scipy.optimize import brentq
+from scipy.optimize import brentq, fsolve
 
 import optima
 from optima import TF, T
@@ -219,6 +219,31 @@ def test_a_control_that_chatters_on_a_singular_arc_is_warned_of():
 def test_controls_that_jump_do_not_chatter(method):
     speed_limit(method=method).solve()
     fuel(method=method, mesh=7).solve()
+
+
+@pytest.mark.parametrize("start", [3.0, 3.5, 3.9])
+def test_fine_intervals_around_a_jump_do_not_chatter(start):
+    # x'' = u − x to rest in the least time: the state turns about u = ±1 in circles, at last about
+    # 1 from a radius of one, before that half a turn about −1 (Pontryagin et al., 1962, §5).
+    x, v, u = me.dynamicsymbols("x v u")
+    system = optima.first_order([x], v, u - x)
+    found = system.optimize_trajectory(
+        TF,
+        TF,
+        start={x: start},
+        end={x: 0.0, v: 0.0},
+        bounds={u: (-1.0, 1.0), TF: (1.0, 20.0)},
+        mesh_tol=1e-6,
+    )
+
+    def passed(angles):
+        z = complex(start, 0.0)
+        for centre, angle in zip((-1.0, 1.0, -1.0), (angles[0], np.pi, angles[1]), strict=True):
+            z = centre + (z - centre) * np.exp(-1j * angle)
+        return z.real, z.imag
+
+    angles = fsolve(passed, [0.2, 2.0])
+    assert found.duration == pytest.approx(np.pi + angles.sum(), rel=1e-6)
 
 
 @pytest.mark.parametrize("method", ["midpoint", "backward-euler"])

@@ -294,12 +294,14 @@ def warn_of_chatter(found: Any) -> None:
     arc, the arc is singular, and the equations at the points leave some of the control open. Turns
     count by how far the control comes back after them: they are large if they add up to its size,
     and many if more intervals have a share in them, Σ² over the sum of squares, than jumps at the
-    ends of an arc explain.
+    ends of an arc explain. Intervals narrower than the mean count for their width: the many that
+    refinement puts where a control jumps are no arc.
     """
     made, nlp, solution = found._transcription, found._nlp, found.solution
     own, arcs = len(made.control_places), []
     order = np.argsort(made.control_places, kind="stable")
     times = made.control_places[order]
+    widths = np.diff(made.mesh, prepend=0.0) * made.intervals
     for i in _linear_controls(made):
         at = made.sizes[0] + i * own + order
         u, size = solution.z[at], nlp.sizes[at]
@@ -316,7 +318,8 @@ def warn_of_chatter(found: Any) -> None:
             k = np.searchsorted(made.mesh, times[first + 1 : last], "left")
             shares = np.bincount(k, back)
             total = float(back.sum())
-            if total >= largest and total**2 > JUMPS * float(shares @ shares):
+            reach = total * min(total, float(shares @ widths[: len(shares)]))
+            if total >= largest and reach > JUMPS * float(shares @ shares):
                 turns = f"{int((back > 0.0).sum())} of {len(back)}"
                 arcs.append((total / largest, i, times[[first, last]] * found.duration, turns))
     if arcs:
