@@ -62,21 +62,28 @@ class Mechanism:
     @cached_property
     def symbols(self) -> set[Any]:
         """The symbols in the bodies and loads, whether the equations of motion hold them or not."""
-        return set().union(*(part.free_symbols for part in self.parts))
+        still = (size for body in self.bodies for size in self._inertias(body))
+        return set().union(*(sm.sympify(part).free_symbols for part in (*self.parts, *still)))
 
     @cached_property
     def parts(self) -> tuple[Any, ...]:
-        """Masses, inertias, velocities and loads, of which energies are made."""
+        """Masses, velocities, loads, and inertias that turn, of which energies are made."""
         parts = [body.mass for body in self.bodies]
         vectors = [vector for _, vector in self.loads]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # as for the kinetic energy
             vectors += [body.masscenter.vel(self.frame) for body in self.bodies]
         for body in self.bodies:
-            if not isinstance(body, Particle):
-                parts += [size for size, _, _ in body.central_inertia.args]
+            if (sizes := self._inertias(body)) and body.frame.ang_vel_in(self.frame) != 0:
+                parts += sizes
         parts += [part for vector in vectors for own, _ in vector.args for part in own]
         return tuple(map(sm.sympify, parts))
+
+    @staticmethod
+    def _inertias(body: Any) -> list[Any]:
+        """Return the moments and products of inertia of a body, which a particle has none of."""
+        point = isinstance(body, Particle)
+        return [] if point else [size for size, _, _ in body.central_inertia.args]
 
     def _square(self, vector: Any) -> Any:
         if len(vector.args) == 1:
