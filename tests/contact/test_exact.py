@@ -719,3 +719,58 @@ def test_a_gap_without_a_slope_where_it_closes_is_refused(unit, ratio):
     (hit,) = Contacts(system, [stop]).simulate(rtol=1e-10, atol=1e-12 * unit).events[:1]
     assert hit.time == pytest.approx(0.99, rel=1e-9)
     assert hit.after[1] == pytest.approx(ratio * unit, abs=1e-9 * unit)
+
+
+def angle_to_a_wall(gap, **start):
+    """A particle without loads, and a wall through the origin, given by the angle to it."""
+    system, _ = block()
+    system.constants[g], given = 0.0, {k: 0.2} if gap.has(k) else {}
+    system.initial_conditions, system.times = start, [0.0, 2.0]
+    return Contacts(system, [Unilateral(gap, restitution=0.5, name="wall")], given)
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_an_angle_to_a_wall_is_a_gap(unit):
+    angle, start = sm.atan2(y, x), {"x": unit, "y": unit, "v_y": -unit}
+    for gap in (angle - k, x * (angle - k), sm.atan2(-y, -x) + sm.pi - k):
+        contacts = angle_to_a_wall(gap, **start)
+        motion = contacts.simulate(sensitivities=[k], rtol=1e-11, atol=1e-12 * unit)
+        (hit,) = motion.events
+        assert hit.time == pytest.approx(1.0 - math.tan(0.2), rel=1e-10)
+        assert hit.time_sensitivity == pytest.approx([-1.0 / math.cos(0.2) ** 2], rel=1e-9)
+        blow = 1.5 * math.cos(0.2)  # along the normal (−sin, cos) of the wall
+        speeds = np.array([-math.sin(0.2) * blow, math.cos(0.2) * blow - 1.0]) * unit
+        assert hit.after[2:] == pytest.approx(speeds, rel=1e-9)
+
+
+def test_an_angle_that_jumps_on_the_way_is_refused_but_not_what_is_made_of_it():
+    angle, start = sm.atan2(y, x), {"x": -1.0, "y": -0.3, "v_y": 0.5}
+    # At −3.3, where the wall is, atan2 is at 2π − 3.3: the wall would be missed.
+    with pytest.raises(ContactError, match=r"jumped to 6\.4.* gone on to 0\.1.*: `atan2\(y\(t\), x"):
+        angle_to_a_wall(angle + 3.3, **start).simulate()
+    away = sm.sqrt(x**2 + y**2) * sm.sin(3.3 + angle)
+    (hit,) = angle_to_a_wall(away, **start).simulate(**TIGHT).events
+    assert hit.time == pytest.approx((0.3 + math.tan(3.3 - math.pi)) / 0.5, rel=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [1e-6, 1.0, 1e6])
+def test_a_block_on_a_block_that_is_pulled_slips_where_its_friction_ends(ratio):
+    xs, ys = me.dynamicsymbols("x:2"), me.dynamicsymbols("y:2")
+    us, ws = me.dynamicsymbols("u:2"), me.dynamicsymbols("w:2")
+    masses, whole = (1.0, ratio), 1.0 + ratio
+    bodies, loads = [], []
+    for i, mass in enumerate(masses):
+        P = O.locatenew(f"P{i}", xs[i] * N.x + ys[i] * N.y)
+        P.set_vel(N, us[i] * N.x + ws[i] * N.y)
+        bodies.append(me.Particle(f"block{i}", P, sm.Float(mass)))
+        loads.append((P, 10.0 * whole * T * (1 - i) * N.x - 9.81 * mass * N.y))
+    system = System(
+        Definition(N, [*xs, *ys], [*us, *ws], bodies=bodies, loads=loads),
+        ode_solver="dop853", times=[0.0, 1.0],
+    )  # fmt: skip
+    floor, top = Unilateral(ys[0], name="floor"), Unilateral(ys[1] - ys[0], name="top")
+    pairs = [Stick(us[0], on=floor, mu=0.05), Stick(us[1] - us[0], on=top, mu=0.3)]
+    motion = Contacts(system, [floor, top, *pairs]).simulate(**TIGHT)
+    assert [event.name for event in motion.events] == ["floor slips", "top slips"]
+    times = [event.time for event in motion.events]
+    assert times == pytest.approx([0.05 * 0.981, 0.35 * 0.981], rel=1e-9)

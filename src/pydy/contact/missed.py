@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import shown
 from pydy._interpolation import evenly
 from pydy._rank import ROUNDING
 from pydy.contact.decide import OPEN, SLIDES, STICKS
@@ -43,6 +44,8 @@ def missed(
     least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):
+        if run.modes[i] == OPEN and i in run.rows.cuts:
+            _check_cuts(run, i, few, states)
         if run.modes[i] == OPEN and least[places[symbols[i, "gap"]]] >= 0.0:
             continue
         for symbol, slack, kind, words in _limits(run, i, i in resting):
@@ -79,6 +82,29 @@ def missed(
                 + remedy,
             )  # fmt: skip
     return broken
+
+
+def _check_cuts(run: Any, i: int, times: np.ndarray, states: np.ndarray) -> None:
+    """Refuse a gap that jumps on the way, as an angle does where atan2 goes from π to −π."""
+    order = np.argsort(times, kind="stable")
+    times, states = times[order], states[order]
+    values = dict(run.values(float(times[0]), states[0]))
+    values |= zip(run.now.definition.states, states.T, strict=True)
+    values[run.now.definition.equations.time] = times
+    inputs = {node: values.get(symbol, 0.0) for node, symbol in run.rows.symbols.items()}
+    for f, evaluate in run.rows.cuts[i]:
+        y, x, gap, more, less = evaluate(inputs, len(times)).T
+        through = (np.signbit(y[1:]) != np.signbit(y[:-1])) & (np.maximum(x[1:], x[:-1]) < 0.0)
+        on = np.where(np.signbit(y[:-1]), less[1:], more[1:])  # as it would go on
+        size = np.maximum(np.abs(gap[1:]), np.abs(on))
+        for k in np.flatnonzero(through & (np.abs(on - gap[1:]) > SLACK * size)):
+            raise run.fail(
+                float(times[k + 1]), states[k + 1],
+                f"The gap of {run.contacts[i].name!r} jumped to {gap[k + 1]:.6g}, and would have "
+                f"gone on to {on[k]:.6g}: `{shown(f)}` jumps by 2π where the angle is π. Turn the "
+                "angle so that the motion does not come there, as atan2(-y, -x) + pi is of "
+                "atan2(y, x), or use a coordinate that counts turns.",
+            )  # fmt: skip
 
 
 def flat(run: Any, t: float, x: np.ndarray, some: Collection[int]) -> str:

@@ -333,6 +333,23 @@ class ContactRows:
                 found[i] = evaluator(g, rows)
         return found
 
+    @cached_property
+    def cuts(self) -> dict[int, list[tuple[Any, Any]]]:
+        """For each gap: its functions atan2(y, x), which jump by 2π where y = 0 and x < 0.
+
+        With the function of y, x, the gap, and the gap with 2π more and less in place of that jump.
+        """
+        found: dict[int, list[tuple[Any, Any]]] = {}
+        atoms = {symbol: node for node, symbol in self.symbols.items()}
+        read = SymPyReader(self.graph.copy(), atoms, "the contacts")
+        for i, c in enumerate(self.contacts):
+            gap = sm.S.Zero if c.unilateral is None else c.unilateral.gap
+            for f in sorted(gap.atoms(sm.atan2), key=sm.default_sort_key):
+                turned = (gap.xreplace({f: f + n * sm.pi}) for n in (0, 2, -2))
+                nodes = read.all([self.equations.in_states(part) for part in (*f.args, *turned)])
+                found.setdefault(i, []).append((f, evaluator(read.graph, nodes)))
+        return found
+
     def check_directions(self, closed: Iterable[int], values: dict[Any, float]) -> None:
         """Refuse friction at a point of a closed gap that is no length, or is not along it.
 

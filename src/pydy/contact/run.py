@@ -12,7 +12,7 @@ import numpy as np
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
 from pydy._forks import cached_property
 from pydy._names import numbers_of, some
-from pydy._rank import ROUNDED
+from pydy._rank import ROUNDED, ROUNDING
 from pydy._system.simulation import simulated
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import check_values
@@ -563,7 +563,7 @@ class Run:
     def settle(self, state: State, held: tuple[int, ...]) -> None:
         """Remove rounding errors of closed gaps and sticking speeds by Newton's method."""
         owners = self.rows.owners_of(held)
-        normals = list(owners)
+        normals, given = list(owners), np.abs(state.x)
         for _ in range(3):  # the second changes the last digits, if any
             p = self.numbers(state.t, state.x)
             rest = p.gap[list(owners.values())]
@@ -577,7 +577,8 @@ class Run:
             rows = list(held)
             shares = np.linalg.solve(p.square[np.ix_(rows, rows)], -p.speed[rows])
             x[self.first : self.first + len(p.moves)] += p.moves[:, rows] @ shares
-            state.x = x
+            # What is left of a number that vanishes is rounding of that number.
+            state.x = np.where(np.abs(x) <= ROUNDING * given, 0.0, x)
 
     def take(
         self, state: State, part: Part, kinds: list[tuple[str, int]]
