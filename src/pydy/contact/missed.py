@@ -60,7 +60,7 @@ def missed(
                 # In large units the relative tolerance tells less of a gap than the other.
                 worst = int(values.argmin())
                 p = run.numbers(float(few[worst]), states[worst])
-                late = np.spacing(few[worst]) * abs(p.speed[run.rows.normal[i]])
+                late = run.resolution(float(few[worst])) * abs(p.speed[run.rows.normal[i]])
                 below &= values < -run.unresolved_gap(i, p, states[worst]) - late
             if not below.any():
                 continue
