@@ -283,10 +283,12 @@ def test_what_has_no_counterpart_is_listed_and_nothing_is_written(tmp_path, monk
     text = BRANCHED.replace(
         "<compiler", '<option density="1.2"/><compiler settotalmass="20"'
     ).replace("</actuator>", '<muscle name="flexor" joint="hinge" lengthrange="0 1"/></actuator>')
+    text = text.replace("</mujoco>", '<keyframe><key name="home" time="1"/></keyframe></mujoco>')
     robot = read(written(tmp_path, text))
     assert "the forces of the fluid around" in robot.left_out
     assert "the actuator 'flexor', whose dynamics are muscle, muscle, muscle" in robot.left_out
     assert any("settotalmass" in line for line in robot.left_out)
+    assert "keyframes" in robot.left_out
     assert [file.name for file in tmp_path.iterdir()] == ["robot.xml"]
     assert "left out: " in repr(robot)
     assert " more" in repr(robot)

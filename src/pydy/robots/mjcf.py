@@ -383,6 +383,7 @@ class _Model:
             (model.nsensor, "sensors"),
             (model.nflex, "flexible bodies"),
             (model.nplugin, "plugins"),
+            (model.nkey, "keyframes"),
         ):
             if count:
                 self.left_out.append(what)
