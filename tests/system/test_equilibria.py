@@ -66,7 +66,7 @@ def test_a_bead_on_a_turning_hoop_rests_where_the_closed_form_says(rate):
 
 def test_the_rate_that_holds_a_bead_is_found_within_bounds():
     system, angle, turn = bead_on_a_hoop()
-    for low, high, sign in ((0.1, 20.0, 1), (-20.0, -0.1, -1)):
+    for low, high, sign in ((0.1, 20.0, 1), (-20.0, -0.1, -1), (0.1, None, 1), (None, 0.0, -1)):
         found = system.find_equilibrium(
             [turn], {angle: 1.1, turn: sign * 3.0}, bounds={turn: (low, high)}
         )

@@ -222,6 +222,15 @@ def test_a_fit_that_stops_at_a_bound_says_so(oscillator, method):
 
 
 @BOTH
+@pytest.mark.parametrize("side", [0, 1])
+def test_a_bound_of_none_is_no_limit(oscillator, method, side):
+    pair = [(None, 3.5), (4.5, None)][side]
+    with pytest.warns(PyDyUserWarning, match="stopped at a bound of k0"):
+        result = oscillator.fit(["k0", "c0"], let_go(swing()), bounds={"k0": pair}, method=method)
+    assert result["k0"] == pytest.approx(pair[side - 1])
+
+
+@BOTH
 def test_a_fit_that_does_not_converge_says_so(oscillator, method):
     with pytest.warns(PyDyUserWarning, match="did not converge in 2 "):
         result = oscillator.fit(["k0", "c0"], let_go(swing()), most=2, method=method)

@@ -12,7 +12,7 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, describe, listed, number, real_array, refuse_twice
+from pydy._checks import Places, check_mapping, describe, limits, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
@@ -650,13 +650,8 @@ def _bounds(
     for place, (key, pair) in zip(places, given.items(), strict=True):
         if place not in wanted.order:
             raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
-        limits = real_array(pair, f"`bounds[{key}]`")
-        if limits.shape != (2,) or not limits[0] < limits[1]:
-            raise ValueError(
-                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
-            )
         k = wanted.order.index(place)
-        low[k], high[k] = limits
+        low[k], high[k] = limits(pair, f"`bounds[{key}]`")
     return low, high
 
 
@@ -689,7 +684,7 @@ class Equilibria(Setup):
             Coordinates that may change at a constant rate, such as the position of a vehicle along
             its path. The motion must not depend on them.
         bounds : dict, optional
-            Maps unknowns to pairs of the lowest and the highest value.
+            Maps unknowns to pairs of the lowest and the highest value; None is no limit.
 
         Returns
         -------

@@ -17,6 +17,7 @@ from pydy._checks import (
     choice,
     describe,
     flag,
+    limits,
     listed,
     one_or_more,
     positive,
@@ -558,7 +559,7 @@ def _meant(work: _Fit, key: Any, argument: str) -> list[int]:
 
 
 def _pairs(
-    work: _Fit, given: Any, argument: str, sound: Callable[[np.ndarray], Any], what: str
+    work: _Fit, given: Any, argument: str, read: Callable[[Any, str], tuple[float, float]]
 ) -> list[tuple[list[int], tuple[float, float]]]:
     """Return pairs of numbers, and the parameters that each is for, none of them twice."""
     given = check_mapping(argument, given)
@@ -566,25 +567,29 @@ def _pairs(
     meant = [_meant(work, key, argument) for key in given]
     refuse_twice([work.names[place] for places in meant for place in places], argument)
     for places, (key, pair) in zip(meant, given.items(), strict=True):
-        numbers = real_array(pair, f"`{argument}[{key}]`")
-        if numbers.shape != (2,) or not sound(numbers):
-            raise ValueError(f"`{argument}[{key}]` must be a pair of the {what}, got {pair}.")
-        found.append((places, (float(numbers[0]), float(numbers[1]))))
+        found.append((places, read(pair, f"`{argument}[{key}]`")))
     return found
 
 
 def _bounds(work: _Fit, bounds: Any, size: int) -> tuple[np.ndarray, np.ndarray]:
     low, high = np.full(size, -np.inf), np.full(size, np.inf)
-    what = "lowest and the highest value"
-    for places, limits in _pairs(work, bounds, "bounds", lambda n: n[0] < n[1], what):
-        low[places], high[places] = limits
+    for places, pair in _pairs(work, bounds, "bounds", limits):
+        low[places], high[places] = pair
     return low, high
 
 
 def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
-    what = "mean and the positive standard deviation"
-    pairs = _pairs(work, priors, "priors", lambda n: np.isfinite(n).all() and n[1] > 0.0, what)
+    pairs = _pairs(work, priors, "priors", _prior)
     return [(place, *pair) for places, pair in pairs for place in places]
+
+
+def _prior(value: Any, what: str) -> tuple[float, float]:
+    numbers = real_array(value, what)
+    if numbers.shape != (2,) or not np.isfinite(numbers).all() or not numbers[1] > 0.0:
+        raise ValueError(
+            f"{what} must be a pair of the mean and the positive standard deviation, got {value}."
+        )
+    return float(numbers[0]), float(numbers[1])
 
 
 def _check_method(
@@ -640,7 +645,7 @@ class Fitting(Setup):
         trials : Trial or iterable of Trial
             The measurements.
         bounds : dict, optional
-            Maps parameters to pairs of the lowest and the highest value.
+            Maps parameters to pairs of the lowest and the highest value; None is no limit.
         priors : dict, optional
             Maps parameters to pairs of the mean and the standard deviation of prior knowledge,
             which the samples outweigh as their `Trial.noise` tells: it must be given.
