@@ -26,6 +26,7 @@ from pydy.solvers.outcome import (
     START_OFF_CONSTRAINTS,
     STEP_UNDERFLOW,
     TERMINATED,
+    TOLERANCE_TOO_SMALL,
     TOO_MANY_STEPS,
 )
 from pydy.system import System
@@ -313,6 +314,17 @@ def test_samples_are_judged_together_as_alone(monkeypatch):
             assert same_bits(alone[name][0], many[name][k]), name
 
 
+def test_a_sample_whose_residuals_overflow_is_told_of_in_words():
+    system = bead()
+    with pytest.warns(PyDyUserWarning, match="1 of 3 samples, and maybe others"):
+        many = system.integrate_ensemble(
+            initial_conditions={"y": [-0.8, 1e200, -0.8]},
+            ode_solver="dop853",
+            constraints="project",
+        )
+    assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0]
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_samples_that_are_sound_at_a_glance_need_no_judgement(monkeypatch):
     judged = []
@@ -424,6 +436,20 @@ def test_samples_that_fail_after_events_are_alone():
     found = watched(system, kicks, speeds)
     assert set(found.status.values) == {0, STEP_UNDERFLOW}
     assert found["kick_count"].values.tolist() == [1, 1, 1, 0, 1]
+
+
+@pytest.mark.parametrize("events", [False, True])
+def test_tolerances_that_are_too_small_for_a_sample_are_told_of_it(events):
+    system = pendulum(2)
+    values = random_values(system, 11)
+    q = system.coordinates[0]
+    options = {"events": [Event(q - 0.3)], "reduce": "events"} if events else {}
+    options |= {"ode_solver": "dop853", "rtol": 0.0, "atol": 1e-12}
+    plain = told(lambda: system.integrate_ensemble(**values, **options))
+    assert (plain.status == 0).all()
+    values["initial_conditions"][q][4] = 1e5  # a rounding of which is larger than `atol`
+    many = told(lambda: system.integrate_ensemble(**values, **options))
+    assert many.status.values.tolist() == [0] * 4 + [TOLERANCE_TOO_SMALL] + [0] * 6
 
 
 @pytest.mark.parametrize("kind", ["pchip", "previous"])

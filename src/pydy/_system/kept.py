@@ -231,7 +231,8 @@ def check_samples(
         numbers = np.arange(start, min(start + TOGETHER, total))
         looked_at = some(numbers)
         residuals, sizes = evaluated_rows(looked_at, "sizes")
-        shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
+        with np.errstate(invalid="ignore"):  # what overflows is off
+            shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
         off = np.flatnonzero(shares > DIGITS)
         if told(numbers[off[np.argsort(-shares[off], kind="stable")[:TRIED]]]):
             return

@@ -201,8 +201,7 @@ class Model:
         native = all(k is None or k.entry is not None for k in kernels)
         python = bool(self.sampled) or options.constraints is not None  # acts on resets then
         acts = not (any(events.resetting) and python) and not any(events.turns)
-        exact = bool(np.min(options.rtol) < 10.0 * ROUNDING)  # what then is told of each start
-        return native and acts and not (self.sensitivities or exact or any(events.constant))
+        return native and acts and not (self.sensitivities or any(events.constant))
 
     @property
     def event_names(self) -> tuple[str, ...]:
@@ -350,8 +349,8 @@ class Batch:
         """Integrate; several samples at a time control the errors of so many components."""
         from pydy.solvers.run.lanes import integrate_samples
 
-        model = self.model
-        if not model.in_lanes:
+        model, exact = self.model, np.min(self.model.options.rtol) < 10.0 * ROUNDING
+        if not model.in_lanes or (exact and self._too_exact()):
             return self._one_by_one(times, states)
         beside: LanesBeside | None = None
         if model.options.constraints is not None or model.options.events is not None:
@@ -370,6 +369,16 @@ class Batch:
             if lost.size:  # why, the solver of single trajectories tells
                 results.take(lost, self.some(lost)._one_by_one(times))
         return results
+
+    def _too_exact(self) -> bool:
+        """Return whether the tolerances are too small for some of the beginnings.
+
+        Which, the solver of single trajectories tells.
+        """
+        options, k = self.model.options, int(np.argmin(self.model.options.rtol))
+        least = 10.0 * ROUNDING * np.fmax(np.abs(self.x[:, k]), 1.0)
+        atol = np.ravel(options.atol)[k if np.size(options.atol) > 1 else 0]
+        return options.step is None and bool((atol < least).any())
 
     def _lanes_beside(self, times: np.ndarray) -> LanesBeside:
         """Return what lanes have to do beside their motions: to hold or to watch them, or both."""
