@@ -51,6 +51,9 @@ class SampledInput:
 
     Notes
     -----
+    A step of a native solver ends where an input with the interpolation 'previous' jumps; until
+    there it sees the earlier sample.
+
     Outside its times, a SampledInput returns the end values, because solvers step past the last
     time and return. `pydy.system.System.integrate` and the evaluations raise an error for times
     outside.

@@ -110,6 +110,35 @@ def test_a_staircase_adds_up_its_steps():
     close(states[:, 1], np.array([0.0, 1.0, -2.0, -1.5]) / 2.0, 1e-6)
 
 
+def held_spring(t, breaks, values):
+    """The states of x'' = f − x from rest, for an f that is held between breaks."""
+    x, v = 0.0, 0.0
+    for start, end, f in zip(breaks, breaks[1:], values, strict=False):
+        h = max(0.0, min(end, t) - start)
+        c, s = np.cos(h), np.sin(h)
+        x, v = f + (x - f) * c + v * s, (f - x) * s + v * c
+    return [x, v]
+
+
+@pytest.mark.parametrize("start", [0.0, 1.7e9])  # the latter is a Unix time
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "radau", "rk4"])
+def test_steps_end_where_an_input_jumps(solver, start):
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    c, k, m = system.constants_symbols
+    system.constants = {c: 0.0, k: 1.0, m: 1.0}
+    breaks, values = start + np.array([0.0, 0.37, 1.1, 1.9, 3.0]), [1.0, -2.0, 0.5, 3.0, 3.0]
+    (force,) = system.specifieds_symbols
+    system.specifieds = {force: SampledInput(breaks, values, "previous")}
+    system.times = start + np.linspace(0.0, 3.0, 31)
+    system.ode_solver = solver
+    options = {"step": 0.01} if solver == "rk4" else {"rtol": 1e-10, "atol": 1e-10}
+    motion = system.simulate(**options)
+    close(motion.states, np.array([held_spring(t, breaks, values) for t in motion.times]), 2e-9)
+    between = motion.at(start + np.linspace(0.0, 3.0, 977))
+    close(between.states, np.array([held_spring(t, breaks, values) for t in between.times]), 2e-9)
+    assert motion.statistics["rejected"] <= 3  # error control alone rejects nine at each jump
+
+
 def test_pchip_adds_up_to_its_integral():
     samples = SampledInput(TIMES, VALUES[:, 0], "pchip")
     system = free_mass(samples, TIMES)

@@ -54,6 +54,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
     double t = state[TIME], h = state[SIZE];
     int64_t code;
     if (count[STARTED] == 0) {
+        hold_inputs(&run->problem, t, 0);
         count[EVALUATIONS] += 1;
         code = rates(&run->problem, t, m->x.at, m->stages.at);
         if (code != 0) {
@@ -85,7 +86,9 @@ INLINE int64_t step_on(const Run *run, double *flat)
             return TOO_MANY_STEPS;
         }
         const double wanted = h;
-        const double goal = adaptive ? last : times[count[NEXT]]; /* whole steps between outputs */
+        const double jump = hold_inputs(&run->problem, t, 0);
+        /* whole steps between outputs */
+        const double goal = minimum(adaptive ? last : times[count[NEXT]], jump);
         double size = adaptive ? minimum(h, state[LARGEST]) : whole_steps(t, h, goal), after;
         limit_step(t, goal, &size, &after);
         if (!moves(t, size, after, goal)) {
@@ -161,7 +164,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
         }
         if (adaptive) {
             h = next_size(control, size, error, state[LAST_ERROR], state[GROWTH]);
-            if (after == last) /* shortened to end there: who goes on wants the longer one */
+            if (after == goal) /* shortened to end there: who goes on wants the longer one */
                 h = maximum(wanted, h);
             state[LAST_ERROR] = maximum(error, FIRST_ERROR), state[GROWTH] = control[GROW];
         }
@@ -173,6 +176,15 @@ INLINE int64_t step_on(const Run *run, double *flat)
         if (count[NEXT] == run->progress.times.size) {
             state[SIZE] = h;
             return FINISHED;
+        }
+        if (after == jump) {
+            release_inputs(&run->problem);
+            count[EVALUATIONS] += 1;
+            code = rates(&run->problem, t, m->x.at, m->stages.at);
+            if (code != 0) {
+                count[FAILURE] = SINGULAR, state[SIZE] = h;
+                return code < 0 ? CALLBACK : STEP_UNDERFLOW;
+            }
         }
     }
 }
@@ -187,5 +199,6 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
     do
         code = step_on(run, flat);
     while (goes_on(run, &code));
+    release_inputs(&run->problem);
     return code;
 }

@@ -96,6 +96,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
     double t = state[TIME], h = state[SIZE];
     int64_t code;
     if (count[STARTED] == 0) {
+        hold_inputs(&run->problem, t, 0);
         count[EVALUATIONS] += 1;
         code = rates(&run->problem, t, m->x.at, m->stages.at);
         if (code != 0) {
@@ -130,9 +131,10 @@ INLINE int64_t step_on(const Run *run, double *flat)
             state[SIZE] = h;
             return TOO_MANY_STEPS;
         }
+        const double wanted = h, jump = hold_inputs(&run->problem, t, 0), goal = minimum(last, jump);
         double size = minimum(h, state[LARGEST]), after;
-        limit_step(t, last, &size, &after);
-        if (!moves(t, size, after, last)) {
+        limit_step(t, goal, &size, &after);
+        if (!moves(t, size, after, goal)) {
             state[SIZE] = size;
             return STEP_UNDERFLOW;
         }
@@ -226,6 +228,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
         t = after;
         for (int64_t i = 0; i < n; i++)
             m->x.at[i] = m->new.at[i];
+        release_inputs(&run->problem);
         count[EVALUATIONS] += 1;
         code = rates(&run->problem, t, m->x.at, m->stages.at);
         if (code != 0) {
@@ -238,6 +241,8 @@ INLINE int64_t step_on(const Run *run, double *flat)
         /* the same step size spares a factorisation */
         const int same = 1.0 < factor && factor < 1.2 && !slow;
         h = same ? sizes[FACTORED] : size * maximum(factor, 0.2);
+        if (after == jump) /* shortened to end there */
+            h = maximum(wanted, h);
         if (count[NEXT] == run->progress.times.size) {
             state[SIZE] = h;
             return FINISHED;
@@ -255,5 +260,6 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
     do
         code = step_on(run, flat);
     while (goes_on(run, &code));
+    release_inputs(&run->problem);
     return code;
 }

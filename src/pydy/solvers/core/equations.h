@@ -48,6 +48,31 @@ INLINE double sampled(const Equations *e, int64_t k, double t, int64_t *interval
     return a[0] + s * (a[1] + s * (a[2] + s * a[3]));
 }
 
+/* Let the inputs of a lane be those before the first of their jumps after t, to which a step from t
+   goes at the farthest, until they are released; return the time of that jump. */
+INLINE double hold_inputs(const Equations *e, double t, int64_t lane)
+{
+    const double *jumps = e->jumps.at;
+    int64_t low = 0, high = e->jumps.size;
+    if (high == 0)
+        return INF;
+    while (low < high) {
+        const int64_t middle = (low + high) / 2;
+        if (jumps[2 * middle] > t)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    e->until.at[lane] = low < e->jumps.size ? jumps[2 * low + 1] : INF;
+    return low < e->jumps.size ? jumps[2 * low] : INF;
+}
+
+INLINE void release_inputs(const Equations *e)
+{
+    if (e->jumps.size > 0)
+        put(e->until.at, 0, (Real)(INF));
+}
+
 /* Set the sampled inputs, those of each lane at its own time. */
 APART void sample(const Equations *e)
 {
@@ -59,7 +84,8 @@ APART void sample(const Equations *e)
 #else
             int64_t *interval = row + 3;
 #endif
-            e->r.at[row[0] * W + lane] = sampled(e, k, e->clock.at[lane], interval);
+            const double t = e->clock.at[lane], until = e->until.at[lane];
+            e->r.at[row[0] * W + lane] = sampled(e, k, t < until ? t : until, interval);
         }
     }
 }

@@ -18,6 +18,7 @@ INLINE int64_t take_again(const Run *run, const Stepper *s, const double *row, c
                 m->interpolant.at[j * length + i] = row[2 + (1 + j) * n + i];
         return 0;
     }
+    hold_inputs(&run->problem, t, 0);
     int64_t code = rates(&run->problem, t, m->x.at, m->stages.at);
     if (code == 0)
         code = take_step(s, t, h, evaluations);

@@ -309,6 +309,11 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     const int64_t code = resolve(run, s, t, h);
     if (code != 0)
         return code == CALLBACK ? called_back(run, logged) : code;
+    if (run->problem.jumps.size > 0) { /* an event may happen by a jump at the end, which no step resolves */
+        release_inputs(&run->problem);
+        if (probe(run, s, t, h, 1.0, ENDS + PARTS) < 0)
+            return called_back(run, logged);
+    }
     *known = UNKNOWN;
     for (int part = 1; part <= PARTS; part += left == PLACES[part]) {
         double right = PLACES[part];

@@ -29,6 +29,8 @@ int64_t step_back(const Run *run, const WayBack *table)
         const double t = b->times.at[k], h = b->sizes.at[k];
         for (int64_t i = 0; i < n; i++)
             m->x.at[i] = b->states.at[k * n + i];
+        hold_inputs(&run->problem, t, 0);
+        hold_inputs(p, t, 0);
         int64_t code = rates(&run->problem, t, m->x.at, m->stages.at);
         if (code == 0)
             code = take_step(s, t, h, &run->progress.counts.at[EVALUATIONS]);

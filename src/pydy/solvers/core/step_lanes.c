@@ -213,6 +213,13 @@ INLINE Real guess_first_size(const Stepper *s, Real t, double largest)
     return where(flags(failed), SLIVER * trial, size);
 }
 
+/* Hold the inputs of all lanes, as one trajectory's; set the times of their next jumps. */
+APART void hold_all(const LaneRun *run, double *jumps)
+{
+    for (int64_t lane = 0; lane < W; lane++)
+        jumps[lane] = hold_inputs(&run->lane_problem, run->lanes.time.at[lane], lane);
+}
+
 /* Begin with the samples that lanes have just taken, and go on after the events of others. */
 APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t after)
 {
@@ -221,6 +228,8 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t af
     const Memory *m = s->memory;
     const Flags new = flags(fresh), begin = flags(fresh | after);
     const Real t = OF(time);
+    double jumps[W];
+    hold_all(run, jumps);
     const int64_t failed = rates(s->equations, t, m->x.at, m->trial.at) & (fresh | after);
     for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
         put(m->stages.at, i, where(begin, item(m->trial.at, i), item(m->stages.at, i)));
@@ -250,6 +259,22 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t af
     ADD(evaluations, SOME(begin, 1.0) + SOME(flags(guessed & ~failed & ~finished), 1.0));
     retire(run, failed, SINGULAR);
     retire(run, finished, FINISHED);
+}
+
+/* Evaluate the derivatives of some lanes anew, after their inputs have jumped; return the bits of those
+   that failed, and retire them. */
+APART int64_t start_again(const LaneRun *run, const Stepper *s, int64_t which)
+{
+    const Lanes *l = &run->lanes;
+    const Memory *m = s->memory;
+    const Flags some = flags(which);
+    release_inputs(s->equations);
+    const int64_t failed = rates(s->equations, OF(time), m->x.at, m->trial.at) & which;
+    for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
+        put(m->stages.at, i, where(some, item(m->trial.at, i), item(m->stages.at, i)));
+    ADD(evaluations, SOME(some, 1.0));
+    retire(run, failed, SINGULAR);
+    return failed;
 }
 
 /* -- events ----------------------------------------------------------------------------------- */
@@ -387,21 +412,24 @@ APART int64_t look_alone(const LaneRun *run, int64_t lane, double after, double 
     }
     exchange(run, lane, 0);
     own->progress.state.at[TIME] = after;
-    const int64_t code = ((Scan *)own->watch.words.at[SCAN])(own, run->lanes.time.at[lane], m->step.at[lane]);
+    const double t = run->lanes.time.at[lane];
+    own->problem.until.at[0] = run->lane_problem.until.at[lane];
+    const int64_t code = ((Scan *)own->watch.words.at[SCAN])(own, t, m->step.at[lane]);
+    own->problem.until.at[0] = INF;
     *theta = own->progress.state.at[FOUND];
     exchange(run, lane, 1);
     return code;
 }
 
 /* Look for events in the steps of some lanes, with a code for each, and the theta up to which each
-   step counts. Return the bits of those that end at events; others may be too long. */
+   step counts; at `jumps` inputs jump. Return the bits of those that end at events; others may be too long. */
 APART int64_t look_for_events(const LaneRun *run, const Stepper *s, int64_t look, const double *after,
-    int64_t *codes, double *theta, int64_t *unresolved)
+    const double *jumps, int64_t *codes, double *theta, int64_t *unresolved)
 {
     int64_t stopped = 0;
     for (int64_t lane = 0; lane < W; lane++)
         theta[lane] = 1.0;
-    look &= ~quiet_lanes(run, s, look, after);
+    look &= ~quiet_lanes(run, s, look & ~bits(item(after, 0) == item(jumps, 0)), after);
     FOR_LANES(look) {
         codes[lane] = look_alone(run, lane, after[lane], theta + lane);
         *unresolved |= (int64_t)(codes[lane] == UNRESOLVED) << lane;
@@ -531,7 +559,7 @@ int64_t step_lanes(const LaneRun *run)
     const int adaptive = shape[ESTIMATES] > 0, reuse = shape[END_IN_ESTIMATE] == 1;
     const int held = run->constraints.words.at[ACTIVE] == 1, again = held || !reuse;
     const int watched = run->lane_watch.words.at[EVENTS] > 0;
-    double *slopes = m->stages.at + shape[STAGES] * m->x.size, reached[W], theta[W];
+    double *slopes = m->stages.at + shape[STAGES] * m->x.size, reached[W], theta[W], jumps[W];
     int64_t working = 0, acted = 0, stopped = 0, calls = 0, codes[W];
     for (int64_t lane = 0; lane < W; lane++)
         working |= (int64_t)(l->samples.at[lane] >= 0) << lane;
@@ -554,7 +582,9 @@ int64_t step_lanes(const LaneRun *run)
 
         const Flags active = flags(working);
         const Real t = OF(time);
-        const Real goal = adaptive ? (Real)(last) : OF(due); /* whole steps between outputs */
+        hold_all(run, jumps);
+        /* whole steps between outputs */
+        const Real goal = minimum(adaptive ? (Real)(last) : OF(due), item(jumps, 0));
         Real h = OF(size), after;
         Real size = adaptive ? minimum(h, (Real)(largest)) : whole_steps(t, h, goal);
         limit_step(t, goal, &size, &after);
@@ -604,7 +634,7 @@ int64_t step_lanes(const LaneRun *run)
             }
             put(reached, 0, after);
             if (look != 0)
-                stopped = look_for_events(run, s, look, reached, codes, theta, &unresolved);
+                stopped = look_for_events(run, s, look, reached, jumps, codes, theta, &unresolved);
             within &= ~(broken | unresolved);
             int64_t off = write_within(run, s, within, reached, stopped == 0 ? 0 : theta);
             after = item(reached, 0);
@@ -628,6 +658,7 @@ int64_t step_lanes(const LaneRun *run)
         if (adaptive) {
             const Real before = OF(last_error);
             h = next_size(control, size, error, before, OF(growth));
+            h = where(after == goal, maximum(OF(size), h), h); /* shortened to end there */
             SET(last_error, good, maximum(error, (Real)(FIRST_ERROR)));
             put(l->growth.at, 0, where(bad, (Real)(1.0), (Real)(control[GROW])));
         }
@@ -660,5 +691,8 @@ int64_t step_lanes(const LaneRun *run)
             retire(run, finished, FINISHED);
             vacant = 1;
         }
+        const int64_t jumped = bits(good & (after == item(jumps, 0))) & ~finished;
+        if (jumped != 0 && start_again(run, s, jumped) != 0)
+            vacant = 1;
     }
 }

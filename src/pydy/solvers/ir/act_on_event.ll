@@ -1,13 +1,13 @@
-; sources 80d4aacbf5f9395b749c240b4f9430d8fa128ad04ae71c81e2fdfd198fdaaa6c
+; sources a831be2bb14a9b189ddb7584ab42aa77c9ed1cdeb3651ad0f1b88e2e85e87a48
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 720
+  %2 = getelementptr inbounds i8, ptr %0, i64 768
   %3 = getelementptr inbounds i8, ptr %0, i64 144
-  %4 = getelementptr inbounds i8, ptr %0, i64 576
-  %5 = getelementptr inbounds i8, ptr %0, i64 624
+  %4 = getelementptr inbounds i8, ptr %0, i64 624
+  %5 = getelementptr inbounds i8, ptr %0, i64 672
   %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 632
+  %7 = getelementptr inbounds i8, ptr %0, i64 680
   %8 = load i64, ptr %7, align 8
   %9 = getelementptr double, ptr %6, i64 %8
   %10 = getelementptr i8, ptr %9, i64 -8
@@ -20,27 +20,27 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %17 = load ptr, ptr %3, align 8
   %18 = getelementptr inbounds i8, ptr %17, i64 8
   %19 = load i64, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %0, i64 600
+  %20 = getelementptr inbounds i8, ptr %0, i64 648
   %21 = load ptr, ptr %20, align 8
   %22 = getelementptr inbounds i8, ptr %21, i64 80
   %23 = load i64, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %0, i64 312
+  %24 = getelementptr inbounds i8, ptr %0, i64 360
   %25 = load ptr, ptr %24, align 8
   %26 = load ptr, ptr %4, align 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 1176
+  %27 = getelementptr inbounds i8, ptr %0, i64 1224
   %28 = load ptr, ptr %27, align 8
   %29 = load double, ptr %26, align 8
-  %30 = getelementptr inbounds i8, ptr %0, i64 936
+  %30 = getelementptr inbounds i8, ptr %0, i64 984
   %31 = load ptr, ptr %30, align 8
   %32 = getelementptr inbounds double, ptr %31, i64 %16
-  %33 = getelementptr inbounds i8, ptr %0, i64 1152
+  %33 = getelementptr inbounds i8, ptr %0, i64 1200
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds double, ptr %34, i64 %16
   %36 = icmp sgt i64 %16, 0
   br i1 %36, label %37, label %52
 
 37:                                               ; preds = %1
-  %38 = getelementptr inbounds i8, ptr %0, i64 912
+  %38 = getelementptr inbounds i8, ptr %0, i64 960
   %39 = load ptr, ptr %38, align 8
   br label %40
 
@@ -68,7 +68,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br i1 %54, label %261, label %55
 
 55:                                               ; preds = %52
-  %56 = getelementptr inbounds i8, ptr %0, i64 816
+  %56 = getelementptr inbounds i8, ptr %0, i64 864
   %57 = load ptr, ptr %56, align 8
   %58 = getelementptr inbounds i64, ptr %57, i64 %53
   %59 = load i64, ptr %58, align 8
@@ -79,8 +79,8 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 62:                                               ; preds = %55
   %63 = add nsw i64 %23, 1
   %64 = add nsw i64 %63, %16
-  %65 = getelementptr inbounds i8, ptr %0, i64 1008
-  %66 = getelementptr inbounds i8, ptr %0, i64 1016
+  %65 = getelementptr inbounds i8, ptr %0, i64 1056
+  %66 = getelementptr inbounds i8, ptr %0, i64 1064
   %67 = load i64, ptr %66, align 8
   %68 = icmp sgt i64 %64, %67
   br i1 %68, label %261, label %69
@@ -108,7 +108,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %83 = load ptr, ptr %82, align 8
   %84 = getelementptr inbounds i8, ptr %0, i64 192
   %85 = load ptr, ptr %84, align 8
-  %86 = getelementptr inbounds i8, ptr %0, i64 1128
+  %86 = getelementptr inbounds i8, ptr %0, i64 1176
   %87 = load ptr, ptr %86, align 8
   %88 = inttoptr i64 %81 to ptr
   %89 = load ptr, ptr %88, align 8
@@ -121,7 +121,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %94 = load i64, ptr %93, align 8
   %95 = load ptr, ptr %82, align 8
   %96 = load ptr, ptr %84, align 8
-  %97 = getelementptr inbounds i8, ptr %0, i64 744
+  %97 = getelementptr inbounds i8, ptr %0, i64 792
   %98 = load ptr, ptr %97, align 8
   %99 = inttoptr i64 %94 to ptr
   %100 = load ptr, ptr %99, align 8
@@ -147,7 +147,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %116 = load i64, ptr %115, align 8
   %117 = load ptr, ptr %82, align 8
   %118 = load ptr, ptr %84, align 8
-  %119 = getelementptr inbounds i8, ptr %0, i64 1104
+  %119 = getelementptr inbounds i8, ptr %0, i64 1152
   %120 = load ptr, ptr %119, align 8
   %121 = load ptr, ptr %33, align 8
   %122 = inttoptr i64 %116 to ptr
@@ -170,7 +170,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br i1 %132, label %133, label %156
 
 133:                                              ; preds = %131
-  %134 = getelementptr inbounds i8, ptr %0, i64 888
+  %134 = getelementptr inbounds i8, ptr %0, i64 936
   br label %141
 
 135:                                              ; preds = %126, %128
@@ -226,14 +226,14 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br i1 %170, label %171, label %173
 
 171:                                              ; preds = %168
-  %172 = getelementptr inbounds i8, ptr %0, i64 888
+  %172 = getelementptr inbounds i8, ptr %0, i64 936
   br label %184
 
 173:                                              ; preds = %184, %168
   %174 = load ptr, ptr %65, align 8
   %175 = getelementptr inbounds double, ptr %174, i64 %23
   store double %29, ptr %175, align 8
-  %176 = getelementptr inbounds i8, ptr %0, i64 1032
+  %176 = getelementptr inbounds i8, ptr %0, i64 1080
   %177 = load ptr, ptr %176, align 8
   %178 = getelementptr inbounds i64, ptr %177, i64 %23
   store i64 %53, ptr %178, align 8
@@ -241,9 +241,9 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br i1 %179, label %180, label %206
 
 180:                                              ; preds = %173
-  %181 = getelementptr inbounds i8, ptr %0, i64 1056
+  %181 = getelementptr inbounds i8, ptr %0, i64 1104
   %182 = mul nsw i64 %23, %19
-  %183 = getelementptr inbounds i8, ptr %0, i64 1080
+  %183 = getelementptr inbounds i8, ptr %0, i64 1128
   br label %213
 
 184:                                              ; preds = %171, %184
@@ -300,7 +300,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br i1 %225, label %206, label %213, !llvm.loop !9
 
 226:                                              ; preds = %206
-  %227 = getelementptr inbounds i8, ptr %0, i64 1224
+  %227 = getelementptr inbounds i8, ptr %0, i64 1272
   %228 = load ptr, ptr %227, align 8
   %229 = getelementptr inbounds i8, ptr %228, i64 8
   %230 = load double, ptr %229, align 8
@@ -309,7 +309,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   br label %232
 
 232:                                              ; preds = %226, %206
-  %233 = getelementptr inbounds i8, ptr %0, i64 1200
+  %233 = getelementptr inbounds i8, ptr %0, i64 1248
   %234 = load ptr, ptr %233, align 8
   %235 = mul i64 %53, 800
   %236 = getelementptr inbounds i8, ptr %234, i64 %235
@@ -360,104 +360,109 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !11
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !11
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !12
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !12
 }
 
 attributes #0 = { nounwind }

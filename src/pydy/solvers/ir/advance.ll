@@ -1,4 +1,4 @@
-; sources e58d954edb829d5f304dc6bd4892e6002b4d9cbc8bd8f7a2474949e830338375
+; sources bf3f31a91f421ba52c2b9c36aa0d376e9b68c2b2ddba695cbd05418bd85ab197
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -17,18 +17,18 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %13, label %14, label %16
 
 14:                                               ; preds = %8
-  %15 = getelementptr inbounds i8, ptr %0, i64 312
+  %15 = getelementptr inbounds i8, ptr %0, i64 360
   br label %23
 
 16:                                               ; preds = %23, %8
-  %17 = getelementptr inbounds i8, ptr %0, i64 584
+  %17 = getelementptr inbounds i8, ptr %0, i64 632
   %18 = load i64, ptr %17, align 8
   %19 = icmp sgt i64 %18, 0
   br i1 %19, label %20, label %34
 
 20:                                               ; preds = %16
-  %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 1224
+  %21 = getelementptr inbounds i8, ptr %0, i64 624
+  %22 = getelementptr inbounds i8, ptr %0, i64 1272
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -46,14 +46,14 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %33, label %23, label %16, !llvm.loop !3
 
 34:                                               ; preds = %41, %16
-  %35 = getelementptr inbounds i8, ptr %0, i64 608
+  %35 = getelementptr inbounds i8, ptr %0, i64 656
   %36 = load i64, ptr %35, align 8
   %37 = icmp sgt i64 %36, 0
   br i1 %37, label %38, label %51
 
 38:                                               ; preds = %34
-  %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1248
+  %39 = getelementptr inbounds i8, ptr %0, i64 648
+  %40 = getelementptr inbounds i8, ptr %0, i64 1296
   br label %57
 
 41:                                               ; preds = %20, %41
@@ -70,7 +70,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %50, label %41, label %34, !llvm.loop !6
 
 51:                                               ; preds = %57, %34
-  %52 = getelementptr inbounds i8, ptr %0, i64 720
+  %52 = getelementptr inbounds i8, ptr %0, i64 768
   %53 = load ptr, ptr %52, align 8
   %54 = getelementptr inbounds i8, ptr %53, i64 8
   %55 = load i64, ptr %54, align 8
@@ -91,7 +91,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %66, label %57, label %51, !llvm.loop !7
 
 67:                                               ; preds = %51
-  %68 = getelementptr inbounds i8, ptr %0, i64 936
+  %68 = getelementptr inbounds i8, ptr %0, i64 984
   %69 = load ptr, ptr %68, align 8
   %70 = mul i64 %55, 88
   %71 = getelementptr inbounds i8, ptr %69, i64 %70
@@ -100,2054 +100,2223 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 72:                                               ; preds = %67, %51, %3
   %73 = getelementptr inbounds i8, ptr %0, i64 144
-  %74 = getelementptr inbounds i8, ptr %0, i64 312
-  %75 = getelementptr inbounds i8, ptr %0, i64 576
-  %76 = getelementptr inbounds i8, ptr %0, i64 336
-  %77 = getelementptr inbounds i8, ptr %0, i64 600
-  %78 = getelementptr inbounds i8, ptr %0, i64 624
+  %74 = getelementptr inbounds i8, ptr %0, i64 360
+  %75 = getelementptr inbounds i8, ptr %0, i64 624
+  %76 = getelementptr inbounds i8, ptr %0, i64 384
+  %77 = getelementptr inbounds i8, ptr %0, i64 648
+  %78 = getelementptr inbounds i8, ptr %0, i64 672
   %79 = getelementptr inbounds i8, ptr %0, i64 120
-  %80 = getelementptr inbounds i8, ptr %0, i64 320
-  %81 = getelementptr inbounds i8, ptr %0, i64 648
-  %82 = getelementptr inbounds i8, ptr %0, i64 720
-  %83 = getelementptr inbounds i8, ptr %0, i64 632
-  %84 = getelementptr inbounds i8, ptr %0, i64 480
-  %85 = getelementptr inbounds i8, ptr %0, i64 168
-  %86 = getelementptr inbounds i8, ptr %0, i64 248
-  %87 = getelementptr inbounds i8, ptr %0, i64 192
-  %88 = getelementptr inbounds i8, ptr %0, i64 216
-  %89 = getelementptr inbounds i8, ptr %0, i64 480
-  %90 = getelementptr inbounds i8, ptr %0, i64 360
-  %91 = getelementptr inbounds i8, ptr %0, i64 360
-  %92 = getelementptr inbounds i8, ptr %0, i64 320
-  %93 = getelementptr inbounds i8, ptr %0, i64 1272
-  %94 = getelementptr inbounds i8, ptr %0, i64 384
-  %95 = getelementptr inbounds i8, ptr %0, i64 360
-  %96 = getelementptr inbounds i8, ptr %0, i64 24
-  %97 = getelementptr inbounds i8, ptr %0, i64 480
-  %98 = getelementptr inbounds i8, ptr %0, i64 48
-  %99 = getelementptr inbounds i8, ptr %0, i64 72
-  %100 = getelementptr inbounds i8, ptr %0, i64 320
-  %101 = getelementptr inbounds i8, ptr %0, i64 96
-  %102 = getelementptr inbounds i8, ptr %0, i64 168
-  %103 = getelementptr inbounds i8, ptr %0, i64 248
-  %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 216
-  %106 = getelementptr inbounds i8, ptr %0, i64 336
-  %107 = getelementptr inbounds i8, ptr %0, i64 24
-  %108 = getelementptr inbounds i8, ptr %0, i64 480
-  %109 = getelementptr inbounds i8, ptr %0, i64 48
-  %110 = getelementptr inbounds i8, ptr %0, i64 72
-  %111 = getelementptr inbounds i8, ptr %0, i64 168
-  %112 = getelementptr inbounds i8, ptr %0, i64 248
-  %113 = getelementptr inbounds i8, ptr %0, i64 192
-  %114 = getelementptr inbounds i8, ptr %0, i64 216
-  %115 = getelementptr inbounds i8, ptr %0, i64 456
-  %116 = getelementptr inbounds i8, ptr %0, i64 320
-  %117 = getelementptr inbounds i8, ptr %0, i64 432
-  %118 = getelementptr inbounds i8, ptr %0, i64 24
-  %119 = getelementptr inbounds i8, ptr %0, i64 480
-  %120 = getelementptr inbounds i8, ptr %0, i64 48
-  %121 = getelementptr inbounds i8, ptr %0, i64 72
-  %122 = getelementptr inbounds i8, ptr %0, i64 336
-  %123 = getelementptr inbounds i8, ptr %0, i64 552
-  %124 = getelementptr inbounds i8, ptr %0, i64 528
-  %125 = getelementptr inbounds i8, ptr %0, i64 336
-  %126 = getelementptr inbounds i8, ptr %0, i64 168
-  %127 = getelementptr inbounds i8, ptr %0, i64 248
-  %128 = getelementptr inbounds i8, ptr %0, i64 192
-  %129 = getelementptr inbounds i8, ptr %0, i64 216
-  %130 = getelementptr inbounds i8, ptr %0, i64 1296
-  %131 = getelementptr inbounds i8, ptr %0, i64 1312
-  %132 = getelementptr inbounds i8, ptr %0, i64 840
-  %133 = getelementptr inbounds i8, ptr %0, i64 168
-  %134 = getelementptr inbounds i8, ptr %0, i64 936
-  %135 = getelementptr inbounds i8, ptr %0, i64 864
-  %136 = getelementptr inbounds i8, ptr %0, i64 816
-  %137 = getelementptr inbounds i8, ptr %0, i64 888
-  %138 = getelementptr inbounds i8, ptr %0, i64 320
-  %139 = getelementptr inbounds i8, ptr %0, i64 480
-  %140 = getelementptr inbounds i8, ptr %0, i64 504
-  %141 = getelementptr inbounds i8, ptr %0, i64 360
-  %142 = getelementptr inbounds i8, ptr %0, i64 24
-  %143 = getelementptr inbounds i8, ptr %0, i64 48
-  %144 = getelementptr inbounds i8, ptr %0, i64 72
-  %145 = getelementptr inbounds i8, ptr %0, i64 96
-  %146 = getelementptr inbounds i8, ptr %0, i64 168
-  %147 = getelementptr inbounds i8, ptr %0, i64 248
-  %148 = getelementptr inbounds i8, ptr %0, i64 192
-  %149 = getelementptr inbounds i8, ptr %0, i64 216
-  %150 = getelementptr inbounds i8, ptr %0, i64 336
-  %151 = getelementptr inbounds i8, ptr %0, i64 432
-  %152 = getelementptr inbounds i8, ptr %0, i64 24
-  %153 = getelementptr inbounds i8, ptr %0, i64 48
-  %154 = getelementptr inbounds i8, ptr %0, i64 72
-  %155 = getelementptr inbounds i8, ptr %0, i64 408
-  %156 = getelementptr inbounds i8, ptr %0, i64 360
-  %157 = getelementptr inbounds i8, ptr %0, i64 408
-  %158 = getelementptr inbounds i8, ptr %0, i64 720
-  br label %159
+  %80 = getelementptr inbounds i8, ptr %0, i64 368
+  %81 = getelementptr inbounds i8, ptr %0, i64 696
+  %82 = getelementptr inbounds i8, ptr %0, i64 768
+  %83 = getelementptr inbounds i8, ptr %0, i64 680
+  %84 = getelementptr inbounds i8, ptr %0, i64 528
+  %85 = getelementptr inbounds i8, ptr %0, i64 312
+  %86 = getelementptr inbounds i8, ptr %0, i64 320
+  %87 = getelementptr inbounds i8, ptr %0, i64 336
+  %88 = getelementptr inbounds i8, ptr %0, i64 168
+  %89 = getelementptr inbounds i8, ptr %0, i64 248
+  %90 = getelementptr inbounds i8, ptr %0, i64 192
+  %91 = getelementptr inbounds i8, ptr %0, i64 216
+  %92 = getelementptr inbounds i8, ptr %0, i64 528
+  %93 = getelementptr inbounds i8, ptr %0, i64 408
+  %94 = getelementptr inbounds i8, ptr %0, i64 408
+  %95 = getelementptr inbounds i8, ptr %0, i64 368
+  %96 = getelementptr inbounds i8, ptr %0, i64 1320
+  %97 = getelementptr inbounds i8, ptr %0, i64 312
+  %98 = getelementptr inbounds i8, ptr %0, i64 320
+  %99 = getelementptr inbounds i8, ptr %0, i64 336
+  %100 = getelementptr inbounds i8, ptr %0, i64 432
+  %101 = getelementptr inbounds i8, ptr %0, i64 408
+  %102 = getelementptr inbounds i8, ptr %0, i64 24
+  %103 = getelementptr inbounds i8, ptr %0, i64 528
+  %104 = getelementptr inbounds i8, ptr %0, i64 48
+  %105 = getelementptr inbounds i8, ptr %0, i64 72
+  %106 = getelementptr inbounds i8, ptr %0, i64 368
+  %107 = getelementptr inbounds i8, ptr %0, i64 96
+  %108 = getelementptr inbounds i8, ptr %0, i64 168
+  %109 = getelementptr inbounds i8, ptr %0, i64 248
+  %110 = getelementptr inbounds i8, ptr %0, i64 192
+  %111 = getelementptr inbounds i8, ptr %0, i64 216
+  %112 = getelementptr inbounds i8, ptr %0, i64 384
+  %113 = getelementptr inbounds i8, ptr %0, i64 24
+  %114 = getelementptr inbounds i8, ptr %0, i64 528
+  %115 = getelementptr inbounds i8, ptr %0, i64 48
+  %116 = getelementptr inbounds i8, ptr %0, i64 72
+  %117 = getelementptr inbounds i8, ptr %0, i64 168
+  %118 = getelementptr inbounds i8, ptr %0, i64 248
+  %119 = getelementptr inbounds i8, ptr %0, i64 192
+  %120 = getelementptr inbounds i8, ptr %0, i64 216
+  %121 = getelementptr inbounds i8, ptr %0, i64 504
+  %122 = getelementptr inbounds i8, ptr %0, i64 368
+  %123 = getelementptr inbounds i8, ptr %0, i64 480
+  %124 = getelementptr inbounds i8, ptr %0, i64 24
+  %125 = getelementptr inbounds i8, ptr %0, i64 528
+  %126 = getelementptr inbounds i8, ptr %0, i64 48
+  %127 = getelementptr inbounds i8, ptr %0, i64 72
+  %128 = getelementptr inbounds i8, ptr %0, i64 384
+  %129 = getelementptr inbounds i8, ptr %0, i64 600
+  %130 = getelementptr inbounds i8, ptr %0, i64 576
+  %131 = getelementptr inbounds i8, ptr %0, i64 384
+  %132 = getelementptr inbounds i8, ptr %0, i64 168
+  %133 = getelementptr inbounds i8, ptr %0, i64 248
+  %134 = getelementptr inbounds i8, ptr %0, i64 192
+  %135 = getelementptr inbounds i8, ptr %0, i64 216
+  %136 = getelementptr inbounds i8, ptr %0, i64 1344
+  %137 = getelementptr inbounds i8, ptr %0, i64 1360
+  %138 = getelementptr inbounds i8, ptr %0, i64 888
+  %139 = getelementptr inbounds i8, ptr %0, i64 168
+  %140 = getelementptr inbounds i8, ptr %0, i64 984
+  %141 = getelementptr inbounds i8, ptr %0, i64 912
+  %142 = getelementptr inbounds i8, ptr %0, i64 864
+  %143 = getelementptr inbounds i8, ptr %0, i64 936
+  %144 = getelementptr inbounds i8, ptr %0, i64 368
+  %145 = getelementptr inbounds i8, ptr %0, i64 528
+  %146 = getelementptr inbounds i8, ptr %0, i64 552
+  %147 = getelementptr inbounds i8, ptr %0, i64 408
+  %148 = getelementptr inbounds i8, ptr %0, i64 24
+  %149 = getelementptr inbounds i8, ptr %0, i64 48
+  %150 = getelementptr inbounds i8, ptr %0, i64 72
+  %151 = getelementptr inbounds i8, ptr %0, i64 96
+  %152 = getelementptr inbounds i8, ptr %0, i64 168
+  %153 = getelementptr inbounds i8, ptr %0, i64 248
+  %154 = getelementptr inbounds i8, ptr %0, i64 192
+  %155 = getelementptr inbounds i8, ptr %0, i64 216
+  %156 = getelementptr inbounds i8, ptr %0, i64 384
+  %157 = getelementptr inbounds i8, ptr %0, i64 480
+  %158 = getelementptr inbounds i8, ptr %0, i64 24
+  %159 = getelementptr inbounds i8, ptr %0, i64 48
+  %160 = getelementptr inbounds i8, ptr %0, i64 72
+  %161 = getelementptr inbounds i8, ptr %0, i64 456
+  %162 = getelementptr inbounds i8, ptr %0, i64 408
+  %163 = getelementptr inbounds i8, ptr %0, i64 456
+  %164 = getelementptr inbounds i8, ptr %0, i64 336
+  %165 = getelementptr inbounds i8, ptr %0, i64 168
+  %166 = getelementptr inbounds i8, ptr %0, i64 248
+  %167 = getelementptr inbounds i8, ptr %0, i64 192
+  %168 = getelementptr inbounds i8, ptr %0, i64 216
+  %169 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %170
 
-159:                                              ; preds = %1646, %72
-  %160 = load ptr, ptr %75, align 8
-  %161 = load ptr, ptr %76, align 8
-  %162 = load ptr, ptr %77, align 8
-  %163 = getelementptr inbounds i8, ptr %162, i64 56
-  %164 = load i64, ptr %163, align 8
-  %165 = icmp eq i64 %164, 0
-  br i1 %165, label %1631, label %166
-
-166:                                              ; preds = %159
-  %167 = load ptr, ptr %78, align 8
-  %168 = load ptr, ptr %79, align 8
-  %169 = load ptr, ptr %0, align 8
-  %170 = load i64, ptr %80, align 8
-  %171 = load ptr, ptr %81, align 8
-  %172 = load i64, ptr %171, align 8
-  %173 = icmp ne i64 %172, 1
-  %174 = getelementptr inbounds i8, ptr %169, i64 8
+170:                                              ; preds = %1755, %72
+  %171 = load ptr, ptr %75, align 8
+  %172 = load ptr, ptr %76, align 8
+  %173 = load ptr, ptr %77, align 8
+  %174 = getelementptr inbounds i8, ptr %173, i64 56
   %175 = load i64, ptr %174, align 8
-  %176 = icmp slt i64 %175, 1
-  %177 = getelementptr inbounds i8, ptr %169, i64 32
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp eq i64 %178, 1
-  %180 = load ptr, ptr %82, align 8
-  %181 = getelementptr inbounds i8, ptr %180, i64 8
-  %182 = load i64, ptr %181, align 8
-  %183 = icmp sgt i64 %182, 0
-  %184 = load i64, ptr %83, align 8
-  %185 = getelementptr double, ptr %167, i64 %184
-  %186 = getelementptr i8, ptr %185, i64 -8
-  %187 = load double, ptr %186, align 8
-  %188 = load ptr, ptr %84, align 8
-  %189 = load i64, ptr %169, align 8
-  %190 = mul nsw i64 %189, %170
-  %191 = getelementptr inbounds double, ptr %188, i64 %190
-  %192 = load double, ptr %160, align 8
-  %193 = getelementptr inbounds i8, ptr %160, i64 8
-  %194 = load double, ptr %193, align 8
-  %195 = load i64, ptr %162, align 8
-  %196 = icmp eq i64 %195, 0
-  br i1 %196, label %197, label %413
+  %176 = icmp eq i64 %175, 0
+  br i1 %176, label %1740, label %177
 
-197:                                              ; preds = %166
-  %198 = getelementptr inbounds i8, ptr %162, i64 24
-  %199 = load i64, ptr %198, align 8
-  %200 = add nsw i64 %199, 1
-  store i64 %200, ptr %198, align 8
-  %201 = load ptr, ptr %74, align 8
-  %202 = load ptr, ptr %84, align 8
-  %203 = load ptr, ptr %85, align 8
-  store double %192, ptr %203, align 8
-  %204 = load i64, ptr %86, align 8
-  %205 = icmp sgt i64 %204, 0
-  br i1 %205, label %206, label %207
+177:                                              ; preds = %170
+  %178 = load ptr, ptr %78, align 8
+  %179 = load ptr, ptr %79, align 8
+  %180 = load ptr, ptr %0, align 8
+  %181 = load i64, ptr %80, align 8
+  %182 = load ptr, ptr %81, align 8
+  %183 = load i64, ptr %182, align 8
+  %184 = icmp ne i64 %183, 1
+  %185 = getelementptr inbounds i8, ptr %180, i64 8
+  %186 = load i64, ptr %185, align 8
+  %187 = icmp slt i64 %186, 1
+  %188 = getelementptr inbounds i8, ptr %180, i64 32
+  %189 = load i64, ptr %188, align 8
+  %190 = icmp eq i64 %189, 1
+  %191 = load ptr, ptr %82, align 8
+  %192 = getelementptr inbounds i8, ptr %191, i64 8
+  %193 = load i64, ptr %192, align 8
+  %194 = icmp sgt i64 %193, 0
+  %195 = load i64, ptr %83, align 8
+  %196 = getelementptr double, ptr %178, i64 %195
+  %197 = getelementptr i8, ptr %196, i64 -8
+  %198 = load double, ptr %197, align 8
+  %199 = load ptr, ptr %84, align 8
+  %200 = load i64, ptr %180, align 8
+  %201 = mul nsw i64 %200, %181
+  %202 = getelementptr inbounds double, ptr %199, i64 %201
+  %203 = load double, ptr %171, align 8
+  %204 = getelementptr inbounds i8, ptr %171, i64 8
+  %205 = load double, ptr %204, align 8
+  %206 = load i64, ptr %173, align 8
+  %207 = icmp eq i64 %206, 0
+  br i1 %207, label %208, label %454
 
-206:                                              ; preds = %197
-  tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %207
+208:                                              ; preds = %177
+  %209 = load ptr, ptr %85, align 8
+  %210 = load i64, ptr %86, align 8
+  %211 = icmp eq i64 %210, 0
+  br i1 %211, label %238, label %212
 
-207:                                              ; preds = %197, %206
-  %208 = load ptr, ptr %73, align 8
-  %209 = load i64, ptr %208, align 8
-  %210 = load ptr, ptr %85, align 8
-  %211 = load ptr, ptr %87, align 8
-  %212 = load ptr, ptr %88, align 8
-  %213 = inttoptr i64 %209 to ptr
-  %214 = load ptr, ptr %213, align 8
-  %215 = tail call i32 %214(ptr noundef %210, ptr noundef %201, ptr noundef %211, ptr noundef %212, ptr noundef %202) #9
-  %216 = icmp eq i32 %215, 0
-  br i1 %216, label %221, label %217
+212:                                              ; preds = %208
+  %213 = icmp sgt i64 %210, 0
+  br i1 %213, label %214, label %227
 
-217:                                              ; preds = %207
-  %218 = getelementptr inbounds i8, ptr %162, i64 72
-  store i64 3, ptr %218, align 8
-  %219 = icmp slt i32 %215, 0
-  %220 = select i1 %219, i64 -4, i64 2
-  br label %1631
+214:                                              ; preds = %212, %214
+  %215 = phi i64 [ %225, %214 ], [ %210, %212 ]
+  %216 = phi i64 [ %224, %214 ], [ 0, %212 ]
+  %217 = add nuw nsw i64 %215, %216
+  %218 = lshr i64 %217, 1
+  %219 = and i64 %217, -2
+  %220 = getelementptr inbounds double, ptr %209, i64 %219
+  %221 = load double, ptr %220, align 8
+  %222 = fcmp ogt double %221, %203
+  %223 = add nuw nsw i64 %218, 1
+  %224 = select i1 %222, i64 %216, i64 %223
+  %225 = select i1 %222, i64 %218, i64 %215
+  %226 = icmp slt i64 %224, %225
+  br i1 %226, label %214, label %227, !llvm.loop !8
 
-221:                                              ; preds = %207
-  store i64 1, ptr %162, align 8
-  %222 = getelementptr inbounds i8, ptr %160, i64 24
-  store double 1.000000e-04, ptr %222, align 8
-  %223 = getelementptr inbounds i8, ptr %168, i64 40
-  %224 = load double, ptr %223, align 8
-  %225 = getelementptr inbounds i8, ptr %160, i64 40
-  store double %224, ptr %225, align 8
-  %226 = load ptr, ptr %74, align 8
-  %227 = load ptr, ptr %73, align 8
-  %228 = getelementptr inbounds i8, ptr %227, i64 8
-  %229 = load i64, ptr %228, align 8
-  %230 = load i64, ptr %83, align 8
-  %231 = load ptr, ptr %78, align 8
-  %232 = load ptr, ptr %77, align 8
-  %233 = getelementptr inbounds i8, ptr %232, i64 48
-  %234 = load i64, ptr %233, align 8
-  %235 = icmp slt i64 %234, %230
-  br i1 %235, label %236, label %259
+227:                                              ; preds = %214, %212
+  %228 = phi i64 [ 0, %212 ], [ %224, %214 ]
+  %229 = icmp slt i64 %228, %210
+  br i1 %229, label %230, label %235
 
-236:                                              ; preds = %221
-  %237 = icmp sgt i64 %229, 0
+230:                                              ; preds = %227
+  %231 = shl nuw nsw i64 %228, 1
+  %232 = or disjoint i64 %231, 1
+  %233 = getelementptr inbounds double, ptr %209, i64 %232
+  %234 = load double, ptr %233, align 8
+  br label %235
+
+235:                                              ; preds = %230, %227
+  %236 = phi double [ %234, %230 ], [ 0x7FF0000000000000, %227 ]
+  %237 = load ptr, ptr %87, align 8
+  store double %236, ptr %237, align 8
   br label %238
 
-238:                                              ; preds = %236, %249
-  %239 = phi i64 [ %234, %236 ], [ %250, %249 ]
-  %240 = getelementptr inbounds double, ptr %231, i64 %239
-  %241 = load double, ptr %240, align 8
-  %242 = load ptr, ptr %75, align 8
-  %243 = load double, ptr %242, align 8
-  %244 = fcmp ugt double %241, %243
-  br i1 %244, label %259, label %245
+238:                                              ; preds = %235, %208
+  %239 = getelementptr inbounds i8, ptr %173, i64 24
+  %240 = load i64, ptr %239, align 8
+  %241 = add nsw i64 %240, 1
+  store i64 %241, ptr %239, align 8
+  %242 = load ptr, ptr %74, align 8
+  %243 = load ptr, ptr %84, align 8
+  %244 = load ptr, ptr %88, align 8
+  store double %203, ptr %244, align 8
+  %245 = load i64, ptr %89, align 8
+  %246 = icmp sgt i64 %245, 0
+  br i1 %246, label %247, label %248
 
-245:                                              ; preds = %238
-  br i1 %237, label %246, label %249
-
-246:                                              ; preds = %245
-  %247 = mul nsw i64 %239, %229
-  %248 = getelementptr double, ptr %1, i64 %247
-  br label %252
-
-249:                                              ; preds = %252, %245
-  %250 = add i64 %239, 1
-  %251 = icmp eq i64 %250, %230
-  br i1 %251, label %259, label %238, !llvm.loop !8
-
-252:                                              ; preds = %246, %252
-  %253 = phi i64 [ 0, %246 ], [ %257, %252 ]
-  %254 = getelementptr inbounds double, ptr %226, i64 %253
-  %255 = load double, ptr %254, align 8
-  %256 = getelementptr double, ptr %248, i64 %253
-  store double %255, ptr %256, align 8
-  %257 = add nuw nsw i64 %253, 1
-  %258 = icmp eq i64 %257, %229
-  br i1 %258, label %249, label %252, !llvm.loop !9
-
-259:                                              ; preds = %238, %249, %221
-  %260 = phi i64 [ %234, %221 ], [ %239, %238 ], [ %230, %249 ]
-  %261 = load ptr, ptr %77, align 8
-  %262 = getelementptr inbounds i8, ptr %261, i64 48
-  store i64 %260, ptr %262, align 8
-  %263 = icmp eq i64 %260, %230
-  br i1 %263, label %1631, label %264
-
-264:                                              ; preds = %259
-  %265 = fcmp oeq double %194, 0.000000e+00
-  br i1 %265, label %266, label %413
-
-266:                                              ; preds = %264
-  %267 = load ptr, ptr %73, align 8
-  %268 = getelementptr inbounds i8, ptr %267, i64 24
-  %269 = load i64, ptr %268, align 8
-  %270 = load ptr, ptr %75, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 16
-  %272 = load double, ptr %271, align 8
-  %273 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %273, ptr noundef %273, ptr noundef nonnull %74, i64 noundef %269) #8
-  %274 = load double, ptr %4, align 8
-  %275 = load ptr, ptr %89, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %275, ptr noundef %273, ptr noundef nonnull %74, i64 noundef %269) #8
-  %276 = load double, ptr %5, align 8
-  %277 = fcmp uge double %274, 1.000000e-05
-  %278 = fcmp uge double %276, 1.000000e-05
-  %279 = and i1 %277, %278
-  %280 = fmul double %274, 1.000000e-02
-  %281 = fdiv double %280, %276
-  %282 = select i1 %279, double %281, double 0x3EB0C6F7A0B5ED8D
-  %283 = fcmp olt double %272, %282
-  %284 = select i1 %283, double %272, double %282
-  %285 = load ptr, ptr %73, align 8
-  %286 = getelementptr inbounds i8, ptr %285, i64 8
-  %287 = load i64, ptr %286, align 8
-  %288 = icmp sgt i64 %287, 0
-  br i1 %288, label %313, label %289
-
-289:                                              ; preds = %313, %266
-  %290 = load ptr, ptr %77, align 8
-  %291 = getelementptr inbounds i8, ptr %290, i64 24
-  %292 = load i64, ptr %291, align 8
-  %293 = add nsw i64 %292, 1
-  store i64 %293, ptr %291, align 8
-  %294 = fadd double %192, %284
-  %295 = load ptr, ptr %91, align 8
-  %296 = load ptr, ptr %84, align 8
-  %297 = load i64, ptr %80, align 8
-  %298 = getelementptr inbounds double, ptr %296, i64 %297
-  %299 = load ptr, ptr %85, align 8
-  store double %294, ptr %299, align 8
-  %300 = load i64, ptr %86, align 8
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %302, label %303
-
-302:                                              ; preds = %289
+247:                                              ; preds = %238
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %303
+  br label %248
 
-303:                                              ; preds = %289, %302
-  %304 = load ptr, ptr %73, align 8
-  %305 = load i64, ptr %304, align 8
-  %306 = load ptr, ptr %85, align 8
-  %307 = load ptr, ptr %87, align 8
-  %308 = load ptr, ptr %88, align 8
-  %309 = inttoptr i64 %305 to ptr
-  %310 = load ptr, ptr %309, align 8
-  %311 = tail call i32 %310(ptr noundef %306, ptr noundef %295, ptr noundef %307, ptr noundef %308, ptr noundef %298) #9
-  %312 = icmp eq i32 %311, 0
-  br i1 %312, label %332, label %330
+248:                                              ; preds = %238, %247
+  %249 = load ptr, ptr %73, align 8
+  %250 = load i64, ptr %249, align 8
+  %251 = load ptr, ptr %88, align 8
+  %252 = load ptr, ptr %90, align 8
+  %253 = load ptr, ptr %91, align 8
+  %254 = inttoptr i64 %250 to ptr
+  %255 = load ptr, ptr %254, align 8
+  %256 = tail call i32 %255(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #9
+  %257 = icmp eq i32 %256, 0
+  br i1 %257, label %262, label %258
 
-313:                                              ; preds = %266, %313
-  %314 = phi i64 [ %325, %313 ], [ 0, %266 ]
-  %315 = load ptr, ptr %74, align 8
-  %316 = getelementptr inbounds double, ptr %315, i64 %314
-  %317 = load double, ptr %316, align 8
-  %318 = load ptr, ptr %84, align 8
-  %319 = getelementptr inbounds double, ptr %318, i64 %314
-  %320 = load double, ptr %319, align 8
-  %321 = fmul double %284, %320
-  %322 = fadd double %317, %321
-  %323 = load ptr, ptr %90, align 8
-  %324 = getelementptr inbounds double, ptr %323, i64 %314
-  store double %322, ptr %324, align 8
-  %325 = add nuw nsw i64 %314, 1
+258:                                              ; preds = %248
+  %259 = getelementptr inbounds i8, ptr %173, i64 72
+  store i64 3, ptr %259, align 8
+  %260 = icmp slt i32 %256, 0
+  %261 = select i1 %260, i64 -4, i64 2
+  br label %1740
+
+262:                                              ; preds = %248
+  store i64 1, ptr %173, align 8
+  %263 = getelementptr inbounds i8, ptr %171, i64 24
+  store double 1.000000e-04, ptr %263, align 8
+  %264 = getelementptr inbounds i8, ptr %179, i64 40
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds i8, ptr %171, i64 40
+  store double %265, ptr %266, align 8
+  %267 = load ptr, ptr %74, align 8
+  %268 = load ptr, ptr %73, align 8
+  %269 = getelementptr inbounds i8, ptr %268, i64 8
+  %270 = load i64, ptr %269, align 8
+  %271 = load i64, ptr %83, align 8
+  %272 = load ptr, ptr %78, align 8
+  %273 = load ptr, ptr %77, align 8
+  %274 = getelementptr inbounds i8, ptr %273, i64 48
+  %275 = load i64, ptr %274, align 8
+  %276 = icmp slt i64 %275, %271
+  br i1 %276, label %277, label %300
+
+277:                                              ; preds = %262
+  %278 = icmp sgt i64 %270, 0
+  br label %279
+
+279:                                              ; preds = %277, %290
+  %280 = phi i64 [ %275, %277 ], [ %291, %290 ]
+  %281 = getelementptr inbounds double, ptr %272, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = load ptr, ptr %75, align 8
+  %284 = load double, ptr %283, align 8
+  %285 = fcmp ugt double %282, %284
+  br i1 %285, label %300, label %286
+
+286:                                              ; preds = %279
+  br i1 %278, label %287, label %290
+
+287:                                              ; preds = %286
+  %288 = mul nsw i64 %280, %270
+  %289 = getelementptr double, ptr %1, i64 %288
+  br label %293
+
+290:                                              ; preds = %293, %286
+  %291 = add i64 %280, 1
+  %292 = icmp eq i64 %291, %271
+  br i1 %292, label %300, label %279, !llvm.loop !9
+
+293:                                              ; preds = %287, %293
+  %294 = phi i64 [ 0, %287 ], [ %298, %293 ]
+  %295 = getelementptr inbounds double, ptr %267, i64 %294
+  %296 = load double, ptr %295, align 8
+  %297 = getelementptr double, ptr %289, i64 %294
+  store double %296, ptr %297, align 8
+  %298 = add nuw nsw i64 %294, 1
+  %299 = icmp eq i64 %298, %270
+  br i1 %299, label %290, label %293, !llvm.loop !10
+
+300:                                              ; preds = %279, %290, %262
+  %301 = phi i64 [ %275, %262 ], [ %280, %279 ], [ %271, %290 ]
+  %302 = load ptr, ptr %77, align 8
+  %303 = getelementptr inbounds i8, ptr %302, i64 48
+  store i64 %301, ptr %303, align 8
+  %304 = icmp eq i64 %301, %271
+  br i1 %304, label %1740, label %305
+
+305:                                              ; preds = %300
+  %306 = fcmp oeq double %205, 0.000000e+00
+  br i1 %306, label %307, label %454
+
+307:                                              ; preds = %305
+  %308 = load ptr, ptr %73, align 8
+  %309 = getelementptr inbounds i8, ptr %308, i64 24
+  %310 = load i64, ptr %309, align 8
+  %311 = load ptr, ptr %75, align 8
+  %312 = getelementptr inbounds i8, ptr %311, i64 16
+  %313 = load double, ptr %312, align 8
+  %314 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %314, ptr noundef %314, ptr noundef nonnull %74, i64 noundef %310) #8
+  %315 = load double, ptr %4, align 8
+  %316 = load ptr, ptr %92, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %316, ptr noundef %314, ptr noundef nonnull %74, i64 noundef %310) #8
+  %317 = load double, ptr %5, align 8
+  %318 = fcmp uge double %315, 1.000000e-05
+  %319 = fcmp uge double %317, 1.000000e-05
+  %320 = and i1 %318, %319
+  %321 = fmul double %315, 1.000000e-02
+  %322 = fdiv double %321, %317
+  %323 = select i1 %320, double %322, double 0x3EB0C6F7A0B5ED8D
+  %324 = fcmp olt double %313, %323
+  %325 = select i1 %324, double %313, double %323
   %326 = load ptr, ptr %73, align 8
   %327 = getelementptr inbounds i8, ptr %326, i64 8
   %328 = load i64, ptr %327, align 8
-  %329 = icmp slt i64 %325, %328
-  br i1 %329, label %313, label %289, !llvm.loop !10
+  %329 = icmp sgt i64 %328, 0
+  br i1 %329, label %354, label %330
 
-330:                                              ; preds = %303
-  %331 = fmul double %284, 1.000000e-03
-  br label %408
+330:                                              ; preds = %354, %307
+  %331 = load ptr, ptr %77, align 8
+  %332 = getelementptr inbounds i8, ptr %331, i64 24
+  %333 = load i64, ptr %332, align 8
+  %334 = add nsw i64 %333, 1
+  store i64 %334, ptr %332, align 8
+  %335 = fadd double %203, %325
+  %336 = load ptr, ptr %94, align 8
+  %337 = load ptr, ptr %84, align 8
+  %338 = load i64, ptr %80, align 8
+  %339 = getelementptr inbounds double, ptr %337, i64 %338
+  %340 = load ptr, ptr %88, align 8
+  store double %335, ptr %340, align 8
+  %341 = load i64, ptr %89, align 8
+  %342 = icmp sgt i64 %341, 0
+  br i1 %342, label %343, label %344
 
-332:                                              ; preds = %303
-  %333 = load ptr, ptr %79, align 8
-  %334 = load double, ptr %333, align 8
-  %335 = load ptr, ptr %89, align 8
-  %336 = load i64, ptr %92, align 8
-  %337 = getelementptr inbounds double, ptr %335, i64 %336
-  %338 = icmp sgt i64 %269, 0
-  br i1 %338, label %339, label %348
-
-339:                                              ; preds = %332, %339
-  %340 = phi i64 [ %346, %339 ], [ 0, %332 ]
-  %341 = getelementptr inbounds double, ptr %337, i64 %340
-  %342 = load double, ptr %341, align 8
-  %343 = getelementptr inbounds double, ptr %335, i64 %340
-  %344 = load double, ptr %343, align 8
-  %345 = fsub double %342, %344
-  store double %345, ptr %341, align 8
-  %346 = add nuw nsw i64 %340, 1
-  %347 = icmp eq i64 %346, %269
-  br i1 %347, label %348, label %339, !llvm.loop !11
-
-348:                                              ; preds = %339, %332
-  %349 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %337, ptr noundef %349, ptr noundef nonnull %74, i64 noundef %269) #8
-  %350 = load double, ptr %6, align 8
-  %351 = fdiv double %350, %284
-  %352 = fcmp ogt double %276, %351
-  %353 = select i1 %352, double %276, double %351
-  %354 = fcmp ule double %353, 1.000000e-15
-  %355 = fdiv double 1.000000e-02, %353
-  %356 = select i1 %354, double 1.000000e+13, double %355
-  %357 = bitcast double %356 to i64
-  %358 = add nsw i64 %357, -4604544271217802189
-  %359 = ashr i64 %358, 52
-  %360 = and i64 %358, -4503599627370496
-  %361 = sub nsw i64 %357, %360
-  %362 = bitcast i64 %361 to double
-  %363 = fadd double %362, -1.000000e+00
-  %364 = fadd double %362, 1.000000e+00
-  %365 = fdiv double %363, %364
-  %366 = fmul double %365, %365
-  %367 = tail call double @llvm.fma.f64(double %366, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %368 = tail call double @llvm.fma.f64(double %367, double %366, double 0x3FE2776C50EF9BFE)
-  %369 = tail call double @llvm.fma.f64(double %368, double %366, double 0x3FEEC709DC3A03FD)
-  %370 = tail call double @llvm.fma.f64(double %369, double %366, double 0x40071547652B82FE)
-  %371 = trunc nsw i64 %359 to i32
-  %372 = sitofp i32 %371 to double
-  %373 = fmul double %365, %370
-  %374 = fadd double %373, %372
-  %375 = fmul double %334, %374
-  %376 = fcmp ogt double %375, -1.000000e+03
-  %377 = select i1 %376, double %375, double -1.000000e+03
-  %378 = fcmp olt double %377, 1.000000e+03
-  %379 = select i1 %378, double %377, double 1.000000e+03
-  %380 = tail call double @llvm.rint.f64(double %379)
-  %381 = fsub double %379, %380
-  %382 = tail call double @llvm.fma.f64(double %381, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %383 = tail call double @llvm.fma.f64(double %382, double %381, double 0x3F55D87FE78A6730)
-  %384 = tail call double @llvm.fma.f64(double %383, double %381, double 0x3F83B2AB6FBA4E77)
-  %385 = tail call double @llvm.fma.f64(double %384, double %381, double 0x3FAC6B08D704A0BF)
-  %386 = tail call double @llvm.fma.f64(double %385, double %381, double 0x3FCEBFBDFF82C58E)
-  %387 = tail call double @llvm.fma.f64(double %386, double %381, double 0x3FE62E42FEFA39EF)
-  %388 = tail call double @llvm.fma.f64(double %387, double %381, double 1.000000e+00)
-  %389 = bitcast double %388 to i64
-  %390 = fptosi double %380 to i32
-  %391 = sext i32 %390 to i64
-  %392 = shl nsw i64 %391, 52
-  %393 = add nsw i64 %392, %389
-  %394 = bitcast i64 %393 to double
-  %395 = fmul double %284, 1.000000e-03
-  %396 = fcmp olt double %395, 0x3EB0C6F7A0B5ED8D
-  %397 = select i1 %396, double 0x3EB0C6F7A0B5ED8D, double %395
-  %398 = fmul double %284, 1.000000e+02
-  %399 = select i1 %354, double %397, double %394
-  %400 = fcmp olt double %398, %399
-  %401 = select i1 %400, double %398, double %399
-  %402 = tail call double @llvm.fabs.f64(double %192)
-  %403 = fmul double %402, 0x3D30000000000000
-  %404 = fcmp ogt double %403, %401
-  %405 = select i1 %404, double %403, double %401
-  %406 = fcmp olt double %272, %405
-  %407 = select i1 %406, double %272, double %405
-  br label %408
-
-408:                                              ; preds = %330, %348
-  %409 = phi double [ %331, %330 ], [ %407, %348 ]
-  %410 = tail call i1 @llvm.is.fpclass.f64(double %409, i32 639)
-  br i1 %410, label %411, label %413
-
-411:                                              ; preds = %408
-  %412 = getelementptr inbounds i8, ptr %162, i64 72
-  store i64 4, ptr %412, align 8
-  br label %413
-
-413:                                              ; preds = %411, %408, %264, %166
-  %414 = phi double [ %409, %408 ], [ %409, %411 ], [ %194, %264 ], [ %194, %166 ]
-  %415 = load i64, ptr %163, align 8
-  %416 = icmp eq i64 %415, 0
-  br i1 %416, label %444, label %417
-
-417:                                              ; preds = %413
-  %418 = getelementptr inbounds i8, ptr %162, i64 8
-  %419 = getelementptr inbounds i8, ptr %162, i64 16
-  %420 = getelementptr inbounds i8, ptr %162, i64 64
-  %421 = getelementptr inbounds i8, ptr %162, i64 48
-  %422 = getelementptr inbounds i8, ptr %160, i64 16
-  %423 = getelementptr inbounds i8, ptr %162, i64 24
-  %424 = icmp sgt i64 %170, 0
-  %425 = select i1 %173, i1 %179, i1 false
-  %426 = getelementptr inbounds i8, ptr %160, i64 32
-  %427 = getelementptr inbounds i8, ptr %162, i64 48
-  %428 = getelementptr inbounds i8, ptr %162, i64 72
-  %429 = getelementptr inbounds i8, ptr %160, i64 24
-  %430 = getelementptr inbounds i8, ptr %160, i64 40
-  %431 = getelementptr inbounds i8, ptr %168, i64 24
-  %432 = getelementptr inbounds i8, ptr %168, i64 8
-  %433 = getelementptr inbounds i8, ptr %168, i64 16
-  %434 = getelementptr inbounds i8, ptr %168, i64 32
-  %435 = getelementptr inbounds i8, ptr %168, i64 40
-  %436 = icmp sgt i64 %170, 0
-  %437 = getelementptr inbounds i8, ptr %162, i64 48
-  %438 = getelementptr inbounds i8, ptr %162, i64 72
-  %439 = getelementptr inbounds i8, ptr %160, i64 40
-  %440 = getelementptr inbounds i8, ptr %162, i64 72
-  %441 = getelementptr inbounds i8, ptr %168, i64 24
-  %442 = getelementptr inbounds i8, ptr %168, i64 32
-  %443 = getelementptr inbounds i8, ptr %160, i64 40
-  br label %446
-
-444:                                              ; preds = %1628, %413
-  %445 = phi double [ %414, %413 ], [ %1624, %1628 ]
-  store double %445, ptr %193, align 8
-  br label %1631
-
-446:                                              ; preds = %417, %1628
-  %447 = phi i64 [ %415, %417 ], [ %1629, %1628 ]
-  %448 = phi i64 [ undef, %417 ], [ %1627, %1628 ]
-  %449 = phi double [ %192, %417 ], [ %1625, %1628 ]
-  %450 = phi double [ %414, %417 ], [ %1624, %1628 ]
-  %451 = load ptr, ptr %93, align 8
-  %452 = getelementptr inbounds i8, ptr %451, i64 8
-  %453 = load i64, ptr %452, align 8
-  %454 = icmp sgt i64 %453, 0
-  br i1 %454, label %455, label %460
-
-455:                                              ; preds = %446
-  %456 = load i64, ptr %451, align 8
-  %457 = add nsw i64 %456, 3
-  %458 = icmp slt i64 %453, %457
-  %459 = zext i1 %458 to i32
-  br label %460
-
-460:                                              ; preds = %446, %455
-  %461 = phi i32 [ 0, %446 ], [ %459, %455 ]
-  %462 = icmp eq i32 %461, 0
-  br i1 %462, label %464, label %463
-
-463:                                              ; preds = %460
-  store double %450, ptr %193, align 8
-  br label %1631
-
-464:                                              ; preds = %460
-  %465 = add nsw i64 %447, -1
-  store i64 %465, ptr %163, align 8
-  %466 = load i64, ptr %418, align 8
-  %467 = load i64, ptr %419, align 8
-  %468 = add nsw i64 %467, %466
-  %469 = load i64, ptr %420, align 8
-  %470 = icmp slt i64 %468, %469
-  br i1 %470, label %472, label %471
-
-471:                                              ; preds = %464
-  store double %450, ptr %193, align 8
-  br label %1631
-
-472:                                              ; preds = %464
-  br i1 %176, label %473, label %477
-
-473:                                              ; preds = %472
-  %474 = load i64, ptr %421, align 8
-  %475 = getelementptr inbounds double, ptr %167, i64 %474
-  %476 = load double, ptr %475, align 8
-  br label %477
-
-477:                                              ; preds = %473, %472
-  %478 = phi double [ %476, %473 ], [ %187, %472 ]
-  br i1 %176, label %483, label %479
-
-479:                                              ; preds = %477
-  %480 = load double, ptr %422, align 8
-  %481 = fcmp olt double %450, %480
-  %482 = select i1 %481, double %450, double %480
-  br label %489
-
-483:                                              ; preds = %477
-  %484 = fsub double %478, %449
-  %485 = fdiv double %484, %450
-  %486 = fmul double %485, 0x3FEFFFFFFFFFDCD1
-  %487 = tail call double @llvm.ceil.f64(double %486)
-  %488 = fdiv double %484, %487
-  br label %489
-
-489:                                              ; preds = %483, %479
-  %490 = phi double [ %482, %479 ], [ %488, %483 ]
-  %491 = fadd double %449, %490
-  %492 = fmul double %490, 1.000000e-03
-  %493 = fsub double %478, %492
-  %494 = fcmp ule double %491, %493
-  %495 = select i1 %494, double %491, double %478
-  %496 = fsub double %495, %449
-  %497 = fmul double %496, 6.250000e-02
-  %498 = fadd double %449, %497
-  %499 = fcmp ule double %498, %449
-  %500 = fcmp une double %495, %478
-  %501 = and i1 %500, %499
-  br i1 %501, label %502, label %503
-
-502:                                              ; preds = %489
-  store double %496, ptr %193, align 8
-  br label %1623
-
-503:                                              ; preds = %489
-  %504 = load ptr, ptr %0, align 8
-  %505 = load i64, ptr %504, align 8
-  %506 = load ptr, ptr %94, align 8
-  %507 = insertelement <8 x double> poison, double %496, i64 0
-  %508 = shufflevector <8 x double> %507, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %508, ptr %506, align 8
-  %509 = icmp sgt i64 %505, 1
-  br i1 %509, label %514, label %599
-
-510:                                              ; preds = %587
-  %511 = add nuw nsw i64 %517, 1
-  %512 = icmp slt i64 %511, %505
-  %513 = icmp eq i64 %511, %505
-  br i1 %513, label %599, label %514, !llvm.loop !12
-
-514:                                              ; preds = %503, %510
-  %515 = phi i1 [ %512, %510 ], [ %509, %503 ]
-  %516 = phi i64 [ %598, %510 ], [ undef, %503 ]
-  %517 = phi i64 [ %511, %510 ], [ 1, %503 ]
-  %518 = load ptr, ptr %95, align 8
-  %519 = load ptr, ptr %74, align 8
-  %520 = load ptr, ptr %73, align 8
-  %521 = getelementptr inbounds i8, ptr %520, i64 16
-  %522 = load i64, ptr %521, align 8
-  %523 = icmp sgt i64 %522, 1
-  %524 = zext i1 %523 to i64
-  %525 = load ptr, ptr %96, align 8
-  %526 = getelementptr inbounds i64, ptr %525, i64 %517
-  %527 = load i64, ptr %526, align 8
-  %528 = getelementptr i8, ptr %526, i64 8
-  %529 = load i64, ptr %528, align 8
-  %530 = xor i64 %527, -1
-  %531 = add i64 %529, %530
-  %532 = load ptr, ptr %94, align 8
-  %533 = load ptr, ptr %97, align 8
-  %534 = load ptr, ptr %98, align 8
-  %535 = getelementptr inbounds i64, ptr %534, i64 %527
-  %536 = load ptr, ptr %99, align 8
-  %537 = getelementptr inbounds double, ptr %536, i64 %527
-  tail call fastcc void @combine(ptr noundef %518, ptr noundef %519, ptr noundef %532, ptr noundef %533, ptr noundef %535, ptr noundef %537, i64 noundef %531, i64 noundef %524, i64 noundef %522) #8
-  %538 = icmp eq i64 %522, 1
-  br i1 %538, label %539, label %570
-
-539:                                              ; preds = %514
-  %540 = load ptr, ptr %96, align 8
-  %541 = getelementptr i64, ptr %540, i64 %517
-  %542 = getelementptr i8, ptr %541, i64 8
-  %543 = load i64, ptr %542, align 8
-  %544 = add nsw i64 %543, -1
-  %545 = load ptr, ptr %99, align 8
-  %546 = getelementptr inbounds double, ptr %545, i64 %544
-  %547 = load double, ptr %546, align 8
-  %548 = fmul double %496, %547
-  %549 = load ptr, ptr %97, align 8
-  %550 = load ptr, ptr %98, align 8
-  %551 = getelementptr inbounds i64, ptr %550, i64 %544
-  %552 = load i64, ptr %551, align 8
-  %553 = getelementptr inbounds double, ptr %549, i64 %552
-  %554 = load ptr, ptr %73, align 8
-  %555 = getelementptr inbounds i8, ptr %554, i64 8
-  %556 = load i64, ptr %555, align 8
-  %557 = icmp sgt i64 %556, 0
-  br i1 %557, label %558, label %570
-
-558:                                              ; preds = %539, %558
-  %559 = phi i64 [ %565, %558 ], [ 0, %539 ]
-  %560 = getelementptr inbounds double, ptr %553, i64 %559
-  %561 = load double, ptr %560, align 8
-  %562 = getelementptr inbounds double, ptr %518, i64 %559
-  %563 = load double, ptr %562, align 8
-  %564 = tail call double @llvm.fma.f64(double %548, double %561, double %563)
-  store double %564, ptr %562, align 8
-  %565 = add nuw nsw i64 %559, 1
-  %566 = load ptr, ptr %73, align 8
-  %567 = getelementptr inbounds i8, ptr %566, i64 8
-  %568 = load i64, ptr %567, align 8
-  %569 = icmp slt i64 %565, %568
-  br i1 %569, label %558, label %570, !llvm.loop !13
-
-570:                                              ; preds = %558, %539, %514
-  %571 = load ptr, ptr %97, align 8
-  %572 = load i64, ptr %100, align 8
-  %573 = mul nsw i64 %572, %517
-  %574 = getelementptr inbounds double, ptr %571, i64 %573
-  %575 = load i64, ptr %423, align 8
-  %576 = add nsw i64 %575, 1
-  store i64 %576, ptr %423, align 8
-  %577 = load ptr, ptr %101, align 8
-  %578 = getelementptr inbounds double, ptr %577, i64 %517
-  %579 = load double, ptr %578, align 8
-  %580 = fmul double %496, %579
-  %581 = fadd double %449, %580
-  %582 = load ptr, ptr %95, align 8
-  %583 = load ptr, ptr %102, align 8
-  store double %581, ptr %583, align 8
-  %584 = load i64, ptr %103, align 8
-  %585 = icmp sgt i64 %584, 0
-  br i1 %585, label %586, label %587
-
-586:                                              ; preds = %570
+343:                                              ; preds = %330
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %587
+  br label %344
 
-587:                                              ; preds = %570, %586
-  %588 = load ptr, ptr %73, align 8
-  %589 = load i64, ptr %588, align 8
-  %590 = load ptr, ptr %102, align 8
-  %591 = load ptr, ptr %104, align 8
-  %592 = load ptr, ptr %105, align 8
-  %593 = inttoptr i64 %589 to ptr
-  %594 = load ptr, ptr %593, align 8
-  %595 = tail call i32 %594(ptr noundef %590, ptr noundef %582, ptr noundef %591, ptr noundef %592, ptr noundef %574) #9
-  %596 = sext i32 %595 to i64
-  %597 = icmp eq i32 %595, 0
-  %598 = select i1 %597, i64 %516, i64 %596
-  br i1 %597, label %510, label %599
+344:                                              ; preds = %330, %343
+  %345 = load ptr, ptr %73, align 8
+  %346 = load i64, ptr %345, align 8
+  %347 = load ptr, ptr %88, align 8
+  %348 = load ptr, ptr %90, align 8
+  %349 = load ptr, ptr %91, align 8
+  %350 = inttoptr i64 %346 to ptr
+  %351 = load ptr, ptr %350, align 8
+  %352 = tail call i32 %351(ptr noundef %347, ptr noundef %336, ptr noundef %348, ptr noundef %349, ptr noundef %339) #9
+  %353 = icmp eq i32 %352, 0
+  br i1 %353, label %373, label %371
 
-599:                                              ; preds = %510, %587, %503
-  %600 = phi i1 [ %509, %503 ], [ %512, %510 ], [ %515, %587 ]
-  %601 = phi i64 [ 0, %503 ], [ %596, %587 ], [ %596, %510 ]
-  %602 = phi i64 [ undef, %503 ], [ %598, %587 ], [ %598, %510 ]
-  br i1 %600, label %656, label %603
+354:                                              ; preds = %307, %354
+  %355 = phi i64 [ %366, %354 ], [ 0, %307 ]
+  %356 = load ptr, ptr %74, align 8
+  %357 = getelementptr inbounds double, ptr %356, i64 %355
+  %358 = load double, ptr %357, align 8
+  %359 = load ptr, ptr %84, align 8
+  %360 = getelementptr inbounds double, ptr %359, i64 %355
+  %361 = load double, ptr %360, align 8
+  %362 = fmul double %325, %361
+  %363 = fadd double %358, %362
+  %364 = load ptr, ptr %93, align 8
+  %365 = getelementptr inbounds double, ptr %364, i64 %355
+  store double %363, ptr %365, align 8
+  %366 = add nuw nsw i64 %355, 1
+  %367 = load ptr, ptr %73, align 8
+  %368 = getelementptr inbounds i8, ptr %367, i64 8
+  %369 = load i64, ptr %368, align 8
+  %370 = icmp slt i64 %366, %369
+  br i1 %370, label %354, label %330, !llvm.loop !11
 
-603:                                              ; preds = %599
-  %604 = load ptr, ptr %106, align 8
-  %605 = load ptr, ptr %74, align 8
-  %606 = load ptr, ptr %73, align 8
-  %607 = getelementptr inbounds i8, ptr %606, i64 16
+371:                                              ; preds = %344
+  %372 = fmul double %325, 1.000000e-03
+  br label %449
+
+373:                                              ; preds = %344
+  %374 = load ptr, ptr %79, align 8
+  %375 = load double, ptr %374, align 8
+  %376 = load ptr, ptr %92, align 8
+  %377 = load i64, ptr %95, align 8
+  %378 = getelementptr inbounds double, ptr %376, i64 %377
+  %379 = icmp sgt i64 %310, 0
+  br i1 %379, label %380, label %389
+
+380:                                              ; preds = %373, %380
+  %381 = phi i64 [ %387, %380 ], [ 0, %373 ]
+  %382 = getelementptr inbounds double, ptr %378, i64 %381
+  %383 = load double, ptr %382, align 8
+  %384 = getelementptr inbounds double, ptr %376, i64 %381
+  %385 = load double, ptr %384, align 8
+  %386 = fsub double %383, %385
+  store double %386, ptr %382, align 8
+  %387 = add nuw nsw i64 %381, 1
+  %388 = icmp eq i64 %387, %310
+  br i1 %388, label %389, label %380, !llvm.loop !12
+
+389:                                              ; preds = %380, %373
+  %390 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %378, ptr noundef %390, ptr noundef nonnull %74, i64 noundef %310) #8
+  %391 = load double, ptr %6, align 8
+  %392 = fdiv double %391, %325
+  %393 = fcmp ogt double %317, %392
+  %394 = select i1 %393, double %317, double %392
+  %395 = fcmp ule double %394, 1.000000e-15
+  %396 = fdiv double 1.000000e-02, %394
+  %397 = select i1 %395, double 1.000000e+13, double %396
+  %398 = bitcast double %397 to i64
+  %399 = add nsw i64 %398, -4604544271217802189
+  %400 = ashr i64 %399, 52
+  %401 = and i64 %399, -4503599627370496
+  %402 = sub nsw i64 %398, %401
+  %403 = bitcast i64 %402 to double
+  %404 = fadd double %403, -1.000000e+00
+  %405 = fadd double %403, 1.000000e+00
+  %406 = fdiv double %404, %405
+  %407 = fmul double %406, %406
+  %408 = tail call double @llvm.fma.f64(double %407, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %409 = tail call double @llvm.fma.f64(double %408, double %407, double 0x3FE2776C50EF9BFE)
+  %410 = tail call double @llvm.fma.f64(double %409, double %407, double 0x3FEEC709DC3A03FD)
+  %411 = tail call double @llvm.fma.f64(double %410, double %407, double 0x40071547652B82FE)
+  %412 = trunc nsw i64 %400 to i32
+  %413 = sitofp i32 %412 to double
+  %414 = fmul double %406, %411
+  %415 = fadd double %414, %413
+  %416 = fmul double %375, %415
+  %417 = fcmp ogt double %416, -1.000000e+03
+  %418 = select i1 %417, double %416, double -1.000000e+03
+  %419 = fcmp olt double %418, 1.000000e+03
+  %420 = select i1 %419, double %418, double 1.000000e+03
+  %421 = tail call double @llvm.rint.f64(double %420)
+  %422 = fsub double %420, %421
+  %423 = tail call double @llvm.fma.f64(double %422, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %424 = tail call double @llvm.fma.f64(double %423, double %422, double 0x3F55D87FE78A6730)
+  %425 = tail call double @llvm.fma.f64(double %424, double %422, double 0x3F83B2AB6FBA4E77)
+  %426 = tail call double @llvm.fma.f64(double %425, double %422, double 0x3FAC6B08D704A0BF)
+  %427 = tail call double @llvm.fma.f64(double %426, double %422, double 0x3FCEBFBDFF82C58E)
+  %428 = tail call double @llvm.fma.f64(double %427, double %422, double 0x3FE62E42FEFA39EF)
+  %429 = tail call double @llvm.fma.f64(double %428, double %422, double 1.000000e+00)
+  %430 = bitcast double %429 to i64
+  %431 = fptosi double %421 to i32
+  %432 = sext i32 %431 to i64
+  %433 = shl nsw i64 %432, 52
+  %434 = add nsw i64 %433, %430
+  %435 = bitcast i64 %434 to double
+  %436 = fmul double %325, 1.000000e-03
+  %437 = fcmp olt double %436, 0x3EB0C6F7A0B5ED8D
+  %438 = select i1 %437, double 0x3EB0C6F7A0B5ED8D, double %436
+  %439 = fmul double %325, 1.000000e+02
+  %440 = select i1 %395, double %438, double %435
+  %441 = fcmp olt double %439, %440
+  %442 = select i1 %441, double %439, double %440
+  %443 = tail call double @llvm.fabs.f64(double %203)
+  %444 = fmul double %443, 0x3D30000000000000
+  %445 = fcmp ogt double %444, %442
+  %446 = select i1 %445, double %444, double %442
+  %447 = fcmp olt double %313, %446
+  %448 = select i1 %447, double %313, double %446
+  br label %449
+
+449:                                              ; preds = %371, %389
+  %450 = phi double [ %372, %371 ], [ %448, %389 ]
+  %451 = tail call i1 @llvm.is.fpclass.f64(double %450, i32 639)
+  br i1 %451, label %452, label %454
+
+452:                                              ; preds = %449
+  %453 = getelementptr inbounds i8, ptr %173, i64 72
+  store i64 4, ptr %453, align 8
+  br label %454
+
+454:                                              ; preds = %452, %449, %305, %177
+  %455 = phi double [ %450, %449 ], [ %450, %452 ], [ %205, %305 ], [ %205, %177 ]
+  %456 = load i64, ptr %174, align 8
+  %457 = icmp eq i64 %456, 0
+  br i1 %457, label %486, label %458
+
+458:                                              ; preds = %454
+  %459 = getelementptr inbounds i8, ptr %173, i64 8
+  %460 = getelementptr inbounds i8, ptr %173, i64 16
+  %461 = getelementptr inbounds i8, ptr %173, i64 64
+  %462 = getelementptr inbounds i8, ptr %173, i64 48
+  %463 = getelementptr inbounds i8, ptr %171, i64 16
+  %464 = getelementptr inbounds i8, ptr %173, i64 24
+  %465 = icmp sgt i64 %181, 0
+  %466 = select i1 %184, i1 %190, i1 false
+  %467 = getelementptr inbounds i8, ptr %171, i64 32
+  %468 = getelementptr inbounds i8, ptr %173, i64 48
+  %469 = getelementptr inbounds i8, ptr %173, i64 72
+  %470 = getelementptr inbounds i8, ptr %171, i64 24
+  %471 = getelementptr inbounds i8, ptr %171, i64 40
+  %472 = getelementptr inbounds i8, ptr %179, i64 24
+  %473 = getelementptr inbounds i8, ptr %179, i64 8
+  %474 = getelementptr inbounds i8, ptr %179, i64 16
+  %475 = getelementptr inbounds i8, ptr %179, i64 32
+  %476 = getelementptr inbounds i8, ptr %179, i64 40
+  %477 = icmp sgt i64 %181, 0
+  %478 = getelementptr inbounds i8, ptr %173, i64 48
+  %479 = getelementptr inbounds i8, ptr %173, i64 72
+  %480 = getelementptr inbounds i8, ptr %173, i64 72
+  %481 = getelementptr inbounds i8, ptr %171, i64 40
+  %482 = getelementptr inbounds i8, ptr %173, i64 72
+  %483 = getelementptr inbounds i8, ptr %179, i64 24
+  %484 = getelementptr inbounds i8, ptr %179, i64 32
+  %485 = getelementptr inbounds i8, ptr %171, i64 40
+  br label %488
+
+486:                                              ; preds = %1737, %454
+  %487 = phi double [ %455, %454 ], [ %1733, %1737 ]
+  store double %487, ptr %204, align 8
+  br label %1740
+
+488:                                              ; preds = %458, %1737
+  %489 = phi i64 [ %456, %458 ], [ %1738, %1737 ]
+  %490 = phi i64 [ undef, %458 ], [ %1736, %1737 ]
+  %491 = phi double [ %203, %458 ], [ %1734, %1737 ]
+  %492 = phi double [ %455, %458 ], [ %1733, %1737 ]
+  %493 = load ptr, ptr %96, align 8
+  %494 = getelementptr inbounds i8, ptr %493, i64 8
+  %495 = load i64, ptr %494, align 8
+  %496 = icmp sgt i64 %495, 0
+  br i1 %496, label %497, label %502
+
+497:                                              ; preds = %488
+  %498 = load i64, ptr %493, align 8
+  %499 = add nsw i64 %498, 3
+  %500 = icmp slt i64 %495, %499
+  %501 = zext i1 %500 to i32
+  br label %502
+
+502:                                              ; preds = %488, %497
+  %503 = phi i32 [ 0, %488 ], [ %501, %497 ]
+  %504 = icmp eq i32 %503, 0
+  br i1 %504, label %506, label %505
+
+505:                                              ; preds = %502
+  store double %492, ptr %204, align 8
+  br label %1740
+
+506:                                              ; preds = %502
+  %507 = add nsw i64 %489, -1
+  store i64 %507, ptr %174, align 8
+  %508 = load i64, ptr %459, align 8
+  %509 = load i64, ptr %460, align 8
+  %510 = add nsw i64 %509, %508
+  %511 = load i64, ptr %461, align 8
+  %512 = icmp slt i64 %510, %511
+  br i1 %512, label %514, label %513
+
+513:                                              ; preds = %506
+  store double %492, ptr %204, align 8
+  br label %1740
+
+514:                                              ; preds = %506
+  %515 = load ptr, ptr %97, align 8
+  %516 = load i64, ptr %98, align 8
+  %517 = icmp eq i64 %516, 0
+  br i1 %517, label %550, label %518
+
+518:                                              ; preds = %514
+  %519 = icmp sgt i64 %516, 0
+  br i1 %519, label %520, label %533
+
+520:                                              ; preds = %518, %520
+  %521 = phi i64 [ %531, %520 ], [ %516, %518 ]
+  %522 = phi i64 [ %530, %520 ], [ 0, %518 ]
+  %523 = add nuw nsw i64 %521, %522
+  %524 = lshr i64 %523, 1
+  %525 = and i64 %523, -2
+  %526 = getelementptr inbounds double, ptr %515, i64 %525
+  %527 = load double, ptr %526, align 8
+  %528 = fcmp ogt double %527, %491
+  %529 = add nuw nsw i64 %524, 1
+  %530 = select i1 %528, i64 %522, i64 %529
+  %531 = select i1 %528, i64 %524, i64 %521
+  %532 = icmp slt i64 %530, %531
+  br i1 %532, label %520, label %533, !llvm.loop !8
+
+533:                                              ; preds = %520, %518
+  %534 = phi i64 [ 0, %518 ], [ %530, %520 ]
+  %535 = icmp slt i64 %534, %516
+  br i1 %535, label %536, label %541
+
+536:                                              ; preds = %533
+  %537 = shl nuw nsw i64 %534, 1
+  %538 = or disjoint i64 %537, 1
+  %539 = getelementptr inbounds double, ptr %515, i64 %538
+  %540 = load double, ptr %539, align 8
+  br label %541
+
+541:                                              ; preds = %536, %533
+  %542 = phi double [ %540, %536 ], [ 0x7FF0000000000000, %533 ]
+  %543 = load ptr, ptr %99, align 8
+  store double %542, ptr %543, align 8
+  %544 = load i64, ptr %98, align 8
+  %545 = icmp slt i64 %534, %544
+  br i1 %545, label %546, label %550
+
+546:                                              ; preds = %541
+  %547 = shl nsw i64 %534, 4
+  %548 = getelementptr inbounds i8, ptr %515, i64 %547
+  %549 = load double, ptr %548, align 8
+  br label %550
+
+550:                                              ; preds = %514, %541, %546
+  %551 = phi double [ 0x7FF0000000000000, %514 ], [ %549, %546 ], [ 0x7FF0000000000000, %541 ]
+  br i1 %187, label %552, label %556
+
+552:                                              ; preds = %550
+  %553 = load i64, ptr %462, align 8
+  %554 = getelementptr inbounds double, ptr %178, i64 %553
+  %555 = load double, ptr %554, align 8
+  br label %556
+
+556:                                              ; preds = %552, %550
+  %557 = phi double [ %555, %552 ], [ %198, %550 ]
+  %558 = fcmp olt double %557, %551
+  %559 = select i1 %558, double %557, double %551
+  br i1 %187, label %564, label %560
+
+560:                                              ; preds = %556
+  %561 = load double, ptr %463, align 8
+  %562 = fcmp olt double %492, %561
+  %563 = select i1 %562, double %492, double %561
+  br label %570
+
+564:                                              ; preds = %556
+  %565 = fsub double %559, %491
+  %566 = fdiv double %565, %492
+  %567 = fmul double %566, 0x3FEFFFFFFFFFDCD1
+  %568 = tail call double @llvm.ceil.f64(double %567)
+  %569 = fdiv double %565, %568
+  br label %570
+
+570:                                              ; preds = %564, %560
+  %571 = phi double [ %563, %560 ], [ %569, %564 ]
+  %572 = fadd double %491, %571
+  %573 = fmul double %571, 1.000000e-03
+  %574 = fsub double %559, %573
+  %575 = fcmp ule double %572, %574
+  %576 = select i1 %575, double %572, double %559
+  %577 = fsub double %576, %491
+  %578 = fmul double %577, 6.250000e-02
+  %579 = fadd double %491, %578
+  %580 = fcmp ule double %579, %491
+  %581 = fcmp une double %576, %559
+  %582 = and i1 %581, %580
+  br i1 %582, label %583, label %584
+
+583:                                              ; preds = %570
+  store double %577, ptr %204, align 8
+  br label %1732
+
+584:                                              ; preds = %570
+  %585 = load ptr, ptr %0, align 8
+  %586 = load i64, ptr %585, align 8
+  %587 = load ptr, ptr %100, align 8
+  %588 = insertelement <8 x double> poison, double %577, i64 0
+  %589 = shufflevector <8 x double> %588, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %589, ptr %587, align 8
+  %590 = icmp sgt i64 %586, 1
+  br i1 %590, label %595, label %680
+
+591:                                              ; preds = %668
+  %592 = add nuw nsw i64 %598, 1
+  %593 = icmp slt i64 %592, %586
+  %594 = icmp eq i64 %592, %586
+  br i1 %594, label %680, label %595, !llvm.loop !13
+
+595:                                              ; preds = %584, %591
+  %596 = phi i1 [ %593, %591 ], [ %590, %584 ]
+  %597 = phi i64 [ %679, %591 ], [ undef, %584 ]
+  %598 = phi i64 [ %592, %591 ], [ 1, %584 ]
+  %599 = load ptr, ptr %101, align 8
+  %600 = load ptr, ptr %74, align 8
+  %601 = load ptr, ptr %73, align 8
+  %602 = getelementptr inbounds i8, ptr %601, i64 16
+  %603 = load i64, ptr %602, align 8
+  %604 = icmp sgt i64 %603, 1
+  %605 = zext i1 %604 to i64
+  %606 = load ptr, ptr %102, align 8
+  %607 = getelementptr inbounds i64, ptr %606, i64 %598
   %608 = load i64, ptr %607, align 8
-  %609 = icmp sgt i64 %608, 1
-  %610 = zext i1 %609 to i64
-  %611 = load ptr, ptr %107, align 8
-  %612 = getelementptr inbounds i64, ptr %611, i64 %505
-  %613 = load i64, ptr %612, align 8
-  %614 = getelementptr i8, ptr %612, i64 8
-  %615 = load i64, ptr %614, align 8
-  %616 = xor i64 %613, -1
-  %617 = add i64 %615, %616
-  %618 = load ptr, ptr %94, align 8
-  %619 = load ptr, ptr %108, align 8
-  %620 = load ptr, ptr %109, align 8
-  %621 = getelementptr inbounds i64, ptr %620, i64 %613
-  %622 = load ptr, ptr %110, align 8
-  %623 = getelementptr inbounds double, ptr %622, i64 %613
-  tail call fastcc void @combine(ptr noundef %604, ptr noundef %605, ptr noundef %618, ptr noundef %619, ptr noundef %621, ptr noundef %623, i64 noundef %617, i64 noundef %610, i64 noundef %608) #8
-  %624 = icmp eq i64 %608, 1
-  br i1 %624, label %625, label %656
+  %609 = getelementptr i8, ptr %607, i64 8
+  %610 = load i64, ptr %609, align 8
+  %611 = xor i64 %608, -1
+  %612 = add i64 %610, %611
+  %613 = load ptr, ptr %100, align 8
+  %614 = load ptr, ptr %103, align 8
+  %615 = load ptr, ptr %104, align 8
+  %616 = getelementptr inbounds i64, ptr %615, i64 %608
+  %617 = load ptr, ptr %105, align 8
+  %618 = getelementptr inbounds double, ptr %617, i64 %608
+  tail call fastcc void @combine(ptr noundef %599, ptr noundef %600, ptr noundef %613, ptr noundef %614, ptr noundef %616, ptr noundef %618, i64 noundef %612, i64 noundef %605, i64 noundef %603) #8
+  %619 = icmp eq i64 %603, 1
+  br i1 %619, label %620, label %651
 
-625:                                              ; preds = %603
-  %626 = load ptr, ptr %107, align 8
-  %627 = getelementptr i64, ptr %626, i64 %505
-  %628 = getelementptr i8, ptr %627, i64 8
-  %629 = load i64, ptr %628, align 8
-  %630 = add nsw i64 %629, -1
-  %631 = load ptr, ptr %110, align 8
-  %632 = getelementptr inbounds double, ptr %631, i64 %630
-  %633 = load double, ptr %632, align 8
-  %634 = fmul double %496, %633
-  %635 = load ptr, ptr %108, align 8
-  %636 = load ptr, ptr %109, align 8
-  %637 = getelementptr inbounds i64, ptr %636, i64 %630
-  %638 = load i64, ptr %637, align 8
-  %639 = getelementptr inbounds double, ptr %635, i64 %638
-  %640 = load ptr, ptr %73, align 8
-  %641 = getelementptr inbounds i8, ptr %640, i64 8
-  %642 = load i64, ptr %641, align 8
-  %643 = icmp sgt i64 %642, 0
-  br i1 %643, label %644, label %656
+620:                                              ; preds = %595
+  %621 = load ptr, ptr %102, align 8
+  %622 = getelementptr i64, ptr %621, i64 %598
+  %623 = getelementptr i8, ptr %622, i64 8
+  %624 = load i64, ptr %623, align 8
+  %625 = add nsw i64 %624, -1
+  %626 = load ptr, ptr %105, align 8
+  %627 = getelementptr inbounds double, ptr %626, i64 %625
+  %628 = load double, ptr %627, align 8
+  %629 = fmul double %577, %628
+  %630 = load ptr, ptr %103, align 8
+  %631 = load ptr, ptr %104, align 8
+  %632 = getelementptr inbounds i64, ptr %631, i64 %625
+  %633 = load i64, ptr %632, align 8
+  %634 = getelementptr inbounds double, ptr %630, i64 %633
+  %635 = load ptr, ptr %73, align 8
+  %636 = getelementptr inbounds i8, ptr %635, i64 8
+  %637 = load i64, ptr %636, align 8
+  %638 = icmp sgt i64 %637, 0
+  br i1 %638, label %639, label %651
 
-644:                                              ; preds = %625, %644
-  %645 = phi i64 [ %651, %644 ], [ 0, %625 ]
-  %646 = getelementptr inbounds double, ptr %639, i64 %645
-  %647 = load double, ptr %646, align 8
-  %648 = getelementptr inbounds double, ptr %604, i64 %645
-  %649 = load double, ptr %648, align 8
-  %650 = tail call double @llvm.fma.f64(double %634, double %647, double %649)
-  store double %650, ptr %648, align 8
-  %651 = add nuw nsw i64 %645, 1
-  %652 = load ptr, ptr %73, align 8
-  %653 = getelementptr inbounds i8, ptr %652, i64 8
-  %654 = load i64, ptr %653, align 8
-  %655 = icmp slt i64 %651, %654
-  br i1 %655, label %644, label %656, !llvm.loop !13
+639:                                              ; preds = %620, %639
+  %640 = phi i64 [ %646, %639 ], [ 0, %620 ]
+  %641 = getelementptr inbounds double, ptr %634, i64 %640
+  %642 = load double, ptr %641, align 8
+  %643 = getelementptr inbounds double, ptr %599, i64 %640
+  %644 = load double, ptr %643, align 8
+  %645 = tail call double @llvm.fma.f64(double %629, double %642, double %644)
+  store double %645, ptr %643, align 8
+  %646 = add nuw nsw i64 %640, 1
+  %647 = load ptr, ptr %73, align 8
+  %648 = getelementptr inbounds i8, ptr %647, i64 8
+  %649 = load i64, ptr %648, align 8
+  %650 = icmp slt i64 %646, %649
+  br i1 %650, label %639, label %651, !llvm.loop !14
 
-656:                                              ; preds = %644, %625, %603, %599
-  %657 = phi i64 [ %602, %599 ], [ %601, %603 ], [ %601, %625 ], [ %601, %644 ]
-  %658 = icmp eq i64 %657, 0
-  %659 = select i1 %658, i1 %179, i1 false
-  br i1 %659, label %660, label %677
+651:                                              ; preds = %639, %620, %595
+  %652 = load ptr, ptr %103, align 8
+  %653 = load i64, ptr %106, align 8
+  %654 = mul nsw i64 %653, %598
+  %655 = getelementptr inbounds double, ptr %652, i64 %654
+  %656 = load i64, ptr %464, align 8
+  %657 = add nsw i64 %656, 1
+  store i64 %657, ptr %464, align 8
+  %658 = load ptr, ptr %107, align 8
+  %659 = getelementptr inbounds double, ptr %658, i64 %598
+  %660 = load double, ptr %659, align 8
+  %661 = fmul double %577, %660
+  %662 = fadd double %491, %661
+  %663 = load ptr, ptr %101, align 8
+  %664 = load ptr, ptr %108, align 8
+  store double %662, ptr %664, align 8
+  %665 = load i64, ptr %109, align 8
+  %666 = icmp sgt i64 %665, 0
+  br i1 %666, label %667, label %668
 
-660:                                              ; preds = %656
-  %661 = load i64, ptr %423, align 8
-  %662 = add nsw i64 %661, 1
-  store i64 %662, ptr %423, align 8
-  %663 = load ptr, ptr %111, align 8
-  store double %495, ptr %663, align 8
-  %664 = load i64, ptr %112, align 8
-  %665 = icmp sgt i64 %664, 0
-  br i1 %665, label %666, label %667
-
-666:                                              ; preds = %660
+667:                                              ; preds = %651
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %667
+  br label %668
 
-667:                                              ; preds = %660, %666
-  %668 = load ptr, ptr %73, align 8
-  %669 = load i64, ptr %668, align 8
-  %670 = load ptr, ptr %111, align 8
-  %671 = load ptr, ptr %113, align 8
-  %672 = load ptr, ptr %114, align 8
-  %673 = inttoptr i64 %669 to ptr
-  %674 = load ptr, ptr %673, align 8
-  %675 = tail call i32 %674(ptr noundef %670, ptr noundef %161, ptr noundef %671, ptr noundef %672, ptr noundef %191) #9
-  %676 = sext i32 %675 to i64
-  br label %677
+668:                                              ; preds = %651, %667
+  %669 = load ptr, ptr %73, align 8
+  %670 = load i64, ptr %669, align 8
+  %671 = load ptr, ptr %108, align 8
+  %672 = load ptr, ptr %110, align 8
+  %673 = load ptr, ptr %111, align 8
+  %674 = inttoptr i64 %670 to ptr
+  %675 = load ptr, ptr %674, align 8
+  %676 = tail call i32 %675(ptr noundef %671, ptr noundef %663, ptr noundef %672, ptr noundef %673, ptr noundef %655) #9
+  %677 = sext i32 %676 to i64
+  %678 = icmp eq i32 %676, 0
+  %679 = select i1 %678, i64 %597, i64 %677
+  br i1 %678, label %591, label %680
 
-677:                                              ; preds = %667, %656
-  %678 = phi i64 [ %676, %667 ], [ %657, %656 ]
-  %679 = icmp slt i64 %678, 0
-  br i1 %679, label %1623, label %680
+680:                                              ; preds = %591, %668, %584
+  %681 = phi i1 [ %590, %584 ], [ %593, %591 ], [ %596, %668 ]
+  %682 = phi i64 [ 0, %584 ], [ %677, %668 ], [ %677, %591 ]
+  %683 = phi i64 [ undef, %584 ], [ %679, %668 ], [ %679, %591 ]
+  br i1 %681, label %737, label %684
 
-680:                                              ; preds = %677
-  %681 = icmp eq i64 %678, 0
-  br i1 %681, label %682, label %878
+684:                                              ; preds = %680
+  %685 = load ptr, ptr %112, align 8
+  %686 = load ptr, ptr %74, align 8
+  %687 = load ptr, ptr %73, align 8
+  %688 = getelementptr inbounds i8, ptr %687, i64 16
+  %689 = load i64, ptr %688, align 8
+  %690 = icmp sgt i64 %689, 1
+  %691 = zext i1 %690 to i64
+  %692 = load ptr, ptr %113, align 8
+  %693 = getelementptr inbounds i64, ptr %692, i64 %586
+  %694 = load i64, ptr %693, align 8
+  %695 = getelementptr i8, ptr %693, i64 8
+  %696 = load i64, ptr %695, align 8
+  %697 = xor i64 %694, -1
+  %698 = add i64 %696, %697
+  %699 = load ptr, ptr %100, align 8
+  %700 = load ptr, ptr %114, align 8
+  %701 = load ptr, ptr %115, align 8
+  %702 = getelementptr inbounds i64, ptr %701, i64 %694
+  %703 = load ptr, ptr %116, align 8
+  %704 = getelementptr inbounds double, ptr %703, i64 %694
+  tail call fastcc void @combine(ptr noundef %685, ptr noundef %686, ptr noundef %699, ptr noundef %700, ptr noundef %702, ptr noundef %704, i64 noundef %698, i64 noundef %691, i64 noundef %689) #8
+  %705 = icmp eq i64 %689, 1
+  br i1 %705, label %706, label %737
 
-682:                                              ; preds = %680
-  br i1 %176, label %683, label %684
+706:                                              ; preds = %684
+  %707 = load ptr, ptr %113, align 8
+  %708 = getelementptr i64, ptr %707, i64 %586
+  %709 = getelementptr i8, ptr %708, i64 8
+  %710 = load i64, ptr %709, align 8
+  %711 = add nsw i64 %710, -1
+  %712 = load ptr, ptr %116, align 8
+  %713 = getelementptr inbounds double, ptr %712, i64 %711
+  %714 = load double, ptr %713, align 8
+  %715 = fmul double %577, %714
+  %716 = load ptr, ptr %114, align 8
+  %717 = load ptr, ptr %115, align 8
+  %718 = getelementptr inbounds i64, ptr %717, i64 %711
+  %719 = load i64, ptr %718, align 8
+  %720 = getelementptr inbounds double, ptr %716, i64 %719
+  %721 = load ptr, ptr %73, align 8
+  %722 = getelementptr inbounds i8, ptr %721, i64 8
+  %723 = load i64, ptr %722, align 8
+  %724 = icmp sgt i64 %723, 0
+  br i1 %724, label %725, label %737
 
-683:                                              ; preds = %682
-  br i1 %424, label %833, label %842
+725:                                              ; preds = %706, %725
+  %726 = phi i64 [ %732, %725 ], [ 0, %706 ]
+  %727 = getelementptr inbounds double, ptr %720, i64 %726
+  %728 = load double, ptr %727, align 8
+  %729 = getelementptr inbounds double, ptr %685, i64 %726
+  %730 = load double, ptr %729, align 8
+  %731 = tail call double @llvm.fma.f64(double %715, double %728, double %730)
+  store double %731, ptr %729, align 8
+  %732 = add nuw nsw i64 %726, 1
+  %733 = load ptr, ptr %73, align 8
+  %734 = getelementptr inbounds i8, ptr %733, i64 8
+  %735 = load i64, ptr %734, align 8
+  %736 = icmp slt i64 %732, %735
+  br i1 %736, label %725, label %737, !llvm.loop !14
 
-684:                                              ; preds = %682
-  %685 = load ptr, ptr %73, align 8
-  %686 = load ptr, ptr %0, align 8
-  %687 = getelementptr inbounds i8, ptr %685, i64 24
-  %688 = load i64, ptr %687, align 8
-  %689 = getelementptr inbounds i8, ptr %686, i64 8
-  %690 = load i64, ptr %689, align 8
-  %691 = load ptr, ptr %115, align 8
-  %692 = load i64, ptr %116, align 8
-  %693 = getelementptr inbounds double, ptr %691, i64 %692
-  %694 = icmp sgt i64 %690, 0
-  br i1 %694, label %695, label %697
+737:                                              ; preds = %725, %706, %684, %680
+  %738 = phi i64 [ %683, %680 ], [ %682, %684 ], [ %682, %706 ], [ %682, %725 ]
+  %739 = icmp eq i64 %738, 0
+  %740 = select i1 %739, i1 %190, i1 false
+  br i1 %740, label %741, label %758
 
-695:                                              ; preds = %684
-  %696 = getelementptr inbounds i8, ptr %685, i64 32
-  br label %705
+741:                                              ; preds = %737
+  %742 = load i64, ptr %464, align 8
+  %743 = add nsw i64 %742, 1
+  store i64 %743, ptr %464, align 8
+  %744 = load ptr, ptr %117, align 8
+  store double %576, ptr %744, align 8
+  %745 = load i64, ptr %118, align 8
+  %746 = icmp sgt i64 %745, 0
+  br i1 %746, label %747, label %748
 
-697:                                              ; preds = %705, %684
-  %698 = icmp sgt i64 %688, 0
-  br i1 %698, label %699, label %731
+747:                                              ; preds = %741
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %748
 
-699:                                              ; preds = %697
-  %700 = load ptr, ptr %74, align 8
-  %701 = load ptr, ptr %122, align 8
-  %702 = load ptr, ptr %123, align 8
-  %703 = load ptr, ptr %124, align 8
-  %704 = load ptr, ptr %115, align 8
-  br label %789
+748:                                              ; preds = %741, %747
+  %749 = load ptr, ptr %73, align 8
+  %750 = load i64, ptr %749, align 8
+  %751 = load ptr, ptr %117, align 8
+  %752 = load ptr, ptr %119, align 8
+  %753 = load ptr, ptr %120, align 8
+  %754 = inttoptr i64 %750 to ptr
+  %755 = load ptr, ptr %754, align 8
+  %756 = tail call i32 %755(ptr noundef %751, ptr noundef %172, ptr noundef %752, ptr noundef %753, ptr noundef %202) #9
+  %757 = sext i32 %756 to i64
+  br label %758
 
-705:                                              ; preds = %695, %705
-  %706 = phi i64 [ 0, %695 ], [ %729, %705 ]
-  %707 = load i64, ptr %686, align 8
-  %708 = load i64, ptr %696, align 8
-  %709 = load ptr, ptr %115, align 8
-  %710 = load i64, ptr %116, align 8
-  %711 = mul nsw i64 %710, %706
-  %712 = getelementptr inbounds double, ptr %709, i64 %711
-  %713 = load ptr, ptr %117, align 8
-  %714 = load ptr, ptr %118, align 8
-  %715 = getelementptr i64, ptr %714, i64 %707
-  %716 = getelementptr i8, ptr %715, i64 8
-  %717 = getelementptr i64, ptr %716, i64 %706
-  %718 = load i64, ptr %717, align 8
-  %719 = getelementptr i8, ptr %717, i64 8
-  %720 = load i64, ptr %719, align 8
-  %721 = xor i64 %718, -1
-  %722 = add i64 %720, %721
-  %723 = load ptr, ptr %94, align 8
-  %724 = load ptr, ptr %119, align 8
-  %725 = load ptr, ptr %120, align 8
-  %726 = getelementptr inbounds i64, ptr %725, i64 %718
-  %727 = load ptr, ptr %121, align 8
-  %728 = getelementptr inbounds double, ptr %727, i64 %718
-  tail call fastcc void @combine(ptr noundef %712, ptr noundef %713, ptr noundef %723, ptr noundef %724, ptr noundef %726, ptr noundef %728, i64 noundef %722, i64 noundef 1, i64 noundef %708) #8
-  %729 = add nuw nsw i64 %706, 1
-  %730 = icmp eq i64 %729, %690
-  br i1 %730, label %697, label %705, !llvm.loop !14
+758:                                              ; preds = %748, %737
+  %759 = phi i64 [ %757, %748 ], [ %738, %737 ]
+  %760 = icmp slt i64 %759, 0
+  br i1 %760, label %1732, label %761
 
-731:                                              ; preds = %789, %697
-  %732 = phi double [ 0.000000e+00, %697 ], [ %817, %789 ]
-  %733 = phi double [ 0.000000e+00, %697 ], [ %815, %789 ]
-  %734 = load ptr, ptr %125, align 8
-  %735 = getelementptr inbounds i8, ptr %685, i64 8
-  %736 = load i64, ptr %735, align 8
-  %737 = add nsw i64 %736, -3
-  %738 = getelementptr i8, ptr %734, i64 8
-  %739 = getelementptr i8, ptr %734, i64 16
-  %740 = getelementptr i8, ptr %734, i64 24
-  %741 = icmp slt i64 %688, %737
-  br i1 %741, label %749, label %742
+761:                                              ; preds = %758
+  %762 = icmp eq i64 %759, 0
+  br i1 %762, label %763, label %959
 
-742:                                              ; preds = %749, %731
-  %743 = phi double [ 0.000000e+00, %731 ], [ %758, %749 ]
-  %744 = phi double [ 0.000000e+00, %731 ], [ %762, %749 ]
-  %745 = phi double [ 0.000000e+00, %731 ], [ %766, %749 ]
-  %746 = phi double [ 0.000000e+00, %731 ], [ %770, %749 ]
-  %747 = phi i64 [ %688, %731 ], [ %771, %749 ]
-  %748 = icmp slt i64 %747, %736
-  br i1 %748, label %773, label %782
+763:                                              ; preds = %761
+  br i1 %187, label %764, label %765
 
-749:                                              ; preds = %731, %749
-  %750 = phi i64 [ %771, %749 ], [ %688, %731 ]
-  %751 = phi double [ %770, %749 ], [ 0.000000e+00, %731 ]
-  %752 = phi double [ %766, %749 ], [ 0.000000e+00, %731 ]
-  %753 = phi double [ %762, %749 ], [ 0.000000e+00, %731 ]
-  %754 = phi double [ %758, %749 ], [ 0.000000e+00, %731 ]
-  %755 = getelementptr inbounds double, ptr %734, i64 %750
-  %756 = load double, ptr %755, align 8
-  %757 = fmul double %756, 0.000000e+00
-  %758 = fadd double %754, %757
-  %759 = getelementptr double, ptr %738, i64 %750
-  %760 = load double, ptr %759, align 8
-  %761 = fmul double %760, 0.000000e+00
-  %762 = fadd double %753, %761
-  %763 = getelementptr double, ptr %739, i64 %750
-  %764 = load double, ptr %763, align 8
-  %765 = fmul double %764, 0.000000e+00
-  %766 = fadd double %752, %765
-  %767 = getelementptr double, ptr %740, i64 %750
-  %768 = load double, ptr %767, align 8
-  %769 = fmul double %768, 0.000000e+00
-  %770 = fadd double %751, %769
-  %771 = add nsw i64 %750, 4
-  %772 = icmp slt i64 %771, %737
-  br i1 %772, label %749, label %742, !llvm.loop !15
+764:                                              ; preds = %763
+  br i1 %465, label %914, label %923
 
-773:                                              ; preds = %742, %773
-  %774 = phi i64 [ %780, %773 ], [ %747, %742 ]
-  %775 = phi double [ %779, %773 ], [ %743, %742 ]
-  %776 = getelementptr inbounds double, ptr %734, i64 %774
-  %777 = load double, ptr %776, align 8
-  %778 = fmul double %777, 0.000000e+00
-  %779 = fadd double %775, %778
-  %780 = add nsw i64 %774, 1
-  %781 = icmp eq i64 %780, %736
-  br i1 %781, label %782, label %773, !llvm.loop !16
+765:                                              ; preds = %763
+  %766 = load ptr, ptr %73, align 8
+  %767 = load ptr, ptr %0, align 8
+  %768 = getelementptr inbounds i8, ptr %766, i64 24
+  %769 = load i64, ptr %768, align 8
+  %770 = getelementptr inbounds i8, ptr %767, i64 8
+  %771 = load i64, ptr %770, align 8
+  %772 = load ptr, ptr %121, align 8
+  %773 = load i64, ptr %122, align 8
+  %774 = getelementptr inbounds double, ptr %772, i64 %773
+  %775 = icmp sgt i64 %771, 0
+  br i1 %775, label %776, label %778
 
-782:                                              ; preds = %773, %742
-  %783 = phi double [ %743, %742 ], [ %779, %773 ]
-  %784 = fadd double %744, %783
-  %785 = fadd double %745, %746
-  %786 = fadd double %785, %784
-  %787 = fadd double %733, %786
-  %788 = icmp eq i64 %690, 2
-  br i1 %788, label %820, label %829
+776:                                              ; preds = %765
+  %777 = getelementptr inbounds i8, ptr %766, i64 32
+  br label %786
 
-789:                                              ; preds = %699, %789
-  %790 = phi double [ 0.000000e+00, %699 ], [ %815, %789 ]
-  %791 = phi double [ 0.000000e+00, %699 ], [ %817, %789 ]
-  %792 = phi i64 [ 0, %699 ], [ %818, %789 ]
-  %793 = getelementptr inbounds double, ptr %700, i64 %792
-  %794 = load double, ptr %793, align 8
-  %795 = getelementptr inbounds double, ptr %701, i64 %792
-  %796 = load double, ptr %795, align 8
-  %797 = getelementptr inbounds double, ptr %702, i64 %792
-  %798 = load double, ptr %797, align 8
-  %799 = getelementptr inbounds double, ptr %703, i64 %792
-  %800 = load double, ptr %799, align 8
-  %801 = tail call double @llvm.fabs.f64(double %794)
-  %802 = tail call double @llvm.fabs.f64(double %796)
-  %803 = fcmp ogt double %801, %802
-  %804 = select i1 %803, double %801, double %802
-  %805 = fmul double %804, %800
-  %806 = fadd double %798, %805
-  %807 = fdiv double 1.000000e+00, %806
-  %808 = getelementptr inbounds double, ptr %704, i64 %792
-  %809 = load double, ptr %808, align 8
-  %810 = fmul double %809, %807
-  %811 = getelementptr inbounds double, ptr %693, i64 %792
-  %812 = load double, ptr %811, align 8
-  %813 = fmul double %812, %807
-  %814 = fmul double %810, %810
-  %815 = fadd double %790, %814
-  %816 = fmul double %813, %813
-  %817 = fadd double %791, %816
-  %818 = add nuw nsw i64 %792, 1
-  %819 = icmp eq i64 %818, %688
-  br i1 %819, label %731, label %789, !llvm.loop !17
+778:                                              ; preds = %786, %765
+  %779 = icmp sgt i64 %769, 0
+  br i1 %779, label %780, label %812
 
-820:                                              ; preds = %782
-  %821 = fmul double %732, 1.000000e-02
-  %822 = fadd double %821, %787
-  %823 = sitofp i64 %688 to double
-  %824 = fmul double %822, %823
-  %825 = tail call double @llvm.sqrt.f64(double %824)
-  %826 = fdiv double %787, %825
-  %827 = fcmp une double %787, 0.000000e+00
-  %828 = select i1 %827, double %826, double 0.000000e+00
-  br label %842
+780:                                              ; preds = %778
+  %781 = load ptr, ptr %74, align 8
+  %782 = load ptr, ptr %128, align 8
+  %783 = load ptr, ptr %129, align 8
+  %784 = load ptr, ptr %130, align 8
+  %785 = load ptr, ptr %121, align 8
+  br label %870
 
-829:                                              ; preds = %782
-  %830 = sitofp i64 %688 to double
-  %831 = fdiv double %787, %830
-  %832 = tail call double @llvm.sqrt.f64(double %831)
-  br label %842
+786:                                              ; preds = %776, %786
+  %787 = phi i64 [ 0, %776 ], [ %810, %786 ]
+  %788 = load i64, ptr %767, align 8
+  %789 = load i64, ptr %777, align 8
+  %790 = load ptr, ptr %121, align 8
+  %791 = load i64, ptr %122, align 8
+  %792 = mul nsw i64 %791, %787
+  %793 = getelementptr inbounds double, ptr %790, i64 %792
+  %794 = load ptr, ptr %123, align 8
+  %795 = load ptr, ptr %124, align 8
+  %796 = getelementptr i64, ptr %795, i64 %788
+  %797 = getelementptr i8, ptr %796, i64 8
+  %798 = getelementptr i64, ptr %797, i64 %787
+  %799 = load i64, ptr %798, align 8
+  %800 = getelementptr i8, ptr %798, i64 8
+  %801 = load i64, ptr %800, align 8
+  %802 = xor i64 %799, -1
+  %803 = add i64 %801, %802
+  %804 = load ptr, ptr %100, align 8
+  %805 = load ptr, ptr %125, align 8
+  %806 = load ptr, ptr %126, align 8
+  %807 = getelementptr inbounds i64, ptr %806, i64 %799
+  %808 = load ptr, ptr %127, align 8
+  %809 = getelementptr inbounds double, ptr %808, i64 %799
+  tail call fastcc void @combine(ptr noundef %793, ptr noundef %794, ptr noundef %804, ptr noundef %805, ptr noundef %807, ptr noundef %809, i64 noundef %803, i64 noundef 1, i64 noundef %789) #8
+  %810 = add nuw nsw i64 %787, 1
+  %811 = icmp eq i64 %810, %771
+  br i1 %811, label %778, label %786, !llvm.loop !15
 
-833:                                              ; preds = %683, %833
-  %834 = phi i64 [ %840, %833 ], [ 0, %683 ]
-  %835 = phi double [ %839, %833 ], [ 0.000000e+00, %683 ]
-  %836 = getelementptr inbounds double, ptr %161, i64 %834
+812:                                              ; preds = %870, %778
+  %813 = phi double [ 0.000000e+00, %778 ], [ %898, %870 ]
+  %814 = phi double [ 0.000000e+00, %778 ], [ %896, %870 ]
+  %815 = load ptr, ptr %131, align 8
+  %816 = getelementptr inbounds i8, ptr %766, i64 8
+  %817 = load i64, ptr %816, align 8
+  %818 = add nsw i64 %817, -3
+  %819 = getelementptr i8, ptr %815, i64 8
+  %820 = getelementptr i8, ptr %815, i64 16
+  %821 = getelementptr i8, ptr %815, i64 24
+  %822 = icmp slt i64 %769, %818
+  br i1 %822, label %830, label %823
+
+823:                                              ; preds = %830, %812
+  %824 = phi double [ 0.000000e+00, %812 ], [ %839, %830 ]
+  %825 = phi double [ 0.000000e+00, %812 ], [ %843, %830 ]
+  %826 = phi double [ 0.000000e+00, %812 ], [ %847, %830 ]
+  %827 = phi double [ 0.000000e+00, %812 ], [ %851, %830 ]
+  %828 = phi i64 [ %769, %812 ], [ %852, %830 ]
+  %829 = icmp slt i64 %828, %817
+  br i1 %829, label %854, label %863
+
+830:                                              ; preds = %812, %830
+  %831 = phi i64 [ %852, %830 ], [ %769, %812 ]
+  %832 = phi double [ %851, %830 ], [ 0.000000e+00, %812 ]
+  %833 = phi double [ %847, %830 ], [ 0.000000e+00, %812 ]
+  %834 = phi double [ %843, %830 ], [ 0.000000e+00, %812 ]
+  %835 = phi double [ %839, %830 ], [ 0.000000e+00, %812 ]
+  %836 = getelementptr inbounds double, ptr %815, i64 %831
   %837 = load double, ptr %836, align 8
   %838 = fmul double %837, 0.000000e+00
   %839 = fadd double %835, %838
-  %840 = add nuw nsw i64 %834, 1
-  %841 = icmp eq i64 %840, %170
-  br i1 %841, label %842, label %833, !llvm.loop !18
+  %840 = getelementptr double, ptr %819, i64 %831
+  %841 = load double, ptr %840, align 8
+  %842 = fmul double %841, 0.000000e+00
+  %843 = fadd double %834, %842
+  %844 = getelementptr double, ptr %820, i64 %831
+  %845 = load double, ptr %844, align 8
+  %846 = fmul double %845, 0.000000e+00
+  %847 = fadd double %833, %846
+  %848 = getelementptr double, ptr %821, i64 %831
+  %849 = load double, ptr %848, align 8
+  %850 = fmul double %849, 0.000000e+00
+  %851 = fadd double %832, %850
+  %852 = add nsw i64 %831, 4
+  %853 = icmp slt i64 %852, %818
+  br i1 %853, label %830, label %823, !llvm.loop !16
 
-842:                                              ; preds = %833, %683, %829, %820
-  %843 = phi double [ %828, %820 ], [ %832, %829 ], [ 0.000000e+00, %683 ], [ %839, %833 ]
-  %844 = fcmp uge double %843, 1.000000e+00
-  %845 = select i1 %844, i1 true, i1 %425
-  br i1 %845, label %878, label %846
+854:                                              ; preds = %823, %854
+  %855 = phi i64 [ %861, %854 ], [ %828, %823 ]
+  %856 = phi double [ %860, %854 ], [ %824, %823 ]
+  %857 = getelementptr inbounds double, ptr %815, i64 %855
+  %858 = load double, ptr %857, align 8
+  %859 = fmul double %858, 0.000000e+00
+  %860 = fadd double %856, %859
+  %861 = add nsw i64 %855, 1
+  %862 = icmp eq i64 %861, %817
+  br i1 %862, label %863, label %854, !llvm.loop !17
 
-846:                                              ; preds = %842
-  br i1 %173, label %858, label %847
+863:                                              ; preds = %854, %823
+  %864 = phi double [ %824, %823 ], [ %860, %854 ]
+  %865 = fadd double %825, %864
+  %866 = fadd double %826, %827
+  %867 = fadd double %866, %865
+  %868 = fadd double %814, %867
+  %869 = icmp eq i64 %771, 2
+  br i1 %869, label %901, label %910
 
-847:                                              ; preds = %846
-  br i1 %176, label %850, label %848
+870:                                              ; preds = %780, %870
+  %871 = phi double [ 0.000000e+00, %780 ], [ %896, %870 ]
+  %872 = phi double [ 0.000000e+00, %780 ], [ %898, %870 ]
+  %873 = phi i64 [ 0, %780 ], [ %899, %870 ]
+  %874 = getelementptr inbounds double, ptr %781, i64 %873
+  %875 = load double, ptr %874, align 8
+  %876 = getelementptr inbounds double, ptr %782, i64 %873
+  %877 = load double, ptr %876, align 8
+  %878 = getelementptr inbounds double, ptr %783, i64 %873
+  %879 = load double, ptr %878, align 8
+  %880 = getelementptr inbounds double, ptr %784, i64 %873
+  %881 = load double, ptr %880, align 8
+  %882 = tail call double @llvm.fabs.f64(double %875)
+  %883 = tail call double @llvm.fabs.f64(double %877)
+  %884 = fcmp ogt double %882, %883
+  %885 = select i1 %884, double %882, double %883
+  %886 = fmul double %885, %881
+  %887 = fadd double %879, %886
+  %888 = fdiv double 1.000000e+00, %887
+  %889 = getelementptr inbounds double, ptr %785, i64 %873
+  %890 = load double, ptr %889, align 8
+  %891 = fmul double %890, %888
+  %892 = getelementptr inbounds double, ptr %774, i64 %873
+  %893 = load double, ptr %892, align 8
+  %894 = fmul double %893, %888
+  %895 = fmul double %891, %891
+  %896 = fadd double %871, %895
+  %897 = fmul double %894, %894
+  %898 = fadd double %872, %897
+  %899 = add nuw nsw i64 %873, 1
+  %900 = icmp eq i64 %899, %769
+  br i1 %900, label %812, label %870, !llvm.loop !18
 
-848:                                              ; preds = %847
-  %849 = load ptr, ptr %74, align 8
-  br label %850
+901:                                              ; preds = %863
+  %902 = fmul double %813, 1.000000e-02
+  %903 = fadd double %902, %868
+  %904 = sitofp i64 %769 to double
+  %905 = fmul double %903, %904
+  %906 = tail call double @llvm.sqrt.f64(double %905)
+  %907 = fdiv double %868, %906
+  %908 = fcmp une double %868, 0.000000e+00
+  %909 = select i1 %908, double %907, double 0.000000e+00
+  br label %923
 
-850:                                              ; preds = %848, %847
-  %851 = phi ptr [ %849, %848 ], [ null, %847 ]
-  %852 = load ptr, ptr %81, align 8
-  %853 = getelementptr inbounds i8, ptr %852, i64 56
-  %854 = load i64, ptr %853, align 8
-  %855 = inttoptr i64 %854 to ptr
-  %856 = tail call i64 %855(ptr noundef %0, double noundef %495, ptr noundef %161, ptr noundef %851) #9
-  %857 = icmp ne i64 %856, 0
-  br label %858
+910:                                              ; preds = %863
+  %911 = sitofp i64 %769 to double
+  %912 = fdiv double %868, %911
+  %913 = tail call double @llvm.sqrt.f64(double %912)
+  br label %923
 
-858:                                              ; preds = %850, %846
-  %859 = phi i1 [ false, %846 ], [ %857, %850 ]
-  br i1 %859, label %878, label %860
+914:                                              ; preds = %764, %914
+  %915 = phi i64 [ %921, %914 ], [ 0, %764 ]
+  %916 = phi double [ %920, %914 ], [ 0.000000e+00, %764 ]
+  %917 = getelementptr inbounds double, ptr %172, i64 %915
+  %918 = load double, ptr %917, align 8
+  %919 = fmul double %918, 0.000000e+00
+  %920 = fadd double %916, %919
+  %921 = add nuw nsw i64 %915, 1
+  %922 = icmp eq i64 %921, %181
+  br i1 %922, label %923, label %914, !llvm.loop !19
 
-860:                                              ; preds = %858
-  %861 = load i64, ptr %423, align 8
-  %862 = add nsw i64 %861, 1
-  store i64 %862, ptr %423, align 8
-  %863 = load ptr, ptr %126, align 8
-  store double %495, ptr %863, align 8
-  %864 = load i64, ptr %127, align 8
-  %865 = icmp sgt i64 %864, 0
-  br i1 %865, label %866, label %867
+923:                                              ; preds = %914, %764, %910, %901
+  %924 = phi double [ %909, %901 ], [ %913, %910 ], [ 0.000000e+00, %764 ], [ %920, %914 ]
+  %925 = fcmp uge double %924, 1.000000e+00
+  %926 = select i1 %925, i1 true, i1 %466
+  br i1 %926, label %959, label %927
 
-866:                                              ; preds = %860
+927:                                              ; preds = %923
+  br i1 %184, label %939, label %928
+
+928:                                              ; preds = %927
+  br i1 %187, label %931, label %929
+
+929:                                              ; preds = %928
+  %930 = load ptr, ptr %74, align 8
+  br label %931
+
+931:                                              ; preds = %929, %928
+  %932 = phi ptr [ %930, %929 ], [ null, %928 ]
+  %933 = load ptr, ptr %81, align 8
+  %934 = getelementptr inbounds i8, ptr %933, i64 56
+  %935 = load i64, ptr %934, align 8
+  %936 = inttoptr i64 %935 to ptr
+  %937 = tail call i64 %936(ptr noundef %0, double noundef %576, ptr noundef %172, ptr noundef %932) #9
+  %938 = icmp ne i64 %937, 0
+  br label %939
+
+939:                                              ; preds = %931, %927
+  %940 = phi i1 [ false, %927 ], [ %938, %931 ]
+  br i1 %940, label %959, label %941
+
+941:                                              ; preds = %939
+  %942 = load i64, ptr %464, align 8
+  %943 = add nsw i64 %942, 1
+  store i64 %943, ptr %464, align 8
+  %944 = load ptr, ptr %132, align 8
+  store double %576, ptr %944, align 8
+  %945 = load i64, ptr %133, align 8
+  %946 = icmp sgt i64 %945, 0
+  br i1 %946, label %947, label %948
+
+947:                                              ; preds = %941
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %867
+  br label %948
 
-867:                                              ; preds = %860, %866
-  %868 = load ptr, ptr %73, align 8
-  %869 = load i64, ptr %868, align 8
-  %870 = load ptr, ptr %126, align 8
-  %871 = load ptr, ptr %128, align 8
-  %872 = load ptr, ptr %129, align 8
-  %873 = inttoptr i64 %869 to ptr
-  %874 = load ptr, ptr %873, align 8
-  %875 = tail call i32 %874(ptr noundef %870, ptr noundef %161, ptr noundef %871, ptr noundef %872, ptr noundef %191) #9
-  %876 = sext i32 %875 to i64
-  %877 = icmp slt i32 %875, 0
-  br i1 %877, label %1623, label %878
+948:                                              ; preds = %941, %947
+  %949 = load ptr, ptr %73, align 8
+  %950 = load i64, ptr %949, align 8
+  %951 = load ptr, ptr %132, align 8
+  %952 = load ptr, ptr %134, align 8
+  %953 = load ptr, ptr %135, align 8
+  %954 = inttoptr i64 %950 to ptr
+  %955 = load ptr, ptr %954, align 8
+  %956 = tail call i32 %955(ptr noundef %951, ptr noundef %172, ptr noundef %952, ptr noundef %953, ptr noundef %202) #9
+  %957 = sext i32 %956 to i64
+  %958 = icmp slt i32 %956, 0
+  br i1 %958, label %1732, label %959
 
-878:                                              ; preds = %867, %858, %842, %680
-  %879 = phi i64 [ 0, %858 ], [ %876, %867 ], [ 0, %842 ], [ %678, %680 ]
-  %880 = phi double [ %843, %858 ], [ %843, %867 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
-  %881 = phi i1 [ %859, %858 ], [ %859, %867 ], [ false, %842 ], [ false, %680 ]
-  %882 = icmp ne i64 %879, 0
-  %883 = fcmp uge double %880, 1.000000e+00
-  %884 = or i1 %882, %883
-  %885 = or i1 %881, %884
-  br i1 %885, label %886, label %949
+959:                                              ; preds = %948, %939, %923, %761
+  %960 = phi i64 [ 0, %939 ], [ %957, %948 ], [ 0, %923 ], [ %759, %761 ]
+  %961 = phi double [ %924, %939 ], [ %924, %948 ], [ %924, %923 ], [ 0.000000e+00, %761 ]
+  %962 = phi i1 [ %940, %939 ], [ %940, %948 ], [ false, %923 ], [ false, %761 ]
+  %963 = icmp ne i64 %960, 0
+  %964 = fcmp uge double %961, 1.000000e+00
+  %965 = or i1 %963, %964
+  %966 = or i1 %962, %965
+  br i1 %966, label %967, label %1030
 
-886:                                              ; preds = %878
-  %887 = load i64, ptr %419, align 8
-  %888 = add nsw i64 %887, 1
-  store i64 %888, ptr %419, align 8
-  %889 = or i1 %882, %881
-  br i1 %889, label %893, label %890
+967:                                              ; preds = %959
+  %968 = load i64, ptr %460, align 8
+  %969 = add nsw i64 %968, 1
+  store i64 %969, ptr %460, align 8
+  %970 = or i1 %963, %962
+  br i1 %970, label %974, label %971
 
-890:                                              ; preds = %886
-  %891 = tail call double @llvm.fabs.f64(double %880)
-  %892 = fcmp one double %891, 0x7FF0000000000000
-  br label %893
+971:                                              ; preds = %967
+  %972 = tail call double @llvm.fabs.f64(double %961)
+  %973 = fcmp one double %972, 0x7FF0000000000000
+  br label %974
 
-893:                                              ; preds = %890, %886
-  %894 = phi i1 [ false, %886 ], [ %892, %890 ]
-  %895 = select i1 %894, i64 2, i64 4
-  %896 = select i1 %881, i64 6, i64 %895
-  %897 = select i1 %882, i64 3, i64 %896
-  store i64 %897, ptr %440, align 8
-  %898 = fcmp ogt double %880, 1.000000e-10
-  %899 = select i1 %898, double %880, double 1.000000e-10
-  %900 = load double, ptr %441, align 8
-  %901 = load double, ptr %168, align 8
-  %902 = fneg double %901
-  %903 = bitcast double %899 to i64
-  %904 = add nsw i64 %903, -4604544271217802189
-  %905 = ashr i64 %904, 52
-  %906 = and i64 %904, -4503599627370496
-  %907 = sub nsw i64 %903, %906
-  %908 = bitcast i64 %907 to double
-  %909 = fadd double %908, -1.000000e+00
-  %910 = fadd double %908, 1.000000e+00
-  %911 = fdiv double %909, %910
-  %912 = fmul double %911, %911
-  %913 = tail call double @llvm.fma.f64(double %912, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %914 = tail call double @llvm.fma.f64(double %913, double %912, double 0x3FE2776C50EF9BFE)
-  %915 = tail call double @llvm.fma.f64(double %914, double %912, double 0x3FEEC709DC3A03FD)
-  %916 = tail call double @llvm.fma.f64(double %915, double %912, double 0x40071547652B82FE)
-  %917 = trunc nsw i64 %905 to i32
-  %918 = sitofp i32 %917 to double
-  %919 = fmul double %911, %916
-  %920 = fadd double %919, %918
-  %921 = fmul double %920, %902
-  %922 = fcmp ogt double %921, -1.000000e+03
-  %923 = select i1 %922, double %921, double -1.000000e+03
-  %924 = fcmp olt double %923, 1.000000e+03
-  %925 = select i1 %924, double %923, double 1.000000e+03
-  %926 = tail call double @llvm.rint.f64(double %925)
-  %927 = fsub double %925, %926
-  %928 = tail call double @llvm.fma.f64(double %927, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %929 = tail call double @llvm.fma.f64(double %928, double %927, double 0x3F55D87FE78A6730)
-  %930 = tail call double @llvm.fma.f64(double %929, double %927, double 0x3F83B2AB6FBA4E77)
-  %931 = tail call double @llvm.fma.f64(double %930, double %927, double 0x3FAC6B08D704A0BF)
-  %932 = tail call double @llvm.fma.f64(double %931, double %927, double 0x3FCEBFBDFF82C58E)
-  %933 = tail call double @llvm.fma.f64(double %932, double %927, double 0x3FE62E42FEFA39EF)
-  %934 = tail call double @llvm.fma.f64(double %933, double %927, double 1.000000e+00)
-  %935 = bitcast double %934 to i64
-  %936 = fptosi double %926 to i32
-  %937 = sext i32 %936 to i64
-  %938 = shl nsw i64 %937, 52
-  %939 = add nsw i64 %938, %935
-  %940 = bitcast i64 %939 to double
-  %941 = fmul double %900, %940
-  %942 = load double, ptr %442, align 8
-  %943 = fcmp ogt double %941, %942
-  %944 = select i1 %943, double %941, double %942
-  %945 = select i1 %894, double %944, double 2.500000e-01
-  %946 = fmul double %496, %945
-  br i1 %176, label %947, label %948
+974:                                              ; preds = %971, %967
+  %975 = phi i1 [ false, %967 ], [ %973, %971 ]
+  %976 = select i1 %975, i64 2, i64 4
+  %977 = select i1 %962, i64 6, i64 %976
+  %978 = select i1 %963, i64 3, i64 %977
+  store i64 %978, ptr %482, align 8
+  %979 = fcmp ogt double %961, 1.000000e-10
+  %980 = select i1 %979, double %961, double 1.000000e-10
+  %981 = load double, ptr %483, align 8
+  %982 = load double, ptr %179, align 8
+  %983 = fneg double %982
+  %984 = bitcast double %980 to i64
+  %985 = add nsw i64 %984, -4604544271217802189
+  %986 = ashr i64 %985, 52
+  %987 = and i64 %985, -4503599627370496
+  %988 = sub nsw i64 %984, %987
+  %989 = bitcast i64 %988 to double
+  %990 = fadd double %989, -1.000000e+00
+  %991 = fadd double %989, 1.000000e+00
+  %992 = fdiv double %990, %991
+  %993 = fmul double %992, %992
+  %994 = tail call double @llvm.fma.f64(double %993, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %995 = tail call double @llvm.fma.f64(double %994, double %993, double 0x3FE2776C50EF9BFE)
+  %996 = tail call double @llvm.fma.f64(double %995, double %993, double 0x3FEEC709DC3A03FD)
+  %997 = tail call double @llvm.fma.f64(double %996, double %993, double 0x40071547652B82FE)
+  %998 = trunc nsw i64 %986 to i32
+  %999 = sitofp i32 %998 to double
+  %1000 = fmul double %992, %997
+  %1001 = fadd double %1000, %999
+  %1002 = fmul double %1001, %983
+  %1003 = fcmp ogt double %1002, -1.000000e+03
+  %1004 = select i1 %1003, double %1002, double -1.000000e+03
+  %1005 = fcmp olt double %1004, 1.000000e+03
+  %1006 = select i1 %1005, double %1004, double 1.000000e+03
+  %1007 = tail call double @llvm.rint.f64(double %1006)
+  %1008 = fsub double %1006, %1007
+  %1009 = tail call double @llvm.fma.f64(double %1008, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1010 = tail call double @llvm.fma.f64(double %1009, double %1008, double 0x3F55D87FE78A6730)
+  %1011 = tail call double @llvm.fma.f64(double %1010, double %1008, double 0x3F83B2AB6FBA4E77)
+  %1012 = tail call double @llvm.fma.f64(double %1011, double %1008, double 0x3FAC6B08D704A0BF)
+  %1013 = tail call double @llvm.fma.f64(double %1012, double %1008, double 0x3FCEBFBDFF82C58E)
+  %1014 = tail call double @llvm.fma.f64(double %1013, double %1008, double 0x3FE62E42FEFA39EF)
+  %1015 = tail call double @llvm.fma.f64(double %1014, double %1008, double 1.000000e+00)
+  %1016 = bitcast double %1015 to i64
+  %1017 = fptosi double %1007 to i32
+  %1018 = sext i32 %1017 to i64
+  %1019 = shl nsw i64 %1018, 52
+  %1020 = add nsw i64 %1019, %1016
+  %1021 = bitcast i64 %1020 to double
+  %1022 = fmul double %981, %1021
+  %1023 = load double, ptr %484, align 8
+  %1024 = fcmp ogt double %1022, %1023
+  %1025 = select i1 %1024, double %1022, double %1023
+  %1026 = select i1 %975, double %1025, double 2.500000e-01
+  %1027 = fmul double %577, %1026
+  br i1 %187, label %1028, label %1029
 
-947:                                              ; preds = %893
-  store double %496, ptr %193, align 8
-  br label %1623
+1028:                                             ; preds = %974
+  store double %577, ptr %204, align 8
+  br label %1732
 
-948:                                              ; preds = %893
-  store double 1.000000e+00, ptr %443, align 8
-  br label %1623, !llvm.loop !19
+1029:                                             ; preds = %974
+  store double 1.000000e+00, ptr %485, align 8
+  br label %1732, !llvm.loop !20
 
-949:                                              ; preds = %878
-  %950 = load i64, ptr %418, align 8
-  %951 = add nsw i64 %950, 1
-  store i64 %951, ptr %418, align 8
-  store double %495, ptr %160, align 8
-  store double %496, ptr %426, align 8
-  %952 = load ptr, ptr %93, align 8
-  %953 = getelementptr inbounds i8, ptr %952, i64 8
-  %954 = load i64, ptr %953, align 8
-  %955 = icmp eq i64 %954, 0
-  br i1 %955, label %985, label %956
+1030:                                             ; preds = %959
+  %1031 = load i64, ptr %459, align 8
+  %1032 = add nsw i64 %1031, 1
+  store i64 %1032, ptr %459, align 8
+  store double %576, ptr %171, align 8
+  store double %577, ptr %467, align 8
+  %1033 = load ptr, ptr %96, align 8
+  %1034 = getelementptr inbounds i8, ptr %1033, i64 8
+  %1035 = load i64, ptr %1034, align 8
+  %1036 = icmp eq i64 %1035, 0
+  br i1 %1036, label %1066, label %1037
 
-956:                                              ; preds = %949
-  %957 = load i64, ptr %952, align 8
-  %958 = load ptr, ptr %73, align 8
-  %959 = getelementptr inbounds i8, ptr %958, i64 8
-  %960 = load i64, ptr %959, align 8
-  %961 = load ptr, ptr %130, align 8
-  %962 = load i64, ptr %131, align 8
-  %963 = mul nsw i64 %962, %957
-  %964 = getelementptr inbounds double, ptr %961, i64 %963
-  %965 = getelementptr inbounds double, ptr %964, i64 %962
-  store double %449, ptr %964, align 8
-  %966 = getelementptr inbounds i8, ptr %964, i64 8
-  store double %496, ptr %966, align 8
-  store double %495, ptr %965, align 8
-  %967 = getelementptr inbounds i8, ptr %965, i64 8
-  store double 0.000000e+00, ptr %967, align 8
-  %968 = icmp sgt i64 %960, 0
-  br i1 %968, label %972, label %969
-
-969:                                              ; preds = %972, %956
-  %970 = add nsw i64 %957, 1
-  %971 = load ptr, ptr %93, align 8
-  store i64 %970, ptr %971, align 8
-  br label %985
-
-972:                                              ; preds = %956, %972
-  %973 = phi i64 [ %983, %972 ], [ 0, %956 ]
-  %974 = load ptr, ptr %74, align 8
-  %975 = getelementptr inbounds double, ptr %974, i64 %973
-  %976 = load double, ptr %975, align 8
-  %977 = add nuw nsw i64 %973, 2
-  %978 = getelementptr inbounds double, ptr %964, i64 %977
-  store double %976, ptr %978, align 8
-  %979 = load ptr, ptr %76, align 8
-  %980 = getelementptr inbounds double, ptr %979, i64 %973
-  %981 = load double, ptr %980, align 8
-  %982 = getelementptr inbounds double, ptr %965, i64 %977
-  store double %981, ptr %982, align 8
-  %983 = add nuw nsw i64 %973, 1
-  %984 = icmp eq i64 %983, %960
-  br i1 %984, label %969, label %972, !llvm.loop !20
-
-985:                                              ; preds = %949, %969
-  br i1 %183, label %986, label %1096
-
-986:                                              ; preds = %985
-  %987 = load ptr, ptr %82, align 8
-  %988 = load i64, ptr %80, align 8
-  %989 = load ptr, ptr %132, align 8
-  %990 = getelementptr inbounds i8, ptr %987, i64 32
-  %991 = load i64, ptr %990, align 8
-  %992 = getelementptr inbounds double, ptr %989, i64 %991
-  %993 = getelementptr inbounds i8, ptr %987, i64 24
-  %994 = load i64, ptr %993, align 8
-  %995 = icmp eq i64 %994, 0
-  br i1 %995, label %1093, label %996
-
-996:                                              ; preds = %986
-  %997 = getelementptr inbounds i8, ptr %987, i64 40
-  %998 = load i64, ptr %997, align 8
-  %999 = icmp sgt i64 %998, 0
-  br i1 %999, label %1054, label %1000
-
-1000:                                             ; preds = %1072, %996
-  %1001 = load ptr, ptr %133, align 8
-  %1002 = load ptr, ptr %82, align 8
-  %1003 = getelementptr inbounds i8, ptr %1002, i64 8
-  %1004 = load i64, ptr %1003, align 8
-  %1005 = load ptr, ptr %134, align 8
-  %1006 = load ptr, ptr %132, align 8
-  %1007 = getelementptr inbounds i8, ptr %1002, i64 32
-  %1008 = load i64, ptr %1007, align 8
-  %1009 = getelementptr inbounds i8, ptr %1002, i64 40
-  %1010 = load i64, ptr %1009, align 8
-  %1011 = getelementptr double, ptr %1006, i64 %1008
-  %1012 = getelementptr double, ptr %1011, i64 %1010
-  store double %496, ptr %1012, align 8
-  %1013 = load ptr, ptr %133, align 8
-  store double %449, ptr %1013, align 8
-  %1014 = load ptr, ptr %82, align 8
-  %1015 = getelementptr inbounds i8, ptr %1014, i64 24
-  %1016 = load i64, ptr %1015, align 8
-  %1017 = load ptr, ptr %74, align 8
-  %1018 = load ptr, ptr %132, align 8
-  %1019 = load ptr, ptr %135, align 8
-  %1020 = inttoptr i64 %1016 to ptr
-  %1021 = load ptr, ptr %1020, align 8
-  %1022 = tail call i32 %1021(ptr noundef %1001, ptr noundef %1017, ptr noundef %1018, ptr noundef %1019, ptr noundef %1005) #9
-  %1023 = icmp eq i32 %1022, 0
-  br i1 %1023, label %1024, label %1093
-
-1024:                                             ; preds = %1000
-  %1025 = icmp slt i64 %1004, 1
-  br i1 %1025, label %1051, label %1026
-
-1026:                                             ; preds = %1024
-  %1027 = load ptr, ptr %136, align 8
-  %1028 = getelementptr double, ptr %1005, i64 %1004
-  br label %1029
-
-1029:                                             ; preds = %1026, %1047
-  %1030 = phi i1 [ %1025, %1026 ], [ %1049, %1047 ]
-  %1031 = phi i64 [ 0, %1026 ], [ %1048, %1047 ]
-  %1032 = getelementptr inbounds i64, ptr %1027, i64 %1031
-  %1033 = load i64, ptr %1032, align 8
-  %1034 = and i64 %1033, 2
-  %1035 = icmp eq i64 %1034, 0
-  br i1 %1035, label %1036, label %1047
-
-1036:                                             ; preds = %1029
-  %1037 = getelementptr inbounds double, ptr %1005, i64 %1031
-  %1038 = load double, ptr %1037, align 8
-  %1039 = load ptr, ptr %137, align 8
-  %1040 = getelementptr inbounds i64, ptr %1039, i64 %1031
+1037:                                             ; preds = %1030
+  %1038 = load i64, ptr %1033, align 8
+  %1039 = load ptr, ptr %73, align 8
+  %1040 = getelementptr inbounds i8, ptr %1039, i64 8
   %1041 = load i64, ptr %1040, align 8
-  %1042 = sitofp i64 %1041 to double
-  %1043 = fmul double %1038, %1042
-  %1044 = getelementptr double, ptr %1028, i64 %1031
-  %1045 = load double, ptr %1044, align 8
-  %1046 = fcmp ogt double %1043, %1045
-  br i1 %1046, label %1047, label %1051
+  %1042 = load ptr, ptr %136, align 8
+  %1043 = load i64, ptr %137, align 8
+  %1044 = mul nsw i64 %1043, %1038
+  %1045 = getelementptr inbounds double, ptr %1042, i64 %1044
+  %1046 = getelementptr inbounds double, ptr %1045, i64 %1043
+  store double %491, ptr %1045, align 8
+  %1047 = getelementptr inbounds i8, ptr %1045, i64 8
+  store double %577, ptr %1047, align 8
+  store double %576, ptr %1046, align 8
+  %1048 = getelementptr inbounds i8, ptr %1046, i64 8
+  store double 0.000000e+00, ptr %1048, align 8
+  %1049 = icmp sgt i64 %1041, 0
+  br i1 %1049, label %1053, label %1050
 
-1047:                                             ; preds = %1036, %1029
-  %1048 = add nuw nsw i64 %1031, 1
-  %1049 = icmp sge i64 %1048, %1004
-  %1050 = icmp eq i64 %1048, %1004
-  br i1 %1050, label %1051, label %1029, !llvm.loop !21
+1050:                                             ; preds = %1053, %1037
+  %1051 = add nsw i64 %1038, 1
+  %1052 = load ptr, ptr %96, align 8
+  store i64 %1051, ptr %1052, align 8
+  br label %1066
 
-1051:                                             ; preds = %1047, %1036, %1024
-  %1052 = phi i1 [ %1025, %1024 ], [ %1049, %1047 ], [ %1030, %1036 ]
-  %1053 = zext i1 %1052 to i32
-  br label %1093
+1053:                                             ; preds = %1037, %1053
+  %1054 = phi i64 [ %1064, %1053 ], [ 0, %1037 ]
+  %1055 = load ptr, ptr %74, align 8
+  %1056 = getelementptr inbounds double, ptr %1055, i64 %1054
+  %1057 = load double, ptr %1056, align 8
+  %1058 = add nuw nsw i64 %1054, 2
+  %1059 = getelementptr inbounds double, ptr %1045, i64 %1058
+  store double %1057, ptr %1059, align 8
+  %1060 = load ptr, ptr %76, align 8
+  %1061 = getelementptr inbounds double, ptr %1060, i64 %1054
+  %1062 = load double, ptr %1061, align 8
+  %1063 = getelementptr inbounds double, ptr %1046, i64 %1058
+  store double %1062, ptr %1063, align 8
+  %1064 = add nuw nsw i64 %1054, 1
+  %1065 = icmp eq i64 %1064, %1041
+  br i1 %1065, label %1050, label %1053, !llvm.loop !21
 
-1054:                                             ; preds = %996, %1072
-  %1055 = phi i64 [ %1076, %1072 ], [ 0, %996 ]
-  %1056 = load ptr, ptr %76, align 8
-  %1057 = getelementptr inbounds double, ptr %1056, i64 %1055
-  %1058 = load <8 x double>, ptr %1057, align 8
-  %1059 = load ptr, ptr %74, align 8
-  %1060 = getelementptr inbounds double, ptr %1059, i64 %1055
-  %1061 = load <8 x double>, ptr %1060, align 8
-  %1062 = fsub <8 x double> %1058, %1061
-  %1063 = fneg <8 x double> %1062
-  %1064 = fcmp ogt <8 x double> %1062, zeroinitializer
-  %1065 = select <8 x i1> %1064, <8 x double> %1062, <8 x double> %1063
-  %1066 = load ptr, ptr %0, align 8
-  %1067 = load i64, ptr %1066, align 8
-  %1068 = icmp slt i64 %1067, 0
-  br i1 %1068, label %1072, label %1069
+1066:                                             ; preds = %1030, %1050
+  br i1 %194, label %1067, label %1177
 
-1069:                                             ; preds = %1054
-  %1070 = load ptr, ptr %84, align 8
-  %1071 = getelementptr double, ptr %1070, i64 %1055
-  br label %1079
+1067:                                             ; preds = %1066
+  %1068 = load ptr, ptr %82, align 8
+  %1069 = load i64, ptr %80, align 8
+  %1070 = load ptr, ptr %138, align 8
+  %1071 = getelementptr inbounds i8, ptr %1068, i64 32
+  %1072 = load i64, ptr %1071, align 8
+  %1073 = getelementptr inbounds double, ptr %1070, i64 %1072
+  %1074 = getelementptr inbounds i8, ptr %1068, i64 24
+  %1075 = load i64, ptr %1074, align 8
+  %1076 = icmp eq i64 %1075, 0
+  br i1 %1076, label %1174, label %1077
 
-1072:                                             ; preds = %1079, %1054
-  %1073 = phi <8 x double> [ %1065, %1054 ], [ %1090, %1079 ]
-  %1074 = getelementptr inbounds double, ptr %992, i64 %1055
-  %1075 = fmul <8 x double> %1073, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1075, ptr %1074, align 8
-  %1076 = add nuw nsw i64 %1055, 8
-  %1077 = load i64, ptr %997, align 8
-  %1078 = icmp slt i64 %1076, %1077
-  br i1 %1078, label %1054, label %1000, !llvm.loop !22
+1077:                                             ; preds = %1067
+  %1078 = getelementptr inbounds i8, ptr %1068, i64 40
+  %1079 = load i64, ptr %1078, align 8
+  %1080 = icmp sgt i64 %1079, 0
+  br i1 %1080, label %1135, label %1081
 
-1079:                                             ; preds = %1069, %1079
-  %1080 = phi i64 [ 0, %1069 ], [ %1091, %1079 ]
-  %1081 = phi <8 x double> [ %1065, %1069 ], [ %1090, %1079 ]
-  %1082 = mul nsw i64 %1080, %988
-  %1083 = getelementptr double, ptr %1071, i64 %1082
-  %1084 = load <8 x double>, ptr %1083, align 8
-  %1085 = fneg <8 x double> %1084
-  %1086 = fcmp ogt <8 x double> %1084, zeroinitializer
-  %1087 = select <8 x i1> %1086, <8 x double> %1084, <8 x double> %1085
-  %1088 = fmul <8 x double> %508, %1087
-  %1089 = fcmp ogt <8 x double> %1081, %1088
-  %1090 = select <8 x i1> %1089, <8 x double> %1081, <8 x double> %1088
-  %1091 = add nuw i64 %1080, 1
-  %1092 = icmp eq i64 %1080, %1067
-  br i1 %1092, label %1072, label %1079, !llvm.loop !23
+1081:                                             ; preds = %1153, %1077
+  %1082 = load ptr, ptr %139, align 8
+  %1083 = load ptr, ptr %82, align 8
+  %1084 = getelementptr inbounds i8, ptr %1083, i64 8
+  %1085 = load i64, ptr %1084, align 8
+  %1086 = load ptr, ptr %140, align 8
+  %1087 = load ptr, ptr %138, align 8
+  %1088 = getelementptr inbounds i8, ptr %1083, i64 32
+  %1089 = load i64, ptr %1088, align 8
+  %1090 = getelementptr inbounds i8, ptr %1083, i64 40
+  %1091 = load i64, ptr %1090, align 8
+  %1092 = getelementptr double, ptr %1087, i64 %1089
+  %1093 = getelementptr double, ptr %1092, i64 %1091
+  store double %577, ptr %1093, align 8
+  %1094 = load ptr, ptr %139, align 8
+  store double %491, ptr %1094, align 8
+  %1095 = load ptr, ptr %82, align 8
+  %1096 = getelementptr inbounds i8, ptr %1095, i64 24
+  %1097 = load i64, ptr %1096, align 8
+  %1098 = load ptr, ptr %74, align 8
+  %1099 = load ptr, ptr %138, align 8
+  %1100 = load ptr, ptr %141, align 8
+  %1101 = inttoptr i64 %1097 to ptr
+  %1102 = load ptr, ptr %1101, align 8
+  %1103 = tail call i32 %1102(ptr noundef %1082, ptr noundef %1098, ptr noundef %1099, ptr noundef %1100, ptr noundef %1086) #9
+  %1104 = icmp eq i32 %1103, 0
+  br i1 %1104, label %1105, label %1174
 
-1093:                                             ; preds = %1051, %1000, %986
-  %1094 = phi i32 [ 0, %986 ], [ 0, %1000 ], [ %1053, %1051 ]
-  %1095 = icmp eq i32 %1094, 0
-  br label %1096
+1105:                                             ; preds = %1081
+  %1106 = icmp slt i64 %1085, 1
+  br i1 %1106, label %1132, label %1107
 
-1096:                                             ; preds = %1093, %985
-  %1097 = phi i1 [ false, %985 ], [ %1095, %1093 ]
-  br i1 %1097, label %1140, label %1098
+1107:                                             ; preds = %1105
+  %1108 = load ptr, ptr %142, align 8
+  %1109 = getelementptr double, ptr %1086, i64 %1085
+  br label %1110
 
-1098:                                             ; preds = %1096
-  %1099 = load i64, ptr %427, align 8
-  %1100 = getelementptr inbounds double, ptr %167, i64 %1099
-  %1101 = load double, ptr %1100, align 8
-  %1102 = fcmp ult double %1101, %495
-  br i1 %1102, label %1140, label %1103
+1110:                                             ; preds = %1107, %1128
+  %1111 = phi i1 [ %1106, %1107 ], [ %1130, %1128 ]
+  %1112 = phi i64 [ 0, %1107 ], [ %1129, %1128 ]
+  %1113 = getelementptr inbounds i64, ptr %1108, i64 %1112
+  %1114 = load i64, ptr %1113, align 8
+  %1115 = and i64 %1114, 2
+  %1116 = icmp eq i64 %1115, 0
+  br i1 %1116, label %1117, label %1128
 
-1103:                                             ; preds = %1098
-  %1104 = load ptr, ptr %73, align 8
-  %1105 = getelementptr inbounds i8, ptr %1104, i64 8
-  %1106 = load i64, ptr %1105, align 8
-  %1107 = load i64, ptr %83, align 8
-  %1108 = load ptr, ptr %78, align 8
-  %1109 = load ptr, ptr %77, align 8
-  %1110 = getelementptr inbounds i8, ptr %1109, i64 48
-  %1111 = load i64, ptr %1110, align 8
-  %1112 = icmp slt i64 %1111, %1107
-  br i1 %1112, label %1113, label %1136
+1117:                                             ; preds = %1110
+  %1118 = getelementptr inbounds double, ptr %1086, i64 %1112
+  %1119 = load double, ptr %1118, align 8
+  %1120 = load ptr, ptr %143, align 8
+  %1121 = getelementptr inbounds i64, ptr %1120, i64 %1112
+  %1122 = load i64, ptr %1121, align 8
+  %1123 = sitofp i64 %1122 to double
+  %1124 = fmul double %1119, %1123
+  %1125 = getelementptr double, ptr %1109, i64 %1112
+  %1126 = load double, ptr %1125, align 8
+  %1127 = fcmp ogt double %1124, %1126
+  br i1 %1127, label %1128, label %1132
 
-1113:                                             ; preds = %1103
-  %1114 = icmp sgt i64 %1106, 0
-  br label %1115
+1128:                                             ; preds = %1117, %1110
+  %1129 = add nuw nsw i64 %1112, 1
+  %1130 = icmp sge i64 %1129, %1085
+  %1131 = icmp eq i64 %1129, %1085
+  br i1 %1131, label %1132, label %1110, !llvm.loop !22
 
-1115:                                             ; preds = %1113, %1126
-  %1116 = phi i64 [ %1111, %1113 ], [ %1127, %1126 ]
-  %1117 = getelementptr inbounds double, ptr %1108, i64 %1116
-  %1118 = load double, ptr %1117, align 8
-  %1119 = load ptr, ptr %75, align 8
-  %1120 = load double, ptr %1119, align 8
-  %1121 = fcmp ugt double %1118, %1120
-  br i1 %1121, label %1136, label %1122
+1132:                                             ; preds = %1128, %1117, %1105
+  %1133 = phi i1 [ %1106, %1105 ], [ %1130, %1128 ], [ %1111, %1117 ]
+  %1134 = zext i1 %1133 to i32
+  br label %1174
 
-1122:                                             ; preds = %1115
-  br i1 %1114, label %1123, label %1126
+1135:                                             ; preds = %1077, %1153
+  %1136 = phi i64 [ %1157, %1153 ], [ 0, %1077 ]
+  %1137 = load ptr, ptr %76, align 8
+  %1138 = getelementptr inbounds double, ptr %1137, i64 %1136
+  %1139 = load <8 x double>, ptr %1138, align 8
+  %1140 = load ptr, ptr %74, align 8
+  %1141 = getelementptr inbounds double, ptr %1140, i64 %1136
+  %1142 = load <8 x double>, ptr %1141, align 8
+  %1143 = fsub <8 x double> %1139, %1142
+  %1144 = fneg <8 x double> %1143
+  %1145 = fcmp ogt <8 x double> %1143, zeroinitializer
+  %1146 = select <8 x i1> %1145, <8 x double> %1143, <8 x double> %1144
+  %1147 = load ptr, ptr %0, align 8
+  %1148 = load i64, ptr %1147, align 8
+  %1149 = icmp slt i64 %1148, 0
+  br i1 %1149, label %1153, label %1150
 
-1123:                                             ; preds = %1122
-  %1124 = mul nsw i64 %1116, %1106
-  %1125 = getelementptr double, ptr %1, i64 %1124
-  br label %1129
+1150:                                             ; preds = %1135
+  %1151 = load ptr, ptr %84, align 8
+  %1152 = getelementptr double, ptr %1151, i64 %1136
+  br label %1160
 
-1126:                                             ; preds = %1129, %1122
-  %1127 = add i64 %1116, 1
-  %1128 = icmp eq i64 %1127, %1107
-  br i1 %1128, label %1136, label %1115, !llvm.loop !8
+1153:                                             ; preds = %1160, %1135
+  %1154 = phi <8 x double> [ %1146, %1135 ], [ %1171, %1160 ]
+  %1155 = getelementptr inbounds double, ptr %1073, i64 %1136
+  %1156 = fmul <8 x double> %1154, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1156, ptr %1155, align 8
+  %1157 = add nuw nsw i64 %1136, 8
+  %1158 = load i64, ptr %1078, align 8
+  %1159 = icmp slt i64 %1157, %1158
+  br i1 %1159, label %1135, label %1081, !llvm.loop !23
 
-1129:                                             ; preds = %1123, %1129
-  %1130 = phi i64 [ 0, %1123 ], [ %1134, %1129 ]
-  %1131 = getelementptr inbounds double, ptr %161, i64 %1130
-  %1132 = load double, ptr %1131, align 8
-  %1133 = getelementptr double, ptr %1125, i64 %1130
-  store double %1132, ptr %1133, align 8
-  %1134 = add nuw nsw i64 %1130, 1
-  %1135 = icmp eq i64 %1134, %1106
-  br i1 %1135, label %1126, label %1129, !llvm.loop !9
+1160:                                             ; preds = %1150, %1160
+  %1161 = phi i64 [ 0, %1150 ], [ %1172, %1160 ]
+  %1162 = phi <8 x double> [ %1146, %1150 ], [ %1171, %1160 ]
+  %1163 = mul nsw i64 %1161, %1069
+  %1164 = getelementptr double, ptr %1152, i64 %1163
+  %1165 = load <8 x double>, ptr %1164, align 8
+  %1166 = fneg <8 x double> %1165
+  %1167 = fcmp ogt <8 x double> %1165, zeroinitializer
+  %1168 = select <8 x i1> %1167, <8 x double> %1165, <8 x double> %1166
+  %1169 = fmul <8 x double> %589, %1168
+  %1170 = fcmp ogt <8 x double> %1162, %1169
+  %1171 = select <8 x i1> %1170, <8 x double> %1162, <8 x double> %1169
+  %1172 = add nuw i64 %1161, 1
+  %1173 = icmp eq i64 %1161, %1148
+  br i1 %1173, label %1153, label %1160, !llvm.loop !24
 
-1136:                                             ; preds = %1115, %1126, %1103
-  %1137 = phi i64 [ %1111, %1103 ], [ %1116, %1115 ], [ %1107, %1126 ]
-  %1138 = load ptr, ptr %77, align 8
-  %1139 = getelementptr inbounds i8, ptr %1138, i64 48
-  store i64 %1137, ptr %1139, align 8
-  br label %1500
+1174:                                             ; preds = %1132, %1081, %1067
+  %1175 = phi i32 [ 0, %1067 ], [ 0, %1081 ], [ %1134, %1132 ]
+  %1176 = icmp eq i32 %1175, 0
+  br label %1177
 
-1140:                                             ; preds = %1098, %1096
-  %1141 = load ptr, ptr %0, align 8
-  %1142 = load ptr, ptr %73, align 8
-  %1143 = getelementptr inbounds i8, ptr %1142, i64 16
-  %1144 = load i64, ptr %1143, align 8
-  %1145 = load i64, ptr %1141, align 8
-  %1146 = load i64, ptr %138, align 8
-  %1147 = load ptr, ptr %139, align 8
-  %1148 = mul nsw i64 %1146, %1145
-  %1149 = getelementptr inbounds double, ptr %1147, i64 %1148
-  %1150 = load ptr, ptr %140, align 8
-  %1151 = add nsw i64 %1145, 1
-  %1152 = getelementptr inbounds i8, ptr %1141, i64 16
-  %1153 = load i64, ptr %1152, align 8
-  %1154 = icmp sgt i64 %1153, 0
-  br i1 %1154, label %1155, label %1210
+1177:                                             ; preds = %1174, %1066
+  %1178 = phi i1 [ false, %1066 ], [ %1176, %1174 ]
+  br i1 %1178, label %1221, label %1179
 
-1155:                                             ; preds = %1140
-  %1156 = getelementptr inbounds i8, ptr %1141, i64 8
-  br label %1162
+1179:                                             ; preds = %1177
+  %1180 = load i64, ptr %468, align 8
+  %1181 = getelementptr inbounds double, ptr %178, i64 %1180
+  %1182 = load double, ptr %1181, align 8
+  %1183 = fcmp ult double %1182, %576
+  br i1 %1183, label %1221, label %1184
 
-1157:                                             ; preds = %1198
-  %1158 = add nsw i64 %1165, 1
-  %1159 = load i64, ptr %1152, align 8
-  %1160 = add nsw i64 %1159, %1151
-  %1161 = icmp slt i64 %1158, %1160
-  br i1 %1161, label %1162, label %1210, !llvm.loop !24
+1184:                                             ; preds = %1179
+  %1185 = load ptr, ptr %73, align 8
+  %1186 = getelementptr inbounds i8, ptr %1185, i64 8
+  %1187 = load i64, ptr %1186, align 8
+  %1188 = load i64, ptr %83, align 8
+  %1189 = load ptr, ptr %78, align 8
+  %1190 = load ptr, ptr %77, align 8
+  %1191 = getelementptr inbounds i8, ptr %1190, i64 48
+  %1192 = load i64, ptr %1191, align 8
+  %1193 = icmp slt i64 %1192, %1188
+  br i1 %1193, label %1194, label %1217
 
-1162:                                             ; preds = %1155, %1157
-  %1163 = phi i1 [ %1154, %1155 ], [ %1161, %1157 ]
-  %1164 = phi i64 [ undef, %1155 ], [ %1209, %1157 ]
-  %1165 = phi i64 [ %1151, %1155 ], [ %1158, %1157 ]
-  %1166 = load i64, ptr %1156, align 8
-  %1167 = load ptr, ptr %141, align 8
-  %1168 = load ptr, ptr %74, align 8
-  %1169 = load ptr, ptr %142, align 8
-  %1170 = getelementptr i64, ptr %1169, i64 %1165
-  %1171 = getelementptr i64, ptr %1170, i64 %1166
-  %1172 = load i64, ptr %1171, align 8
-  %1173 = getelementptr i8, ptr %1171, i64 8
-  %1174 = load i64, ptr %1173, align 8
-  %1175 = xor i64 %1172, -1
-  %1176 = add i64 %1174, %1175
-  %1177 = load ptr, ptr %94, align 8
-  %1178 = load ptr, ptr %139, align 8
-  %1179 = load ptr, ptr %143, align 8
-  %1180 = getelementptr inbounds i64, ptr %1179, i64 %1172
-  %1181 = load ptr, ptr %144, align 8
-  %1182 = getelementptr inbounds double, ptr %1181, i64 %1172
-  tail call fastcc void @combine(ptr noundef %1167, ptr noundef %1168, ptr noundef %1177, ptr noundef %1178, ptr noundef %1180, ptr noundef %1182, i64 noundef %1176, i64 noundef 1, i64 noundef %1144) #8
-  %1183 = load ptr, ptr %139, align 8
-  %1184 = mul nsw i64 %1165, %1146
-  %1185 = getelementptr inbounds double, ptr %1183, i64 %1184
-  %1186 = load i64, ptr %423, align 8
-  %1187 = add nsw i64 %1186, 1
-  store i64 %1187, ptr %423, align 8
-  %1188 = load ptr, ptr %145, align 8
-  %1189 = getelementptr inbounds double, ptr %1188, i64 %1165
-  %1190 = load double, ptr %1189, align 8
-  %1191 = fmul double %496, %1190
-  %1192 = fadd double %449, %1191
-  %1193 = load ptr, ptr %141, align 8
-  %1194 = load ptr, ptr %146, align 8
-  store double %1192, ptr %1194, align 8
-  %1195 = load i64, ptr %147, align 8
-  %1196 = icmp sgt i64 %1195, 0
-  br i1 %1196, label %1197, label %1198
+1194:                                             ; preds = %1184
+  %1195 = icmp sgt i64 %1187, 0
+  br label %1196
 
-1197:                                             ; preds = %1162
+1196:                                             ; preds = %1194, %1207
+  %1197 = phi i64 [ %1192, %1194 ], [ %1208, %1207 ]
+  %1198 = getelementptr inbounds double, ptr %1189, i64 %1197
+  %1199 = load double, ptr %1198, align 8
+  %1200 = load ptr, ptr %75, align 8
+  %1201 = load double, ptr %1200, align 8
+  %1202 = fcmp ugt double %1199, %1201
+  br i1 %1202, label %1217, label %1203
+
+1203:                                             ; preds = %1196
+  br i1 %1195, label %1204, label %1207
+
+1204:                                             ; preds = %1203
+  %1205 = mul nsw i64 %1197, %1187
+  %1206 = getelementptr double, ptr %1, i64 %1205
+  br label %1210
+
+1207:                                             ; preds = %1210, %1203
+  %1208 = add i64 %1197, 1
+  %1209 = icmp eq i64 %1208, %1188
+  br i1 %1209, label %1217, label %1196, !llvm.loop !9
+
+1210:                                             ; preds = %1204, %1210
+  %1211 = phi i64 [ 0, %1204 ], [ %1215, %1210 ]
+  %1212 = getelementptr inbounds double, ptr %172, i64 %1211
+  %1213 = load double, ptr %1212, align 8
+  %1214 = getelementptr double, ptr %1206, i64 %1211
+  store double %1213, ptr %1214, align 8
+  %1215 = add nuw nsw i64 %1211, 1
+  %1216 = icmp eq i64 %1215, %1187
+  br i1 %1216, label %1207, label %1210, !llvm.loop !10
+
+1217:                                             ; preds = %1196, %1207, %1184
+  %1218 = phi i64 [ %1192, %1184 ], [ %1197, %1196 ], [ %1188, %1207 ]
+  %1219 = load ptr, ptr %77, align 8
+  %1220 = getelementptr inbounds i8, ptr %1219, i64 48
+  store i64 %1218, ptr %1220, align 8
+  br label %1581
+
+1221:                                             ; preds = %1179, %1177
+  %1222 = load ptr, ptr %0, align 8
+  %1223 = load ptr, ptr %73, align 8
+  %1224 = getelementptr inbounds i8, ptr %1223, i64 16
+  %1225 = load i64, ptr %1224, align 8
+  %1226 = load i64, ptr %1222, align 8
+  %1227 = load i64, ptr %144, align 8
+  %1228 = load ptr, ptr %145, align 8
+  %1229 = mul nsw i64 %1227, %1226
+  %1230 = getelementptr inbounds double, ptr %1228, i64 %1229
+  %1231 = load ptr, ptr %146, align 8
+  %1232 = add nsw i64 %1226, 1
+  %1233 = getelementptr inbounds i8, ptr %1222, i64 16
+  %1234 = load i64, ptr %1233, align 8
+  %1235 = icmp sgt i64 %1234, 0
+  br i1 %1235, label %1236, label %1291
+
+1236:                                             ; preds = %1221
+  %1237 = getelementptr inbounds i8, ptr %1222, i64 8
+  br label %1243
+
+1238:                                             ; preds = %1279
+  %1239 = add nsw i64 %1246, 1
+  %1240 = load i64, ptr %1233, align 8
+  %1241 = add nsw i64 %1240, %1232
+  %1242 = icmp slt i64 %1239, %1241
+  br i1 %1242, label %1243, label %1291, !llvm.loop !25
+
+1243:                                             ; preds = %1236, %1238
+  %1244 = phi i1 [ %1235, %1236 ], [ %1242, %1238 ]
+  %1245 = phi i64 [ undef, %1236 ], [ %1290, %1238 ]
+  %1246 = phi i64 [ %1232, %1236 ], [ %1239, %1238 ]
+  %1247 = load i64, ptr %1237, align 8
+  %1248 = load ptr, ptr %147, align 8
+  %1249 = load ptr, ptr %74, align 8
+  %1250 = load ptr, ptr %148, align 8
+  %1251 = getelementptr i64, ptr %1250, i64 %1246
+  %1252 = getelementptr i64, ptr %1251, i64 %1247
+  %1253 = load i64, ptr %1252, align 8
+  %1254 = getelementptr i8, ptr %1252, i64 8
+  %1255 = load i64, ptr %1254, align 8
+  %1256 = xor i64 %1253, -1
+  %1257 = add i64 %1255, %1256
+  %1258 = load ptr, ptr %100, align 8
+  %1259 = load ptr, ptr %145, align 8
+  %1260 = load ptr, ptr %149, align 8
+  %1261 = getelementptr inbounds i64, ptr %1260, i64 %1253
+  %1262 = load ptr, ptr %150, align 8
+  %1263 = getelementptr inbounds double, ptr %1262, i64 %1253
+  tail call fastcc void @combine(ptr noundef %1248, ptr noundef %1249, ptr noundef %1258, ptr noundef %1259, ptr noundef %1261, ptr noundef %1263, i64 noundef %1257, i64 noundef 1, i64 noundef %1225) #8
+  %1264 = load ptr, ptr %145, align 8
+  %1265 = mul nsw i64 %1246, %1227
+  %1266 = getelementptr inbounds double, ptr %1264, i64 %1265
+  %1267 = load i64, ptr %464, align 8
+  %1268 = add nsw i64 %1267, 1
+  store i64 %1268, ptr %464, align 8
+  %1269 = load ptr, ptr %151, align 8
+  %1270 = getelementptr inbounds double, ptr %1269, i64 %1246
+  %1271 = load double, ptr %1270, align 8
+  %1272 = fmul double %577, %1271
+  %1273 = fadd double %491, %1272
+  %1274 = load ptr, ptr %147, align 8
+  %1275 = load ptr, ptr %152, align 8
+  store double %1273, ptr %1275, align 8
+  %1276 = load i64, ptr %153, align 8
+  %1277 = icmp sgt i64 %1276, 0
+  br i1 %1277, label %1278, label %1279
+
+1278:                                             ; preds = %1243
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1198
+  br label %1279
 
-1198:                                             ; preds = %1162, %1197
-  %1199 = load ptr, ptr %73, align 8
-  %1200 = load i64, ptr %1199, align 8
-  %1201 = load ptr, ptr %146, align 8
-  %1202 = load ptr, ptr %148, align 8
-  %1203 = load ptr, ptr %149, align 8
-  %1204 = inttoptr i64 %1200 to ptr
-  %1205 = load ptr, ptr %1204, align 8
-  %1206 = tail call i32 %1205(ptr noundef %1201, ptr noundef %1193, ptr noundef %1202, ptr noundef %1203, ptr noundef %1185) #9
-  %1207 = sext i32 %1206 to i64
-  %1208 = icmp eq i32 %1206, 0
-  %1209 = select i1 %1208, i64 %1164, i64 %1207
-  br i1 %1208, label %1157, label %1210
+1279:                                             ; preds = %1243, %1278
+  %1280 = load ptr, ptr %73, align 8
+  %1281 = load i64, ptr %1280, align 8
+  %1282 = load ptr, ptr %152, align 8
+  %1283 = load ptr, ptr %154, align 8
+  %1284 = load ptr, ptr %155, align 8
+  %1285 = inttoptr i64 %1281 to ptr
+  %1286 = load ptr, ptr %1285, align 8
+  %1287 = tail call i32 %1286(ptr noundef %1282, ptr noundef %1274, ptr noundef %1283, ptr noundef %1284, ptr noundef %1266) #9
+  %1288 = sext i32 %1287 to i64
+  %1289 = icmp eq i32 %1287, 0
+  %1290 = select i1 %1289, i64 %1245, i64 %1288
+  br i1 %1289, label %1238, label %1291
 
-1210:                                             ; preds = %1157, %1198, %1140
-  %1211 = phi i1 [ %1154, %1140 ], [ %1161, %1157 ], [ %1163, %1198 ]
-  %1212 = phi i64 [ 0, %1140 ], [ %1207, %1198 ], [ %1207, %1157 ]
-  %1213 = phi i64 [ undef, %1140 ], [ %1209, %1198 ], [ %1209, %1157 ]
-  %1214 = getelementptr inbounds i8, ptr %1141, i64 16
-  br i1 %1211, label %1283, label %1215
+1291:                                             ; preds = %1238, %1279, %1221
+  %1292 = phi i1 [ %1235, %1221 ], [ %1242, %1238 ], [ %1244, %1279 ]
+  %1293 = phi i64 [ 0, %1221 ], [ %1288, %1279 ], [ %1288, %1238 ]
+  %1294 = phi i64 [ undef, %1221 ], [ %1290, %1279 ], [ %1290, %1238 ]
+  %1295 = getelementptr inbounds i8, ptr %1222, i64 16
+  br i1 %1292, label %1364, label %1296
 
-1215:                                             ; preds = %1210
-  %1216 = load ptr, ptr %73, align 8
-  %1217 = getelementptr inbounds i8, ptr %1216, i64 8
-  %1218 = load i64, ptr %1217, align 8
-  %1219 = icmp sgt i64 %1218, 0
-  br i1 %1219, label %1220, label %1224
+1296:                                             ; preds = %1291
+  %1297 = load ptr, ptr %73, align 8
+  %1298 = getelementptr inbounds i8, ptr %1297, i64 8
+  %1299 = load i64, ptr %1298, align 8
+  %1300 = icmp sgt i64 %1299, 0
+  br i1 %1300, label %1301, label %1305
 
-1220:                                             ; preds = %1215
-  %1221 = getelementptr inbounds double, ptr %1150, i64 %1146
-  %1222 = shl nsw i64 %1146, 4
-  %1223 = getelementptr inbounds i8, ptr %1150, i64 %1222
-  br label %1231
+1301:                                             ; preds = %1296
+  %1302 = getelementptr inbounds double, ptr %1231, i64 %1227
+  %1303 = shl nsw i64 %1227, 4
+  %1304 = getelementptr inbounds i8, ptr %1231, i64 %1303
+  br label %1312
 
-1224:                                             ; preds = %1231, %1215
-  %1225 = getelementptr inbounds i8, ptr %1141, i64 8
-  %1226 = load i64, ptr %1225, align 8
-  %1227 = load i64, ptr %1214, align 8
-  %1228 = getelementptr inbounds i8, ptr %1141, i64 24
-  %1229 = load i64, ptr %1228, align 8
-  %1230 = icmp sgt i64 %1229, 3
-  br i1 %1230, label %1258, label %1283
+1305:                                             ; preds = %1312, %1296
+  %1306 = getelementptr inbounds i8, ptr %1222, i64 8
+  %1307 = load i64, ptr %1306, align 8
+  %1308 = load i64, ptr %1295, align 8
+  %1309 = getelementptr inbounds i8, ptr %1222, i64 24
+  %1310 = load i64, ptr %1309, align 8
+  %1311 = icmp sgt i64 %1310, 3
+  br i1 %1311, label %1339, label %1364
 
-1231:                                             ; preds = %1220, %1231
-  %1232 = phi i64 [ 0, %1220 ], [ %1253, %1231 ]
-  %1233 = load ptr, ptr %150, align 8
-  %1234 = getelementptr inbounds double, ptr %1233, i64 %1232
-  %1235 = load double, ptr %1234, align 8
-  %1236 = load ptr, ptr %74, align 8
-  %1237 = getelementptr inbounds double, ptr %1236, i64 %1232
-  %1238 = load double, ptr %1237, align 8
-  %1239 = fsub double %1235, %1238
-  %1240 = load ptr, ptr %139, align 8
-  %1241 = getelementptr inbounds double, ptr %1240, i64 %1232
-  %1242 = load double, ptr %1241, align 8
-  %1243 = fmul double %496, %1242
-  %1244 = fsub double %1243, %1239
-  %1245 = getelementptr inbounds double, ptr %1150, i64 %1232
-  store double %1239, ptr %1245, align 8
-  %1246 = getelementptr inbounds double, ptr %1221, i64 %1232
-  store double %1244, ptr %1246, align 8
-  %1247 = fsub double %1239, %1244
-  %1248 = getelementptr inbounds double, ptr %1149, i64 %1232
-  %1249 = load double, ptr %1248, align 8
-  %1250 = fmul double %496, %1249
-  %1251 = fsub double %1247, %1250
-  %1252 = getelementptr inbounds double, ptr %1223, i64 %1232
-  store double %1251, ptr %1252, align 8
-  %1253 = add nuw nsw i64 %1232, 1
-  %1254 = load ptr, ptr %73, align 8
-  %1255 = getelementptr inbounds i8, ptr %1254, i64 8
-  %1256 = load i64, ptr %1255, align 8
-  %1257 = icmp slt i64 %1253, %1256
-  br i1 %1257, label %1231, label %1224, !llvm.loop !25
-
-1258:                                             ; preds = %1224, %1258
-  %1259 = phi i64 [ %1280, %1258 ], [ 3, %1224 ]
-  %1260 = mul nsw i64 %1259, %1146
-  %1261 = getelementptr inbounds double, ptr %1150, i64 %1260
-  %1262 = load ptr, ptr %151, align 8
-  %1263 = load ptr, ptr %152, align 8
-  %1264 = getelementptr i64, ptr %1263, i64 %1151
-  %1265 = getelementptr i64, ptr %1264, i64 %1226
-  %1266 = getelementptr i64, ptr %1265, i64 %1227
-  %1267 = getelementptr i64, ptr %1266, i64 %1259
-  %1268 = getelementptr i8, ptr %1267, i64 -24
-  %1269 = load i64, ptr %1268, align 8
-  %1270 = getelementptr i8, ptr %1267, i64 -16
-  %1271 = load i64, ptr %1270, align 8
-  %1272 = xor i64 %1269, -1
-  %1273 = add i64 %1271, %1272
-  %1274 = load ptr, ptr %94, align 8
-  %1275 = load ptr, ptr %139, align 8
-  %1276 = load ptr, ptr %153, align 8
-  %1277 = getelementptr inbounds i64, ptr %1276, i64 %1269
-  %1278 = load ptr, ptr %154, align 8
-  %1279 = getelementptr inbounds double, ptr %1278, i64 %1269
-  tail call fastcc void @combine(ptr noundef %1261, ptr noundef %1262, ptr noundef %1274, ptr noundef %1275, ptr noundef %1277, ptr noundef %1279, i64 noundef %1273, i64 noundef 1, i64 noundef %1144) #8
-  %1280 = add nuw nsw i64 %1259, 1
-  %1281 = load i64, ptr %1228, align 8
-  %1282 = icmp slt i64 %1280, %1281
-  br i1 %1282, label %1258, label %1283, !llvm.loop !26
-
-1283:                                             ; preds = %1258, %1224, %1210
-  %1284 = phi i64 [ %1213, %1210 ], [ %1212, %1224 ], [ %1212, %1258 ]
-  %1285 = icmp eq i64 %1284, 0
-  br i1 %1285, label %1289, label %1286
-
-1286:                                             ; preds = %1283
-  store i64 3, ptr %428, align 8
-  store double %449, ptr %160, align 8
-  %1287 = icmp slt i64 %1284, 0
-  %1288 = select i1 %1287, i64 -4, i64 2
-  br label %1623
-
-1289:                                             ; preds = %1283
-  %1290 = load ptr, ptr %75, align 8
-  br i1 %1097, label %1291, label %1302
-
-1291:                                             ; preds = %1289
-  %1292 = load ptr, ptr %82, align 8
-  %1293 = getelementptr inbounds i8, ptr %1292, i64 16
-  %1294 = load i64, ptr %1293, align 8
-  %1295 = inttoptr i64 %1294 to ptr
-  %1296 = tail call i64 %1295(ptr noundef %0, double noundef %449, double noundef %496) #9
-  %1297 = icmp eq i64 %1296, -6
-  br i1 %1297, label %1298, label %1299
-
-1298:                                             ; preds = %1291
-  store double %449, ptr %1290, align 8
-  br label %1477
-
-1299:                                             ; preds = %1291
-  %1300 = getelementptr inbounds i8, ptr %1290, i64 48
-  %1301 = load double, ptr %1300, align 8
-  br label %1302
-
-1302:                                             ; preds = %1299, %1289
-  %1303 = phi double [ %1301, %1299 ], [ 1.000000e+00, %1289 ]
-  %1304 = phi i64 [ %1296, %1299 ], [ 0, %1289 ]
-  %1305 = fcmp oeq double %1303, 1.000000e+00
-  br i1 %1305, label %1306, label %1308
-
-1306:                                             ; preds = %1302
-  %1307 = load double, ptr %1290, align 8
-  br label %1311
-
-1308:                                             ; preds = %1302
-  %1309 = fmul double %496, %1303
-  %1310 = fadd double %449, %1309
-  br label %1311
-
-1311:                                             ; preds = %1308, %1306
-  %1312 = phi double [ %1307, %1306 ], [ %1310, %1308 ]
-  %1313 = icmp eq i64 %1304, -4
-  %1314 = select i1 %1313, i64 -4, i64 0
-  br i1 %1313, label %1372, label %1315
-
-1315:                                             ; preds = %1311
-  %1316 = fcmp olt double %1303, 1.000000e+00
-  %1317 = load ptr, ptr %73, align 8
-  %1318 = getelementptr inbounds i8, ptr %1317, i64 8
-  %1319 = load i64, ptr %1318, align 8
-  %1320 = load i64, ptr %83, align 8
-  %1321 = load ptr, ptr %78, align 8
-  %1322 = load ptr, ptr %77, align 8
-  %1323 = getelementptr inbounds i8, ptr %1322, i64 48
-  %1324 = load i64, ptr %1323, align 8
-  %1325 = icmp slt i64 %1324, %1320
-  br i1 %1325, label %1326, label %1368
-
-1326:                                             ; preds = %1315, %1364
-  %1327 = phi i64 [ %1365, %1364 ], [ undef, %1315 ]
-  %1328 = phi i64 [ %1366, %1364 ], [ %1324, %1315 ]
-  %1329 = getelementptr inbounds double, ptr %1321, i64 %1328
+1312:                                             ; preds = %1301, %1312
+  %1313 = phi i64 [ 0, %1301 ], [ %1334, %1312 ]
+  %1314 = load ptr, ptr %156, align 8
+  %1315 = getelementptr inbounds double, ptr %1314, i64 %1313
+  %1316 = load double, ptr %1315, align 8
+  %1317 = load ptr, ptr %74, align 8
+  %1318 = getelementptr inbounds double, ptr %1317, i64 %1313
+  %1319 = load double, ptr %1318, align 8
+  %1320 = fsub double %1316, %1319
+  %1321 = load ptr, ptr %145, align 8
+  %1322 = getelementptr inbounds double, ptr %1321, i64 %1313
+  %1323 = load double, ptr %1322, align 8
+  %1324 = fmul double %577, %1323
+  %1325 = fsub double %1324, %1320
+  %1326 = getelementptr inbounds double, ptr %1231, i64 %1313
+  store double %1320, ptr %1326, align 8
+  %1327 = getelementptr inbounds double, ptr %1302, i64 %1313
+  store double %1325, ptr %1327, align 8
+  %1328 = fsub double %1320, %1325
+  %1329 = getelementptr inbounds double, ptr %1230, i64 %1313
   %1330 = load double, ptr %1329, align 8
-  %1331 = fcmp olt double %1330, %1312
-  %1332 = fcmp oeq double %1330, %1312
-  %1333 = and i1 %1316, %1332
-  %1334 = or i1 %1331, %1333
-  br i1 %1334, label %1335, label %1368
+  %1331 = fmul double %577, %1330
+  %1332 = fsub double %1328, %1331
+  %1333 = getelementptr inbounds double, ptr %1304, i64 %1313
+  store double %1332, ptr %1333, align 8
+  %1334 = add nuw nsw i64 %1313, 1
+  %1335 = load ptr, ptr %73, align 8
+  %1336 = getelementptr inbounds i8, ptr %1335, i64 8
+  %1337 = load i64, ptr %1336, align 8
+  %1338 = icmp slt i64 %1334, %1337
+  br i1 %1338, label %1312, label %1305, !llvm.loop !26
 
-1335:                                             ; preds = %1326
-  %1336 = fsub double %1330, %449
-  %1337 = fdiv double %1336, %496
-  %1338 = mul nsw i64 %1328, %1319
-  %1339 = getelementptr inbounds double, ptr %1, i64 %1338
-  %1340 = load ptr, ptr %155, align 8
-  %1341 = insertelement <8 x double> poison, double %1337, i64 0
-  %1342 = shufflevector <8 x double> %1341, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1342, ptr %1340, align 8
-  %1343 = load ptr, ptr %74, align 8
-  %1344 = load ptr, ptr %140, align 8
-  %1345 = load i64, ptr %138, align 8
-  %1346 = load ptr, ptr %0, align 8
-  %1347 = getelementptr inbounds i8, ptr %1346, i64 24
-  %1348 = load i64, ptr %1347, align 8
-  %1349 = load ptr, ptr %155, align 8
-  %1350 = load ptr, ptr %73, align 8
-  %1351 = getelementptr inbounds i8, ptr %1350, i64 16
+1339:                                             ; preds = %1305, %1339
+  %1340 = phi i64 [ %1361, %1339 ], [ 3, %1305 ]
+  %1341 = mul nsw i64 %1340, %1227
+  %1342 = getelementptr inbounds double, ptr %1231, i64 %1341
+  %1343 = load ptr, ptr %157, align 8
+  %1344 = load ptr, ptr %158, align 8
+  %1345 = getelementptr i64, ptr %1344, i64 %1232
+  %1346 = getelementptr i64, ptr %1345, i64 %1307
+  %1347 = getelementptr i64, ptr %1346, i64 %1308
+  %1348 = getelementptr i64, ptr %1347, i64 %1340
+  %1349 = getelementptr i8, ptr %1348, i64 -24
+  %1350 = load i64, ptr %1349, align 8
+  %1351 = getelementptr i8, ptr %1348, i64 -16
   %1352 = load i64, ptr %1351, align 8
-  tail call fastcc void @nested(ptr noundef %1339, ptr noundef %1343, ptr noundef %1344, i64 noundef %1345, i64 noundef %1348, ptr noundef %1349, i64 noundef %1352) #8
-  %1353 = load ptr, ptr %81, align 8
-  %1354 = load i64, ptr %1353, align 8
-  %1355 = icmp eq i64 %1354, 1
-  br i1 %1355, label %1356, label %1364
+  %1353 = xor i64 %1350, -1
+  %1354 = add i64 %1352, %1353
+  %1355 = load ptr, ptr %100, align 8
+  %1356 = load ptr, ptr %145, align 8
+  %1357 = load ptr, ptr %159, align 8
+  %1358 = getelementptr inbounds i64, ptr %1357, i64 %1350
+  %1359 = load ptr, ptr %160, align 8
+  %1360 = getelementptr inbounds double, ptr %1359, i64 %1350
+  tail call fastcc void @combine(ptr noundef %1342, ptr noundef %1343, ptr noundef %1355, ptr noundef %1356, ptr noundef %1358, ptr noundef %1360, i64 noundef %1354, i64 noundef 1, i64 noundef %1225) #8
+  %1361 = add nuw nsw i64 %1340, 1
+  %1362 = load i64, ptr %1309, align 8
+  %1363 = icmp slt i64 %1361, %1362
+  br i1 %1363, label %1339, label %1364, !llvm.loop !27
 
-1356:                                             ; preds = %1335
-  %1357 = load double, ptr %1329, align 8
-  %1358 = getelementptr inbounds i8, ptr %1353, i64 56
-  %1359 = load i64, ptr %1358, align 8
-  %1360 = inttoptr i64 %1359 to ptr
-  %1361 = tail call i64 %1360(ptr noundef %0, double noundef %1357, ptr noundef %1339, ptr noundef null) #9
-  %1362 = icmp eq i64 %1361, 0
-  %1363 = select i1 %1362, i64 %1327, i64 %1361
-  br i1 %1362, label %1364, label %1372
+1364:                                             ; preds = %1339, %1305, %1291
+  %1365 = phi i64 [ %1294, %1291 ], [ %1293, %1305 ], [ %1293, %1339 ]
+  %1366 = icmp eq i64 %1365, 0
+  br i1 %1366, label %1370, label %1367
 
-1364:                                             ; preds = %1356, %1335
-  %1365 = phi i64 [ %1363, %1356 ], [ %1327, %1335 ]
-  %1366 = add i64 %1328, 1
-  %1367 = icmp eq i64 %1366, %1320
-  br i1 %1367, label %1368, label %1326, !llvm.loop !27
+1367:                                             ; preds = %1364
+  store i64 3, ptr %469, align 8
+  store double %491, ptr %171, align 8
+  %1368 = icmp slt i64 %1365, 0
+  %1369 = select i1 %1368, i64 -4, i64 2
+  br label %1732
 
-1368:                                             ; preds = %1364, %1326, %1315
-  %1369 = phi i64 [ %1324, %1315 ], [ %1320, %1364 ], [ %1328, %1326 ]
-  %1370 = load ptr, ptr %77, align 8
-  %1371 = getelementptr inbounds i8, ptr %1370, i64 48
-  store i64 %1369, ptr %1371, align 8
-  br label %1372
+1370:                                             ; preds = %1364
+  %1371 = load ptr, ptr %75, align 8
+  br i1 %1178, label %1372, label %1383
 
-1372:                                             ; preds = %1356, %1368, %1311
-  %1373 = phi i64 [ %1314, %1311 ], [ 0, %1368 ], [ %1363, %1356 ]
-  %1374 = icmp eq i64 %1373, 0
-  %1375 = icmp ne i64 %1304, 0
-  %1376 = fcmp olt double %1303, 1.000000e+00
-  %1377 = and i1 %1376, %1374
-  %1378 = and i1 %1375, %1377
-  br i1 %1378, label %1379, label %1416
+1372:                                             ; preds = %1370
+  %1373 = load ptr, ptr %82, align 8
+  %1374 = getelementptr inbounds i8, ptr %1373, i64 16
+  %1375 = load i64, ptr %1374, align 8
+  %1376 = inttoptr i64 %1375 to ptr
+  %1377 = tail call i64 %1376(ptr noundef %0, double noundef %491, double noundef %577) #9
+  %1378 = icmp eq i64 %1377, -6
+  br i1 %1378, label %1379, label %1380
 
 1379:                                             ; preds = %1372
-  %1380 = load ptr, ptr %156, align 8
-  %1381 = load ptr, ptr %157, align 8
-  %1382 = insertelement <8 x double> poison, double %1303, i64 0
-  %1383 = shufflevector <8 x double> %1382, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1383, ptr %1381, align 8
-  %1384 = load ptr, ptr %74, align 8
-  %1385 = load ptr, ptr %140, align 8
-  %1386 = load i64, ptr %138, align 8
-  %1387 = load ptr, ptr %0, align 8
-  %1388 = getelementptr inbounds i8, ptr %1387, i64 24
-  %1389 = load i64, ptr %1388, align 8
-  %1390 = load ptr, ptr %157, align 8
-  %1391 = load ptr, ptr %73, align 8
-  %1392 = getelementptr inbounds i8, ptr %1391, i64 16
-  %1393 = load i64, ptr %1392, align 8
-  tail call fastcc void @nested(ptr noundef %1380, ptr noundef %1384, ptr noundef %1385, i64 noundef %1386, i64 noundef %1389, ptr noundef %1390, i64 noundef %1393) #8
-  %1394 = load i64, ptr %80, align 8
-  %1395 = icmp sgt i64 %1394, 0
-  br i1 %1395, label %1400, label %1396
+  store double %491, ptr %1371, align 8
+  br label %1558
 
-1396:                                             ; preds = %1400, %1379
-  %1397 = load ptr, ptr %81, align 8
-  %1398 = load i64, ptr %1397, align 8
-  %1399 = icmp eq i64 %1398, 1
-  br i1 %1399, label %1410, label %1416
+1380:                                             ; preds = %1372
+  %1381 = getelementptr inbounds i8, ptr %1371, i64 48
+  %1382 = load double, ptr %1381, align 8
+  br label %1383
 
-1400:                                             ; preds = %1379, %1400
-  %1401 = phi i64 [ %1407, %1400 ], [ 0, %1379 ]
-  %1402 = load ptr, ptr %156, align 8
-  %1403 = getelementptr inbounds double, ptr %1402, i64 %1401
-  %1404 = load double, ptr %1403, align 8
-  %1405 = load ptr, ptr %76, align 8
-  %1406 = getelementptr inbounds double, ptr %1405, i64 %1401
-  store double %1404, ptr %1406, align 8
-  %1407 = add nuw nsw i64 %1401, 1
-  %1408 = load i64, ptr %80, align 8
-  %1409 = icmp slt i64 %1407, %1408
-  br i1 %1409, label %1400, label %1396, !llvm.loop !28
+1383:                                             ; preds = %1380, %1370
+  %1384 = phi double [ %1382, %1380 ], [ 1.000000e+00, %1370 ]
+  %1385 = phi i64 [ %1377, %1380 ], [ 0, %1370 ]
+  %1386 = fcmp oeq double %1384, 1.000000e+00
+  br i1 %1386, label %1387, label %1389
 
-1410:                                             ; preds = %1396
-  %1411 = load ptr, ptr %76, align 8
-  %1412 = getelementptr inbounds i8, ptr %1397, i64 56
-  %1413 = load i64, ptr %1412, align 8
-  %1414 = inttoptr i64 %1413 to ptr
-  %1415 = tail call i64 %1414(ptr noundef %0, double noundef %1312, ptr noundef %1411, ptr noundef null) #9
-  br label %1416
+1387:                                             ; preds = %1383
+  %1388 = load double, ptr %1371, align 8
+  br label %1392
 
-1416:                                             ; preds = %1410, %1396, %1372
-  %1417 = phi i64 [ %1415, %1410 ], [ 0, %1396 ], [ %1373, %1372 ]
-  %1418 = icmp eq i64 %1417, 0
-  br i1 %1418, label %1421, label %1419
+1389:                                             ; preds = %1383
+  %1390 = fmul double %577, %1384
+  %1391 = fadd double %491, %1390
+  br label %1392
 
-1419:                                             ; preds = %1416
-  store double %449, ptr %1290, align 8
-  %1420 = getelementptr inbounds i8, ptr %1290, i64 8
-  store double %496, ptr %1420, align 8
-  br label %1477
+1392:                                             ; preds = %1389, %1387
+  %1393 = phi double [ %1388, %1387 ], [ %1391, %1389 ]
+  %1394 = icmp eq i64 %1385, -4
+  %1395 = select i1 %1394, i64 -4, i64 0
+  br i1 %1394, label %1453, label %1396
 
-1421:                                             ; preds = %1416
-  br i1 %1305, label %1422, label %1460
+1396:                                             ; preds = %1392
+  %1397 = fcmp olt double %1384, 1.000000e+00
+  %1398 = load ptr, ptr %73, align 8
+  %1399 = getelementptr inbounds i8, ptr %1398, i64 8
+  %1400 = load i64, ptr %1399, align 8
+  %1401 = load i64, ptr %83, align 8
+  %1402 = load ptr, ptr %78, align 8
+  %1403 = load ptr, ptr %77, align 8
+  %1404 = getelementptr inbounds i8, ptr %1403, i64 48
+  %1405 = load i64, ptr %1404, align 8
+  %1406 = icmp slt i64 %1405, %1401
+  br i1 %1406, label %1407, label %1449
 
-1422:                                             ; preds = %1421
-  %1423 = load ptr, ptr %76, align 8
-  %1424 = load ptr, ptr %73, align 8
-  %1425 = getelementptr inbounds i8, ptr %1424, i64 8
-  %1426 = load i64, ptr %1425, align 8
-  %1427 = load i64, ptr %83, align 8
-  %1428 = load ptr, ptr %78, align 8
-  %1429 = load ptr, ptr %77, align 8
-  %1430 = getelementptr inbounds i8, ptr %1429, i64 48
-  %1431 = load i64, ptr %1430, align 8
-  %1432 = icmp slt i64 %1431, %1427
-  br i1 %1432, label %1433, label %1456
+1407:                                             ; preds = %1396, %1445
+  %1408 = phi i64 [ %1446, %1445 ], [ undef, %1396 ]
+  %1409 = phi i64 [ %1447, %1445 ], [ %1405, %1396 ]
+  %1410 = getelementptr inbounds double, ptr %1402, i64 %1409
+  %1411 = load double, ptr %1410, align 8
+  %1412 = fcmp olt double %1411, %1393
+  %1413 = fcmp oeq double %1411, %1393
+  %1414 = and i1 %1397, %1413
+  %1415 = or i1 %1412, %1414
+  br i1 %1415, label %1416, label %1449
 
-1433:                                             ; preds = %1422
-  %1434 = icmp sgt i64 %1426, 0
-  br label %1435
+1416:                                             ; preds = %1407
+  %1417 = fsub double %1411, %491
+  %1418 = fdiv double %1417, %577
+  %1419 = mul nsw i64 %1409, %1400
+  %1420 = getelementptr inbounds double, ptr %1, i64 %1419
+  %1421 = load ptr, ptr %161, align 8
+  %1422 = insertelement <8 x double> poison, double %1418, i64 0
+  %1423 = shufflevector <8 x double> %1422, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1423, ptr %1421, align 8
+  %1424 = load ptr, ptr %74, align 8
+  %1425 = load ptr, ptr %146, align 8
+  %1426 = load i64, ptr %144, align 8
+  %1427 = load ptr, ptr %0, align 8
+  %1428 = getelementptr inbounds i8, ptr %1427, i64 24
+  %1429 = load i64, ptr %1428, align 8
+  %1430 = load ptr, ptr %161, align 8
+  %1431 = load ptr, ptr %73, align 8
+  %1432 = getelementptr inbounds i8, ptr %1431, i64 16
+  %1433 = load i64, ptr %1432, align 8
+  tail call fastcc void @nested(ptr noundef %1420, ptr noundef %1424, ptr noundef %1425, i64 noundef %1426, i64 noundef %1429, ptr noundef %1430, i64 noundef %1433) #8
+  %1434 = load ptr, ptr %81, align 8
+  %1435 = load i64, ptr %1434, align 8
+  %1436 = icmp eq i64 %1435, 1
+  br i1 %1436, label %1437, label %1445
 
-1435:                                             ; preds = %1433, %1446
-  %1436 = phi i64 [ %1431, %1433 ], [ %1447, %1446 ]
-  %1437 = getelementptr inbounds double, ptr %1428, i64 %1436
-  %1438 = load double, ptr %1437, align 8
-  %1439 = load ptr, ptr %75, align 8
-  %1440 = load double, ptr %1439, align 8
-  %1441 = fcmp ugt double %1438, %1440
-  br i1 %1441, label %1456, label %1442
+1437:                                             ; preds = %1416
+  %1438 = load double, ptr %1410, align 8
+  %1439 = getelementptr inbounds i8, ptr %1434, i64 56
+  %1440 = load i64, ptr %1439, align 8
+  %1441 = inttoptr i64 %1440 to ptr
+  %1442 = tail call i64 %1441(ptr noundef %0, double noundef %1438, ptr noundef %1420, ptr noundef null) #9
+  %1443 = icmp eq i64 %1442, 0
+  %1444 = select i1 %1443, i64 %1408, i64 %1442
+  br i1 %1443, label %1445, label %1453
 
-1442:                                             ; preds = %1435
-  br i1 %1434, label %1443, label %1446
+1445:                                             ; preds = %1437, %1416
+  %1446 = phi i64 [ %1444, %1437 ], [ %1408, %1416 ]
+  %1447 = add i64 %1409, 1
+  %1448 = icmp eq i64 %1447, %1401
+  br i1 %1448, label %1449, label %1407, !llvm.loop !28
 
-1443:                                             ; preds = %1442
-  %1444 = mul nsw i64 %1436, %1426
-  %1445 = getelementptr double, ptr %1, i64 %1444
-  br label %1449
+1449:                                             ; preds = %1445, %1407, %1396
+  %1450 = phi i64 [ %1405, %1396 ], [ %1401, %1445 ], [ %1409, %1407 ]
+  %1451 = load ptr, ptr %77, align 8
+  %1452 = getelementptr inbounds i8, ptr %1451, i64 48
+  store i64 %1450, ptr %1452, align 8
+  br label %1453
 
-1446:                                             ; preds = %1449, %1442
-  %1447 = add i64 %1436, 1
-  %1448 = icmp eq i64 %1447, %1427
-  br i1 %1448, label %1456, label %1435, !llvm.loop !8
+1453:                                             ; preds = %1437, %1449, %1392
+  %1454 = phi i64 [ %1395, %1392 ], [ 0, %1449 ], [ %1444, %1437 ]
+  %1455 = icmp eq i64 %1454, 0
+  %1456 = icmp ne i64 %1385, 0
+  %1457 = fcmp olt double %1384, 1.000000e+00
+  %1458 = and i1 %1457, %1455
+  %1459 = and i1 %1456, %1458
+  br i1 %1459, label %1460, label %1497
 
-1449:                                             ; preds = %1443, %1449
-  %1450 = phi i64 [ 0, %1443 ], [ %1454, %1449 ]
-  %1451 = getelementptr inbounds double, ptr %1423, i64 %1450
-  %1452 = load double, ptr %1451, align 8
-  %1453 = getelementptr double, ptr %1445, i64 %1450
-  store double %1452, ptr %1453, align 8
-  %1454 = add nuw nsw i64 %1450, 1
-  %1455 = icmp eq i64 %1454, %1426
-  br i1 %1455, label %1446, label %1449, !llvm.loop !9
-
-1456:                                             ; preds = %1446, %1435, %1422
-  %1457 = phi i64 [ %1431, %1422 ], [ %1427, %1446 ], [ %1436, %1435 ]
-  %1458 = load ptr, ptr %77, align 8
-  %1459 = getelementptr inbounds i8, ptr %1458, i64 48
-  store i64 %1457, ptr %1459, align 8
-  br label %1460
-
-1460:                                             ; preds = %1456, %1421
-  br i1 %1375, label %1461, label %1477
-
-1461:                                             ; preds = %1460
-  %1462 = load i64, ptr %80, align 8
-  %1463 = icmp sgt i64 %1462, 0
-  br i1 %1463, label %1467, label %1464
-
-1464:                                             ; preds = %1467, %1461
-  store double %1312, ptr %1290, align 8
-  %1465 = getelementptr inbounds i8, ptr %1290, i64 8
-  store double 0.000000e+00, ptr %1465, align 8
-  %1466 = load ptr, ptr %77, align 8
-  store i64 0, ptr %1466, align 8
-  br label %1477
-
-1467:                                             ; preds = %1461, %1467
-  %1468 = phi i64 [ %1474, %1467 ], [ 0, %1461 ]
-  %1469 = load ptr, ptr %76, align 8
-  %1470 = getelementptr inbounds double, ptr %1469, i64 %1468
-  %1471 = load double, ptr %1470, align 8
-  %1472 = load ptr, ptr %74, align 8
-  %1473 = getelementptr inbounds double, ptr %1472, i64 %1468
-  store double %1471, ptr %1473, align 8
-  %1474 = add nuw nsw i64 %1468, 1
+1460:                                             ; preds = %1453
+  %1461 = load ptr, ptr %162, align 8
+  %1462 = load ptr, ptr %163, align 8
+  %1463 = insertelement <8 x double> poison, double %1384, i64 0
+  %1464 = shufflevector <8 x double> %1463, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1464, ptr %1462, align 8
+  %1465 = load ptr, ptr %74, align 8
+  %1466 = load ptr, ptr %146, align 8
+  %1467 = load i64, ptr %144, align 8
+  %1468 = load ptr, ptr %0, align 8
+  %1469 = getelementptr inbounds i8, ptr %1468, i64 24
+  %1470 = load i64, ptr %1469, align 8
+  %1471 = load ptr, ptr %163, align 8
+  %1472 = load ptr, ptr %73, align 8
+  %1473 = getelementptr inbounds i8, ptr %1472, i64 16
+  %1474 = load i64, ptr %1473, align 8
+  tail call fastcc void @nested(ptr noundef %1461, ptr noundef %1465, ptr noundef %1466, i64 noundef %1467, i64 noundef %1470, ptr noundef %1471, i64 noundef %1474) #8
   %1475 = load i64, ptr %80, align 8
-  %1476 = icmp slt i64 %1474, %1475
-  br i1 %1476, label %1467, label %1464, !llvm.loop !29
+  %1476 = icmp sgt i64 %1475, 0
+  br i1 %1476, label %1481, label %1477
 
-1477:                                             ; preds = %1298, %1419, %1460, %1464
-  %1478 = phi i64 [ -6, %1298 ], [ %1417, %1419 ], [ %1304, %1464 ], [ %1304, %1460 ]
-  %1479 = icmp eq i64 %1478, -6
-  br i1 %1479, label %1484, label %1480
+1477:                                             ; preds = %1481, %1460
+  %1478 = load ptr, ptr %81, align 8
+  %1479 = load i64, ptr %1478, align 8
+  %1480 = icmp eq i64 %1479, 1
+  br i1 %1480, label %1491, label %1497
 
-1480:                                             ; preds = %1477
-  %1481 = icmp ne i64 %1478, 6
-  %1482 = select i1 %1481, i1 true, i1 %176
-  %1483 = select i1 %1482, i1 true, i1 %183
-  br i1 %1483, label %1494, label %1484
+1481:                                             ; preds = %1460, %1481
+  %1482 = phi i64 [ %1488, %1481 ], [ 0, %1460 ]
+  %1483 = load ptr, ptr %162, align 8
+  %1484 = getelementptr inbounds double, ptr %1483, i64 %1482
+  %1485 = load double, ptr %1484, align 8
+  %1486 = load ptr, ptr %76, align 8
+  %1487 = getelementptr inbounds double, ptr %1486, i64 %1482
+  store double %1485, ptr %1487, align 8
+  %1488 = add nuw nsw i64 %1482, 1
+  %1489 = load i64, ptr %80, align 8
+  %1490 = icmp slt i64 %1488, %1489
+  br i1 %1490, label %1481, label %1477, !llvm.loop !29
 
-1484:                                             ; preds = %1480, %1477
-  %1485 = phi i64 [ %1478, %1480 ], [ 2, %1477 ]
-  %1486 = load i64, ptr %418, align 8
-  %1487 = add nsw i64 %1486, -1
-  store i64 %1487, ptr %418, align 8
-  %1488 = load ptr, ptr %93, align 8
-  %1489 = load i64, ptr %1488, align 8
-  %1490 = add nsw i64 %1489, -1
-  store i64 %1490, ptr %1488, align 8
-  %1491 = load i64, ptr %419, align 8
-  %1492 = add nsw i64 %1491, 1
-  store i64 %1492, ptr %419, align 8
-  store i64 %1485, ptr %438, align 8
-  store double 1.000000e+00, ptr %439, align 8
-  %1493 = fmul double %496, 2.500000e-01
-  br label %1623, !llvm.loop !19
+1491:                                             ; preds = %1477
+  %1492 = load ptr, ptr %76, align 8
+  %1493 = getelementptr inbounds i8, ptr %1478, i64 56
+  %1494 = load i64, ptr %1493, align 8
+  %1495 = inttoptr i64 %1494 to ptr
+  %1496 = tail call i64 %1495(ptr noundef %0, double noundef %1393, ptr noundef %1492, ptr noundef null) #9
+  br label %1497
 
-1494:                                             ; preds = %1480
-  %1495 = icmp eq i64 %1478, 0
-  br i1 %1495, label %1500, label %1496
+1497:                                             ; preds = %1491, %1477, %1453
+  %1498 = phi i64 [ %1496, %1491 ], [ 0, %1477 ], [ %1454, %1453 ]
+  %1499 = icmp eq i64 %1498, 0
+  br i1 %1499, label %1502, label %1500
 
-1496:                                             ; preds = %1494
-  %1497 = load ptr, ptr %93, align 8
-  %1498 = load i64, ptr %1497, align 8
-  %1499 = add nsw i64 %1498, 1
-  store i64 %1499, ptr %1497, align 8
-  br label %1623
+1500:                                             ; preds = %1497
+  store double %491, ptr %1371, align 8
+  %1501 = getelementptr inbounds i8, ptr %1371, i64 8
+  store double %577, ptr %1501, align 8
+  br label %1558
 
-1500:                                             ; preds = %1494, %1136
-  br i1 %176, label %1604, label %1501
+1502:                                             ; preds = %1497
+  br i1 %1386, label %1503, label %1541
 
-1501:                                             ; preds = %1500
-  %1502 = load double, ptr %430, align 8
-  %1503 = fcmp ogt double %880, 1.000000e-10
-  %1504 = select i1 %1503, double %880, double 1.000000e-10
-  %1505 = load double, ptr %431, align 8
-  %1506 = load double, ptr %432, align 8
-  %1507 = fneg double %1506
-  %1508 = bitcast double %1504 to i64
-  %1509 = add nsw i64 %1508, -4604544271217802189
-  %1510 = ashr i64 %1509, 52
-  %1511 = and i64 %1509, -4503599627370496
-  %1512 = sub nsw i64 %1508, %1511
-  %1513 = bitcast i64 %1512 to double
-  %1514 = fadd double %1513, -1.000000e+00
-  %1515 = fadd double %1513, 1.000000e+00
-  %1516 = fdiv double %1514, %1515
-  %1517 = fmul double %1516, %1516
-  %1518 = tail call double @llvm.fma.f64(double %1517, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1519 = tail call double @llvm.fma.f64(double %1518, double %1517, double 0x3FE2776C50EF9BFE)
-  %1520 = tail call double @llvm.fma.f64(double %1519, double %1517, double 0x3FEEC709DC3A03FD)
-  %1521 = tail call double @llvm.fma.f64(double %1520, double %1517, double 0x40071547652B82FE)
-  %1522 = trunc nsw i64 %1510 to i32
-  %1523 = sitofp i32 %1522 to double
-  %1524 = fmul double %1516, %1521
-  %1525 = fadd double %1524, %1523
-  %1526 = fmul double %1525, %1507
-  %1527 = fcmp ogt double %1526, -1.000000e+03
-  %1528 = select i1 %1527, double %1526, double -1.000000e+03
-  %1529 = fcmp olt double %1528, 1.000000e+03
-  %1530 = select i1 %1529, double %1528, double 1.000000e+03
-  %1531 = tail call double @llvm.rint.f64(double %1530)
-  %1532 = fsub double %1530, %1531
-  %1533 = tail call double @llvm.fma.f64(double %1532, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1534 = tail call double @llvm.fma.f64(double %1533, double %1532, double 0x3F55D87FE78A6730)
-  %1535 = tail call double @llvm.fma.f64(double %1534, double %1532, double 0x3F83B2AB6FBA4E77)
-  %1536 = tail call double @llvm.fma.f64(double %1535, double %1532, double 0x3FAC6B08D704A0BF)
-  %1537 = tail call double @llvm.fma.f64(double %1536, double %1532, double 0x3FCEBFBDFF82C58E)
-  %1538 = tail call double @llvm.fma.f64(double %1537, double %1532, double 0x3FE62E42FEFA39EF)
-  %1539 = tail call double @llvm.fma.f64(double %1538, double %1532, double 1.000000e+00)
-  %1540 = bitcast double %1539 to i64
-  %1541 = fptosi double %1531 to i32
-  %1542 = sext i32 %1541 to i64
-  %1543 = shl nsw i64 %1542, 52
-  %1544 = add nsw i64 %1543, %1540
-  %1545 = bitcast i64 %1544 to double
-  %1546 = fmul double %1505, %1545
-  %1547 = load double, ptr %433, align 8
-  %1548 = fcmp une double %1547, 0.000000e+00
-  br i1 %1548, label %1549, label %1589
+1503:                                             ; preds = %1502
+  %1504 = load ptr, ptr %76, align 8
+  %1505 = load ptr, ptr %73, align 8
+  %1506 = getelementptr inbounds i8, ptr %1505, i64 8
+  %1507 = load i64, ptr %1506, align 8
+  %1508 = load i64, ptr %83, align 8
+  %1509 = load ptr, ptr %78, align 8
+  %1510 = load ptr, ptr %77, align 8
+  %1511 = getelementptr inbounds i8, ptr %1510, i64 48
+  %1512 = load i64, ptr %1511, align 8
+  %1513 = icmp slt i64 %1512, %1508
+  br i1 %1513, label %1514, label %1537
 
-1549:                                             ; preds = %1501
-  %1550 = load i64, ptr %429, align 8
-  %1551 = add nsw i64 %1550, -4604544271217802189
-  %1552 = ashr i64 %1551, 52
-  %1553 = and i64 %1551, -4503599627370496
-  %1554 = sub nsw i64 %1550, %1553
-  %1555 = bitcast i64 %1554 to double
-  %1556 = fadd double %1555, -1.000000e+00
-  %1557 = fadd double %1555, 1.000000e+00
-  %1558 = fdiv double %1556, %1557
-  %1559 = fmul double %1558, %1558
-  %1560 = tail call double @llvm.fma.f64(double %1559, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1561 = tail call double @llvm.fma.f64(double %1560, double %1559, double 0x3FE2776C50EF9BFE)
-  %1562 = tail call double @llvm.fma.f64(double %1561, double %1559, double 0x3FEEC709DC3A03FD)
-  %1563 = tail call double @llvm.fma.f64(double %1562, double %1559, double 0x40071547652B82FE)
-  %1564 = trunc nsw i64 %1552 to i32
-  %1565 = sitofp i32 %1564 to double
-  %1566 = fmul double %1558, %1563
-  %1567 = fadd double %1566, %1565
-  %1568 = fmul double %1547, %1567
-  %1569 = fcmp ogt double %1568, -1.000000e+03
-  %1570 = select i1 %1569, double %1568, double -1.000000e+03
-  %1571 = fcmp olt double %1570, 1.000000e+03
-  %1572 = select i1 %1571, double %1570, double 1.000000e+03
-  %1573 = tail call double @llvm.rint.f64(double %1572)
-  %1574 = fsub double %1572, %1573
-  %1575 = tail call double @llvm.fma.f64(double %1574, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1576 = tail call double @llvm.fma.f64(double %1575, double %1574, double 0x3F55D87FE78A6730)
-  %1577 = tail call double @llvm.fma.f64(double %1576, double %1574, double 0x3F83B2AB6FBA4E77)
-  %1578 = tail call double @llvm.fma.f64(double %1577, double %1574, double 0x3FAC6B08D704A0BF)
-  %1579 = tail call double @llvm.fma.f64(double %1578, double %1574, double 0x3FCEBFBDFF82C58E)
-  %1580 = tail call double @llvm.fma.f64(double %1579, double %1574, double 0x3FE62E42FEFA39EF)
-  %1581 = tail call double @llvm.fma.f64(double %1580, double %1574, double 1.000000e+00)
-  %1582 = bitcast double %1581 to i64
-  %1583 = fptosi double %1573 to i32
-  %1584 = sext i32 %1583 to i64
-  %1585 = shl nsw i64 %1584, 52
-  %1586 = add nsw i64 %1585, %1582
-  %1587 = bitcast i64 %1586 to double
-  %1588 = fmul double %1546, %1587
-  br label %1589
+1514:                                             ; preds = %1503
+  %1515 = icmp sgt i64 %1507, 0
+  br label %1516
 
-1589:                                             ; preds = %1501, %1549
-  %1590 = phi double [ %1588, %1549 ], [ %1546, %1501 ]
-  %1591 = load double, ptr %434, align 8
-  %1592 = fcmp ogt double %1590, %1591
-  %1593 = select i1 %1592, double %1590, double %1591
-  %1594 = fcmp olt double %1502, %1593
-  %1595 = select i1 %1594, double %1502, double %1593
-  %1596 = fmul double %496, %1595
-  %1597 = fcmp oeq double %495, %187
-  %1598 = fcmp ogt double %450, %1596
-  %1599 = select i1 %1597, i1 %1598, i1 false
-  %1600 = select i1 %1599, double %450, double %1596
-  %1601 = fcmp ogt double %880, 1.000000e-04
-  %1602 = select i1 %1601, double %880, double 1.000000e-04
-  store double %1602, ptr %429, align 8
-  %1603 = load double, ptr %435, align 8
-  store double %1603, ptr %430, align 8
-  br label %1604
+1516:                                             ; preds = %1514, %1527
+  %1517 = phi i64 [ %1512, %1514 ], [ %1528, %1527 ]
+  %1518 = getelementptr inbounds double, ptr %1509, i64 %1517
+  %1519 = load double, ptr %1518, align 8
+  %1520 = load ptr, ptr %75, align 8
+  %1521 = load double, ptr %1520, align 8
+  %1522 = fcmp ugt double %1519, %1521
+  br i1 %1522, label %1537, label %1523
 
-1604:                                             ; preds = %1589, %1500
-  %1605 = phi double [ %1600, %1589 ], [ %450, %1500 ]
-  br i1 %436, label %1610, label %1606
+1523:                                             ; preds = %1516
+  br i1 %1515, label %1524, label %1527
 
-1606:                                             ; preds = %1610, %1604
-  %1607 = load i64, ptr %437, align 8
-  %1608 = load i64, ptr %83, align 8
-  %1609 = icmp eq i64 %1607, %1608
-  br i1 %1609, label %1622, label %1623
+1524:                                             ; preds = %1523
+  %1525 = mul nsw i64 %1517, %1507
+  %1526 = getelementptr double, ptr %1, i64 %1525
+  br label %1530
 
-1610:                                             ; preds = %1604, %1610
-  %1611 = phi i64 [ %1620, %1610 ], [ 0, %1604 ]
-  %1612 = getelementptr inbounds double, ptr %161, i64 %1611
-  %1613 = load double, ptr %1612, align 8
-  %1614 = load ptr, ptr %74, align 8
-  %1615 = getelementptr inbounds double, ptr %1614, i64 %1611
-  store double %1613, ptr %1615, align 8
-  %1616 = getelementptr inbounds double, ptr %191, i64 %1611
-  %1617 = load double, ptr %1616, align 8
-  %1618 = load ptr, ptr %84, align 8
-  %1619 = getelementptr inbounds double, ptr %1618, i64 %1611
-  store double %1617, ptr %1619, align 8
-  %1620 = add nuw nsw i64 %1611, 1
-  %1621 = icmp eq i64 %1620, %170
-  br i1 %1621, label %1606, label %1610, !llvm.loop !30
+1527:                                             ; preds = %1530, %1523
+  %1528 = add i64 %1517, 1
+  %1529 = icmp eq i64 %1528, %1508
+  br i1 %1529, label %1537, label %1516, !llvm.loop !9
 
-1622:                                             ; preds = %1606
-  store double %1605, ptr %193, align 8
-  br label %1623
+1530:                                             ; preds = %1524, %1530
+  %1531 = phi i64 [ 0, %1524 ], [ %1535, %1530 ]
+  %1532 = getelementptr inbounds double, ptr %1504, i64 %1531
+  %1533 = load double, ptr %1532, align 8
+  %1534 = getelementptr double, ptr %1526, i64 %1531
+  store double %1533, ptr %1534, align 8
+  %1535 = add nuw nsw i64 %1531, 1
+  %1536 = icmp eq i64 %1535, %1507
+  br i1 %1536, label %1527, label %1530, !llvm.loop !10
 
-1623:                                             ; preds = %1622, %1606, %1496, %1484, %1286, %948, %947, %867, %677, %502
-  %1624 = phi double [ %450, %502 ], [ %450, %677 ], [ %450, %867 ], [ %946, %948 ], [ %946, %947 ], [ %450, %1286 ], [ %1493, %1484 ], [ %450, %1496 ], [ %1605, %1622 ], [ %1605, %1606 ]
-  %1625 = phi double [ %449, %502 ], [ %449, %677 ], [ %449, %867 ], [ %449, %948 ], [ %449, %947 ], [ %449, %1286 ], [ %449, %1484 ], [ %449, %1496 ], [ %495, %1622 ], [ %495, %1606 ]
-  %1626 = phi i32 [ 1, %502 ], [ 1, %677 ], [ 1, %867 ], [ 3, %948 ], [ 1, %947 ], [ 1, %1286 ], [ 3, %1484 ], [ 1, %1496 ], [ 1, %1622 ], [ 0, %1606 ]
-  %1627 = phi i64 [ 2, %502 ], [ -4, %677 ], [ -4, %867 ], [ %448, %948 ], [ 2, %947 ], [ %1288, %1286 ], [ %448, %1484 ], [ %1478, %1496 ], [ 0, %1622 ], [ %448, %1606 ]
-  switch i32 %1626, label %1631 [
-    i32 0, label %1628
-    i32 3, label %1628
+1537:                                             ; preds = %1527, %1516, %1503
+  %1538 = phi i64 [ %1512, %1503 ], [ %1508, %1527 ], [ %1517, %1516 ]
+  %1539 = load ptr, ptr %77, align 8
+  %1540 = getelementptr inbounds i8, ptr %1539, i64 48
+  store i64 %1538, ptr %1540, align 8
+  br label %1541
+
+1541:                                             ; preds = %1537, %1502
+  br i1 %1456, label %1542, label %1558
+
+1542:                                             ; preds = %1541
+  %1543 = load i64, ptr %80, align 8
+  %1544 = icmp sgt i64 %1543, 0
+  br i1 %1544, label %1548, label %1545
+
+1545:                                             ; preds = %1548, %1542
+  store double %1393, ptr %1371, align 8
+  %1546 = getelementptr inbounds i8, ptr %1371, i64 8
+  store double 0.000000e+00, ptr %1546, align 8
+  %1547 = load ptr, ptr %77, align 8
+  store i64 0, ptr %1547, align 8
+  br label %1558
+
+1548:                                             ; preds = %1542, %1548
+  %1549 = phi i64 [ %1555, %1548 ], [ 0, %1542 ]
+  %1550 = load ptr, ptr %76, align 8
+  %1551 = getelementptr inbounds double, ptr %1550, i64 %1549
+  %1552 = load double, ptr %1551, align 8
+  %1553 = load ptr, ptr %74, align 8
+  %1554 = getelementptr inbounds double, ptr %1553, i64 %1549
+  store double %1552, ptr %1554, align 8
+  %1555 = add nuw nsw i64 %1549, 1
+  %1556 = load i64, ptr %80, align 8
+  %1557 = icmp slt i64 %1555, %1556
+  br i1 %1557, label %1548, label %1545, !llvm.loop !30
+
+1558:                                             ; preds = %1379, %1500, %1541, %1545
+  %1559 = phi i64 [ -6, %1379 ], [ %1498, %1500 ], [ %1385, %1545 ], [ %1385, %1541 ]
+  %1560 = icmp eq i64 %1559, -6
+  br i1 %1560, label %1565, label %1561
+
+1561:                                             ; preds = %1558
+  %1562 = icmp ne i64 %1559, 6
+  %1563 = select i1 %1562, i1 true, i1 %187
+  %1564 = select i1 %1563, i1 true, i1 %194
+  br i1 %1564, label %1575, label %1565
+
+1565:                                             ; preds = %1561, %1558
+  %1566 = phi i64 [ %1559, %1561 ], [ 2, %1558 ]
+  %1567 = load i64, ptr %459, align 8
+  %1568 = add nsw i64 %1567, -1
+  store i64 %1568, ptr %459, align 8
+  %1569 = load ptr, ptr %96, align 8
+  %1570 = load i64, ptr %1569, align 8
+  %1571 = add nsw i64 %1570, -1
+  store i64 %1571, ptr %1569, align 8
+  %1572 = load i64, ptr %460, align 8
+  %1573 = add nsw i64 %1572, 1
+  store i64 %1573, ptr %460, align 8
+  store i64 %1566, ptr %480, align 8
+  store double 1.000000e+00, ptr %481, align 8
+  %1574 = fmul double %577, 2.500000e-01
+  br label %1732, !llvm.loop !20
+
+1575:                                             ; preds = %1561
+  %1576 = icmp eq i64 %1559, 0
+  br i1 %1576, label %1581, label %1577
+
+1577:                                             ; preds = %1575
+  %1578 = load ptr, ptr %96, align 8
+  %1579 = load i64, ptr %1578, align 8
+  %1580 = add nsw i64 %1579, 1
+  store i64 %1580, ptr %1578, align 8
+  br label %1732
+
+1581:                                             ; preds = %1575, %1217
+  br i1 %187, label %1684, label %1582
+
+1582:                                             ; preds = %1581
+  %1583 = load double, ptr %471, align 8
+  %1584 = fcmp ogt double %961, 1.000000e-10
+  %1585 = select i1 %1584, double %961, double 1.000000e-10
+  %1586 = load double, ptr %472, align 8
+  %1587 = load double, ptr %473, align 8
+  %1588 = fneg double %1587
+  %1589 = bitcast double %1585 to i64
+  %1590 = add nsw i64 %1589, -4604544271217802189
+  %1591 = ashr i64 %1590, 52
+  %1592 = and i64 %1590, -4503599627370496
+  %1593 = sub nsw i64 %1589, %1592
+  %1594 = bitcast i64 %1593 to double
+  %1595 = fadd double %1594, -1.000000e+00
+  %1596 = fadd double %1594, 1.000000e+00
+  %1597 = fdiv double %1595, %1596
+  %1598 = fmul double %1597, %1597
+  %1599 = tail call double @llvm.fma.f64(double %1598, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1600 = tail call double @llvm.fma.f64(double %1599, double %1598, double 0x3FE2776C50EF9BFE)
+  %1601 = tail call double @llvm.fma.f64(double %1600, double %1598, double 0x3FEEC709DC3A03FD)
+  %1602 = tail call double @llvm.fma.f64(double %1601, double %1598, double 0x40071547652B82FE)
+  %1603 = trunc nsw i64 %1591 to i32
+  %1604 = sitofp i32 %1603 to double
+  %1605 = fmul double %1597, %1602
+  %1606 = fadd double %1605, %1604
+  %1607 = fmul double %1606, %1588
+  %1608 = fcmp ogt double %1607, -1.000000e+03
+  %1609 = select i1 %1608, double %1607, double -1.000000e+03
+  %1610 = fcmp olt double %1609, 1.000000e+03
+  %1611 = select i1 %1610, double %1609, double 1.000000e+03
+  %1612 = tail call double @llvm.rint.f64(double %1611)
+  %1613 = fsub double %1611, %1612
+  %1614 = tail call double @llvm.fma.f64(double %1613, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1615 = tail call double @llvm.fma.f64(double %1614, double %1613, double 0x3F55D87FE78A6730)
+  %1616 = tail call double @llvm.fma.f64(double %1615, double %1613, double 0x3F83B2AB6FBA4E77)
+  %1617 = tail call double @llvm.fma.f64(double %1616, double %1613, double 0x3FAC6B08D704A0BF)
+  %1618 = tail call double @llvm.fma.f64(double %1617, double %1613, double 0x3FCEBFBDFF82C58E)
+  %1619 = tail call double @llvm.fma.f64(double %1618, double %1613, double 0x3FE62E42FEFA39EF)
+  %1620 = tail call double @llvm.fma.f64(double %1619, double %1613, double 1.000000e+00)
+  %1621 = bitcast double %1620 to i64
+  %1622 = fptosi double %1612 to i32
+  %1623 = sext i32 %1622 to i64
+  %1624 = shl nsw i64 %1623, 52
+  %1625 = add nsw i64 %1624, %1621
+  %1626 = bitcast i64 %1625 to double
+  %1627 = fmul double %1586, %1626
+  %1628 = load double, ptr %474, align 8
+  %1629 = fcmp une double %1628, 0.000000e+00
+  br i1 %1629, label %1630, label %1670
+
+1630:                                             ; preds = %1582
+  %1631 = load i64, ptr %470, align 8
+  %1632 = add nsw i64 %1631, -4604544271217802189
+  %1633 = ashr i64 %1632, 52
+  %1634 = and i64 %1632, -4503599627370496
+  %1635 = sub nsw i64 %1631, %1634
+  %1636 = bitcast i64 %1635 to double
+  %1637 = fadd double %1636, -1.000000e+00
+  %1638 = fadd double %1636, 1.000000e+00
+  %1639 = fdiv double %1637, %1638
+  %1640 = fmul double %1639, %1639
+  %1641 = tail call double @llvm.fma.f64(double %1640, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1642 = tail call double @llvm.fma.f64(double %1641, double %1640, double 0x3FE2776C50EF9BFE)
+  %1643 = tail call double @llvm.fma.f64(double %1642, double %1640, double 0x3FEEC709DC3A03FD)
+  %1644 = tail call double @llvm.fma.f64(double %1643, double %1640, double 0x40071547652B82FE)
+  %1645 = trunc nsw i64 %1633 to i32
+  %1646 = sitofp i32 %1645 to double
+  %1647 = fmul double %1639, %1644
+  %1648 = fadd double %1647, %1646
+  %1649 = fmul double %1628, %1648
+  %1650 = fcmp ogt double %1649, -1.000000e+03
+  %1651 = select i1 %1650, double %1649, double -1.000000e+03
+  %1652 = fcmp olt double %1651, 1.000000e+03
+  %1653 = select i1 %1652, double %1651, double 1.000000e+03
+  %1654 = tail call double @llvm.rint.f64(double %1653)
+  %1655 = fsub double %1653, %1654
+  %1656 = tail call double @llvm.fma.f64(double %1655, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1657 = tail call double @llvm.fma.f64(double %1656, double %1655, double 0x3F55D87FE78A6730)
+  %1658 = tail call double @llvm.fma.f64(double %1657, double %1655, double 0x3F83B2AB6FBA4E77)
+  %1659 = tail call double @llvm.fma.f64(double %1658, double %1655, double 0x3FAC6B08D704A0BF)
+  %1660 = tail call double @llvm.fma.f64(double %1659, double %1655, double 0x3FCEBFBDFF82C58E)
+  %1661 = tail call double @llvm.fma.f64(double %1660, double %1655, double 0x3FE62E42FEFA39EF)
+  %1662 = tail call double @llvm.fma.f64(double %1661, double %1655, double 1.000000e+00)
+  %1663 = bitcast double %1662 to i64
+  %1664 = fptosi double %1654 to i32
+  %1665 = sext i32 %1664 to i64
+  %1666 = shl nsw i64 %1665, 52
+  %1667 = add nsw i64 %1666, %1663
+  %1668 = bitcast i64 %1667 to double
+  %1669 = fmul double %1627, %1668
+  br label %1670
+
+1670:                                             ; preds = %1582, %1630
+  %1671 = phi double [ %1669, %1630 ], [ %1627, %1582 ]
+  %1672 = load double, ptr %475, align 8
+  %1673 = fcmp ogt double %1671, %1672
+  %1674 = select i1 %1673, double %1671, double %1672
+  %1675 = fcmp olt double %1583, %1674
+  %1676 = select i1 %1675, double %1583, double %1674
+  %1677 = fmul double %577, %1676
+  %1678 = fcmp ogt double %492, %1677
+  %1679 = select i1 %1678, double %492, double %1677
+  %1680 = select i1 %581, double %1677, double %1679
+  %1681 = fcmp ogt double %961, 1.000000e-04
+  %1682 = select i1 %1681, double %961, double 1.000000e-04
+  store double %1682, ptr %470, align 8
+  %1683 = load double, ptr %476, align 8
+  store double %1683, ptr %471, align 8
+  br label %1684
+
+1684:                                             ; preds = %1670, %1581
+  %1685 = phi double [ %1680, %1670 ], [ %492, %1581 ]
+  br i1 %477, label %1690, label %1686
+
+1686:                                             ; preds = %1690, %1684
+  %1687 = load i64, ptr %478, align 8
+  %1688 = load i64, ptr %83, align 8
+  %1689 = icmp eq i64 %1687, %1688
+  br i1 %1689, label %1702, label %1703
+
+1690:                                             ; preds = %1684, %1690
+  %1691 = phi i64 [ %1700, %1690 ], [ 0, %1684 ]
+  %1692 = getelementptr inbounds double, ptr %172, i64 %1691
+  %1693 = load double, ptr %1692, align 8
+  %1694 = load ptr, ptr %74, align 8
+  %1695 = getelementptr inbounds double, ptr %1694, i64 %1691
+  store double %1693, ptr %1695, align 8
+  %1696 = getelementptr inbounds double, ptr %202, i64 %1691
+  %1697 = load double, ptr %1696, align 8
+  %1698 = load ptr, ptr %84, align 8
+  %1699 = getelementptr inbounds double, ptr %1698, i64 %1691
+  store double %1697, ptr %1699, align 8
+  %1700 = add nuw nsw i64 %1691, 1
+  %1701 = icmp eq i64 %1700, %181
+  br i1 %1701, label %1686, label %1690, !llvm.loop !31
+
+1702:                                             ; preds = %1686
+  store double %1685, ptr %204, align 8
+  br label %1732
+
+1703:                                             ; preds = %1686
+  %1704 = fcmp oeq double %576, %551
+  br i1 %1704, label %1705, label %1732
+
+1705:                                             ; preds = %1703
+  %1706 = load i64, ptr %98, align 8
+  %1707 = icmp sgt i64 %1706, 0
+  br i1 %1707, label %1708, label %1710
+
+1708:                                             ; preds = %1705
+  %1709 = load ptr, ptr %164, align 8
+  store double 0x7FF0000000000000, ptr %1709, align 8
+  br label %1710
+
+1710:                                             ; preds = %1705, %1708
+  %1711 = load i64, ptr %464, align 8
+  %1712 = add nsw i64 %1711, 1
+  store i64 %1712, ptr %464, align 8
+  %1713 = load ptr, ptr %74, align 8
+  %1714 = load ptr, ptr %84, align 8
+  %1715 = load ptr, ptr %165, align 8
+  store double %576, ptr %1715, align 8
+  %1716 = load i64, ptr %166, align 8
+  %1717 = icmp sgt i64 %1716, 0
+  br i1 %1717, label %1718, label %1719
+
+1718:                                             ; preds = %1710
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %1719
+
+1719:                                             ; preds = %1710, %1718
+  %1720 = load ptr, ptr %73, align 8
+  %1721 = load i64, ptr %1720, align 8
+  %1722 = load ptr, ptr %165, align 8
+  %1723 = load ptr, ptr %167, align 8
+  %1724 = load ptr, ptr %168, align 8
+  %1725 = inttoptr i64 %1721 to ptr
+  %1726 = load ptr, ptr %1725, align 8
+  %1727 = tail call i32 %1726(ptr noundef %1722, ptr noundef %1713, ptr noundef %1723, ptr noundef %1724, ptr noundef %1714) #9
+  %1728 = icmp eq i32 %1727, 0
+  br i1 %1728, label %1732, label %1729
+
+1729:                                             ; preds = %1719
+  store i64 3, ptr %479, align 8
+  store double %1685, ptr %204, align 8
+  %1730 = icmp slt i32 %1727, 0
+  %1731 = select i1 %1730, i64 -4, i64 2
+  br label %1732
+
+1732:                                             ; preds = %1729, %1719, %1703, %1702, %1577, %1565, %1367, %1029, %1028, %948, %758, %583
+  %1733 = phi double [ %492, %583 ], [ %492, %758 ], [ %492, %948 ], [ %1027, %1029 ], [ %1027, %1028 ], [ %492, %1367 ], [ %1574, %1565 ], [ %492, %1577 ], [ %1685, %1702 ], [ %1685, %1729 ], [ %1685, %1719 ], [ %1685, %1703 ]
+  %1734 = phi double [ %491, %583 ], [ %491, %758 ], [ %491, %948 ], [ %491, %1029 ], [ %491, %1028 ], [ %491, %1367 ], [ %491, %1565 ], [ %491, %1577 ], [ %576, %1702 ], [ %576, %1729 ], [ %576, %1719 ], [ %576, %1703 ]
+  %1735 = phi i32 [ 1, %583 ], [ 1, %758 ], [ 1, %948 ], [ 3, %1029 ], [ 1, %1028 ], [ 1, %1367 ], [ 3, %1565 ], [ 1, %1577 ], [ 1, %1702 ], [ 1, %1729 ], [ 0, %1719 ], [ 0, %1703 ]
+  %1736 = phi i64 [ 2, %583 ], [ -4, %758 ], [ -4, %948 ], [ %490, %1029 ], [ 2, %1028 ], [ %1369, %1367 ], [ %490, %1565 ], [ %1559, %1577 ], [ 0, %1702 ], [ %1731, %1729 ], [ %490, %1719 ], [ %490, %1703 ]
+  switch i32 %1735, label %1740 [
+    i32 0, label %1737
+    i32 3, label %1737
   ]
 
-1628:                                             ; preds = %1623, %1623
-  %1629 = load i64, ptr %163, align 8
-  %1630 = icmp eq i64 %1629, 0
-  br i1 %1630, label %444, label %446, !llvm.loop !19
+1737:                                             ; preds = %1732, %1732
+  %1738 = load i64, ptr %174, align 8
+  %1739 = icmp eq i64 %1738, 0
+  br i1 %1739, label %486, label %488, !llvm.loop !20
 
-1631:                                             ; preds = %1623, %159, %217, %259, %444, %463, %471
-  %1632 = phi i64 [ -1, %159 ], [ %220, %217 ], [ -1, %444 ], [ -5, %463 ], [ 1, %471 ], [ 0, %259 ], [ %1627, %1623 ]
-  %1633 = load ptr, ptr %158, align 8
-  %1634 = getelementptr inbounds i8, ptr %1633, i64 48
-  %1635 = load i64, ptr %1634, align 8
-  %1636 = icmp ne i64 %1632, -2
-  %1637 = icmp eq i64 %1635, 0
-  %1638 = select i1 %1636, i1 true, i1 %1637
-  br i1 %1638, label %1646, label %1639
+1740:                                             ; preds = %1732, %170, %258, %300, %486, %505, %513
+  %1741 = phi i64 [ -1, %170 ], [ %261, %258 ], [ -1, %486 ], [ -5, %505 ], [ 1, %513 ], [ 0, %300 ], [ %1736, %1732 ]
+  %1742 = load ptr, ptr %169, align 8
+  %1743 = getelementptr inbounds i8, ptr %1742, i64 48
+  %1744 = load i64, ptr %1743, align 8
+  %1745 = icmp ne i64 %1741, -2
+  %1746 = icmp eq i64 %1744, 0
+  %1747 = select i1 %1745, i1 true, i1 %1746
+  br i1 %1747, label %1755, label %1748
 
-1639:                                             ; preds = %1631
-  %1640 = inttoptr i64 %1635 to ptr
-  %1641 = tail call i64 %1640(ptr noundef %0) #9
-  %1642 = icmp eq i64 %1641, 8
-  %1643 = select i1 %1642, i64 8, i64 %1632
-  %1644 = icmp eq i64 %1641, 1
-  %1645 = zext i1 %1644 to i32
-  br label %1646
+1748:                                             ; preds = %1740
+  %1749 = inttoptr i64 %1744 to ptr
+  %1750 = tail call i64 %1749(ptr noundef %0) #9
+  %1751 = icmp eq i64 %1750, 8
+  %1752 = select i1 %1751, i64 8, i64 %1741
+  %1753 = icmp eq i64 %1750, 1
+  %1754 = zext i1 %1753 to i32
+  br label %1755
 
-1646:                                             ; preds = %1631, %1639
-  %1647 = phi i64 [ %1632, %1631 ], [ %1643, %1639 ]
-  %1648 = phi i32 [ 0, %1631 ], [ %1645, %1639 ]
-  %1649 = icmp eq i32 %1648, 0
-  br i1 %1649, label %1650, label %159, !llvm.loop !31
+1755:                                             ; preds = %1740, %1748
+  %1756 = phi i64 [ %1741, %1740 ], [ %1752, %1748 ]
+  %1757 = phi i32 [ 0, %1740 ], [ %1754, %1748 ]
+  %1758 = icmp eq i32 %1757, 0
+  br i1 %1758, label %1759, label %170, !llvm.loop !32
 
-1650:                                             ; preds = %1646
-  ret i64 %1647
+1759:                                             ; preds = %1755
+  %1760 = getelementptr inbounds i8, ptr %0, i64 320
+  %1761 = load i64, ptr %1760, align 8
+  %1762 = icmp sgt i64 %1761, 0
+  br i1 %1762, label %1763, label %1766
+
+1763:                                             ; preds = %1759
+  %1764 = getelementptr inbounds i8, ptr %0, i64 336
+  %1765 = load ptr, ptr %1764, align 8
+  store double 0x7FF0000000000000, ptr %1765, align 8
+  br label %1766
+
+1766:                                             ; preds = %1759, %1763
+  ret i64 %1756
 }
 
 
@@ -2156,104 +2325,109 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !32
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !33
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !33
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !34
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
@@ -2300,7 +2474,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !34
+  br i1 %41, label %13, label %18, !llvm.loop !35
 }
 
 declare double @llvm.sqrt.f64(double) #4
@@ -2368,7 +2542,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !35
+  br i1 %53, label %54, label %28, !llvm.loop !36
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -2417,7 +2591,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !36
+  br i1 %98, label %72, label %99, !llvm.loop !37
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -2433,7 +2607,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !37
+  br i1 %108, label %16, label %22, !llvm.loop !38
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -2464,7 +2638,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !35
+  br i1 %133, label %114, label %120, !llvm.loop !36
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -2481,14 +2655,14 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !36
+  br i1 %148, label %134, label %149, !llvm.loop !37
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !38
+  br i1 %152, label %109, label %153, !llvm.loop !39
 
 153:                                              ; preds = %149, %16
   ret void
@@ -2530,7 +2704,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !39
+  br i1 %31, label %20, label %19, !llvm.loop !40
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2544,7 +2718,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !40
+  br i1 %43, label %32, label %24, !llvm.loop !41
 }
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #7
@@ -2581,8 +2755,8 @@ attributes #10 = { nounwind }
 !16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
-!19 = distinct !{!19, !5}
-!20 = distinct !{!20, !4, !5}
+!19 = distinct !{!19, !4, !5}
+!20 = distinct !{!20, !5}
 !21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
@@ -2603,3 +2777,4 @@ attributes #10 = { nounwind }
 !38 = distinct !{!38, !4, !5}
 !39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
+!41 = distinct !{!41, !4, !5}

@@ -1,4 +1,4 @@
-; sources 1318f92e8c0dead211c7912bacf5e972cab60ed9580edf00ca8f3630f4d76818
+; sources 9f89f83febff8289c7a0c89484881cace54beb9420a13dacacd2396ead3ab208
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -25,18 +25,18 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %16, label %17, label %19
 
 17:                                               ; preds = %11
-  %18 = getelementptr inbounds i8, ptr %0, i64 312
+  %18 = getelementptr inbounds i8, ptr %0, i64 360
   br label %26
 
 19:                                               ; preds = %26, %11
-  %20 = getelementptr inbounds i8, ptr %0, i64 584
+  %20 = getelementptr inbounds i8, ptr %0, i64 632
   %21 = load i64, ptr %20, align 8
   %22 = icmp sgt i64 %21, 0
   br i1 %22, label %23, label %37
 
 23:                                               ; preds = %19
-  %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1224
+  %24 = getelementptr inbounds i8, ptr %0, i64 624
+  %25 = getelementptr inbounds i8, ptr %0, i64 1272
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -54,14 +54,14 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %36, label %26, label %19, !llvm.loop !3
 
 37:                                               ; preds = %44, %19
-  %38 = getelementptr inbounds i8, ptr %0, i64 608
+  %38 = getelementptr inbounds i8, ptr %0, i64 656
   %39 = load i64, ptr %38, align 8
   %40 = icmp sgt i64 %39, 0
   br i1 %40, label %41, label %54
 
 41:                                               ; preds = %37
-  %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1248
+  %42 = getelementptr inbounds i8, ptr %0, i64 648
+  %43 = getelementptr inbounds i8, ptr %0, i64 1296
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -78,7 +78,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %53, label %44, label %37, !llvm.loop !6
 
 54:                                               ; preds = %60, %37
-  %55 = getelementptr inbounds i8, ptr %0, i64 720
+  %55 = getelementptr inbounds i8, ptr %0, i64 768
   %56 = load ptr, ptr %55, align 8
   %57 = getelementptr inbounds i8, ptr %56, i64 8
   %58 = load i64, ptr %57, align 8
@@ -99,7 +99,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %69, label %60, label %54, !llvm.loop !7
 
 70:                                               ; preds = %54
-  %71 = getelementptr inbounds i8, ptr %0, i64 936
+  %71 = getelementptr inbounds i8, ptr %0, i64 984
   %72 = load ptr, ptr %71, align 8
   %73 = mul i64 %58, 88
   %74 = getelementptr inbounds i8, ptr %72, i64 %73
@@ -108,2519 +108,2649 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
-  %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1320
-  %79 = getelementptr inbounds i8, ptr %0, i64 576
-  %80 = getelementptr inbounds i8, ptr %0, i64 1344
-  %81 = getelementptr inbounds i8, ptr %0, i64 600
-  %82 = getelementptr inbounds i8, ptr %0, i64 624
-  %83 = getelementptr inbounds i8, ptr %0, i64 632
-  %84 = getelementptr inbounds i8, ptr %0, i64 648
-  %85 = getelementptr inbounds i8, ptr %0, i64 720
-  %86 = getelementptr inbounds i8, ptr %0, i64 528
-  %87 = getelementptr inbounds i8, ptr %0, i64 480
-  %88 = getelementptr inbounds i8, ptr %0, i64 168
-  %89 = getelementptr inbounds i8, ptr %0, i64 248
-  %90 = getelementptr inbounds i8, ptr %0, i64 192
-  %91 = getelementptr inbounds i8, ptr %0, i64 216
-  %92 = getelementptr inbounds i8, ptr %0, i64 480
-  %93 = getelementptr inbounds i8, ptr %0, i64 1272
-  %94 = getelementptr inbounds i8, ptr %0, i64 1392
-  %95 = getelementptr inbounds i8, ptr %0, i64 168
-  %96 = getelementptr inbounds i8, ptr %0, i64 248
-  %97 = getelementptr inbounds i8, ptr %0, i64 168
-  %98 = getelementptr inbounds i8, ptr %0, i64 192
-  %99 = getelementptr inbounds i8, ptr %0, i64 1368
-  %100 = getelementptr inbounds i8, ptr %0, i64 360
-  %101 = getelementptr inbounds i8, ptr %0, i64 360
-  %102 = getelementptr inbounds i8, ptr %0, i64 336
+  %77 = getelementptr inbounds i8, ptr %0, i64 360
+  %78 = getelementptr inbounds i8, ptr %0, i64 1368
+  %79 = getelementptr inbounds i8, ptr %0, i64 624
+  %80 = getelementptr inbounds i8, ptr %0, i64 1392
+  %81 = getelementptr inbounds i8, ptr %0, i64 648
+  %82 = getelementptr inbounds i8, ptr %0, i64 672
+  %83 = getelementptr inbounds i8, ptr %0, i64 680
+  %84 = getelementptr inbounds i8, ptr %0, i64 696
+  %85 = getelementptr inbounds i8, ptr %0, i64 768
+  %86 = getelementptr inbounds i8, ptr %0, i64 576
+  %87 = getelementptr inbounds i8, ptr %0, i64 312
+  %88 = getelementptr inbounds i8, ptr %0, i64 320
+  %89 = getelementptr inbounds i8, ptr %0, i64 336
+  %90 = getelementptr inbounds i8, ptr %0, i64 528
+  %91 = getelementptr inbounds i8, ptr %0, i64 168
+  %92 = getelementptr inbounds i8, ptr %0, i64 248
+  %93 = getelementptr inbounds i8, ptr %0, i64 192
+  %94 = getelementptr inbounds i8, ptr %0, i64 216
+  %95 = getelementptr inbounds i8, ptr %0, i64 528
+  %96 = getelementptr inbounds i8, ptr %0, i64 1320
+  %97 = getelementptr inbounds i8, ptr %0, i64 312
+  %98 = getelementptr inbounds i8, ptr %0, i64 320
+  %99 = getelementptr inbounds i8, ptr %0, i64 336
+  %100 = getelementptr inbounds i8, ptr %0, i64 1440
+  %101 = getelementptr inbounds i8, ptr %0, i64 168
+  %102 = getelementptr inbounds i8, ptr %0, i64 248
   %103 = getelementptr inbounds i8, ptr %0, i64 168
-  %104 = getelementptr inbounds i8, ptr %0, i64 248
-  %105 = getelementptr inbounds i8, ptr %0, i64 192
-  %106 = getelementptr inbounds i8, ptr %0, i64 216
-  %107 = getelementptr inbounds i8, ptr %0, i64 480
-  %108 = getelementptr inbounds i8, ptr %0, i64 1400
-  %109 = getelementptr inbounds i8, ptr %0, i64 1464
-  %110 = getelementptr inbounds i8, ptr %0, i64 1472
-  %111 = getelementptr inbounds i8, ptr %0, i64 1416
-  %112 = getelementptr inbounds i8, ptr %0, i64 1440
-  %113 = getelementptr inbounds i8, ptr %0, i64 1392
-  %114 = getelementptr inbounds i8, ptr %0, i64 1488
-  %115 = getelementptr inbounds i8, ptr %0, i64 1584
-  %116 = getelementptr inbounds i8, ptr %0, i64 1512
-  %117 = getelementptr inbounds i8, ptr %0, i64 1536
-  %118 = getelementptr inbounds i8, ptr %0, i64 1560
-  %119 = getelementptr inbounds i8, ptr %0, i64 1608
-  %120 = getelementptr inbounds i8, ptr %0, i64 1632
-  %121 = getelementptr inbounds i8, ptr %0, i64 360
-  %122 = getelementptr inbounds i8, ptr %0, i64 168
-  %123 = getelementptr inbounds i8, ptr %0, i64 248
-  %124 = getelementptr inbounds i8, ptr %0, i64 360
-  %125 = getelementptr inbounds i8, ptr %0, i64 192
-  %126 = getelementptr inbounds i8, ptr %0, i64 216
-  %127 = getelementptr inbounds i8, ptr %0, i64 552
-  %128 = getelementptr inbounds i8, ptr %0, i64 528
-  %129 = getelementptr inbounds i8, ptr %0, i64 1464
-  %130 = getelementptr inbounds i8, ptr %0, i64 1472
-  %131 = getelementptr inbounds i8, ptr %0, i64 1416
-  %132 = getelementptr inbounds i8, ptr %0, i64 1440
-  %133 = getelementptr inbounds i8, ptr %0, i64 1488
-  %134 = getelementptr inbounds i8, ptr %0, i64 552
-  %135 = getelementptr inbounds i8, ptr %0, i64 528
-  %136 = getelementptr inbounds i8, ptr %0, i64 1472
-  %137 = getelementptr inbounds i8, ptr %0, i64 1536
-  %138 = getelementptr inbounds i8, ptr %0, i64 1552
-  %139 = getelementptr inbounds i8, ptr %0, i64 1608
-  %140 = getelementptr inbounds i8, ptr %0, i64 1632
-  %141 = getelementptr inbounds i8, ptr %0, i64 336
-  %142 = getelementptr inbounds i8, ptr %0, i64 1464
-  %143 = getelementptr inbounds i8, ptr %0, i64 1472
-  %144 = getelementptr inbounds i8, ptr %0, i64 1656
-  %145 = getelementptr inbounds i8, ptr %0, i64 480
-  %146 = getelementptr inbounds i8, ptr %0, i64 1416
-  %147 = getelementptr inbounds i8, ptr %0, i64 336
-  %148 = getelementptr inbounds i8, ptr %0, i64 360
-  %149 = getelementptr inbounds i8, ptr %0, i64 360
-  %150 = getelementptr inbounds i8, ptr %0, i64 168
-  %151 = getelementptr inbounds i8, ptr %0, i64 248
-  %152 = getelementptr inbounds i8, ptr %0, i64 192
-  %153 = getelementptr inbounds i8, ptr %0, i64 216
-  %154 = getelementptr inbounds i8, ptr %0, i64 320
-  %155 = getelementptr inbounds i8, ptr %0, i64 504
-  %156 = getelementptr inbounds i8, ptr %8, i64 8
-  %157 = getelementptr inbounds i8, ptr %8, i64 16
-  %158 = getelementptr inbounds i8, ptr %9, i64 8
-  %159 = getelementptr inbounds i8, ptr %9, i64 16
-  %160 = getelementptr inbounds i8, ptr %0, i64 1296
-  %161 = getelementptr inbounds i8, ptr %0, i64 1312
-  %162 = getelementptr inbounds i8, ptr %0, i64 840
-  %163 = getelementptr inbounds i8, ptr %0, i64 168
-  %164 = getelementptr inbounds i8, ptr %0, i64 936
-  %165 = getelementptr inbounds i8, ptr %0, i64 864
-  %166 = getelementptr inbounds i8, ptr %0, i64 816
-  %167 = getelementptr inbounds i8, ptr %0, i64 888
-  %168 = getelementptr inbounds i8, ptr %0, i64 408
-  %169 = getelementptr inbounds i8, ptr %0, i64 504
-  %170 = getelementptr inbounds i8, ptr %0, i64 320
-  %171 = getelementptr inbounds i8, ptr %0, i64 360
-  %172 = getelementptr inbounds i8, ptr %0, i64 408
-  %173 = getelementptr inbounds i8, ptr %0, i64 504
-  %174 = getelementptr inbounds i8, ptr %0, i64 320
-  %175 = getelementptr inbounds i8, ptr %0, i64 480
-  %176 = getelementptr inbounds i8, ptr %0, i64 168
-  %177 = getelementptr inbounds i8, ptr %0, i64 248
-  %178 = getelementptr inbounds i8, ptr %0, i64 192
-  %179 = getelementptr inbounds i8, ptr %0, i64 216
-  %180 = getelementptr inbounds i8, ptr %0, i64 1392
-  %181 = getelementptr inbounds i8, ptr %0, i64 1400
-  %182 = getelementptr inbounds i8, ptr %0, i64 720
-  br label %183
+  %104 = getelementptr inbounds i8, ptr %0, i64 192
+  %105 = getelementptr inbounds i8, ptr %0, i64 1416
+  %106 = getelementptr inbounds i8, ptr %0, i64 408
+  %107 = getelementptr inbounds i8, ptr %0, i64 408
+  %108 = getelementptr inbounds i8, ptr %0, i64 384
+  %109 = getelementptr inbounds i8, ptr %0, i64 168
+  %110 = getelementptr inbounds i8, ptr %0, i64 248
+  %111 = getelementptr inbounds i8, ptr %0, i64 192
+  %112 = getelementptr inbounds i8, ptr %0, i64 216
+  %113 = getelementptr inbounds i8, ptr %0, i64 528
+  %114 = getelementptr inbounds i8, ptr %0, i64 1448
+  %115 = getelementptr inbounds i8, ptr %0, i64 1512
+  %116 = getelementptr inbounds i8, ptr %0, i64 1520
+  %117 = getelementptr inbounds i8, ptr %0, i64 1464
+  %118 = getelementptr inbounds i8, ptr %0, i64 1488
+  %119 = getelementptr inbounds i8, ptr %0, i64 1440
+  %120 = getelementptr inbounds i8, ptr %0, i64 1536
+  %121 = getelementptr inbounds i8, ptr %0, i64 1632
+  %122 = getelementptr inbounds i8, ptr %0, i64 1560
+  %123 = getelementptr inbounds i8, ptr %0, i64 1584
+  %124 = getelementptr inbounds i8, ptr %0, i64 1608
+  %125 = getelementptr inbounds i8, ptr %0, i64 1656
+  %126 = getelementptr inbounds i8, ptr %0, i64 1680
+  %127 = getelementptr inbounds i8, ptr %0, i64 408
+  %128 = getelementptr inbounds i8, ptr %0, i64 168
+  %129 = getelementptr inbounds i8, ptr %0, i64 248
+  %130 = getelementptr inbounds i8, ptr %0, i64 408
+  %131 = getelementptr inbounds i8, ptr %0, i64 192
+  %132 = getelementptr inbounds i8, ptr %0, i64 216
+  %133 = getelementptr inbounds i8, ptr %0, i64 600
+  %134 = getelementptr inbounds i8, ptr %0, i64 576
+  %135 = getelementptr inbounds i8, ptr %0, i64 1512
+  %136 = getelementptr inbounds i8, ptr %0, i64 1520
+  %137 = getelementptr inbounds i8, ptr %0, i64 1464
+  %138 = getelementptr inbounds i8, ptr %0, i64 1488
+  %139 = getelementptr inbounds i8, ptr %0, i64 1536
+  %140 = getelementptr inbounds i8, ptr %0, i64 600
+  %141 = getelementptr inbounds i8, ptr %0, i64 576
+  %142 = getelementptr inbounds i8, ptr %0, i64 1520
+  %143 = getelementptr inbounds i8, ptr %0, i64 1584
+  %144 = getelementptr inbounds i8, ptr %0, i64 1600
+  %145 = getelementptr inbounds i8, ptr %0, i64 1656
+  %146 = getelementptr inbounds i8, ptr %0, i64 1680
+  %147 = getelementptr inbounds i8, ptr %0, i64 384
+  %148 = getelementptr inbounds i8, ptr %0, i64 1512
+  %149 = getelementptr inbounds i8, ptr %0, i64 1520
+  %150 = getelementptr inbounds i8, ptr %0, i64 1704
+  %151 = getelementptr inbounds i8, ptr %0, i64 528
+  %152 = getelementptr inbounds i8, ptr %0, i64 1464
+  %153 = getelementptr inbounds i8, ptr %0, i64 384
+  %154 = getelementptr inbounds i8, ptr %0, i64 408
+  %155 = getelementptr inbounds i8, ptr %0, i64 408
+  %156 = getelementptr inbounds i8, ptr %0, i64 168
+  %157 = getelementptr inbounds i8, ptr %0, i64 248
+  %158 = getelementptr inbounds i8, ptr %0, i64 192
+  %159 = getelementptr inbounds i8, ptr %0, i64 216
+  %160 = getelementptr inbounds i8, ptr %0, i64 368
+  %161 = getelementptr inbounds i8, ptr %0, i64 552
+  %162 = getelementptr inbounds i8, ptr %8, i64 8
+  %163 = getelementptr inbounds i8, ptr %8, i64 16
+  %164 = getelementptr inbounds i8, ptr %9, i64 8
+  %165 = getelementptr inbounds i8, ptr %9, i64 16
+  %166 = getelementptr inbounds i8, ptr %0, i64 1344
+  %167 = getelementptr inbounds i8, ptr %0, i64 1360
+  %168 = getelementptr inbounds i8, ptr %0, i64 888
+  %169 = getelementptr inbounds i8, ptr %0, i64 168
+  %170 = getelementptr inbounds i8, ptr %0, i64 984
+  %171 = getelementptr inbounds i8, ptr %0, i64 912
+  %172 = getelementptr inbounds i8, ptr %0, i64 864
+  %173 = getelementptr inbounds i8, ptr %0, i64 936
+  %174 = getelementptr inbounds i8, ptr %0, i64 456
+  %175 = getelementptr inbounds i8, ptr %0, i64 552
+  %176 = getelementptr inbounds i8, ptr %0, i64 368
+  %177 = getelementptr inbounds i8, ptr %0, i64 408
+  %178 = getelementptr inbounds i8, ptr %0, i64 456
+  %179 = getelementptr inbounds i8, ptr %0, i64 552
+  %180 = getelementptr inbounds i8, ptr %0, i64 368
+  %181 = getelementptr inbounds i8, ptr %0, i64 336
+  %182 = getelementptr inbounds i8, ptr %0, i64 528
+  %183 = getelementptr inbounds i8, ptr %0, i64 168
+  %184 = getelementptr inbounds i8, ptr %0, i64 248
+  %185 = getelementptr inbounds i8, ptr %0, i64 192
+  %186 = getelementptr inbounds i8, ptr %0, i64 216
+  %187 = getelementptr inbounds i8, ptr %0, i64 1440
+  %188 = getelementptr inbounds i8, ptr %0, i64 1448
+  %189 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %190
 
-183:                                              ; preds = %1936, %75
-  %184 = phi double [ undef, %75 ], [ %1918, %1936 ]
-  %185 = phi i32 [ undef, %75 ], [ %1919, %1936 ]
-  %186 = phi i64 [ undef, %75 ], [ %1920, %1936 ]
-  %187 = phi i64 [ undef, %75 ], [ %1921, %1936 ]
-  %188 = load ptr, ptr %79, align 8
-  %189 = load ptr, ptr %80, align 8
-  %190 = load ptr, ptr %81, align 8
-  %191 = load ptr, ptr %78, align 8
-  %192 = getelementptr inbounds i8, ptr %190, i64 56
-  %193 = load i64, ptr %192, align 8
-  %194 = icmp eq i64 %193, 0
-  br i1 %194, label %1917, label %195
+190:                                              ; preds = %2021, %75
+  %191 = phi double [ undef, %75 ], [ %2003, %2021 ]
+  %192 = phi i32 [ undef, %75 ], [ %2004, %2021 ]
+  %193 = phi i64 [ undef, %75 ], [ %2005, %2021 ]
+  %194 = phi i64 [ undef, %75 ], [ %2006, %2021 ]
+  %195 = load ptr, ptr %79, align 8
+  %196 = load ptr, ptr %80, align 8
+  %197 = load ptr, ptr %81, align 8
+  %198 = load ptr, ptr %78, align 8
+  %199 = getelementptr inbounds i8, ptr %197, i64 56
+  %200 = load i64, ptr %199, align 8
+  %201 = icmp eq i64 %200, 0
+  br i1 %201, label %2002, label %202
 
-195:                                              ; preds = %183
-  %196 = load ptr, ptr %76, align 8
-  %197 = getelementptr inbounds i8, ptr %196, i64 8
-  %198 = load i64, ptr %197, align 8
-  %199 = load ptr, ptr %82, align 8
-  %200 = load i64, ptr %83, align 8
-  %201 = getelementptr double, ptr %199, i64 %200
-  %202 = getelementptr i8, ptr %201, i64 -8
-  %203 = load double, ptr %202, align 8
-  %204 = load ptr, ptr %84, align 8
+202:                                              ; preds = %190
+  %203 = load ptr, ptr %76, align 8
+  %204 = getelementptr inbounds i8, ptr %203, i64 8
   %205 = load i64, ptr %204, align 8
-  %206 = icmp eq i64 %205, 1
-  %207 = load ptr, ptr %85, align 8
-  %208 = getelementptr inbounds i8, ptr %207, i64 8
-  %209 = load i64, ptr %208, align 8
-  %210 = icmp sgt i64 %209, 0
-  %211 = load ptr, ptr %86, align 8
-  %212 = load double, ptr %211, align 8
-  %213 = icmp sgt i64 %198, 0
-  br i1 %213, label %229, label %214
+  %206 = load ptr, ptr %82, align 8
+  %207 = load i64, ptr %83, align 8
+  %208 = getelementptr double, ptr %206, i64 %207
+  %209 = getelementptr i8, ptr %208, i64 -8
+  %210 = load double, ptr %209, align 8
+  %211 = load ptr, ptr %84, align 8
+  %212 = load i64, ptr %211, align 8
+  %213 = icmp eq i64 %212, 1
+  %214 = load ptr, ptr %85, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 8
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp sgt i64 %216, 0
+  %218 = load ptr, ptr %86, align 8
+  %219 = load double, ptr %218, align 8
+  %220 = icmp sgt i64 %205, 0
+  br i1 %220, label %236, label %221
 
-214:                                              ; preds = %229, %195
-  %215 = phi double [ %212, %195 ], [ %235, %229 ]
-  %216 = tail call double @llvm.sqrt.f64(double %215)
-  %217 = fcmp olt double %216, 3.000000e-02
-  %218 = select i1 %217, double %216, double 3.000000e-02
-  %219 = fcmp olt double %215, 0x3CB0000000000000
-  %220 = select i1 %219, double 0x3CB0000000000000, double %215
-  %221 = fdiv double 0x3CE4000000000000, %220
-  %222 = fcmp ogt double %218, %221
-  %223 = select i1 %222, double %218, double %221
-  %224 = load double, ptr %188, align 8
-  %225 = getelementptr inbounds i8, ptr %188, i64 8
-  %226 = load double, ptr %225, align 8
-  %227 = load i64, ptr %190, align 8
-  %228 = icmp eq i64 %227, 0
-  br i1 %228, label %238, label %331
-
-229:                                              ; preds = %195, %229
-  %230 = phi double [ %235, %229 ], [ %212, %195 ]
-  %231 = phi i64 [ %236, %229 ], [ 0, %195 ]
-  %232 = getelementptr inbounds double, ptr %211, i64 %231
+221:                                              ; preds = %236, %202
+  %222 = phi double [ %219, %202 ], [ %242, %236 ]
+  %223 = tail call double @llvm.sqrt.f64(double %222)
+  %224 = fcmp olt double %223, 3.000000e-02
+  %225 = select i1 %224, double %223, double 3.000000e-02
+  %226 = fcmp olt double %222, 0x3CB0000000000000
+  %227 = select i1 %226, double 0x3CB0000000000000, double %222
+  %228 = fdiv double 0x3CE4000000000000, %227
+  %229 = fcmp ogt double %225, %228
+  %230 = select i1 %229, double %225, double %228
+  %231 = load double, ptr %195, align 8
+  %232 = getelementptr inbounds i8, ptr %195, i64 8
   %233 = load double, ptr %232, align 8
-  %234 = fcmp olt double %233, %230
-  %235 = select i1 %234, double %233, double %230
-  %236 = add nuw nsw i64 %231, 1
-  %237 = icmp eq i64 %236, %198
-  br i1 %237, label %214, label %229, !llvm.loop !8
+  %234 = load i64, ptr %197, align 8
+  %235 = icmp eq i64 %234, 0
+  br i1 %235, label %245, label %368
 
-238:                                              ; preds = %214
-  %239 = getelementptr inbounds i8, ptr %190, i64 24
-  %240 = load i64, ptr %239, align 8
-  %241 = add nsw i64 %240, 1
-  store i64 %241, ptr %239, align 8
-  %242 = load ptr, ptr %77, align 8
-  %243 = load ptr, ptr %87, align 8
-  %244 = load ptr, ptr %88, align 8
-  store double %224, ptr %244, align 8
-  %245 = load i64, ptr %89, align 8
-  %246 = icmp sgt i64 %245, 0
-  br i1 %246, label %247, label %248
+236:                                              ; preds = %202, %236
+  %237 = phi double [ %242, %236 ], [ %219, %202 ]
+  %238 = phi i64 [ %243, %236 ], [ 0, %202 ]
+  %239 = getelementptr inbounds double, ptr %218, i64 %238
+  %240 = load double, ptr %239, align 8
+  %241 = fcmp olt double %240, %237
+  %242 = select i1 %241, double %240, double %237
+  %243 = add nuw nsw i64 %238, 1
+  %244 = icmp eq i64 %243, %205
+  br i1 %244, label %221, label %236, !llvm.loop !8
 
-247:                                              ; preds = %238
+245:                                              ; preds = %221
+  %246 = load ptr, ptr %87, align 8
+  %247 = load i64, ptr %88, align 8
+  %248 = icmp eq i64 %247, 0
+  br i1 %248, label %275, label %249
+
+249:                                              ; preds = %245
+  %250 = icmp sgt i64 %247, 0
+  br i1 %250, label %251, label %264
+
+251:                                              ; preds = %249, %251
+  %252 = phi i64 [ %262, %251 ], [ %247, %249 ]
+  %253 = phi i64 [ %261, %251 ], [ 0, %249 ]
+  %254 = add nuw nsw i64 %252, %253
+  %255 = lshr i64 %254, 1
+  %256 = and i64 %254, -2
+  %257 = getelementptr inbounds double, ptr %246, i64 %256
+  %258 = load double, ptr %257, align 8
+  %259 = fcmp ogt double %258, %231
+  %260 = add nuw nsw i64 %255, 1
+  %261 = select i1 %259, i64 %253, i64 %260
+  %262 = select i1 %259, i64 %255, i64 %252
+  %263 = icmp slt i64 %261, %262
+  br i1 %263, label %251, label %264, !llvm.loop !9
+
+264:                                              ; preds = %251, %249
+  %265 = phi i64 [ 0, %249 ], [ %261, %251 ]
+  %266 = icmp slt i64 %265, %247
+  br i1 %266, label %267, label %272
+
+267:                                              ; preds = %264
+  %268 = shl nuw nsw i64 %265, 1
+  %269 = or disjoint i64 %268, 1
+  %270 = getelementptr inbounds double, ptr %246, i64 %269
+  %271 = load double, ptr %270, align 8
+  br label %272
+
+272:                                              ; preds = %267, %264
+  %273 = phi double [ %271, %267 ], [ 0x7FF0000000000000, %264 ]
+  %274 = load ptr, ptr %89, align 8
+  store double %273, ptr %274, align 8
+  br label %275
+
+275:                                              ; preds = %272, %245
+  %276 = getelementptr inbounds i8, ptr %197, i64 24
+  %277 = load i64, ptr %276, align 8
+  %278 = add nsw i64 %277, 1
+  store i64 %278, ptr %276, align 8
+  %279 = load ptr, ptr %77, align 8
+  %280 = load ptr, ptr %90, align 8
+  %281 = load ptr, ptr %91, align 8
+  store double %231, ptr %281, align 8
+  %282 = load i64, ptr %92, align 8
+  %283 = icmp sgt i64 %282, 0
+  br i1 %283, label %284, label %285
+
+284:                                              ; preds = %275
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %248
+  br label %285
 
-248:                                              ; preds = %238, %247
-  %249 = load ptr, ptr %76, align 8
-  %250 = load i64, ptr %249, align 8
-  %251 = load ptr, ptr %88, align 8
-  %252 = load ptr, ptr %90, align 8
-  %253 = load ptr, ptr %91, align 8
-  %254 = inttoptr i64 %250 to ptr
-  %255 = load ptr, ptr %254, align 8
-  %256 = tail call i32 %255(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #11
-  %257 = icmp eq i32 %256, 0
-  br i1 %257, label %262, label %258
+285:                                              ; preds = %275, %284
+  %286 = load ptr, ptr %76, align 8
+  %287 = load i64, ptr %286, align 8
+  %288 = load ptr, ptr %91, align 8
+  %289 = load ptr, ptr %93, align 8
+  %290 = load ptr, ptr %94, align 8
+  %291 = inttoptr i64 %287 to ptr
+  %292 = load ptr, ptr %291, align 8
+  %293 = tail call i32 %292(ptr noundef %288, ptr noundef %279, ptr noundef %289, ptr noundef %290, ptr noundef %280) #11
+  %294 = icmp eq i32 %293, 0
+  br i1 %294, label %299, label %295
 
-258:                                              ; preds = %248
-  %259 = getelementptr inbounds i8, ptr %190, i64 72
-  store i64 3, ptr %259, align 8
-  %260 = icmp slt i32 %256, 0
-  %261 = select i1 %260, i64 -4, i64 2
-  br label %1917
+295:                                              ; preds = %285
+  %296 = getelementptr inbounds i8, ptr %197, i64 72
+  store i64 3, ptr %296, align 8
+  %297 = icmp slt i32 %293, 0
+  %298 = select i1 %297, i64 -4, i64 2
+  br label %2002
 
-262:                                              ; preds = %248
-  store i64 1, ptr %190, align 8
-  %263 = getelementptr inbounds i8, ptr %188, i64 24
-  store double 0.000000e+00, ptr %263, align 8
-  %264 = getelementptr inbounds i8, ptr %191, i64 32
-  store i64 1, ptr %264, align 8
-  %265 = getelementptr inbounds i8, ptr %191, i64 8
-  store i64 1, ptr %265, align 8
-  %266 = getelementptr inbounds i8, ptr %189, i64 8
-  store double 0.000000e+00, ptr %266, align 8
-  %267 = load ptr, ptr %77, align 8
-  %268 = load ptr, ptr %76, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 8
-  %270 = load i64, ptr %269, align 8
-  %271 = load i64, ptr %83, align 8
-  %272 = load ptr, ptr %82, align 8
-  %273 = load ptr, ptr %81, align 8
-  %274 = getelementptr inbounds i8, ptr %273, i64 48
-  %275 = load i64, ptr %274, align 8
-  %276 = icmp slt i64 %275, %271
-  br i1 %276, label %277, label %300
+299:                                              ; preds = %285
+  store i64 1, ptr %197, align 8
+  %300 = getelementptr inbounds i8, ptr %195, i64 24
+  store double 0.000000e+00, ptr %300, align 8
+  %301 = getelementptr inbounds i8, ptr %198, i64 32
+  store i64 1, ptr %301, align 8
+  %302 = getelementptr inbounds i8, ptr %198, i64 8
+  store i64 1, ptr %302, align 8
+  %303 = getelementptr inbounds i8, ptr %196, i64 8
+  store double 0.000000e+00, ptr %303, align 8
+  %304 = load ptr, ptr %77, align 8
+  %305 = load ptr, ptr %76, align 8
+  %306 = getelementptr inbounds i8, ptr %305, i64 8
+  %307 = load i64, ptr %306, align 8
+  %308 = load i64, ptr %83, align 8
+  %309 = load ptr, ptr %82, align 8
+  %310 = load ptr, ptr %81, align 8
+  %311 = getelementptr inbounds i8, ptr %310, i64 48
+  %312 = load i64, ptr %311, align 8
+  %313 = icmp slt i64 %312, %308
+  br i1 %313, label %314, label %337
 
-277:                                              ; preds = %262
-  %278 = icmp sgt i64 %270, 0
-  br label %279
+314:                                              ; preds = %299
+  %315 = icmp sgt i64 %307, 0
+  br label %316
 
-279:                                              ; preds = %277, %290
-  %280 = phi i64 [ %275, %277 ], [ %291, %290 ]
-  %281 = getelementptr inbounds double, ptr %272, i64 %280
-  %282 = load double, ptr %281, align 8
-  %283 = load ptr, ptr %79, align 8
-  %284 = load double, ptr %283, align 8
-  %285 = fcmp ugt double %282, %284
-  br i1 %285, label %300, label %286
+316:                                              ; preds = %314, %327
+  %317 = phi i64 [ %312, %314 ], [ %328, %327 ]
+  %318 = getelementptr inbounds double, ptr %309, i64 %317
+  %319 = load double, ptr %318, align 8
+  %320 = load ptr, ptr %79, align 8
+  %321 = load double, ptr %320, align 8
+  %322 = fcmp ugt double %319, %321
+  br i1 %322, label %337, label %323
 
-286:                                              ; preds = %279
-  br i1 %278, label %287, label %290
+323:                                              ; preds = %316
+  br i1 %315, label %324, label %327
 
-287:                                              ; preds = %286
-  %288 = mul nsw i64 %280, %270
-  %289 = getelementptr double, ptr %1, i64 %288
-  br label %293
+324:                                              ; preds = %323
+  %325 = mul nsw i64 %317, %307
+  %326 = getelementptr double, ptr %1, i64 %325
+  br label %330
 
-290:                                              ; preds = %293, %286
-  %291 = add i64 %280, 1
-  %292 = icmp eq i64 %291, %271
-  br i1 %292, label %300, label %279, !llvm.loop !9
+327:                                              ; preds = %330, %323
+  %328 = add i64 %317, 1
+  %329 = icmp eq i64 %328, %308
+  br i1 %329, label %337, label %316, !llvm.loop !10
 
-293:                                              ; preds = %287, %293
-  %294 = phi i64 [ 0, %287 ], [ %298, %293 ]
-  %295 = getelementptr inbounds double, ptr %267, i64 %294
-  %296 = load double, ptr %295, align 8
-  %297 = getelementptr double, ptr %289, i64 %294
-  store double %296, ptr %297, align 8
-  %298 = add nuw nsw i64 %294, 1
-  %299 = icmp eq i64 %298, %270
-  br i1 %299, label %290, label %293, !llvm.loop !10
+330:                                              ; preds = %324, %330
+  %331 = phi i64 [ 0, %324 ], [ %335, %330 ]
+  %332 = getelementptr inbounds double, ptr %304, i64 %331
+  %333 = load double, ptr %332, align 8
+  %334 = getelementptr double, ptr %326, i64 %331
+  store double %333, ptr %334, align 8
+  %335 = add nuw nsw i64 %331, 1
+  %336 = icmp eq i64 %335, %307
+  br i1 %336, label %327, label %330, !llvm.loop !11
 
-300:                                              ; preds = %279, %290, %262
-  %301 = phi i64 [ %275, %262 ], [ %280, %279 ], [ %271, %290 ]
-  %302 = load ptr, ptr %81, align 8
-  %303 = getelementptr inbounds i8, ptr %302, i64 48
-  store i64 %301, ptr %303, align 8
-  %304 = icmp eq i64 %301, %271
-  br i1 %304, label %1917, label %305
+337:                                              ; preds = %316, %327, %299
+  %338 = phi i64 [ %312, %299 ], [ %317, %316 ], [ %308, %327 ]
+  %339 = load ptr, ptr %81, align 8
+  %340 = getelementptr inbounds i8, ptr %339, i64 48
+  store i64 %338, ptr %340, align 8
+  %341 = icmp eq i64 %338, %308
+  br i1 %341, label %2002, label %342
 
-305:                                              ; preds = %300
-  %306 = fcmp oeq double %226, 0.000000e+00
-  br i1 %306, label %307, label %331
+342:                                              ; preds = %337
+  %343 = fcmp oeq double %233, 0.000000e+00
+  br i1 %343, label %344, label %368
 
-307:                                              ; preds = %305
-  %308 = getelementptr inbounds i8, ptr %188, i64 16
-  %309 = load double, ptr %308, align 8
-  %310 = load ptr, ptr %77, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %310, ptr noundef %310, ptr noundef nonnull %77, i64 noundef %198) #10
-  %311 = load double, ptr %4, align 8
-  %312 = load ptr, ptr %92, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %312, ptr noundef %310, ptr noundef nonnull %77, i64 noundef %198) #10
-  %313 = load double, ptr %5, align 8
-  %314 = fcmp uge double %311, 1.000000e-05
-  %315 = fcmp uge double %313, 1.000000e-05
-  %316 = and i1 %314, %315
-  %317 = fmul double %311, 1.000000e-02
-  %318 = fdiv double %317, %313
-  %319 = select i1 %316, double %318, double 0x3EB0C6F7A0B5ED8D
-  %320 = fcmp olt double %309, %319
-  %321 = select i1 %320, double %309, double %319
-  %322 = tail call double @llvm.fabs.f64(double %224)
-  %323 = fmul double %322, 0x3D30000000000000
-  %324 = fcmp ogt double %323, %321
-  %325 = select i1 %324, double %323, double %321
-  %326 = fcmp olt double %309, %325
-  %327 = select i1 %326, double %309, double %325
-  %328 = tail call i1 @llvm.is.fpclass.f64(double %327, i32 639)
-  br i1 %328, label %329, label %331
+344:                                              ; preds = %342
+  %345 = getelementptr inbounds i8, ptr %195, i64 16
+  %346 = load double, ptr %345, align 8
+  %347 = load ptr, ptr %77, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %347, ptr noundef %347, ptr noundef nonnull %77, i64 noundef %205) #10
+  %348 = load double, ptr %4, align 8
+  %349 = load ptr, ptr %95, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %349, ptr noundef %347, ptr noundef nonnull %77, i64 noundef %205) #10
+  %350 = load double, ptr %5, align 8
+  %351 = fcmp uge double %348, 1.000000e-05
+  %352 = fcmp uge double %350, 1.000000e-05
+  %353 = and i1 %351, %352
+  %354 = fmul double %348, 1.000000e-02
+  %355 = fdiv double %354, %350
+  %356 = select i1 %353, double %355, double 0x3EB0C6F7A0B5ED8D
+  %357 = fcmp olt double %346, %356
+  %358 = select i1 %357, double %346, double %356
+  %359 = tail call double @llvm.fabs.f64(double %231)
+  %360 = fmul double %359, 0x3D30000000000000
+  %361 = fcmp ogt double %360, %358
+  %362 = select i1 %361, double %360, double %358
+  %363 = fcmp olt double %346, %362
+  %364 = select i1 %363, double %346, double %362
+  %365 = tail call i1 @llvm.is.fpclass.f64(double %364, i32 639)
+  br i1 %365, label %366, label %368
 
-329:                                              ; preds = %307
-  %330 = getelementptr inbounds i8, ptr %190, i64 72
-  store i64 4, ptr %330, align 8
-  br label %331
+366:                                              ; preds = %344
+  %367 = getelementptr inbounds i8, ptr %197, i64 72
+  store i64 4, ptr %367, align 8
+  br label %368
 
-331:                                              ; preds = %307, %329, %305, %214
-  %332 = phi double [ %226, %305 ], [ %226, %214 ], [ %327, %329 ], [ %327, %307 ]
-  %333 = load i64, ptr %192, align 8
-  %334 = icmp eq i64 %333, 0
-  br i1 %334, label %370, label %335
+368:                                              ; preds = %344, %366, %342, %221
+  %369 = phi double [ %233, %342 ], [ %233, %221 ], [ %364, %366 ], [ %364, %344 ]
+  %370 = load i64, ptr %199, align 8
+  %371 = icmp eq i64 %370, 0
+  br i1 %371, label %407, label %372
 
-335:                                              ; preds = %331
-  %336 = getelementptr inbounds i8, ptr %190, i64 8
-  %337 = getelementptr inbounds i8, ptr %190, i64 16
-  %338 = getelementptr inbounds i8, ptr %190, i64 64
-  %339 = getelementptr inbounds i8, ptr %188, i64 16
-  %340 = getelementptr inbounds i8, ptr %191, i64 8
-  %341 = getelementptr inbounds i8, ptr %191, i64 16
-  %342 = getelementptr inbounds i8, ptr %191, i64 24
-  %343 = getelementptr inbounds i8, ptr %191, i64 24
-  %344 = getelementptr inbounds i8, ptr %190, i64 40
-  %345 = getelementptr inbounds i8, ptr %189, i64 8
-  %346 = fmul double %215, %223
-  %347 = fmul double %346, %346
-  %348 = icmp sgt i64 %198, 0
-  %349 = shl i64 %198, 4
-  %350 = getelementptr inbounds i8, ptr %191, i64 32
-  %351 = getelementptr inbounds i8, ptr %190, i64 72
-  %352 = getelementptr inbounds i8, ptr %191, i64 16
-  %353 = getelementptr inbounds i8, ptr %190, i64 72
-  %354 = getelementptr inbounds i8, ptr %191, i64 16
-  %355 = getelementptr inbounds i8, ptr %188, i64 24
-  %356 = getelementptr inbounds i8, ptr %188, i64 32
-  %357 = getelementptr inbounds i8, ptr %188, i64 32
-  %358 = getelementptr inbounds i8, ptr %190, i64 48
-  %359 = icmp sgt i64 %198, 0
-  %360 = getelementptr inbounds i8, ptr %190, i64 24
-  %361 = getelementptr inbounds i8, ptr %190, i64 72
-  %362 = getelementptr inbounds i8, ptr %191, i64 16
-  %363 = getelementptr inbounds i8, ptr %190, i64 48
-  %364 = getelementptr inbounds i8, ptr %191, i64 16
-  %365 = getelementptr inbounds i8, ptr %190, i64 72
-  %366 = getelementptr inbounds i8, ptr %190, i64 72
-  %367 = getelementptr inbounds i8, ptr %191, i64 16
-  %368 = getelementptr inbounds i8, ptr %190, i64 72
-  %369 = getelementptr inbounds i8, ptr %191, i64 16
-  br label %376
+372:                                              ; preds = %368
+  %373 = getelementptr inbounds i8, ptr %197, i64 8
+  %374 = getelementptr inbounds i8, ptr %197, i64 16
+  %375 = getelementptr inbounds i8, ptr %197, i64 64
+  %376 = getelementptr inbounds i8, ptr %195, i64 16
+  %377 = getelementptr inbounds i8, ptr %198, i64 8
+  %378 = getelementptr inbounds i8, ptr %198, i64 16
+  %379 = getelementptr inbounds i8, ptr %198, i64 24
+  %380 = getelementptr inbounds i8, ptr %198, i64 24
+  %381 = getelementptr inbounds i8, ptr %197, i64 40
+  %382 = getelementptr inbounds i8, ptr %196, i64 8
+  %383 = fmul double %222, %230
+  %384 = fmul double %383, %383
+  %385 = icmp sgt i64 %205, 0
+  %386 = shl i64 %205, 4
+  %387 = getelementptr inbounds i8, ptr %198, i64 32
+  %388 = getelementptr inbounds i8, ptr %197, i64 72
+  %389 = getelementptr inbounds i8, ptr %198, i64 16
+  %390 = getelementptr inbounds i8, ptr %197, i64 72
+  %391 = getelementptr inbounds i8, ptr %198, i64 16
+  %392 = getelementptr inbounds i8, ptr %195, i64 24
+  %393 = getelementptr inbounds i8, ptr %195, i64 32
+  %394 = getelementptr inbounds i8, ptr %195, i64 32
+  %395 = getelementptr inbounds i8, ptr %197, i64 48
+  %396 = icmp sgt i64 %205, 0
+  %397 = getelementptr inbounds i8, ptr %197, i64 24
+  %398 = getelementptr inbounds i8, ptr %197, i64 72
+  %399 = getelementptr inbounds i8, ptr %198, i64 16
+  %400 = getelementptr inbounds i8, ptr %197, i64 48
+  %401 = getelementptr inbounds i8, ptr %198, i64 16
+  %402 = getelementptr inbounds i8, ptr %197, i64 72
+  %403 = getelementptr inbounds i8, ptr %197, i64 72
+  %404 = getelementptr inbounds i8, ptr %198, i64 16
+  %405 = getelementptr inbounds i8, ptr %197, i64 72
+  %406 = getelementptr inbounds i8, ptr %198, i64 16
+  br label %413
 
-370:                                              ; preds = %1914, %331
-  %371 = phi double [ %184, %331 ], [ %1906, %1914 ]
-  %372 = phi i32 [ %185, %331 ], [ %1907, %1914 ]
-  %373 = phi i64 [ %186, %331 ], [ %1908, %1914 ]
-  %374 = phi i64 [ %187, %331 ], [ %1909, %1914 ]
-  %375 = phi double [ %332, %331 ], [ %1910, %1914 ]
-  store double %375, ptr %225, align 8
-  br label %1917
+407:                                              ; preds = %1999, %368
+  %408 = phi double [ %191, %368 ], [ %1991, %1999 ]
+  %409 = phi i32 [ %192, %368 ], [ %1992, %1999 ]
+  %410 = phi i64 [ %193, %368 ], [ %1993, %1999 ]
+  %411 = phi i64 [ %194, %368 ], [ %1994, %1999 ]
+  %412 = phi double [ %369, %368 ], [ %1995, %1999 ]
+  store double %412, ptr %232, align 8
+  br label %2002
 
-376:                                              ; preds = %335, %1914
-  %377 = phi i64 [ %333, %335 ], [ %1915, %1914 ]
-  %378 = phi i64 [ undef, %335 ], [ %1913, %1914 ]
-  %379 = phi double [ %224, %335 ], [ %1911, %1914 ]
-  %380 = phi double [ %332, %335 ], [ %1910, %1914 ]
-  %381 = phi i64 [ %187, %335 ], [ %1909, %1914 ]
-  %382 = phi i64 [ %186, %335 ], [ %1908, %1914 ]
-  %383 = phi i32 [ %185, %335 ], [ %1907, %1914 ]
-  %384 = phi double [ %184, %335 ], [ %1906, %1914 ]
-  %385 = load ptr, ptr %93, align 8
-  %386 = getelementptr inbounds i8, ptr %385, i64 8
-  %387 = load i64, ptr %386, align 8
-  %388 = icmp sgt i64 %387, 0
-  br i1 %388, label %389, label %394
+413:                                              ; preds = %372, %1999
+  %414 = phi i64 [ %370, %372 ], [ %2000, %1999 ]
+  %415 = phi i64 [ undef, %372 ], [ %1998, %1999 ]
+  %416 = phi double [ %231, %372 ], [ %1996, %1999 ]
+  %417 = phi double [ %369, %372 ], [ %1995, %1999 ]
+  %418 = phi i64 [ %194, %372 ], [ %1994, %1999 ]
+  %419 = phi i64 [ %193, %372 ], [ %1993, %1999 ]
+  %420 = phi i32 [ %192, %372 ], [ %1992, %1999 ]
+  %421 = phi double [ %191, %372 ], [ %1991, %1999 ]
+  %422 = load ptr, ptr %96, align 8
+  %423 = getelementptr inbounds i8, ptr %422, i64 8
+  %424 = load i64, ptr %423, align 8
+  %425 = icmp sgt i64 %424, 0
+  br i1 %425, label %426, label %431
 
-389:                                              ; preds = %376
-  %390 = load i64, ptr %385, align 8
-  %391 = add nsw i64 %390, 3
-  %392 = icmp slt i64 %387, %391
-  %393 = zext i1 %392 to i32
-  br label %394
+426:                                              ; preds = %413
+  %427 = load i64, ptr %422, align 8
+  %428 = add nsw i64 %427, 3
+  %429 = icmp slt i64 %424, %428
+  %430 = zext i1 %429 to i32
+  br label %431
 
-394:                                              ; preds = %376, %389
-  %395 = phi i32 [ 0, %376 ], [ %393, %389 ]
-  %396 = icmp eq i32 %395, 0
-  br i1 %396, label %398, label %397
+431:                                              ; preds = %413, %426
+  %432 = phi i32 [ 0, %413 ], [ %430, %426 ]
+  %433 = icmp eq i32 %432, 0
+  br i1 %433, label %435, label %434
 
-397:                                              ; preds = %394
-  store double %380, ptr %225, align 8
-  br label %1917
+434:                                              ; preds = %431
+  store double %417, ptr %232, align 8
+  br label %2002
 
-398:                                              ; preds = %394
-  %399 = add nsw i64 %377, -1
-  store i64 %399, ptr %192, align 8
-  %400 = load i64, ptr %336, align 8
-  %401 = load i64, ptr %337, align 8
-  %402 = add nsw i64 %401, %400
-  %403 = load i64, ptr %338, align 8
-  %404 = icmp slt i64 %402, %403
-  br i1 %404, label %406, label %405
+435:                                              ; preds = %431
+  %436 = add nsw i64 %414, -1
+  store i64 %436, ptr %199, align 8
+  %437 = load i64, ptr %373, align 8
+  %438 = load i64, ptr %374, align 8
+  %439 = add nsw i64 %438, %437
+  %440 = load i64, ptr %375, align 8
+  %441 = icmp slt i64 %439, %440
+  br i1 %441, label %443, label %442
 
-405:                                              ; preds = %398
-  store double %380, ptr %225, align 8
-  br label %1917
+442:                                              ; preds = %435
+  store double %417, ptr %232, align 8
+  br label %2002
 
-406:                                              ; preds = %398
-  %407 = load double, ptr %339, align 8
-  %408 = fcmp olt double %380, %407
-  %409 = select i1 %408, double %380, double %407
-  %410 = fadd double %379, %409
-  %411 = fmul double %409, 1.000000e-03
-  %412 = fsub double %203, %411
-  %413 = fcmp ule double %410, %412
-  %414 = select i1 %413, double %410, double %203
-  %415 = fsub double %414, %379
-  %416 = fmul double %415, 6.250000e-02
-  %417 = fadd double %379, %416
-  %418 = fcmp ule double %417, %379
-  %419 = fcmp une double %414, %203
-  %420 = and i1 %419, %418
-  br i1 %420, label %421, label %422
+443:                                              ; preds = %435
+  %444 = load ptr, ptr %97, align 8
+  %445 = load i64, ptr %98, align 8
+  %446 = icmp eq i64 %445, 0
+  br i1 %446, label %479, label %447
 
-421:                                              ; preds = %406
-  store double %415, ptr %225, align 8
-  br label %1905
+447:                                              ; preds = %443
+  %448 = icmp sgt i64 %445, 0
+  br i1 %448, label %449, label %462
 
-422:                                              ; preds = %406
-  %423 = load i64, ptr %340, align 8
-  %424 = icmp eq i64 %423, 1
-  br i1 %424, label %425, label %545
+449:                                              ; preds = %447, %449
+  %450 = phi i64 [ %460, %449 ], [ %445, %447 ]
+  %451 = phi i64 [ %459, %449 ], [ 0, %447 ]
+  %452 = add nuw nsw i64 %450, %451
+  %453 = lshr i64 %452, 1
+  %454 = and i64 %452, -2
+  %455 = getelementptr inbounds double, ptr %444, i64 %454
+  %456 = load double, ptr %455, align 8
+  %457 = fcmp ogt double %456, %416
+  %458 = add nuw nsw i64 %453, 1
+  %459 = select i1 %457, i64 %451, i64 %458
+  %460 = select i1 %457, i64 %453, i64 %450
+  %461 = icmp slt i64 %459, %460
+  br i1 %461, label %449, label %462, !llvm.loop !9
 
-425:                                              ; preds = %422
-  %426 = load ptr, ptr %81, align 8
-  %427 = getelementptr inbounds i8, ptr %426, i64 32
-  %428 = load i64, ptr %427, align 8
-  %429 = add nsw i64 %428, 1
-  store i64 %429, ptr %427, align 8
-  %430 = load ptr, ptr %76, align 8
-  %431 = getelementptr inbounds i8, ptr %430, i64 8
-  %432 = load i64, ptr %431, align 8
-  %433 = load ptr, ptr %78, align 8
-  %434 = load i64, ptr %433, align 8
-  %435 = icmp eq i64 %434, 0
-  br i1 %435, label %436, label %438
+462:                                              ; preds = %449, %447
+  %463 = phi i64 [ 0, %447 ], [ %459, %449 ]
+  %464 = icmp slt i64 %463, %445
+  br i1 %464, label %465, label %470
 
-436:                                              ; preds = %425
-  %437 = icmp sgt i64 %432, 0
-  br i1 %437, label %457, label %455
+465:                                              ; preds = %462
+  %466 = shl nuw nsw i64 %463, 1
+  %467 = or disjoint i64 %466, 1
+  %468 = getelementptr inbounds double, ptr %444, i64 %467
+  %469 = load double, ptr %468, align 8
+  br label %470
 
-438:                                              ; preds = %425
-  %439 = load ptr, ptr %95, align 8
-  store double %379, ptr %439, align 8
-  %440 = load i64, ptr %96, align 8
-  %441 = icmp sgt i64 %440, 0
-  br i1 %441, label %442, label %443
+470:                                              ; preds = %465, %462
+  %471 = phi double [ %469, %465 ], [ 0x7FF0000000000000, %462 ]
+  %472 = load ptr, ptr %99, align 8
+  store double %471, ptr %472, align 8
+  %473 = load i64, ptr %98, align 8
+  %474 = icmp slt i64 %463, %473
+  br i1 %474, label %475, label %479
 
-442:                                              ; preds = %438
+475:                                              ; preds = %470
+  %476 = shl nsw i64 %463, 4
+  %477 = getelementptr inbounds i8, ptr %444, i64 %476
+  %478 = load double, ptr %477, align 8
+  br label %479
+
+479:                                              ; preds = %443, %470, %475
+  %480 = phi double [ 0x7FF0000000000000, %443 ], [ %478, %475 ], [ 0x7FF0000000000000, %470 ]
+  %481 = fcmp olt double %210, %480
+  %482 = select i1 %481, double %210, double %480
+  %483 = load double, ptr %376, align 8
+  %484 = fcmp olt double %417, %483
+  %485 = select i1 %484, double %417, double %483
+  %486 = fadd double %416, %485
+  %487 = fmul double %485, 1.000000e-03
+  %488 = fsub double %482, %487
+  %489 = fcmp ule double %486, %488
+  %490 = select i1 %489, double %486, double %482
+  %491 = fsub double %490, %416
+  %492 = fmul double %491, 6.250000e-02
+  %493 = fadd double %416, %492
+  %494 = fcmp ule double %493, %416
+  %495 = fcmp une double %490, %482
+  %496 = and i1 %495, %494
+  br i1 %496, label %497, label %498
+
+497:                                              ; preds = %479
+  store double %491, ptr %232, align 8
+  br label %1990
+
+498:                                              ; preds = %479
+  %499 = load i64, ptr %377, align 8
+  %500 = icmp eq i64 %499, 1
+  br i1 %500, label %501, label %621
+
+501:                                              ; preds = %498
+  %502 = load ptr, ptr %81, align 8
+  %503 = getelementptr inbounds i8, ptr %502, i64 32
+  %504 = load i64, ptr %503, align 8
+  %505 = add nsw i64 %504, 1
+  store i64 %505, ptr %503, align 8
+  %506 = load ptr, ptr %76, align 8
+  %507 = getelementptr inbounds i8, ptr %506, i64 8
+  %508 = load i64, ptr %507, align 8
+  %509 = load ptr, ptr %78, align 8
+  %510 = load i64, ptr %509, align 8
+  %511 = icmp eq i64 %510, 0
+  br i1 %511, label %512, label %514
+
+512:                                              ; preds = %501
+  %513 = icmp sgt i64 %508, 0
+  br i1 %513, label %533, label %531
+
+514:                                              ; preds = %501
+  %515 = load ptr, ptr %101, align 8
+  store double %416, ptr %515, align 8
+  %516 = load i64, ptr %102, align 8
+  %517 = icmp sgt i64 %516, 0
+  br i1 %517, label %518, label %519
+
+518:                                              ; preds = %514
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %443
+  br label %519
 
-443:                                              ; preds = %442, %438
-  %444 = load ptr, ptr %78, align 8
-  %445 = load i64, ptr %444, align 8
-  %446 = load ptr, ptr %97, align 8
-  %447 = load ptr, ptr %77, align 8
-  %448 = load ptr, ptr %98, align 8
-  %449 = load ptr, ptr %99, align 8
-  %450 = load ptr, ptr %94, align 8
-  %451 = inttoptr i64 %445 to ptr
-  %452 = load ptr, ptr %451, align 8
-  %453 = tail call i32 %452(ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449, ptr noundef %450) #11
-  %454 = sext i32 %453 to i64
-  br label %526
+519:                                              ; preds = %518, %514
+  %520 = load ptr, ptr %78, align 8
+  %521 = load i64, ptr %520, align 8
+  %522 = load ptr, ptr %103, align 8
+  %523 = load ptr, ptr %77, align 8
+  %524 = load ptr, ptr %104, align 8
+  %525 = load ptr, ptr %105, align 8
+  %526 = load ptr, ptr %100, align 8
+  %527 = inttoptr i64 %521 to ptr
+  %528 = load ptr, ptr %527, align 8
+  %529 = tail call i32 %528(ptr noundef %522, ptr noundef %523, ptr noundef %524, ptr noundef %525, ptr noundef %526) #11
+  %530 = sext i32 %529 to i64
+  br label %602
 
-455:                                              ; preds = %457, %436
-  %456 = icmp sgt i64 %432, 0
-  br i1 %456, label %469, label %526
+531:                                              ; preds = %533, %512
+  %532 = icmp sgt i64 %508, 0
+  br i1 %532, label %545, label %602
 
-457:                                              ; preds = %436, %457
-  %458 = phi i64 [ %464, %457 ], [ 0, %436 ]
-  %459 = load ptr, ptr %77, align 8
-  %460 = getelementptr inbounds double, ptr %459, i64 %458
-  %461 = load double, ptr %460, align 8
-  %462 = load ptr, ptr %100, align 8
-  %463 = getelementptr inbounds double, ptr %462, i64 %458
-  store double %461, ptr %463, align 8
-  %464 = add nuw nsw i64 %458, 1
-  %465 = icmp eq i64 %464, %432
-  br i1 %465, label %455, label %457, !llvm.loop !11
+533:                                              ; preds = %512, %533
+  %534 = phi i64 [ %540, %533 ], [ 0, %512 ]
+  %535 = load ptr, ptr %77, align 8
+  %536 = getelementptr inbounds double, ptr %535, i64 %534
+  %537 = load double, ptr %536, align 8
+  %538 = load ptr, ptr %106, align 8
+  %539 = getelementptr inbounds double, ptr %538, i64 %534
+  store double %537, ptr %539, align 8
+  %540 = add nuw nsw i64 %534, 1
+  %541 = icmp eq i64 %540, %508
+  br i1 %541, label %531, label %533, !llvm.loop !12
 
-466:                                              ; preds = %524
-  %467 = add nuw nsw i64 %471, 1
-  %468 = icmp eq i64 %467, %432
-  br i1 %468, label %526, label %469, !llvm.loop !12
+542:                                              ; preds = %600
+  %543 = add nuw nsw i64 %547, 1
+  %544 = icmp eq i64 %543, %508
+  br i1 %544, label %602, label %545, !llvm.loop !13
 
-469:                                              ; preds = %455, %466
-  %470 = phi i64 [ %525, %466 ], [ undef, %455 ]
-  %471 = phi i64 [ %467, %466 ], [ 0, %455 ]
-  %472 = load ptr, ptr %77, align 8
-  %473 = getelementptr inbounds double, ptr %472, i64 %471
-  %474 = load double, ptr %473, align 8
-  %475 = tail call double @llvm.fabs.f64(double %474)
-  %476 = fcmp olt double %475, 1.000000e-05
-  %477 = select i1 %476, double 1.000000e-05, double %475
-  %478 = fmul double %477, 1.500000e-08
-  %479 = fadd double %474, %478
-  %480 = load ptr, ptr %101, align 8
-  %481 = getelementptr inbounds double, ptr %480, i64 %471
-  store double %479, ptr %481, align 8
-  %482 = load ptr, ptr %81, align 8
-  %483 = getelementptr inbounds i8, ptr %482, i64 24
-  %484 = load i64, ptr %483, align 8
-  %485 = add nsw i64 %484, 1
-  store i64 %485, ptr %483, align 8
-  %486 = load ptr, ptr %101, align 8
-  %487 = load ptr, ptr %102, align 8
-  %488 = load ptr, ptr %103, align 8
-  store double %379, ptr %488, align 8
-  %489 = load i64, ptr %104, align 8
-  %490 = icmp sgt i64 %489, 0
-  br i1 %490, label %491, label %492
+545:                                              ; preds = %531, %542
+  %546 = phi i64 [ %601, %542 ], [ undef, %531 ]
+  %547 = phi i64 [ %543, %542 ], [ 0, %531 ]
+  %548 = load ptr, ptr %77, align 8
+  %549 = getelementptr inbounds double, ptr %548, i64 %547
+  %550 = load double, ptr %549, align 8
+  %551 = tail call double @llvm.fabs.f64(double %550)
+  %552 = fcmp olt double %551, 1.000000e-05
+  %553 = select i1 %552, double 1.000000e-05, double %551
+  %554 = fmul double %553, 1.500000e-08
+  %555 = fadd double %550, %554
+  %556 = load ptr, ptr %107, align 8
+  %557 = getelementptr inbounds double, ptr %556, i64 %547
+  store double %555, ptr %557, align 8
+  %558 = load ptr, ptr %81, align 8
+  %559 = getelementptr inbounds i8, ptr %558, i64 24
+  %560 = load i64, ptr %559, align 8
+  %561 = add nsw i64 %560, 1
+  store i64 %561, ptr %559, align 8
+  %562 = load ptr, ptr %107, align 8
+  %563 = load ptr, ptr %108, align 8
+  %564 = load ptr, ptr %109, align 8
+  store double %416, ptr %564, align 8
+  %565 = load i64, ptr %110, align 8
+  %566 = icmp sgt i64 %565, 0
+  br i1 %566, label %567, label %568
 
-491:                                              ; preds = %469
+567:                                              ; preds = %545
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %492
+  br label %568
 
-492:                                              ; preds = %491, %469
-  %493 = load ptr, ptr %76, align 8
-  %494 = load i64, ptr %493, align 8
-  %495 = load ptr, ptr %103, align 8
-  %496 = load ptr, ptr %105, align 8
-  %497 = load ptr, ptr %106, align 8
-  %498 = inttoptr i64 %494 to ptr
-  %499 = load ptr, ptr %498, align 8
-  %500 = tail call i32 %499(ptr noundef %495, ptr noundef %486, ptr noundef %496, ptr noundef %497, ptr noundef %487) #11
-  %501 = sext i32 %500 to i64
-  %502 = icmp eq i32 %500, 0
-  br i1 %502, label %503, label %524
-
-503:                                              ; preds = %492
-  %504 = fsub double %479, %474
-  br label %508
-
-505:                                              ; preds = %508
-  %506 = load ptr, ptr %101, align 8
-  %507 = getelementptr inbounds double, ptr %506, i64 %471
-  store double %474, ptr %507, align 8
-  br label %524
-
-508:                                              ; preds = %503, %508
-  %509 = phi i64 [ 0, %503 ], [ %522, %508 ]
-  %510 = load ptr, ptr %102, align 8
-  %511 = getelementptr inbounds double, ptr %510, i64 %509
-  %512 = load double, ptr %511, align 8
-  %513 = load ptr, ptr %107, align 8
-  %514 = getelementptr inbounds double, ptr %513, i64 %509
-  %515 = load double, ptr %514, align 8
-  %516 = fsub double %512, %515
-  %517 = fdiv double %516, %504
-  %518 = load ptr, ptr %94, align 8
-  %519 = mul nuw nsw i64 %509, %432
-  %520 = getelementptr double, ptr %518, i64 %519
-  %521 = getelementptr double, ptr %520, i64 %471
-  store double %517, ptr %521, align 8
-  %522 = add nuw nsw i64 %509, 1
-  %523 = icmp eq i64 %522, %432
-  br i1 %523, label %505, label %508, !llvm.loop !13
-
-524:                                              ; preds = %505, %492
-  %525 = phi i64 [ %470, %505 ], [ %501, %492 ]
-  br i1 %502, label %466, label %526
-
-526:                                              ; preds = %524, %466, %455, %443
-  %527 = phi i64 [ %454, %443 ], [ 0, %455 ], [ 0, %466 ], [ %525, %524 ]
-  %528 = load i64, ptr %108, align 8
-  %529 = icmp sgt i64 %528, 0
-  br i1 %529, label %530, label %542
-
-530:                                              ; preds = %526, %538
-  %531 = phi i64 [ %539, %538 ], [ 0, %526 ]
-  %532 = load ptr, ptr %94, align 8
-  %533 = getelementptr inbounds double, ptr %532, i64 %531
-  %534 = load double, ptr %533, align 8
-  %535 = tail call double @llvm.fabs.f64(double %534)
-  %536 = fcmp ueq double %535, 0x7FF0000000000000
-  br i1 %536, label %537, label %538
-
-537:                                              ; preds = %530
-  store double 0.000000e+00, ptr %533, align 8
-  br label %538
-
-538:                                              ; preds = %537, %530
-  %539 = add nuw nsw i64 %531, 1
-  %540 = load i64, ptr %108, align 8
-  %541 = icmp slt i64 %539, %540
-  br i1 %541, label %530, label %542, !llvm.loop !14
-
-542:                                              ; preds = %538, %526
-  %543 = icmp slt i64 %527, 0
-  br i1 %543, label %1905, label %544
-
-544:                                              ; preds = %542
-  store i64 0, ptr %340, align 8
-  store i64 1, ptr %341, align 8
-  store i64 0, ptr %342, align 8
-  br label %545
-
-545:                                              ; preds = %544, %422
-  %546 = load i64, ptr %343, align 8
-  %547 = icmp eq i64 %546, 0
-  br i1 %547, label %555, label %548
-
-548:                                              ; preds = %545
-  %549 = tail call double @llvm.fabs.f64(double %414)
-  %550 = fmul double %549, 0x3CB0000000000000
-  %551 = load double, ptr %189, align 8
-  %552 = fsub double %415, %551
-  %553 = tail call double @llvm.fabs.f64(double %552)
-  %554 = fcmp ogt double %553, %550
-  br i1 %554, label %555, label %618
-
-555:                                              ; preds = %548, %545
-  %556 = load i64, ptr %344, align 8
-  %557 = add nsw i64 %556, 1
-  store i64 %557, ptr %344, align 8
-  %558 = load i64, ptr %110, align 8
-  %559 = load ptr, ptr %111, align 8
-  %560 = load ptr, ptr %112, align 8
-  %561 = icmp sgt i64 %558, 0
-  br i1 %561, label %562, label %570
-
-562:                                              ; preds = %555
-  %563 = fdiv double 0x400D1A48D83E731D, %415
-  %564 = add nuw i64 %558, 1
-  %565 = fdiv double 0x400572DB93E0C672, %415
-  %566 = fdiv double 0x40086747F2C3FCB6, %415
-  br label %567
-
-567:                                              ; preds = %562, %574
-  %568 = phi i64 [ 0, %562 ], [ %585, %574 ]
-  %569 = mul nuw nsw i64 %568, %558
-  br label %587
-
-570:                                              ; preds = %574, %555
+568:                                              ; preds = %567, %545
+  %569 = load ptr, ptr %76, align 8
+  %570 = load i64, ptr %569, align 8
   %571 = load ptr, ptr %109, align 8
-  %572 = tail call fastcc i32 @real_factorise(ptr noundef %559, i64 noundef %558, ptr noundef %571) #10
-  %573 = icmp eq i32 %572, 0
-  br i1 %573, label %608, label %603
+  %572 = load ptr, ptr %111, align 8
+  %573 = load ptr, ptr %112, align 8
+  %574 = inttoptr i64 %570 to ptr
+  %575 = load ptr, ptr %574, align 8
+  %576 = tail call i32 %575(ptr noundef %571, ptr noundef %562, ptr noundef %572, ptr noundef %573, ptr noundef %563) #11
+  %577 = sext i32 %576 to i64
+  %578 = icmp eq i32 %576, 0
+  br i1 %578, label %579, label %600
 
-574:                                              ; preds = %587
-  %575 = mul i64 %568, %564
-  %576 = getelementptr inbounds double, ptr %559, i64 %575
-  %577 = load double, ptr %576, align 8
-  %578 = fadd double %563, %577
-  store double %578, ptr %576, align 8
-  %579 = getelementptr inbounds { double, double }, ptr %560, i64 %575
-  %580 = load double, ptr %579, align 8
-  %581 = getelementptr inbounds i8, ptr %579, i64 8
-  %582 = load double, ptr %581, align 8
-  %583 = fadd double %565, %580
-  %584 = fsub double %582, %566
-  store double %583, ptr %579, align 8
-  store double %584, ptr %581, align 8
-  %585 = add nuw nsw i64 %568, 1
-  %586 = icmp eq i64 %585, %558
-  br i1 %586, label %570, label %567, !llvm.loop !15
+579:                                              ; preds = %568
+  %580 = fsub double %555, %550
+  br label %584
 
-587:                                              ; preds = %567, %587
-  %588 = phi i64 [ 0, %567 ], [ %601, %587 ]
+581:                                              ; preds = %584
+  %582 = load ptr, ptr %107, align 8
+  %583 = getelementptr inbounds double, ptr %582, i64 %547
+  store double %550, ptr %583, align 8
+  br label %600
+
+584:                                              ; preds = %579, %584
+  %585 = phi i64 [ 0, %579 ], [ %598, %584 ]
+  %586 = load ptr, ptr %108, align 8
+  %587 = getelementptr inbounds double, ptr %586, i64 %585
+  %588 = load double, ptr %587, align 8
   %589 = load ptr, ptr %113, align 8
-  %590 = add nuw nsw i64 %588, %569
-  %591 = getelementptr inbounds double, ptr %589, i64 %590
-  %592 = load double, ptr %591, align 8
-  %593 = fneg double %592
-  %594 = getelementptr inbounds double, ptr %559, i64 %590
-  store double %593, ptr %594, align 8
-  %595 = load ptr, ptr %113, align 8
-  %596 = getelementptr inbounds double, ptr %595, i64 %590
-  %597 = load double, ptr %596, align 8
-  %598 = fneg double %597
-  %599 = getelementptr inbounds { double, double }, ptr %560, i64 %590
-  %600 = getelementptr inbounds i8, ptr %599, i64 8
-  store double %598, ptr %599, align 8
-  store double 0.000000e+00, ptr %600, align 8
-  %601 = add nuw nsw i64 %588, 1
-  %602 = icmp eq i64 %601, %558
-  br i1 %602, label %574, label %587, !llvm.loop !16
+  %590 = getelementptr inbounds double, ptr %589, i64 %585
+  %591 = load double, ptr %590, align 8
+  %592 = fsub double %588, %591
+  %593 = fdiv double %592, %580
+  %594 = load ptr, ptr %100, align 8
+  %595 = mul nuw nsw i64 %585, %508
+  %596 = getelementptr double, ptr %594, i64 %595
+  %597 = getelementptr double, ptr %596, i64 %547
+  store double %593, ptr %597, align 8
+  %598 = add nuw nsw i64 %585, 1
+  %599 = icmp eq i64 %598, %508
+  br i1 %599, label %581, label %584, !llvm.loop !14
 
-603:                                              ; preds = %570
-  %604 = load ptr, ptr %114, align 8
-  %605 = tail call fastcc i32 @pair_factorise(ptr noundef %560, i64 noundef %558, ptr noundef %604) #10
-  %606 = icmp ne i32 %605, 0
-  %607 = zext i1 %606 to i32
-  br label %608
+600:                                              ; preds = %581, %568
+  %601 = phi i64 [ %546, %581 ], [ %577, %568 ]
+  br i1 %578, label %542, label %602
 
-608:                                              ; preds = %570, %603
-  %609 = phi i32 [ 0, %570 ], [ %607, %603 ]
-  %610 = icmp eq i32 %609, 0
-  br i1 %610, label %611, label %617
+602:                                              ; preds = %600, %542, %531, %519
+  %603 = phi i64 [ %530, %519 ], [ 0, %531 ], [ 0, %542 ], [ %601, %600 ]
+  %604 = load i64, ptr %114, align 8
+  %605 = icmp sgt i64 %604, 0
+  br i1 %605, label %606, label %618
 
-611:                                              ; preds = %608
-  store i64 4, ptr %368, align 8
-  %612 = load i64, ptr %337, align 8
-  %613 = add nsw i64 %612, 1
-  store i64 %613, ptr %337, align 8
-  %614 = fmul double %415, 5.000000e-01
-  %615 = load i64, ptr %369, align 8
-  %616 = sub nsw i64 1, %615
-  store i64 %616, ptr %340, align 8
-  store i64 0, ptr %343, align 8
-  br label %1905, !llvm.loop !17
+606:                                              ; preds = %602, %614
+  %607 = phi i64 [ %615, %614 ], [ 0, %602 ]
+  %608 = load ptr, ptr %100, align 8
+  %609 = getelementptr inbounds double, ptr %608, i64 %607
+  %610 = load double, ptr %609, align 8
+  %611 = tail call double @llvm.fabs.f64(double %610)
+  %612 = fcmp ueq double %611, 0x7FF0000000000000
+  br i1 %612, label %613, label %614
 
-617:                                              ; preds = %608
-  store i64 1, ptr %343, align 8
-  store double %415, ptr %189, align 8
-  br label %618
+613:                                              ; preds = %606
+  store double 0.000000e+00, ptr %609, align 8
+  br label %614
 
-618:                                              ; preds = %617, %548
-  %619 = load double, ptr %345, align 8
-  %620 = load ptr, ptr %76, align 8
-  %621 = getelementptr inbounds i8, ptr %620, i64 8
-  %622 = load i64, ptr %621, align 8
-  %623 = load ptr, ptr %115, align 8
-  %624 = load ptr, ptr %77, align 8
-  %625 = load ptr, ptr %116, align 8
-  %626 = load ptr, ptr %117, align 8
-  %627 = fcmp ogt double %619, 0.000000e+00
-  %628 = icmp sgt i64 %622, 0
-  %629 = shl i64 %622, 4
-  %630 = getelementptr i8, ptr %623, i64 %629
-  %631 = mul i64 %622, 24
-  %632 = getelementptr i8, ptr %623, i64 %631
-  %633 = getelementptr double, ptr %623, i64 %622
-  br label %639
+614:                                              ; preds = %613, %606
+  %615 = add nuw nsw i64 %607, 1
+  %616 = load i64, ptr %114, align 8
+  %617 = icmp slt i64 %615, %616
+  br i1 %617, label %606, label %618, !llvm.loop !15
 
-634:                                              ; preds = %653
-  %635 = icmp sgt i64 %622, 0
-  %636 = getelementptr double, ptr %625, i64 %622
-  %637 = shl i64 %622, 4
-  %638 = getelementptr i8, ptr %625, i64 %637
-  br label %680
+618:                                              ; preds = %614, %602
+  %619 = icmp slt i64 %603, 0
+  br i1 %619, label %1990, label %620
 
-639:                                              ; preds = %618, %653
-  %640 = phi i64 [ 0, %618 ], [ %654, %653 ]
-  br i1 %627, label %641, label %647
+620:                                              ; preds = %618
+  store i64 0, ptr %377, align 8
+  store i64 1, ptr %378, align 8
+  store i64 0, ptr %379, align 8
+  br label %621
 
-641:                                              ; preds = %639
-  %642 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %640
-  %643 = load double, ptr %642, align 8
-  %644 = fmul double %415, %643
-  %645 = fdiv double %644, %619
-  %646 = fadd double %645, 1.000000e+00
-  br label %647
+621:                                              ; preds = %620, %498
+  %622 = load i64, ptr %380, align 8
+  %623 = icmp eq i64 %622, 0
+  br i1 %623, label %631, label %624
 
-647:                                              ; preds = %641, %639
-  %648 = phi double [ %646, %641 ], [ 0.000000e+00, %639 ]
-  br i1 %628, label %649, label %653
+624:                                              ; preds = %621
+  %625 = tail call double @llvm.fabs.f64(double %490)
+  %626 = fmul double %625, 0x3CB0000000000000
+  %627 = load double, ptr %196, align 8
+  %628 = fsub double %491, %627
+  %629 = tail call double @llvm.fabs.f64(double %628)
+  %630 = fcmp ogt double %629, %626
+  br i1 %630, label %631, label %694
 
-649:                                              ; preds = %647
-  %650 = mul nuw nsw i64 %622, %640
-  %651 = getelementptr double, ptr %625, i64 %650
-  %652 = fsub double 1.000000e+00, %648
-  br label %656
+631:                                              ; preds = %624, %621
+  %632 = load i64, ptr %381, align 8
+  %633 = add nsw i64 %632, 1
+  store i64 %633, ptr %381, align 8
+  %634 = load i64, ptr %116, align 8
+  %635 = load ptr, ptr %117, align 8
+  %636 = load ptr, ptr %118, align 8
+  %637 = icmp sgt i64 %634, 0
+  br i1 %637, label %638, label %646
 
-653:                                              ; preds = %677, %647
-  %654 = add nuw nsw i64 %640, 1
-  %655 = icmp eq i64 %654, 3
-  br i1 %655, label %634, label %639, !llvm.loop !18
+638:                                              ; preds = %631
+  %639 = fdiv double 0x400D1A48D83E731D, %491
+  %640 = add nuw i64 %634, 1
+  %641 = fdiv double 0x400572DB93E0C672, %491
+  %642 = fdiv double 0x40086747F2C3FCB6, %491
+  br label %643
 
-656:                                              ; preds = %649, %677
-  %657 = phi i64 [ 0, %649 ], [ %678, %677 ]
-  %658 = getelementptr double, ptr %651, i64 %657
-  store double 0.000000e+00, ptr %658, align 8
-  br i1 %627, label %659, label %677
+643:                                              ; preds = %638, %650
+  %644 = phi i64 [ 0, %638 ], [ %661, %650 ]
+  %645 = mul nuw nsw i64 %644, %634
+  br label %663
 
-659:                                              ; preds = %656
-  %660 = getelementptr double, ptr %630, i64 %657
-  %661 = load double, ptr %660, align 8
-  %662 = getelementptr double, ptr %632, i64 %657
-  %663 = load double, ptr %662, align 8
-  %664 = fmul double %648, %663
-  %665 = fadd double %661, %664
-  %666 = fmul double %652, %665
-  %667 = getelementptr inbounds double, ptr %623, i64 %657
+646:                                              ; preds = %650, %631
+  %647 = load ptr, ptr %115, align 8
+  %648 = tail call fastcc i32 @real_factorise(ptr noundef %635, i64 noundef %634, ptr noundef %647) #10
+  %649 = icmp eq i32 %648, 0
+  br i1 %649, label %684, label %679
+
+650:                                              ; preds = %663
+  %651 = mul i64 %644, %640
+  %652 = getelementptr inbounds double, ptr %635, i64 %651
+  %653 = load double, ptr %652, align 8
+  %654 = fadd double %639, %653
+  store double %654, ptr %652, align 8
+  %655 = getelementptr inbounds { double, double }, ptr %636, i64 %651
+  %656 = load double, ptr %655, align 8
+  %657 = getelementptr inbounds i8, ptr %655, i64 8
+  %658 = load double, ptr %657, align 8
+  %659 = fadd double %641, %656
+  %660 = fsub double %658, %642
+  store double %659, ptr %655, align 8
+  store double %660, ptr %657, align 8
+  %661 = add nuw nsw i64 %644, 1
+  %662 = icmp eq i64 %661, %634
+  br i1 %662, label %646, label %643, !llvm.loop !16
+
+663:                                              ; preds = %643, %663
+  %664 = phi i64 [ 0, %643 ], [ %677, %663 ]
+  %665 = load ptr, ptr %119, align 8
+  %666 = add nuw nsw i64 %664, %645
+  %667 = getelementptr inbounds double, ptr %665, i64 %666
   %668 = load double, ptr %667, align 8
-  %669 = getelementptr double, ptr %633, i64 %657
-  %670 = load double, ptr %669, align 8
-  %671 = fadd double %670, %666
-  %672 = fmul double %648, %671
-  %673 = fadd double %668, %672
-  %674 = getelementptr inbounds double, ptr %624, i64 %657
-  %675 = load double, ptr %674, align 8
-  %676 = fsub double %673, %675
-  store double %676, ptr %658, align 8
-  br label %677
+  %669 = fneg double %668
+  %670 = getelementptr inbounds double, ptr %635, i64 %666
+  store double %669, ptr %670, align 8
+  %671 = load ptr, ptr %119, align 8
+  %672 = getelementptr inbounds double, ptr %671, i64 %666
+  %673 = load double, ptr %672, align 8
+  %674 = fneg double %673
+  %675 = getelementptr inbounds { double, double }, ptr %636, i64 %666
+  %676 = getelementptr inbounds i8, ptr %675, i64 8
+  store double %674, ptr %675, align 8
+  store double 0.000000e+00, ptr %676, align 8
+  %677 = add nuw nsw i64 %664, 1
+  %678 = icmp eq i64 %677, %634
+  br i1 %678, label %650, label %663, !llvm.loop !17
 
-677:                                              ; preds = %659, %656
-  %678 = add nuw nsw i64 %657, 1
-  %679 = icmp eq i64 %678, %622
-  br i1 %679, label %653, label %656, !llvm.loop !19
+679:                                              ; preds = %646
+  %680 = load ptr, ptr %120, align 8
+  %681 = tail call fastcc i32 @pair_factorise(ptr noundef %636, i64 noundef %634, ptr noundef %680) #10
+  %682 = icmp ne i32 %681, 0
+  %683 = zext i1 %682 to i32
+  br label %684
 
-680:                                              ; preds = %634, %691
-  %681 = phi i64 [ 0, %634 ], [ %692, %691 ]
-  br i1 %635, label %682, label %691
+684:                                              ; preds = %646, %679
+  %685 = phi i32 [ 0, %646 ], [ %683, %679 ]
+  %686 = icmp eq i32 %685, 0
+  br i1 %686, label %687, label %693
 
-682:                                              ; preds = %680
-  %683 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %681
-  %684 = load double, ptr %683, align 8
-  %685 = getelementptr inbounds i8, ptr %683, i64 8
-  %686 = load double, ptr %685, align 8
-  %687 = getelementptr inbounds i8, ptr %683, i64 16
-  %688 = load double, ptr %687, align 8
-  %689 = mul nuw nsw i64 %622, %681
-  %690 = getelementptr double, ptr %626, i64 %689
+687:                                              ; preds = %684
+  store i64 4, ptr %405, align 8
+  %688 = load i64, ptr %374, align 8
+  %689 = add nsw i64 %688, 1
+  store i64 %689, ptr %374, align 8
+  %690 = fmul double %491, 5.000000e-01
+  %691 = load i64, ptr %406, align 8
+  %692 = sub nsw i64 1, %691
+  store i64 %692, ptr %377, align 8
+  store i64 0, ptr %380, align 8
+  br label %1990, !llvm.loop !18
+
+693:                                              ; preds = %684
+  store i64 1, ptr %380, align 8
+  store double %491, ptr %196, align 8
   br label %694
 
-691:                                              ; preds = %694, %680
-  %692 = add nuw nsw i64 %681, 1
-  %693 = icmp eq i64 %692, 3
-  br i1 %693, label %710, label %680, !llvm.loop !20
+694:                                              ; preds = %693, %624
+  %695 = load double, ptr %382, align 8
+  %696 = load ptr, ptr %76, align 8
+  %697 = getelementptr inbounds i8, ptr %696, i64 8
+  %698 = load i64, ptr %697, align 8
+  %699 = load ptr, ptr %121, align 8
+  %700 = load ptr, ptr %77, align 8
+  %701 = load ptr, ptr %122, align 8
+  %702 = load ptr, ptr %123, align 8
+  %703 = fcmp ogt double %695, 0.000000e+00
+  %704 = icmp sgt i64 %698, 0
+  %705 = shl i64 %698, 4
+  %706 = getelementptr i8, ptr %699, i64 %705
+  %707 = mul i64 %698, 24
+  %708 = getelementptr i8, ptr %699, i64 %707
+  %709 = getelementptr double, ptr %699, i64 %698
+  br label %715
 
-694:                                              ; preds = %682, %694
-  %695 = phi i64 [ 0, %682 ], [ %708, %694 ]
-  %696 = getelementptr inbounds double, ptr %625, i64 %695
-  %697 = load double, ptr %696, align 8
-  %698 = fmul double %684, %697
-  %699 = getelementptr double, ptr %636, i64 %695
-  %700 = load double, ptr %699, align 8
-  %701 = fmul double %686, %700
-  %702 = fadd double %698, %701
-  %703 = getelementptr double, ptr %638, i64 %695
-  %704 = load double, ptr %703, align 8
-  %705 = fmul double %688, %704
-  %706 = fadd double %702, %705
-  %707 = getelementptr double, ptr %690, i64 %695
-  store double %706, ptr %707, align 8
-  %708 = add nuw nsw i64 %695, 1
-  %709 = icmp eq i64 %708, %622
-  br i1 %709, label %691, label %694, !llvm.loop !21
+710:                                              ; preds = %729
+  %711 = icmp sgt i64 %698, 0
+  %712 = getelementptr double, ptr %701, i64 %698
+  %713 = shl i64 %698, 4
+  %714 = getelementptr i8, ptr %701, i64 %713
+  br label %756
 
-710:                                              ; preds = %691
-  %711 = load ptr, ptr %76, align 8, !noalias !22
-  %712 = getelementptr inbounds i8, ptr %711, i64 8
-  %713 = load i64, ptr %712, align 8, !noalias !22
-  %714 = load ptr, ptr %78, align 8, !noalias !22
-  %715 = getelementptr inbounds i8, ptr %714, i64 40
-  %716 = load i64, ptr %715, align 8, !noalias !22
-  %717 = load ptr, ptr %116, align 8, !noalias !22
-  %718 = load ptr, ptr %117, align 8, !noalias !22
-  %719 = load ptr, ptr %118, align 8, !noalias !22
-  %720 = load ptr, ptr %119, align 8, !noalias !22
-  %721 = load ptr, ptr %120, align 8, !noalias !22
-  %722 = icmp sgt i64 %716, 0
-  %723 = select i1 %722, i64 10, i64 6
-  %724 = icmp sgt i64 %713, 0
-  %725 = fdiv double 0x400D1A48D83E731D, %415
-  %726 = fdiv double 0x400572DB93E0C672, %415
-  %727 = fdiv double 0xC0086747F2C3FCB6, %415
-  %728 = icmp sgt i64 %713, 0
-  %729 = getelementptr double, ptr %718, i64 %713
-  %730 = shl i64 %713, 4
-  %731 = getelementptr i8, ptr %718, i64 %730
-  %732 = icmp eq i64 %716, 0
-  br label %733
+715:                                              ; preds = %694, %729
+  %716 = phi i64 [ 0, %694 ], [ %730, %729 ]
+  br i1 %703, label %717, label %723
 
-733:                                              ; preds = %710, %1137
-  %734 = phi double [ -1.000000e+00, %710 ], [ %1136, %1137 ]
-  %735 = phi double [ 0.000000e+00, %710 ], [ %1135, %1137 ]
-  %736 = phi i64 [ 0, %710 ], [ %1134, %1137 ]
-  %737 = phi i64 [ 0, %710 ], [ %1138, %1137 ]
-  %738 = phi i64 [ %381, %710 ], [ %1131, %1137 ]
-  %739 = phi i64 [ %382, %710 ], [ %1130, %1137 ]
-  %740 = phi i32 [ %383, %710 ], [ %1129, %1137 ]
-  %741 = phi double [ %384, %710 ], [ %1128, %1137 ]
-  %742 = icmp ugt i64 %737, 5
-  %743 = icmp eq i64 %736, 0
-  %744 = select i1 %742, i1 %743, i1 false
-  br i1 %744, label %1140, label %749
+717:                                              ; preds = %715
+  %718 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %716
+  %719 = load double, ptr %718, align 8
+  %720 = fmul double %491, %719
+  %721 = fdiv double %720, %695
+  %722 = fadd double %721, 1.000000e+00
+  br label %723
 
-745:                                              ; preds = %771
-  %746 = add nuw nsw i64 %750, 1
-  %747 = icmp ugt i64 %750, 1
-  %748 = icmp eq i64 %746, 3
-  br i1 %748, label %795, label %749, !llvm.loop !25
+723:                                              ; preds = %717, %715
+  %724 = phi double [ %722, %717 ], [ 0.000000e+00, %715 ]
+  br i1 %704, label %725, label %729
 
-749:                                              ; preds = %733, %745
-  %750 = phi i64 [ %746, %745 ], [ 0, %733 ]
-  %751 = phi i1 [ %747, %745 ], [ false, %733 ]
-  br i1 %724, label %752, label %755
+725:                                              ; preds = %723
+  %726 = mul nuw nsw i64 %698, %716
+  %727 = getelementptr double, ptr %701, i64 %726
+  %728 = fsub double 1.000000e+00, %724
+  br label %732
 
-752:                                              ; preds = %749
-  %753 = mul nuw nsw i64 %713, %750
-  %754 = getelementptr double, ptr %717, i64 %753
-  br label %781
+729:                                              ; preds = %753, %723
+  %730 = add nuw nsw i64 %716, 1
+  %731 = icmp eq i64 %730, 3
+  br i1 %731, label %710, label %715, !llvm.loop !19
 
-755:                                              ; preds = %781, %749
-  %756 = load ptr, ptr %81, align 8, !noalias !22
-  %757 = getelementptr inbounds i8, ptr %756, i64 24
-  %758 = load i64, ptr %757, align 8, !noalias !22
-  %759 = add nsw i64 %758, 1
-  store i64 %759, ptr %757, align 8, !noalias !22
-  %760 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %750
-  %761 = load double, ptr %760, align 8, !noalias !22
-  %762 = fmul double %415, %761
-  %763 = fadd double %379, %762
-  %764 = load ptr, ptr %121, align 8, !noalias !22
-  %765 = mul nsw i64 %713, %750
-  %766 = getelementptr inbounds double, ptr %719, i64 %765
-  %767 = load ptr, ptr %122, align 8, !noalias !22
-  store double %763, ptr %767, align 8, !noalias !22
-  %768 = load i64, ptr %123, align 8, !noalias !22
-  %769 = icmp sgt i64 %768, 0
-  br i1 %769, label %770, label %771
+732:                                              ; preds = %725, %753
+  %733 = phi i64 [ 0, %725 ], [ %754, %753 ]
+  %734 = getelementptr double, ptr %727, i64 %733
+  store double 0.000000e+00, ptr %734, align 8
+  br i1 %703, label %735, label %753
 
-770:                                              ; preds = %755
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
-  br label %771
+735:                                              ; preds = %732
+  %736 = getelementptr double, ptr %706, i64 %733
+  %737 = load double, ptr %736, align 8
+  %738 = getelementptr double, ptr %708, i64 %733
+  %739 = load double, ptr %738, align 8
+  %740 = fmul double %724, %739
+  %741 = fadd double %737, %740
+  %742 = fmul double %728, %741
+  %743 = getelementptr inbounds double, ptr %699, i64 %733
+  %744 = load double, ptr %743, align 8
+  %745 = getelementptr double, ptr %709, i64 %733
+  %746 = load double, ptr %745, align 8
+  %747 = fadd double %746, %742
+  %748 = fmul double %724, %747
+  %749 = fadd double %744, %748
+  %750 = getelementptr inbounds double, ptr %700, i64 %733
+  %751 = load double, ptr %750, align 8
+  %752 = fsub double %749, %751
+  store double %752, ptr %734, align 8
+  br label %753
 
-771:                                              ; preds = %755, %770
-  %772 = load ptr, ptr %76, align 8, !noalias !22
-  %773 = load i64, ptr %772, align 8, !noalias !22
-  %774 = load ptr, ptr %122, align 8, !noalias !22
-  %775 = load ptr, ptr %125, align 8, !noalias !22
-  %776 = load ptr, ptr %126, align 8, !noalias !22
-  %777 = inttoptr i64 %773 to ptr
-  %778 = load ptr, ptr %777, align 8, !noalias !22
-  %779 = tail call i32 %778(ptr noundef %774, ptr noundef %764, ptr noundef %775, ptr noundef %776, ptr noundef %766) #11, !noalias !22
-  %780 = icmp eq i32 %779, 0
-  br i1 %780, label %745, label %793
+753:                                              ; preds = %735, %732
+  %754 = add nuw nsw i64 %733, 1
+  %755 = icmp eq i64 %754, %698
+  br i1 %755, label %729, label %732, !llvm.loop !20
 
-781:                                              ; preds = %752, %781
-  %782 = phi i64 [ 0, %752 ], [ %791, %781 ]
-  %783 = load ptr, ptr %77, align 8, !noalias !22
-  %784 = getelementptr inbounds double, ptr %783, i64 %782
-  %785 = load double, ptr %784, align 8, !noalias !22
-  %786 = getelementptr double, ptr %754, i64 %782
-  %787 = load double, ptr %786, align 8, !noalias !22
-  %788 = fadd double %785, %787
-  %789 = load ptr, ptr %124, align 8, !noalias !22
-  %790 = getelementptr inbounds double, ptr %789, i64 %782
-  store double %788, ptr %790, align 8, !noalias !22
-  %791 = add nuw nsw i64 %782, 1
-  %792 = icmp eq i64 %791, %713
-  br i1 %792, label %755, label %781, !llvm.loop !26
+756:                                              ; preds = %710, %767
+  %757 = phi i64 [ 0, %710 ], [ %768, %767 ]
+  br i1 %711, label %758, label %767
 
-793:                                              ; preds = %771
-  %794 = sext i32 %779 to i64
-  br label %795
+758:                                              ; preds = %756
+  %759 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %757
+  %760 = load double, ptr %759, align 8
+  %761 = getelementptr inbounds i8, ptr %759, i64 8
+  %762 = load double, ptr %761, align 8
+  %763 = getelementptr inbounds i8, ptr %759, i64 16
+  %764 = load double, ptr %763, align 8
+  %765 = mul nuw nsw i64 %698, %757
+  %766 = getelementptr double, ptr %702, i64 %765
+  br label %770
 
-795:                                              ; preds = %745, %793
-  %796 = phi i1 [ %751, %793 ], [ %747, %745 ]
-  %797 = phi double [ 0.000000e+00, %793 ], [ %741, %745 ]
-  %798 = phi i32 [ 0, %793 ], [ %740, %745 ]
-  %799 = phi i64 [ %737, %793 ], [ %739, %745 ]
-  %800 = phi i64 [ %794, %793 ], [ %738, %745 ]
-  %801 = phi i32 [ 1, %793 ], [ 5, %745 ]
-  br i1 %796, label %802, label %1140
+767:                                              ; preds = %770, %756
+  %768 = add nuw nsw i64 %757, 1
+  %769 = icmp eq i64 %768, 3
+  br i1 %769, label %786, label %756, !llvm.loop !21
 
-802:                                              ; preds = %795
-  %803 = load ptr, ptr %76, align 8, !noalias !22
-  %804 = getelementptr inbounds i8, ptr %803, i64 8
-  %805 = load i64, ptr %804, align 8, !noalias !22
-  %806 = load ptr, ptr %118, align 8, !noalias !22
-  %807 = load ptr, ptr %117, align 8, !noalias !22
-  %808 = load ptr, ptr %119, align 8, !noalias !22
-  %809 = load ptr, ptr %120, align 8, !noalias !22
-  %810 = icmp sgt i64 %805, 0
-  br i1 %810, label %811, label %916
+770:                                              ; preds = %758, %770
+  %771 = phi i64 [ 0, %758 ], [ %784, %770 ]
+  %772 = getelementptr inbounds double, ptr %701, i64 %771
+  %773 = load double, ptr %772, align 8
+  %774 = fmul double %760, %773
+  %775 = getelementptr double, ptr %712, i64 %771
+  %776 = load double, ptr %775, align 8
+  %777 = fmul double %762, %776
+  %778 = fadd double %774, %777
+  %779 = getelementptr double, ptr %714, i64 %771
+  %780 = load double, ptr %779, align 8
+  %781 = fmul double %764, %780
+  %782 = fadd double %778, %781
+  %783 = getelementptr double, ptr %766, i64 %771
+  store double %782, ptr %783, align 8
+  %784 = add nuw nsw i64 %771, 1
+  %785 = icmp eq i64 %784, %698
+  br i1 %785, label %767, label %770, !llvm.loop !22
 
-811:                                              ; preds = %802
-  %812 = shl nuw nsw i64 %805, 1
-  %813 = getelementptr double, ptr %806, i64 %805
-  %814 = shl i64 %805, 4
-  %815 = getelementptr i8, ptr %806, i64 %814
-  %816 = load double, ptr %806, align 8, !noalias !22
-  %817 = getelementptr inbounds double, ptr %806, i64 %805
-  %818 = load double, ptr %817, align 8, !noalias !22
-  %819 = fadd double %816, %818
-  %820 = getelementptr inbounds double, ptr %806, i64 %812
-  %821 = load double, ptr %820, align 8, !noalias !22
-  %822 = fadd double %819, %821
-  %823 = tail call double @llvm.fabs.f64(double %822)
-  %824 = fcmp ueq double %823, 0x7FF0000000000000
-  br i1 %824, label %913, label %825
+786:                                              ; preds = %767
+  %787 = load ptr, ptr %76, align 8, !noalias !23
+  %788 = getelementptr inbounds i8, ptr %787, i64 8
+  %789 = load i64, ptr %788, align 8, !noalias !23
+  %790 = load ptr, ptr %78, align 8, !noalias !23
+  %791 = getelementptr inbounds i8, ptr %790, i64 40
+  %792 = load i64, ptr %791, align 8, !noalias !23
+  %793 = load ptr, ptr %122, align 8, !noalias !23
+  %794 = load ptr, ptr %123, align 8, !noalias !23
+  %795 = load ptr, ptr %124, align 8, !noalias !23
+  %796 = load ptr, ptr %125, align 8, !noalias !23
+  %797 = load ptr, ptr %126, align 8, !noalias !23
+  %798 = icmp sgt i64 %792, 0
+  %799 = select i1 %798, i64 10, i64 6
+  %800 = icmp sgt i64 %789, 0
+  %801 = fdiv double 0x400D1A48D83E731D, %491
+  %802 = fdiv double 0x400572DB93E0C672, %491
+  %803 = fdiv double 0xC0086747F2C3FCB6, %491
+  %804 = icmp sgt i64 %789, 0
+  %805 = getelementptr double, ptr %794, i64 %789
+  %806 = shl i64 %789, 4
+  %807 = getelementptr i8, ptr %794, i64 %806
+  %808 = icmp eq i64 %792, 0
+  br label %809
 
-825:                                              ; preds = %811
-  %826 = getelementptr double, ptr %807, i64 %805
-  %827 = getelementptr inbounds double, ptr %807, i64 %812
-  %828 = getelementptr double, ptr %806, i64 %805
-  %829 = getelementptr inbounds double, ptr %806, i64 %812
-  br label %841
+809:                                              ; preds = %786, %1213
+  %810 = phi double [ -1.000000e+00, %786 ], [ %1212, %1213 ]
+  %811 = phi double [ 0.000000e+00, %786 ], [ %1211, %1213 ]
+  %812 = phi i64 [ 0, %786 ], [ %1210, %1213 ]
+  %813 = phi i64 [ 0, %786 ], [ %1214, %1213 ]
+  %814 = phi i64 [ %418, %786 ], [ %1207, %1213 ]
+  %815 = phi i64 [ %419, %786 ], [ %1206, %1213 ]
+  %816 = phi i32 [ %420, %786 ], [ %1205, %1213 ]
+  %817 = phi double [ %421, %786 ], [ %1204, %1213 ]
+  %818 = icmp ugt i64 %813, 5
+  %819 = icmp eq i64 %812, 0
+  %820 = select i1 %818, i1 %819, i1 false
+  br i1 %820, label %1216, label %825
 
-830:                                              ; preds = %841
-  %831 = getelementptr inbounds double, ptr %806, i64 %909
-  %832 = load double, ptr %831, align 8, !noalias !22
-  %833 = getelementptr double, ptr %828, i64 %909
-  %834 = load double, ptr %833, align 8, !noalias !22
-  %835 = fadd double %832, %834
-  %836 = getelementptr inbounds double, ptr %829, i64 %909
-  %837 = load double, ptr %836, align 8, !noalias !22
-  %838 = fadd double %835, %837
-  %839 = tail call double @llvm.fabs.f64(double %838)
-  %840 = fcmp ueq double %839, 0x7FF0000000000000
-  br i1 %840, label %911, label %841, !llvm.loop !27
+821:                                              ; preds = %847
+  %822 = add nuw nsw i64 %826, 1
+  %823 = icmp ugt i64 %826, 1
+  %824 = icmp eq i64 %822, 3
+  br i1 %824, label %871, label %825, !llvm.loop !26
 
-841:                                              ; preds = %825, %830
-  %842 = phi double [ %832, %830 ], [ %816, %825 ]
-  %843 = phi double [ %908, %830 ], [ 0.000000e+00, %825 ]
-  %844 = phi i64 [ %909, %830 ], [ 0, %825 ]
-  %845 = getelementptr inbounds double, ptr %806, i64 %844
-  %846 = fmul double %842, 0x4010B70201A79C46
-  %847 = getelementptr double, ptr %813, i64 %844
-  %848 = load double, ptr %847, align 8, !noalias !22
-  %849 = fmul double %848, 0x3FD4F8C15DA84E86
-  %850 = fadd double %846, %849
-  %851 = getelementptr double, ptr %815, i64 %844
-  %852 = load double, ptr %851, align 8, !noalias !22
-  %853 = fmul double %852, 0x3FE0BF7FF59D56EF
-  %854 = fadd double %850, %853
-  %855 = getelementptr inbounds double, ptr %807, i64 %844
-  %856 = load double, ptr %855, align 8, !noalias !22
-  %857 = fmul double %725, %856
-  %858 = fsub double %854, %857
-  %859 = getelementptr inbounds double, ptr %808, i64 %844
-  store double %858, ptr %859, align 8, !noalias !22
-  %860 = load double, ptr %845, align 8, !noalias !22
-  %861 = fmul double %860, 0xC010B70201A79C46
-  %862 = load double, ptr %847, align 8, !noalias !22
-  %863 = fmul double %862, 0x3FD4F8C15DA84E86
-  %864 = fsub double %861, %863
-  %865 = load double, ptr %851, align 8, !noalias !22
-  %866 = fmul double %865, 0x3FDE810014C55221
-  %867 = fadd double %864, %866
-  %868 = fmul double %860, 0x3FE017885A24A7F2
-  %869 = fmul double %862, 0x4004934E6FCAA598
-  %870 = fsub double %868, %869
-  %871 = fmul double %865, 0x3FE312C0CF7BDFD1
-  %872 = fadd double %870, %871
-  %873 = getelementptr double, ptr %826, i64 %844
-  %874 = load double, ptr %873, align 8, !noalias !22
-  %875 = getelementptr inbounds double, ptr %827, i64 %844
-  %876 = load double, ptr %875, align 8, !noalias !22
-  %877 = fmul double %726, %874
-  %878 = fmul double %727, %876
-  %879 = fmul double %726, %876
-  %880 = fmul double %727, %874
-  %881 = fsub double %877, %878
-  %882 = fadd double %880, %879
-  %883 = fsub double %867, %881
-  %884 = fsub double %872, %882
-  %885 = getelementptr inbounds { double, double }, ptr %809, i64 %844
-  %886 = getelementptr inbounds i8, ptr %885, i64 8
-  store double %883, ptr %885, align 8, !noalias !22
-  store double %884, ptr %886, align 8, !noalias !22
-  %887 = load double, ptr %859, align 8, !noalias !22
-  %888 = tail call double @llvm.fabs.f64(double %887)
-  %889 = tail call double @llvm.fabs.f64(double %883)
-  %890 = fadd double %888, %889
-  %891 = tail call double @llvm.fabs.f64(double %884)
-  %892 = fadd double %891, %890
-  %893 = fmul double %415, %892
-  %894 = load ptr, ptr %77, align 8, !noalias !22
-  %895 = getelementptr inbounds double, ptr %894, i64 %844
-  %896 = load double, ptr %895, align 8, !noalias !22
-  %897 = load ptr, ptr %127, align 8, !noalias !22
-  %898 = getelementptr inbounds double, ptr %897, i64 %844
-  %899 = load double, ptr %898, align 8, !noalias !22
-  %900 = load ptr, ptr %128, align 8, !noalias !22
-  %901 = getelementptr inbounds double, ptr %900, i64 %844
-  %902 = load double, ptr %901, align 8, !noalias !22
-  %903 = tail call double @llvm.fabs.f64(double %896)
-  %904 = fmul double %903, %902
-  %905 = fadd double %899, %904
-  %906 = fdiv double %893, %905
-  %907 = fmul double %906, %906
-  %908 = fadd double %843, %907
-  %909 = add nuw nsw i64 %844, 1
-  %910 = icmp eq i64 %909, %805
-  br i1 %910, label %916, label %830, !llvm.loop !27
+825:                                              ; preds = %809, %821
+  %826 = phi i64 [ %822, %821 ], [ 0, %809 ]
+  %827 = phi i1 [ %823, %821 ], [ false, %809 ]
+  br i1 %800, label %828, label %831
 
-911:                                              ; preds = %830
-  %912 = icmp slt i64 %909, %805
-  br label %913
+828:                                              ; preds = %825
+  %829 = mul nuw nsw i64 %789, %826
+  %830 = getelementptr double, ptr %793, i64 %829
+  br label %857
 
-913:                                              ; preds = %911, %811
-  %914 = phi i1 [ %912, %911 ], [ %810, %811 ]
-  %915 = phi double [ %908, %911 ], [ 0.000000e+00, %811 ]
-  br i1 %914, label %1140, label %916
+831:                                              ; preds = %857, %825
+  %832 = load ptr, ptr %81, align 8, !noalias !23
+  %833 = getelementptr inbounds i8, ptr %832, i64 24
+  %834 = load i64, ptr %833, align 8, !noalias !23
+  %835 = add nsw i64 %834, 1
+  store i64 %835, ptr %833, align 8, !noalias !23
+  %836 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %826
+  %837 = load double, ptr %836, align 8, !noalias !23
+  %838 = fmul double %491, %837
+  %839 = fadd double %416, %838
+  %840 = load ptr, ptr %127, align 8, !noalias !23
+  %841 = mul nsw i64 %789, %826
+  %842 = getelementptr inbounds double, ptr %795, i64 %841
+  %843 = load ptr, ptr %128, align 8, !noalias !23
+  store double %839, ptr %843, align 8, !noalias !23
+  %844 = load i64, ptr %129, align 8, !noalias !23
+  %845 = icmp sgt i64 %844, 0
+  br i1 %845, label %846, label %847
 
-916:                                              ; preds = %841, %802, %913
-  %917 = phi double [ %915, %913 ], [ 0.000000e+00, %802 ], [ %908, %841 ]
-  %918 = load ptr, ptr %76, align 8, !noalias !22
-  %919 = getelementptr inbounds i8, ptr %918, i64 8
-  %920 = load i64, ptr %919, align 8, !noalias !22
-  %921 = load i64, ptr %130, align 8, !noalias !22
-  %922 = load ptr, ptr %78, align 8, !noalias !22
-  %923 = getelementptr inbounds i8, ptr %922, i64 40
-  %924 = load i64, ptr %923, align 8, !noalias !22
-  %925 = load ptr, ptr %119, align 8, !noalias !22
-  %926 = load ptr, ptr %120, align 8, !noalias !22
-  %927 = load ptr, ptr %131, align 8, !noalias !22
-  %928 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %927, i64 noundef %921, ptr noundef %928, ptr noundef %925) #10, !noalias !22
-  %929 = load ptr, ptr %132, align 8, !noalias !22
-  %930 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %929, i64 noundef %921, ptr noundef %930, ptr noundef %926) #10, !noalias !22
-  %931 = icmp sgt i64 %924, 0
-  br i1 %931, label %932, label %937
+846:                                              ; preds = %831
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !23
+  br label %847
 
-932:                                              ; preds = %916
-  %933 = load ptr, ptr %131, align 8, !noalias !22
-  %934 = load ptr, ptr %129, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %933, i64 noundef %921, ptr noundef %934, ptr noundef %925, i64 noundef %924) #10, !noalias !22
-  %935 = load ptr, ptr %132, align 8, !noalias !22
-  %936 = load ptr, ptr %133, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %935, i64 noundef %921, ptr noundef %936, ptr noundef %926, i64 noundef %924) #10, !noalias !22
-  br label %937
+847:                                              ; preds = %831, %846
+  %848 = load ptr, ptr %76, align 8, !noalias !23
+  %849 = load i64, ptr %848, align 8, !noalias !23
+  %850 = load ptr, ptr %128, align 8, !noalias !23
+  %851 = load ptr, ptr %131, align 8, !noalias !23
+  %852 = load ptr, ptr %132, align 8, !noalias !23
+  %853 = inttoptr i64 %849 to ptr
+  %854 = load ptr, ptr %853, align 8, !noalias !23
+  %855 = tail call i32 %854(ptr noundef %850, ptr noundef %840, ptr noundef %851, ptr noundef %852, ptr noundef %842) #11, !noalias !23
+  %856 = icmp eq i32 %855, 0
+  br i1 %856, label %821, label %869
 
-937:                                              ; preds = %932, %916
-  %938 = icmp sgt i64 %920, 0
-  br i1 %938, label %939, label %972
+857:                                              ; preds = %828, %857
+  %858 = phi i64 [ 0, %828 ], [ %867, %857 ]
+  %859 = load ptr, ptr %77, align 8, !noalias !23
+  %860 = getelementptr inbounds double, ptr %859, i64 %858
+  %861 = load double, ptr %860, align 8, !noalias !23
+  %862 = getelementptr double, ptr %830, i64 %858
+  %863 = load double, ptr %862, align 8, !noalias !23
+  %864 = fadd double %861, %863
+  %865 = load ptr, ptr %130, align 8, !noalias !23
+  %866 = getelementptr inbounds double, ptr %865, i64 %858
+  store double %864, ptr %866, align 8, !noalias !23
+  %867 = add nuw nsw i64 %858, 1
+  %868 = icmp eq i64 %867, %789
+  br i1 %868, label %831, label %857, !llvm.loop !27
 
-939:                                              ; preds = %937
-  %940 = load ptr, ptr %77, align 8, !noalias !22
-  %941 = load ptr, ptr %134, align 8, !noalias !22
-  %942 = load ptr, ptr %135, align 8, !noalias !22
-  br label %943
+869:                                              ; preds = %847
+  %870 = sext i32 %855 to i64
+  br label %871
 
-943:                                              ; preds = %939, %943
-  %944 = phi double [ 0.000000e+00, %939 ], [ %969, %943 ]
-  %945 = phi i64 [ 0, %939 ], [ %970, %943 ]
-  %946 = getelementptr inbounds double, ptr %940, i64 %945
-  %947 = load double, ptr %946, align 8, !noalias !22
-  %948 = getelementptr inbounds double, ptr %941, i64 %945
-  %949 = load double, ptr %948, align 8, !noalias !22
-  %950 = getelementptr inbounds double, ptr %942, i64 %945
-  %951 = load double, ptr %950, align 8, !noalias !22
-  %952 = tail call double @llvm.fabs.f64(double %947)
-  %953 = fmul double %952, %951
-  %954 = fadd double %949, %953
-  %955 = getelementptr inbounds double, ptr %925, i64 %945
-  %956 = load double, ptr %955, align 8, !noalias !22
-  %957 = fdiv double %956, %954
-  %958 = getelementptr inbounds { double, double }, ptr %926, i64 %945
-  %959 = load double, ptr %958, align 8, !noalias !22
-  %960 = getelementptr inbounds i8, ptr %958, i64 8
-  %961 = fdiv double %959, %954
-  %962 = load double, ptr %960, align 8, !noalias !22
-  %963 = fdiv double %962, %954
-  %964 = fmul double %957, %957
-  %965 = fmul double %961, %961
+871:                                              ; preds = %821, %869
+  %872 = phi i1 [ %827, %869 ], [ %823, %821 ]
+  %873 = phi double [ 0.000000e+00, %869 ], [ %817, %821 ]
+  %874 = phi i32 [ 0, %869 ], [ %816, %821 ]
+  %875 = phi i64 [ %813, %869 ], [ %815, %821 ]
+  %876 = phi i64 [ %870, %869 ], [ %814, %821 ]
+  %877 = phi i32 [ 1, %869 ], [ 5, %821 ]
+  br i1 %872, label %878, label %1216
+
+878:                                              ; preds = %871
+  %879 = load ptr, ptr %76, align 8, !noalias !23
+  %880 = getelementptr inbounds i8, ptr %879, i64 8
+  %881 = load i64, ptr %880, align 8, !noalias !23
+  %882 = load ptr, ptr %124, align 8, !noalias !23
+  %883 = load ptr, ptr %123, align 8, !noalias !23
+  %884 = load ptr, ptr %125, align 8, !noalias !23
+  %885 = load ptr, ptr %126, align 8, !noalias !23
+  %886 = icmp sgt i64 %881, 0
+  br i1 %886, label %887, label %992
+
+887:                                              ; preds = %878
+  %888 = shl nuw nsw i64 %881, 1
+  %889 = getelementptr double, ptr %882, i64 %881
+  %890 = shl i64 %881, 4
+  %891 = getelementptr i8, ptr %882, i64 %890
+  %892 = load double, ptr %882, align 8, !noalias !23
+  %893 = getelementptr inbounds double, ptr %882, i64 %881
+  %894 = load double, ptr %893, align 8, !noalias !23
+  %895 = fadd double %892, %894
+  %896 = getelementptr inbounds double, ptr %882, i64 %888
+  %897 = load double, ptr %896, align 8, !noalias !23
+  %898 = fadd double %895, %897
+  %899 = tail call double @llvm.fabs.f64(double %898)
+  %900 = fcmp ueq double %899, 0x7FF0000000000000
+  br i1 %900, label %989, label %901
+
+901:                                              ; preds = %887
+  %902 = getelementptr double, ptr %883, i64 %881
+  %903 = getelementptr inbounds double, ptr %883, i64 %888
+  %904 = getelementptr double, ptr %882, i64 %881
+  %905 = getelementptr inbounds double, ptr %882, i64 %888
+  br label %917
+
+906:                                              ; preds = %917
+  %907 = getelementptr inbounds double, ptr %882, i64 %985
+  %908 = load double, ptr %907, align 8, !noalias !23
+  %909 = getelementptr double, ptr %904, i64 %985
+  %910 = load double, ptr %909, align 8, !noalias !23
+  %911 = fadd double %908, %910
+  %912 = getelementptr inbounds double, ptr %905, i64 %985
+  %913 = load double, ptr %912, align 8, !noalias !23
+  %914 = fadd double %911, %913
+  %915 = tail call double @llvm.fabs.f64(double %914)
+  %916 = fcmp ueq double %915, 0x7FF0000000000000
+  br i1 %916, label %987, label %917, !llvm.loop !28
+
+917:                                              ; preds = %901, %906
+  %918 = phi double [ %908, %906 ], [ %892, %901 ]
+  %919 = phi double [ %984, %906 ], [ 0.000000e+00, %901 ]
+  %920 = phi i64 [ %985, %906 ], [ 0, %901 ]
+  %921 = getelementptr inbounds double, ptr %882, i64 %920
+  %922 = fmul double %918, 0x4010B70201A79C46
+  %923 = getelementptr double, ptr %889, i64 %920
+  %924 = load double, ptr %923, align 8, !noalias !23
+  %925 = fmul double %924, 0x3FD4F8C15DA84E86
+  %926 = fadd double %922, %925
+  %927 = getelementptr double, ptr %891, i64 %920
+  %928 = load double, ptr %927, align 8, !noalias !23
+  %929 = fmul double %928, 0x3FE0BF7FF59D56EF
+  %930 = fadd double %926, %929
+  %931 = getelementptr inbounds double, ptr %883, i64 %920
+  %932 = load double, ptr %931, align 8, !noalias !23
+  %933 = fmul double %801, %932
+  %934 = fsub double %930, %933
+  %935 = getelementptr inbounds double, ptr %884, i64 %920
+  store double %934, ptr %935, align 8, !noalias !23
+  %936 = load double, ptr %921, align 8, !noalias !23
+  %937 = fmul double %936, 0xC010B70201A79C46
+  %938 = load double, ptr %923, align 8, !noalias !23
+  %939 = fmul double %938, 0x3FD4F8C15DA84E86
+  %940 = fsub double %937, %939
+  %941 = load double, ptr %927, align 8, !noalias !23
+  %942 = fmul double %941, 0x3FDE810014C55221
+  %943 = fadd double %940, %942
+  %944 = fmul double %936, 0x3FE017885A24A7F2
+  %945 = fmul double %938, 0x4004934E6FCAA598
+  %946 = fsub double %944, %945
+  %947 = fmul double %941, 0x3FE312C0CF7BDFD1
+  %948 = fadd double %946, %947
+  %949 = getelementptr double, ptr %902, i64 %920
+  %950 = load double, ptr %949, align 8, !noalias !23
+  %951 = getelementptr inbounds double, ptr %903, i64 %920
+  %952 = load double, ptr %951, align 8, !noalias !23
+  %953 = fmul double %802, %950
+  %954 = fmul double %803, %952
+  %955 = fmul double %802, %952
+  %956 = fmul double %803, %950
+  %957 = fsub double %953, %954
+  %958 = fadd double %956, %955
+  %959 = fsub double %943, %957
+  %960 = fsub double %948, %958
+  %961 = getelementptr inbounds { double, double }, ptr %885, i64 %920
+  %962 = getelementptr inbounds i8, ptr %961, i64 8
+  store double %959, ptr %961, align 8, !noalias !23
+  store double %960, ptr %962, align 8, !noalias !23
+  %963 = load double, ptr %935, align 8, !noalias !23
+  %964 = tail call double @llvm.fabs.f64(double %963)
+  %965 = tail call double @llvm.fabs.f64(double %959)
   %966 = fadd double %964, %965
-  %967 = fmul double %963, %963
-  %968 = fadd double %966, %967
-  %969 = fadd double %944, %968
-  %970 = add nuw nsw i64 %945, 1
-  %971 = icmp eq i64 %970, %920
-  br i1 %971, label %972, label %943, !llvm.loop !28
+  %967 = tail call double @llvm.fabs.f64(double %960)
+  %968 = fadd double %967, %966
+  %969 = fmul double %491, %968
+  %970 = load ptr, ptr %77, align 8, !noalias !23
+  %971 = getelementptr inbounds double, ptr %970, i64 %920
+  %972 = load double, ptr %971, align 8, !noalias !23
+  %973 = load ptr, ptr %133, align 8, !noalias !23
+  %974 = getelementptr inbounds double, ptr %973, i64 %920
+  %975 = load double, ptr %974, align 8, !noalias !23
+  %976 = load ptr, ptr %134, align 8, !noalias !23
+  %977 = getelementptr inbounds double, ptr %976, i64 %920
+  %978 = load double, ptr %977, align 8, !noalias !23
+  %979 = tail call double @llvm.fabs.f64(double %972)
+  %980 = fmul double %979, %978
+  %981 = fadd double %975, %980
+  %982 = fdiv double %969, %981
+  %983 = fmul double %982, %982
+  %984 = fadd double %919, %983
+  %985 = add nuw nsw i64 %920, 1
+  %986 = icmp eq i64 %985, %881
+  br i1 %986, label %992, label %906, !llvm.loop !28
 
-972:                                              ; preds = %943, %937
-  %973 = phi double [ 0.000000e+00, %937 ], [ %969, %943 ]
-  %974 = mul nsw i64 %920, 3
-  %975 = sitofp i64 %974 to double
-  %976 = fdiv double %973, %975
-  %977 = tail call double @llvm.sqrt.f64(double %976)
-  %978 = fcmp oeq double %977, 0.000000e+00
-  %979 = fcmp ogt double %917, 0.000000e+00
-  %980 = select i1 %978, i1 %979, i1 false
-  br i1 %980, label %981, label %983
+987:                                              ; preds = %906
+  %988 = icmp slt i64 %985, %881
+  br label %989
 
-981:                                              ; preds = %972
-  %982 = add nuw nsw i64 %737, 1
-  br label %1127
+989:                                              ; preds = %987, %887
+  %990 = phi i1 [ %988, %987 ], [ %886, %887 ]
+  %991 = phi double [ %984, %987 ], [ 0.000000e+00, %887 ]
+  br i1 %990, label %1216, label %992
 
-983:                                              ; preds = %972
-  %984 = fcmp ogt double %734, 0.000000e+00
-  %985 = select i1 %984, i1 %743, i1 false
-  br i1 %985, label %986, label %999
+992:                                              ; preds = %917, %878, %989
+  %993 = phi double [ %991, %989 ], [ 0.000000e+00, %878 ], [ %984, %917 ]
+  %994 = load ptr, ptr %76, align 8, !noalias !23
+  %995 = getelementptr inbounds i8, ptr %994, i64 8
+  %996 = load i64, ptr %995, align 8, !noalias !23
+  %997 = load i64, ptr %136, align 8, !noalias !23
+  %998 = load ptr, ptr %78, align 8, !noalias !23
+  %999 = getelementptr inbounds i8, ptr %998, i64 40
+  %1000 = load i64, ptr %999, align 8, !noalias !23
+  %1001 = load ptr, ptr %125, align 8, !noalias !23
+  %1002 = load ptr, ptr %126, align 8, !noalias !23
+  %1003 = load ptr, ptr %137, align 8, !noalias !23
+  %1004 = load ptr, ptr %135, align 8, !noalias !23
+  tail call fastcc void @real_solve(ptr noundef %1003, i64 noundef %997, ptr noundef %1004, ptr noundef %1001) #10, !noalias !23
+  %1005 = load ptr, ptr %138, align 8, !noalias !23
+  %1006 = load ptr, ptr %139, align 8, !noalias !23
+  tail call fastcc void @pair_solve(ptr noundef %1005, i64 noundef %997, ptr noundef %1006, ptr noundef %1002) #10, !noalias !23
+  %1007 = icmp sgt i64 %1000, 0
+  br i1 %1007, label %1008, label %1013
 
-986:                                              ; preds = %983
-  %987 = fdiv double %977, %734
-  %988 = fcmp ult double %987, 1.000000e+00
-  br i1 %988, label %989, label %997
+1008:                                             ; preds = %992
+  %1009 = load ptr, ptr %137, align 8, !noalias !23
+  %1010 = load ptr, ptr %135, align 8, !noalias !23
+  tail call fastcc void @real_solve_columns(ptr noundef %1009, i64 noundef %997, ptr noundef %1010, ptr noundef %1001, i64 noundef %1000) #10, !noalias !23
+  %1011 = load ptr, ptr %138, align 8, !noalias !23
+  %1012 = load ptr, ptr %139, align 8, !noalias !23
+  tail call fastcc void @pair_solve_columns(ptr noundef %1011, i64 noundef %997, ptr noundef %1012, ptr noundef %1002, i64 noundef %1000) #10, !noalias !23
+  br label %1013
 
-989:                                              ; preds = %986
-  %990 = sub nsw i64 5, %737
-  %991 = sitofp i64 %990 to double
-  %992 = tail call double @llvm.pow.f64(double %987, double %991)
-  %993 = fsub double 1.000000e+00, %987
-  %994 = fdiv double %992, %993
-  %995 = fmul double %977, %994
-  %996 = fcmp ogt double %995, %223
-  br i1 %996, label %997, label %999
+1013:                                             ; preds = %1008, %992
+  %1014 = icmp sgt i64 %996, 0
+  br i1 %1014, label %1015, label %1048
 
-997:                                              ; preds = %989, %986
-  %998 = add nuw nsw i64 %737, 1
-  br label %1127
+1015:                                             ; preds = %1013
+  %1016 = load ptr, ptr %77, align 8, !noalias !23
+  %1017 = load ptr, ptr %140, align 8, !noalias !23
+  %1018 = load ptr, ptr %141, align 8, !noalias !23
+  br label %1019
 
-999:                                              ; preds = %989, %983
-  %1000 = phi double [ %735, %983 ], [ %987, %989 ]
-  br i1 %728, label %1012, label %1001
+1019:                                             ; preds = %1015, %1019
+  %1020 = phi double [ 0.000000e+00, %1015 ], [ %1045, %1019 ]
+  %1021 = phi i64 [ 0, %1015 ], [ %1046, %1019 ]
+  %1022 = getelementptr inbounds double, ptr %1016, i64 %1021
+  %1023 = load double, ptr %1022, align 8, !noalias !23
+  %1024 = getelementptr inbounds double, ptr %1017, i64 %1021
+  %1025 = load double, ptr %1024, align 8, !noalias !23
+  %1026 = getelementptr inbounds double, ptr %1018, i64 %1021
+  %1027 = load double, ptr %1026, align 8, !noalias !23
+  %1028 = tail call double @llvm.fabs.f64(double %1023)
+  %1029 = fmul double %1028, %1027
+  %1030 = fadd double %1025, %1029
+  %1031 = getelementptr inbounds double, ptr %1001, i64 %1021
+  %1032 = load double, ptr %1031, align 8, !noalias !23
+  %1033 = fdiv double %1032, %1030
+  %1034 = getelementptr inbounds { double, double }, ptr %1002, i64 %1021
+  %1035 = load double, ptr %1034, align 8, !noalias !23
+  %1036 = getelementptr inbounds i8, ptr %1034, i64 8
+  %1037 = fdiv double %1035, %1030
+  %1038 = load double, ptr %1036, align 8, !noalias !23
+  %1039 = fdiv double %1038, %1030
+  %1040 = fmul double %1033, %1033
+  %1041 = fmul double %1037, %1037
+  %1042 = fadd double %1040, %1041
+  %1043 = fmul double %1039, %1039
+  %1044 = fadd double %1042, %1043
+  %1045 = fadd double %1020, %1044
+  %1046 = add nuw nsw i64 %1021, 1
+  %1047 = icmp eq i64 %1046, %996
+  br i1 %1047, label %1048, label %1019, !llvm.loop !29
 
-1001:                                             ; preds = %1030, %999
-  %1002 = fsub double 1.000000e+00, %1000
-  %1003 = fdiv double %1000, %1002
-  %1004 = fmul double %977, %1003
-  %1005 = fcmp olt double %1004, %223
-  %1006 = select i1 %984, i1 %1005, i1 false
-  %1007 = select i1 %978, i1 true, i1 %1006
-  %1008 = add nuw nsw i64 %737, 1
-  %1009 = select i1 %1007, i64 %1008, i64 0
-  %1010 = select i1 %743, i64 %1009, i64 %736
-  %1011 = icmp sgt i64 %1010, 0
-  br i1 %1011, label %1053, label %1126
+1048:                                             ; preds = %1019, %1013
+  %1049 = phi double [ 0.000000e+00, %1013 ], [ %1045, %1019 ]
+  %1050 = mul nsw i64 %996, 3
+  %1051 = sitofp i64 %1050 to double
+  %1052 = fdiv double %1049, %1051
+  %1053 = tail call double @llvm.sqrt.f64(double %1052)
+  %1054 = fcmp oeq double %1053, 0.000000e+00
+  %1055 = fcmp ogt double %993, 0.000000e+00
+  %1056 = select i1 %1054, i1 %1055, i1 false
+  br i1 %1056, label %1057, label %1059
 
-1012:                                             ; preds = %999, %1030
-  %1013 = phi i64 [ %1031, %1030 ], [ 0, %999 ]
-  %1014 = getelementptr inbounds double, ptr %720, i64 %1013
-  %1015 = load double, ptr %1014, align 8, !noalias !22
-  %1016 = getelementptr inbounds double, ptr %718, i64 %1013
-  %1017 = load double, ptr %1016, align 8, !noalias !22
-  %1018 = fadd double %1015, %1017
-  store double %1018, ptr %1016, align 8, !noalias !22
-  %1019 = getelementptr inbounds { double, double }, ptr %721, i64 %1013
-  %1020 = load double, ptr %1019, align 8, !noalias !22
-  %1021 = getelementptr inbounds i8, ptr %1019, i64 8
-  %1022 = getelementptr double, ptr %729, i64 %1013
-  %1023 = load double, ptr %1022, align 8, !noalias !22
-  %1024 = fadd double %1020, %1023
-  store double %1024, ptr %1022, align 8, !noalias !22
-  %1025 = load double, ptr %1021, align 8, !noalias !22
-  %1026 = getelementptr double, ptr %731, i64 %1013
-  %1027 = load double, ptr %1026, align 8, !noalias !22
-  %1028 = fadd double %1025, %1027
-  store double %1028, ptr %1026, align 8, !noalias !22
-  %1029 = getelementptr double, ptr %717, i64 %1013
-  br label %1033
+1057:                                             ; preds = %1048
+  %1058 = add nuw nsw i64 %813, 1
+  br label %1203
 
-1030:                                             ; preds = %1033
-  %1031 = add nuw nsw i64 %1013, 1
-  %1032 = icmp eq i64 %1031, %713
-  br i1 %1032, label %1001, label %1012, !llvm.loop !29
+1059:                                             ; preds = %1048
+  %1060 = fcmp ogt double %810, 0.000000e+00
+  %1061 = select i1 %1060, i1 %819, i1 false
+  br i1 %1061, label %1062, label %1075
 
-1033:                                             ; preds = %1012, %1033
-  %1034 = phi i64 [ 0, %1012 ], [ %1051, %1033 ]
-  %1035 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1034
-  %1036 = load double, ptr %1035, align 8, !noalias !22
-  %1037 = load double, ptr %1016, align 8, !noalias !22
-  %1038 = fmul double %1036, %1037
-  %1039 = getelementptr inbounds i8, ptr %1035, i64 8
-  %1040 = load double, ptr %1039, align 8, !noalias !22
-  %1041 = load double, ptr %1022, align 8, !noalias !22
-  %1042 = fmul double %1040, %1041
-  %1043 = fadd double %1038, %1042
-  %1044 = getelementptr inbounds i8, ptr %1035, i64 16
-  %1045 = load double, ptr %1044, align 8, !noalias !22
-  %1046 = load double, ptr %1026, align 8, !noalias !22
-  %1047 = fmul double %1045, %1046
-  %1048 = fadd double %1043, %1047
-  %1049 = mul nuw nsw i64 %713, %1034
-  %1050 = getelementptr double, ptr %1029, i64 %1049
-  store double %1048, ptr %1050, align 8, !noalias !22
-  %1051 = add nuw nsw i64 %1034, 1
-  %1052 = icmp eq i64 %1051, 3
-  br i1 %1052, label %1030, label %1033, !llvm.loop !30
+1062:                                             ; preds = %1059
+  %1063 = fdiv double %1053, %810
+  %1064 = fcmp ult double %1063, 1.000000e+00
+  br i1 %1064, label %1065, label %1073
 
-1053:                                             ; preds = %1001
-  br i1 %732, label %1127, label %1054
+1065:                                             ; preds = %1062
+  %1066 = sub nsw i64 5, %813
+  %1067 = sitofp i64 %1066 to double
+  %1068 = tail call double @llvm.pow.f64(double %1063, double %1067)
+  %1069 = fsub double 1.000000e+00, %1063
+  %1070 = fdiv double %1068, %1069
+  %1071 = fmul double %1053, %1070
+  %1072 = fcmp ogt double %1071, %230
+  br i1 %1072, label %1073, label %1075
 
-1054:                                             ; preds = %1053
-  %1055 = load i64, ptr %136, align 8, !noalias !22
-  %1056 = load ptr, ptr %78, align 8, !noalias !22
-  %1057 = getelementptr inbounds i8, ptr %1056, i64 40
-  %1058 = load i64, ptr %1057, align 8, !noalias !22
-  %1059 = load ptr, ptr %139, align 8, !noalias !22
-  %1060 = load ptr, ptr %137, align 8, !noalias !22
-  %1061 = load ptr, ptr %140, align 8, !noalias !22
-  %1062 = icmp sgt i64 %1058, 0
-  br i1 %1062, label %1063, label %1123
+1073:                                             ; preds = %1065, %1062
+  %1074 = add nuw nsw i64 %813, 1
+  br label %1203
 
-1063:                                             ; preds = %1054
-  %1064 = load i64, ptr %138, align 8, !noalias !22
-  %1065 = icmp sgt i64 %1055, 0
-  %1066 = getelementptr double, ptr %1060, i64 %1064
-  %1067 = shl i64 %1064, 4
-  %1068 = getelementptr i8, ptr %1060, i64 %1067
-  br label %1069
+1075:                                             ; preds = %1065, %1059
+  %1076 = phi double [ %811, %1059 ], [ %1063, %1065 ]
+  br i1 %804, label %1088, label %1077
 
-1069:                                             ; preds = %1063, %1119
-  %1070 = phi double [ 0.000000e+00, %1063 ], [ %1120, %1119 ]
-  %1071 = phi i64 [ 0, %1063 ], [ %1121, %1119 ]
-  br i1 %1065, label %1072, label %1075
+1077:                                             ; preds = %1106, %1075
+  %1078 = fsub double 1.000000e+00, %1076
+  %1079 = fdiv double %1076, %1078
+  %1080 = fmul double %1053, %1079
+  %1081 = fcmp olt double %1080, %230
+  %1082 = select i1 %1060, i1 %1081, i1 false
+  %1083 = select i1 %1054, i1 true, i1 %1082
+  %1084 = add nuw nsw i64 %813, 1
+  %1085 = select i1 %1083, i64 %1084, i64 0
+  %1086 = select i1 %819, i64 %1085, i64 %812
+  %1087 = icmp sgt i64 %1086, 0
+  br i1 %1087, label %1129, label %1202
 
-1072:                                             ; preds = %1069
-  %1073 = add nuw i64 %1071, %1055
-  %1074 = load ptr, ptr %77, align 8, !noalias !22
-  br label %1080
+1088:                                             ; preds = %1075, %1106
+  %1089 = phi i64 [ %1107, %1106 ], [ 0, %1075 ]
+  %1090 = getelementptr inbounds double, ptr %796, i64 %1089
+  %1091 = load double, ptr %1090, align 8, !noalias !23
+  %1092 = getelementptr inbounds double, ptr %794, i64 %1089
+  %1093 = load double, ptr %1092, align 8, !noalias !23
+  %1094 = fadd double %1091, %1093
+  store double %1094, ptr %1092, align 8, !noalias !23
+  %1095 = getelementptr inbounds { double, double }, ptr %797, i64 %1089
+  %1096 = load double, ptr %1095, align 8, !noalias !23
+  %1097 = getelementptr inbounds i8, ptr %1095, i64 8
+  %1098 = getelementptr double, ptr %805, i64 %1089
+  %1099 = load double, ptr %1098, align 8, !noalias !23
+  %1100 = fadd double %1096, %1099
+  store double %1100, ptr %1098, align 8, !noalias !23
+  %1101 = load double, ptr %1097, align 8, !noalias !23
+  %1102 = getelementptr double, ptr %807, i64 %1089
+  %1103 = load double, ptr %1102, align 8, !noalias !23
+  %1104 = fadd double %1101, %1103
+  store double %1104, ptr %1102, align 8, !noalias !23
+  %1105 = getelementptr double, ptr %793, i64 %1089
+  br label %1109
 
-1075:                                             ; preds = %1080, %1069
-  %1076 = phi double [ 0.000000e+00, %1069 ], [ %1112, %1080 ]
-  %1077 = phi double [ 0.000000e+00, %1069 ], [ %1096, %1080 ]
-  %1078 = fmul double %1070, %1076
-  %1079 = fcmp ogt double %1077, %1078
-  br i1 %1079, label %1115, label %1119
+1106:                                             ; preds = %1109
+  %1107 = add nuw nsw i64 %1089, 1
+  %1108 = icmp eq i64 %1107, %789
+  br i1 %1108, label %1077, label %1088, !llvm.loop !30
 
-1080:                                             ; preds = %1072, %1080
-  %1081 = phi double [ 0.000000e+00, %1072 ], [ %1096, %1080 ]
-  %1082 = phi double [ 0.000000e+00, %1072 ], [ %1112, %1080 ]
-  %1083 = phi i64 [ 0, %1072 ], [ %1113, %1080 ]
-  %1084 = mul nuw nsw i64 %1083, %1058
-  %1085 = add i64 %1073, %1084
-  %1086 = getelementptr inbounds double, ptr %1059, i64 %1085
-  %1087 = load double, ptr %1086, align 8, !noalias !22
-  %1088 = fmul double %1087, %1087
-  %1089 = getelementptr inbounds { double, double }, ptr %1061, i64 %1085
-  %1090 = load double, ptr %1089, align 8, !noalias !22
-  %1091 = getelementptr inbounds i8, ptr %1089, i64 8
-  %1092 = load double, ptr %1091, align 8, !noalias !22
-  %1093 = tail call double @hypot(double noundef %1090, double noundef %1092) #13
-  %1094 = fmul double %1093, %1093
-  %1095 = fadd double %1088, %1094
-  %1096 = fadd double %1081, %1095
-  %1097 = getelementptr inbounds double, ptr %1074, i64 %1085
-  %1098 = load double, ptr %1097, align 8, !noalias !22
-  %1099 = fmul double %1098, %1098
-  %1100 = fadd double %1082, %1099
-  %1101 = getelementptr inbounds double, ptr %1060, i64 %1085
-  %1102 = load double, ptr %1101, align 8, !noalias !22
-  %1103 = fmul double %1102, %1102
-  %1104 = getelementptr double, ptr %1066, i64 %1085
-  %1105 = load double, ptr %1104, align 8, !noalias !22
-  %1106 = fmul double %1105, %1105
-  %1107 = fadd double %1103, %1106
-  %1108 = getelementptr double, ptr %1068, i64 %1085
-  %1109 = load double, ptr %1108, align 8, !noalias !22
-  %1110 = fmul double %1109, %1109
-  %1111 = fadd double %1107, %1110
-  %1112 = fadd double %1100, %1111
-  %1113 = add nuw nsw i64 %1083, 1
-  %1114 = icmp eq i64 %1113, %1055
-  br i1 %1114, label %1075, label %1080, !llvm.loop !31
+1109:                                             ; preds = %1088, %1109
+  %1110 = phi i64 [ 0, %1088 ], [ %1127, %1109 ]
+  %1111 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1110
+  %1112 = load double, ptr %1111, align 8, !noalias !23
+  %1113 = load double, ptr %1092, align 8, !noalias !23
+  %1114 = fmul double %1112, %1113
+  %1115 = getelementptr inbounds i8, ptr %1111, i64 8
+  %1116 = load double, ptr %1115, align 8, !noalias !23
+  %1117 = load double, ptr %1098, align 8, !noalias !23
+  %1118 = fmul double %1116, %1117
+  %1119 = fadd double %1114, %1118
+  %1120 = getelementptr inbounds i8, ptr %1111, i64 16
+  %1121 = load double, ptr %1120, align 8, !noalias !23
+  %1122 = load double, ptr %1102, align 8, !noalias !23
+  %1123 = fmul double %1121, %1122
+  %1124 = fadd double %1119, %1123
+  %1125 = mul nuw nsw i64 %789, %1110
+  %1126 = getelementptr double, ptr %1105, i64 %1125
+  store double %1124, ptr %1126, align 8, !noalias !23
+  %1127 = add nuw nsw i64 %1110, 1
+  %1128 = icmp eq i64 %1127, 3
+  br i1 %1128, label %1106, label %1109, !llvm.loop !31
 
-1115:                                             ; preds = %1075
-  %1116 = fcmp ogt double %1076, 0.000000e+00
-  %1117 = fdiv double %1077, %1076
-  %1118 = select i1 %1116, double %1117, double 1.000000e+00
-  br label %1119
+1129:                                             ; preds = %1077
+  br i1 %808, label %1203, label %1130
 
-1119:                                             ; preds = %1115, %1075
-  %1120 = phi double [ %1118, %1115 ], [ %1070, %1075 ]
-  %1121 = add nuw nsw i64 %1071, 1
-  %1122 = icmp eq i64 %1121, %1058
-  br i1 %1122, label %1123, label %1069, !llvm.loop !32
+1130:                                             ; preds = %1129
+  %1131 = load i64, ptr %142, align 8, !noalias !23
+  %1132 = load ptr, ptr %78, align 8, !noalias !23
+  %1133 = getelementptr inbounds i8, ptr %1132, i64 40
+  %1134 = load i64, ptr %1133, align 8, !noalias !23
+  %1135 = load ptr, ptr %145, align 8, !noalias !23
+  %1136 = load ptr, ptr %143, align 8, !noalias !23
+  %1137 = load ptr, ptr %146, align 8, !noalias !23
+  %1138 = icmp sgt i64 %1134, 0
+  br i1 %1138, label %1139, label %1199
 
-1123:                                             ; preds = %1119, %1054
-  %1124 = phi double [ 0.000000e+00, %1054 ], [ %1120, %1119 ]
-  %1125 = fcmp ugt double %1124, %347
-  br i1 %1125, label %1126, label %1127
+1139:                                             ; preds = %1130
+  %1140 = load i64, ptr %144, align 8, !noalias !23
+  %1141 = icmp sgt i64 %1131, 0
+  %1142 = getelementptr double, ptr %1136, i64 %1140
+  %1143 = shl i64 %1140, 4
+  %1144 = getelementptr i8, ptr %1136, i64 %1143
+  br label %1145
 
-1126:                                             ; preds = %1123, %1001
-  br label %1127
+1145:                                             ; preds = %1139, %1195
+  %1146 = phi double [ 0.000000e+00, %1139 ], [ %1196, %1195 ]
+  %1147 = phi i64 [ 0, %1139 ], [ %1197, %1195 ]
+  br i1 %1141, label %1148, label %1151
 
-1127:                                             ; preds = %1126, %1123, %1053, %997, %981
-  %1128 = phi double [ %735, %981 ], [ %987, %997 ], [ %797, %1053 ], [ %797, %1126 ], [ %797, %1123 ]
-  %1129 = phi i32 [ 0, %981 ], [ 0, %997 ], [ %798, %1053 ], [ %798, %1126 ], [ %798, %1123 ]
-  %1130 = phi i64 [ %982, %981 ], [ %998, %997 ], [ %799, %1053 ], [ %799, %1126 ], [ %799, %1123 ]
-  %1131 = phi i64 [ 0, %981 ], [ 0, %997 ], [ %800, %1053 ], [ %800, %1126 ], [ %800, %1123 ]
-  %1132 = phi i1 [ false, %981 ], [ false, %997 ], [ false, %1053 ], [ true, %1126 ], [ false, %1123 ]
-  %1133 = phi i32 [ 1, %981 ], [ 1, %997 ], [ 2, %1053 ], [ 0, %1126 ], [ 2, %1123 ]
-  %1134 = phi i64 [ %736, %981 ], [ 0, %997 ], [ %1010, %1053 ], [ %1010, %1126 ], [ %1010, %1123 ]
-  %1135 = phi double [ %735, %981 ], [ %987, %997 ], [ %1000, %1053 ], [ %1000, %1126 ], [ %1000, %1123 ]
-  %1136 = phi double [ %734, %981 ], [ %734, %997 ], [ %734, %1053 ], [ %977, %1126 ], [ %734, %1123 ]
-  br i1 %1132, label %1137, label %1140
+1148:                                             ; preds = %1145
+  %1149 = add nuw i64 %1147, %1131
+  %1150 = load ptr, ptr %77, align 8, !noalias !23
+  br label %1156
 
-1137:                                             ; preds = %1127
-  %1138 = add nuw nsw i64 %737, 1
-  %1139 = icmp eq i64 %1138, %723
-  br i1 %1139, label %1140, label %733, !llvm.loop !33
+1151:                                             ; preds = %1156, %1145
+  %1152 = phi double [ 0.000000e+00, %1145 ], [ %1188, %1156 ]
+  %1153 = phi double [ 0.000000e+00, %1145 ], [ %1172, %1156 ]
+  %1154 = fmul double %1146, %1152
+  %1155 = fcmp ogt double %1153, %1154
+  br i1 %1155, label %1191, label %1195
 
-1140:                                             ; preds = %913, %1127, %795, %733, %1137
-  %1141 = phi double [ %741, %733 ], [ %1128, %1127 ], [ %797, %795 ], [ %1128, %1137 ], [ 0x7FF0000000000000, %913 ]
-  %1142 = phi i32 [ %740, %733 ], [ %1129, %1127 ], [ %798, %795 ], [ %1129, %1137 ], [ 0, %913 ]
-  %1143 = phi i64 [ %739, %733 ], [ %1130, %1127 ], [ %799, %795 ], [ %1130, %1137 ], [ %737, %913 ]
-  %1144 = phi i64 [ %738, %733 ], [ %1131, %1127 ], [ %800, %795 ], [ %1131, %1137 ], [ 0, %913 ]
-  %1145 = phi i32 [ 2, %733 ], [ %1133, %1127 ], [ %801, %795 ], [ 2, %1137 ], [ 1, %913 ]
-  %1146 = phi i64 [ 0, %733 ], [ %1134, %1127 ], [ %736, %795 ], [ %1134, %1137 ], [ %736, %913 ]
-  %1147 = phi double [ %735, %733 ], [ %1135, %1127 ], [ %735, %795 ], [ %1135, %1137 ], [ %735, %913 ]
-  %1148 = icmp eq i32 %1145, 2
-  br i1 %1148, label %1149, label %1153
+1156:                                             ; preds = %1148, %1156
+  %1157 = phi double [ 0.000000e+00, %1148 ], [ %1172, %1156 ]
+  %1158 = phi double [ 0.000000e+00, %1148 ], [ %1188, %1156 ]
+  %1159 = phi i64 [ 0, %1148 ], [ %1189, %1156 ]
+  %1160 = mul nuw nsw i64 %1159, %1134
+  %1161 = add i64 %1149, %1160
+  %1162 = getelementptr inbounds double, ptr %1135, i64 %1161
+  %1163 = load double, ptr %1162, align 8, !noalias !23
+  %1164 = fmul double %1163, %1163
+  %1165 = getelementptr inbounds { double, double }, ptr %1137, i64 %1161
+  %1166 = load double, ptr %1165, align 8, !noalias !23
+  %1167 = getelementptr inbounds i8, ptr %1165, i64 8
+  %1168 = load double, ptr %1167, align 8, !noalias !23
+  %1169 = tail call double @hypot(double noundef %1166, double noundef %1168) #13
+  %1170 = fmul double %1169, %1169
+  %1171 = fadd double %1164, %1170
+  %1172 = fadd double %1157, %1171
+  %1173 = getelementptr inbounds double, ptr %1150, i64 %1161
+  %1174 = load double, ptr %1173, align 8, !noalias !23
+  %1175 = fmul double %1174, %1174
+  %1176 = fadd double %1158, %1175
+  %1177 = getelementptr inbounds double, ptr %1136, i64 %1161
+  %1178 = load double, ptr %1177, align 8, !noalias !23
+  %1179 = fmul double %1178, %1178
+  %1180 = getelementptr double, ptr %1142, i64 %1161
+  %1181 = load double, ptr %1180, align 8, !noalias !23
+  %1182 = fmul double %1181, %1181
+  %1183 = fadd double %1179, %1182
+  %1184 = getelementptr double, ptr %1144, i64 %1161
+  %1185 = load double, ptr %1184, align 8, !noalias !23
+  %1186 = fmul double %1185, %1185
+  %1187 = fadd double %1183, %1186
+  %1188 = fadd double %1176, %1187
+  %1189 = add nuw nsw i64 %1159, 1
+  %1190 = icmp eq i64 %1189, %1131
+  br i1 %1190, label %1151, label %1156, !llvm.loop !32
 
-1149:                                             ; preds = %1140
-  %1150 = icmp sgt i64 %1146, 0
-  %1151 = select i1 %1150, i64 %1146, i64 6
-  %1152 = zext i1 %1150 to i32
-  br label %1153
+1191:                                             ; preds = %1151
+  %1192 = fcmp ogt double %1152, 0.000000e+00
+  %1193 = fdiv double %1153, %1152
+  %1194 = select i1 %1192, double %1193, double 1.000000e+00
+  br label %1195
 
-1153:                                             ; preds = %1140, %1149
-  %1154 = phi double [ %1147, %1149 ], [ %1141, %1140 ]
-  %1155 = phi i32 [ %1152, %1149 ], [ %1142, %1140 ]
-  %1156 = phi i64 [ %1151, %1149 ], [ %1143, %1140 ]
-  %1157 = phi i64 [ 0, %1149 ], [ %1144, %1140 ]
-  %1158 = icmp slt i64 %1157, 0
-  br i1 %1158, label %1905, label %1159
+1195:                                             ; preds = %1191, %1151
+  %1196 = phi double [ %1194, %1191 ], [ %1146, %1151 ]
+  %1197 = add nuw nsw i64 %1147, 1
+  %1198 = icmp eq i64 %1197, %1134
+  br i1 %1198, label %1199, label %1145, !llvm.loop !33
 
-1159:                                             ; preds = %1153
-  %1160 = icmp eq i32 %1155, 0
-  br i1 %1160, label %1162, label %1161
+1199:                                             ; preds = %1195, %1130
+  %1200 = phi double [ 0.000000e+00, %1130 ], [ %1196, %1195 ]
+  %1201 = fcmp ugt double %1200, %384
+  br i1 %1201, label %1202, label %1203
 
-1161:                                             ; preds = %1159
-  br i1 %348, label %1314, label %1212
+1202:                                             ; preds = %1199, %1077
+  br label %1203
 
-1162:                                             ; preds = %1159
-  %1163 = load i64, ptr %337, align 8
-  %1164 = add nsw i64 %1163, 1
-  store i64 %1164, ptr %337, align 8
-  %1165 = tail call double @llvm.fabs.f64(double %1154)
-  %1166 = fcmp ueq double %1165, 0x7FF0000000000000
-  %1167 = select i1 %1166, i64 4, i64 7
-  %1168 = icmp eq i64 %1157, 0
-  %1169 = select i1 %1168, i64 %1167, i64 3
-  store i64 %1169, ptr %366, align 8
-  %1170 = load i64, ptr %367, align 8
-  %1171 = icmp eq i64 %1170, 1
-  %1172 = and i1 %1168, %1171
-  br i1 %1172, label %1173, label %1199
+1203:                                             ; preds = %1202, %1199, %1129, %1073, %1057
+  %1204 = phi double [ %811, %1057 ], [ %1063, %1073 ], [ %873, %1129 ], [ %873, %1202 ], [ %873, %1199 ]
+  %1205 = phi i32 [ 0, %1057 ], [ 0, %1073 ], [ %874, %1129 ], [ %874, %1202 ], [ %874, %1199 ]
+  %1206 = phi i64 [ %1058, %1057 ], [ %1074, %1073 ], [ %875, %1129 ], [ %875, %1202 ], [ %875, %1199 ]
+  %1207 = phi i64 [ 0, %1057 ], [ 0, %1073 ], [ %876, %1129 ], [ %876, %1202 ], [ %876, %1199 ]
+  %1208 = phi i1 [ false, %1057 ], [ false, %1073 ], [ false, %1129 ], [ true, %1202 ], [ false, %1199 ]
+  %1209 = phi i32 [ 1, %1057 ], [ 1, %1073 ], [ 2, %1129 ], [ 0, %1202 ], [ 2, %1199 ]
+  %1210 = phi i64 [ %812, %1057 ], [ 0, %1073 ], [ %1086, %1129 ], [ %1086, %1202 ], [ %1086, %1199 ]
+  %1211 = phi double [ %811, %1057 ], [ %1063, %1073 ], [ %1076, %1129 ], [ %1076, %1202 ], [ %1076, %1199 ]
+  %1212 = phi double [ %810, %1057 ], [ %810, %1073 ], [ %810, %1129 ], [ %1053, %1202 ], [ %810, %1199 ]
+  br i1 %1208, label %1213, label %1216
 
-1173:                                             ; preds = %1162
-  %1174 = load i64, ptr %181, align 8
-  %1175 = icmp sgt i64 %1174, 0
-  br i1 %1175, label %1176, label %1193
+1213:                                             ; preds = %1203
+  %1214 = add nuw nsw i64 %813, 1
+  %1215 = icmp eq i64 %1214, %799
+  br i1 %1215, label %1216, label %809, !llvm.loop !34
 
-1176:                                             ; preds = %1173, %1185
-  %1177 = phi i64 [ %1190, %1185 ], [ 0, %1173 ]
-  %1178 = phi i32 [ %1187, %1185 ], [ 0, %1173 ]
-  %1179 = icmp eq i32 %1178, 0
-  br i1 %1179, label %1180, label %1185
+1216:                                             ; preds = %989, %1203, %871, %809, %1213
+  %1217 = phi double [ %817, %809 ], [ %1204, %1203 ], [ %873, %871 ], [ %1204, %1213 ], [ 0x7FF0000000000000, %989 ]
+  %1218 = phi i32 [ %816, %809 ], [ %1205, %1203 ], [ %874, %871 ], [ %1205, %1213 ], [ 0, %989 ]
+  %1219 = phi i64 [ %815, %809 ], [ %1206, %1203 ], [ %875, %871 ], [ %1206, %1213 ], [ %813, %989 ]
+  %1220 = phi i64 [ %814, %809 ], [ %1207, %1203 ], [ %876, %871 ], [ %1207, %1213 ], [ 0, %989 ]
+  %1221 = phi i32 [ 2, %809 ], [ %1209, %1203 ], [ %877, %871 ], [ 2, %1213 ], [ 1, %989 ]
+  %1222 = phi i64 [ 0, %809 ], [ %1210, %1203 ], [ %812, %871 ], [ %1210, %1213 ], [ %812, %989 ]
+  %1223 = phi double [ %811, %809 ], [ %1211, %1203 ], [ %811, %871 ], [ %1211, %1213 ], [ %811, %989 ]
+  %1224 = icmp eq i32 %1221, 2
+  br i1 %1224, label %1225, label %1229
 
-1180:                                             ; preds = %1176
-  %1181 = load ptr, ptr %180, align 8
-  %1182 = getelementptr inbounds double, ptr %1181, i64 %1177
-  %1183 = load double, ptr %1182, align 8
-  %1184 = fcmp une double %1183, 0.000000e+00
-  br label %1185
+1225:                                             ; preds = %1216
+  %1226 = icmp sgt i64 %1222, 0
+  %1227 = select i1 %1226, i64 %1222, i64 6
+  %1228 = zext i1 %1226 to i32
+  br label %1229
 
-1185:                                             ; preds = %1180, %1176
-  %1186 = phi i1 [ true, %1176 ], [ %1184, %1180 ]
-  %1187 = zext i1 %1186 to i32
-  %1188 = load ptr, ptr %180, align 8
-  %1189 = getelementptr inbounds double, ptr %1188, i64 %1177
-  store double 0.000000e+00, ptr %1189, align 8
-  %1190 = add nuw nsw i64 %1177, 1
-  %1191 = load i64, ptr %181, align 8
-  %1192 = icmp slt i64 %1190, %1191
-  br i1 %1192, label %1176, label %1193, !llvm.loop !34
+1229:                                             ; preds = %1216, %1225
+  %1230 = phi double [ %1223, %1225 ], [ %1217, %1216 ]
+  %1231 = phi i32 [ %1228, %1225 ], [ %1218, %1216 ]
+  %1232 = phi i64 [ %1227, %1225 ], [ %1219, %1216 ]
+  %1233 = phi i64 [ 0, %1225 ], [ %1220, %1216 ]
+  %1234 = icmp slt i64 %1233, 0
+  br i1 %1234, label %1990, label %1235
 
-1193:                                             ; preds = %1185, %1173
-  %1194 = phi i32 [ 0, %1173 ], [ %1187, %1185 ]
-  %1195 = icmp eq i32 %1194, 0
-  br i1 %1195, label %1197, label %1196
+1235:                                             ; preds = %1229
+  %1236 = icmp eq i32 %1231, 0
+  br i1 %1236, label %1238, label %1237
 
-1196:                                             ; preds = %1193
-  store i64 0, ptr %343, align 8
-  br label %1905, !llvm.loop !17
+1237:                                             ; preds = %1235
+  br i1 %385, label %1390, label %1288
 
-1197:                                             ; preds = %1193
-  store i64 0, ptr %367, align 8
-  %1198 = fmul double %415, 5.000000e-01
-  br label %1199
+1238:                                             ; preds = %1235
+  %1239 = load i64, ptr %374, align 8
+  %1240 = add nsw i64 %1239, 1
+  store i64 %1240, ptr %374, align 8
+  %1241 = tail call double @llvm.fabs.f64(double %1230)
+  %1242 = fcmp ueq double %1241, 0x7FF0000000000000
+  %1243 = select i1 %1242, i64 4, i64 7
+  %1244 = icmp eq i64 %1233, 0
+  %1245 = select i1 %1244, i64 %1243, i64 3
+  store i64 %1245, ptr %403, align 8
+  %1246 = load i64, ptr %404, align 8
+  %1247 = icmp eq i64 %1246, 1
+  %1248 = and i1 %1244, %1247
+  br i1 %1248, label %1249, label %1275
 
-1199:                                             ; preds = %1197, %1162
-  %1200 = phi double [ %1198, %1197 ], [ %380, %1162 ]
-  %1201 = load i64, ptr %367, align 8
-  %1202 = icmp eq i64 %1201, 1
-  %1203 = icmp ne i64 %1157, 0
-  %1204 = or i1 %1203, %1202
-  br i1 %1204, label %1205, label %1208
+1249:                                             ; preds = %1238
+  %1250 = load i64, ptr %188, align 8
+  %1251 = icmp sgt i64 %1250, 0
+  br i1 %1251, label %1252, label %1269
 
-1205:                                             ; preds = %1199
-  %1206 = select i1 %1168, double 5.000000e-01, double 2.500000e-01
-  %1207 = fmul double %415, %1206
-  store double 0.000000e+00, ptr %345, align 8
-  br label %1208
+1252:                                             ; preds = %1249, %1261
+  %1253 = phi i64 [ %1266, %1261 ], [ 0, %1249 ]
+  %1254 = phi i32 [ %1263, %1261 ], [ 0, %1249 ]
+  %1255 = icmp eq i32 %1254, 0
+  br i1 %1255, label %1256, label %1261
 
-1208:                                             ; preds = %1205, %1199
-  %1209 = phi double [ %1207, %1205 ], [ %1200, %1199 ]
-  %1210 = load i64, ptr %367, align 8
-  %1211 = sub nsw i64 1, %1210
-  store i64 %1211, ptr %340, align 8
-  br label %1905, !llvm.loop !17
+1256:                                             ; preds = %1252
+  %1257 = load ptr, ptr %187, align 8
+  %1258 = getelementptr inbounds double, ptr %1257, i64 %1253
+  %1259 = load double, ptr %1258, align 8
+  %1260 = fcmp une double %1259, 0.000000e+00
+  br label %1261
 
-1212:                                             ; preds = %1314, %1161
-  %1213 = load i64, ptr %350, align 8
-  %1214 = icmp eq i64 %1213, 1
-  %1215 = load ptr, ptr %76, align 8
-  %1216 = getelementptr inbounds i8, ptr %1215, i64 8
-  %1217 = load i64, ptr %1216, align 8
-  %1218 = load i64, ptr %143, align 8
-  %1219 = load ptr, ptr %144, align 8
-  %1220 = load ptr, ptr %119, align 8
-  %1221 = icmp sgt i64 %1217, 0
-  br i1 %1221, label %1222, label %1224
+1261:                                             ; preds = %1256, %1252
+  %1262 = phi i1 [ true, %1252 ], [ %1260, %1256 ]
+  %1263 = zext i1 %1262 to i32
+  %1264 = load ptr, ptr %187, align 8
+  %1265 = getelementptr inbounds double, ptr %1264, i64 %1253
+  store double 0.000000e+00, ptr %1265, align 8
+  %1266 = add nuw nsw i64 %1253, 1
+  %1267 = load i64, ptr %188, align 8
+  %1268 = icmp slt i64 %1266, %1267
+  br i1 %1268, label %1252, label %1269, !llvm.loop !35
 
-1222:                                             ; preds = %1212
-  %1223 = shl i64 %1217, 4
-  br label %1233
+1269:                                             ; preds = %1261, %1249
+  %1270 = phi i32 [ 0, %1249 ], [ %1263, %1261 ]
+  %1271 = icmp eq i32 %1270, 0
+  br i1 %1271, label %1273, label %1272
 
-1224:                                             ; preds = %1233, %1212
-  %1225 = load ptr, ptr %146, align 8
-  %1226 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1225, i64 noundef %1218, ptr noundef %1226, ptr noundef %1220) #10
-  %1227 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1220, ptr noundef %1227, ptr noundef nonnull %77, i64 noundef %1217) #10
-  %1228 = load double, ptr %6, align 8
-  %1229 = fcmp uge double %1228, 1.000000e+00
-  %1230 = and i1 %1214, %1229
-  br i1 %1230, label %1231, label %1310
+1272:                                             ; preds = %1269
+  store i64 0, ptr %380, align 8
+  br label %1990, !llvm.loop !18
 
-1231:                                             ; preds = %1224
-  %1232 = icmp sgt i64 %1217, 0
-  br i1 %1232, label %1282, label %1258
+1273:                                             ; preds = %1269
+  store i64 0, ptr %404, align 8
+  %1274 = fmul double %491, 5.000000e-01
+  br label %1275
 
-1233:                                             ; preds = %1222, %1233
-  %1234 = phi i64 [ 0, %1222 ], [ %1256, %1233 ]
-  %1235 = load ptr, ptr %116, align 8
-  %1236 = getelementptr inbounds double, ptr %1235, i64 %1234
-  %1237 = load double, ptr %1236, align 8
-  %1238 = fmul double %1237, 0x402418FD8BAFFE05
-  %1239 = getelementptr double, ptr %1235, i64 %1217
-  %1240 = getelementptr double, ptr %1239, i64 %1234
-  %1241 = load double, ptr %1240, align 8
-  %1242 = fmul double %1241, 0x3FF61D41B2D54580
-  %1243 = fsub double %1242, %1238
-  %1244 = getelementptr i8, ptr %1235, i64 %1223
-  %1245 = getelementptr double, ptr %1244, i64 %1234
-  %1246 = load double, ptr %1245, align 8
-  %1247 = fmul double %1246, 0x3FD5555555555555
-  %1248 = fsub double %1243, %1247
-  %1249 = fdiv double %1248, %415
-  %1250 = getelementptr inbounds double, ptr %1219, i64 %1234
-  store double %1249, ptr %1250, align 8
-  %1251 = load ptr, ptr %145, align 8
-  %1252 = getelementptr inbounds double, ptr %1251, i64 %1234
-  %1253 = load double, ptr %1252, align 8
-  %1254 = fadd double %1253, %1249
-  %1255 = getelementptr inbounds double, ptr %1220, i64 %1234
-  store double %1254, ptr %1255, align 8
-  %1256 = add nuw nsw i64 %1234, 1
-  %1257 = icmp eq i64 %1256, %1217
-  br i1 %1257, label %1224, label %1233, !llvm.loop !35
+1275:                                             ; preds = %1273, %1238
+  %1276 = phi double [ %1274, %1273 ], [ %417, %1238 ]
+  %1277 = load i64, ptr %404, align 8
+  %1278 = icmp eq i64 %1277, 1
+  %1279 = icmp ne i64 %1233, 0
+  %1280 = or i1 %1279, %1278
+  br i1 %1280, label %1281, label %1284
 
-1258:                                             ; preds = %1282, %1231
-  %1259 = load ptr, ptr %81, align 8
-  %1260 = getelementptr inbounds i8, ptr %1259, i64 24
-  %1261 = load i64, ptr %1260, align 8
-  %1262 = add nsw i64 %1261, 1
-  store i64 %1262, ptr %1260, align 8
-  %1263 = load ptr, ptr %149, align 8
-  %1264 = load ptr, ptr %118, align 8
-  %1265 = load ptr, ptr %150, align 8
-  store double %379, ptr %1265, align 8
-  %1266 = load i64, ptr %151, align 8
-  %1267 = icmp sgt i64 %1266, 0
-  br i1 %1267, label %1268, label %1269
+1281:                                             ; preds = %1275
+  %1282 = select i1 %1244, double 5.000000e-01, double 2.500000e-01
+  %1283 = fmul double %491, %1282
+  store double 0.000000e+00, ptr %382, align 8
+  br label %1284
 
-1268:                                             ; preds = %1258
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1269
+1284:                                             ; preds = %1281, %1275
+  %1285 = phi double [ %1283, %1281 ], [ %1276, %1275 ]
+  %1286 = load i64, ptr %404, align 8
+  %1287 = sub nsw i64 1, %1286
+  store i64 %1287, ptr %377, align 8
+  br label %1990, !llvm.loop !18
 
-1269:                                             ; preds = %1258, %1268
-  %1270 = load ptr, ptr %76, align 8
-  %1271 = load i64, ptr %1270, align 8
-  %1272 = load ptr, ptr %150, align 8
-  %1273 = load ptr, ptr %152, align 8
-  %1274 = load ptr, ptr %153, align 8
-  %1275 = inttoptr i64 %1271 to ptr
-  %1276 = load ptr, ptr %1275, align 8
-  %1277 = tail call i32 %1276(ptr noundef %1272, ptr noundef %1263, ptr noundef %1273, ptr noundef %1274, ptr noundef %1264) #11
-  %1278 = sext i32 %1277 to i64
-  %1279 = icmp eq i32 %1277, 0
-  br i1 %1279, label %1280, label %1310
+1288:                                             ; preds = %1390, %1237
+  %1289 = load i64, ptr %387, align 8
+  %1290 = icmp eq i64 %1289, 1
+  %1291 = load ptr, ptr %76, align 8
+  %1292 = getelementptr inbounds i8, ptr %1291, i64 8
+  %1293 = load i64, ptr %1292, align 8
+  %1294 = load i64, ptr %149, align 8
+  %1295 = load ptr, ptr %150, align 8
+  %1296 = load ptr, ptr %125, align 8
+  %1297 = icmp sgt i64 %1293, 0
+  br i1 %1297, label %1298, label %1300
 
-1280:                                             ; preds = %1269
-  %1281 = icmp sgt i64 %1217, 0
-  br i1 %1281, label %1299, label %1294
+1298:                                             ; preds = %1288
+  %1299 = shl i64 %1293, 4
+  br label %1309
 
-1282:                                             ; preds = %1231, %1282
-  %1283 = phi i64 [ %1292, %1282 ], [ 0, %1231 ]
-  %1284 = load ptr, ptr %77, align 8
-  %1285 = getelementptr inbounds double, ptr %1284, i64 %1283
-  %1286 = load double, ptr %1285, align 8
-  %1287 = getelementptr inbounds double, ptr %1220, i64 %1283
-  %1288 = load double, ptr %1287, align 8
-  %1289 = fadd double %1286, %1288
-  %1290 = load ptr, ptr %148, align 8
-  %1291 = getelementptr inbounds double, ptr %1290, i64 %1283
-  store double %1289, ptr %1291, align 8
-  %1292 = add nuw nsw i64 %1283, 1
-  %1293 = icmp eq i64 %1292, %1217
-  br i1 %1293, label %1258, label %1282, !llvm.loop !36
+1300:                                             ; preds = %1309, %1288
+  %1301 = load ptr, ptr %152, align 8
+  %1302 = load ptr, ptr %148, align 8
+  tail call fastcc void @real_solve(ptr noundef %1301, i64 noundef %1294, ptr noundef %1302, ptr noundef %1296) #10
+  %1303 = load ptr, ptr %153, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1296, ptr noundef %1303, ptr noundef nonnull %77, i64 noundef %1293) #10
+  %1304 = load double, ptr %6, align 8
+  %1305 = fcmp uge double %1304, 1.000000e+00
+  %1306 = and i1 %1290, %1305
+  br i1 %1306, label %1307, label %1386
 
-1294:                                             ; preds = %1299, %1280
-  %1295 = load ptr, ptr %146, align 8
-  %1296 = load ptr, ptr %142, align 8
-  tail call fastcc void @real_solve(ptr noundef %1295, i64 noundef %1218, ptr noundef %1296, ptr noundef %1220) #10
-  %1297 = load ptr, ptr %147, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1220, ptr noundef %1297, ptr noundef nonnull %77, i64 noundef %1217) #10
-  %1298 = load double, ptr %7, align 8
-  br label %1310
+1307:                                             ; preds = %1300
+  %1308 = icmp sgt i64 %1293, 0
+  br i1 %1308, label %1358, label %1334
 
-1299:                                             ; preds = %1280, %1299
-  %1300 = phi i64 [ %1308, %1299 ], [ 0, %1280 ]
-  %1301 = load ptr, ptr %118, align 8
-  %1302 = getelementptr inbounds double, ptr %1301, i64 %1300
-  %1303 = load double, ptr %1302, align 8
-  %1304 = getelementptr inbounds double, ptr %1219, i64 %1300
-  %1305 = load double, ptr %1304, align 8
-  %1306 = fadd double %1303, %1305
-  %1307 = getelementptr inbounds double, ptr %1220, i64 %1300
-  store double %1306, ptr %1307, align 8
-  %1308 = add nuw nsw i64 %1300, 1
-  %1309 = icmp eq i64 %1308, %1217
-  br i1 %1309, label %1294, label %1299, !llvm.loop !37
-
-1310:                                             ; preds = %1224, %1269, %1294
-  %1311 = phi double [ %1298, %1294 ], [ %1228, %1269 ], [ %1228, %1224 ]
-  %1312 = phi i64 [ 0, %1294 ], [ %1278, %1269 ], [ 0, %1224 ]
-  %1313 = icmp slt i64 %1312, 0
-  br i1 %1313, label %1905, label %1328
-
-1314:                                             ; preds = %1161, %1314
-  %1315 = phi i64 [ %1326, %1314 ], [ 0, %1161 ]
-  %1316 = load ptr, ptr %77, align 8
-  %1317 = getelementptr inbounds double, ptr %1316, i64 %1315
-  %1318 = load double, ptr %1317, align 8
-  %1319 = load ptr, ptr %116, align 8
-  %1320 = getelementptr i8, ptr %1319, i64 %349
-  %1321 = getelementptr double, ptr %1320, i64 %1315
+1309:                                             ; preds = %1298, %1309
+  %1310 = phi i64 [ 0, %1298 ], [ %1332, %1309 ]
+  %1311 = load ptr, ptr %122, align 8
+  %1312 = getelementptr inbounds double, ptr %1311, i64 %1310
+  %1313 = load double, ptr %1312, align 8
+  %1314 = fmul double %1313, 0x402418FD8BAFFE05
+  %1315 = getelementptr double, ptr %1311, i64 %1293
+  %1316 = getelementptr double, ptr %1315, i64 %1310
+  %1317 = load double, ptr %1316, align 8
+  %1318 = fmul double %1317, 0x3FF61D41B2D54580
+  %1319 = fsub double %1318, %1314
+  %1320 = getelementptr i8, ptr %1311, i64 %1299
+  %1321 = getelementptr double, ptr %1320, i64 %1310
   %1322 = load double, ptr %1321, align 8
-  %1323 = fadd double %1318, %1322
-  %1324 = load ptr, ptr %141, align 8
-  %1325 = getelementptr inbounds double, ptr %1324, i64 %1315
-  store double %1323, ptr %1325, align 8
-  %1326 = add nuw nsw i64 %1315, 1
-  %1327 = icmp eq i64 %1326, %198
-  br i1 %1327, label %1212, label %1314, !llvm.loop !38
+  %1323 = fmul double %1322, 0x3FD5555555555555
+  %1324 = fsub double %1319, %1323
+  %1325 = fdiv double %1324, %491
+  %1326 = getelementptr inbounds double, ptr %1295, i64 %1310
+  store double %1325, ptr %1326, align 8
+  %1327 = load ptr, ptr %151, align 8
+  %1328 = getelementptr inbounds double, ptr %1327, i64 %1310
+  %1329 = load double, ptr %1328, align 8
+  %1330 = fadd double %1329, %1325
+  %1331 = getelementptr inbounds double, ptr %1296, i64 %1310
+  store double %1330, ptr %1331, align 8
+  %1332 = add nuw nsw i64 %1310, 1
+  %1333 = icmp eq i64 %1332, %1293
+  br i1 %1333, label %1300, label %1309, !llvm.loop !36
 
-1328:                                             ; preds = %1310
-  %1329 = add nsw i64 %1156, 12
-  %1330 = sitofp i64 %1329 to double
-  %1331 = fdiv double 0x4027666666666667, %1330
-  %1332 = fcmp olt double %1311, 1.000000e-10
-  %1333 = select i1 %1332, double 1.000000e-10, double %1311
-  %1334 = tail call double @llvm.pow.f64(double %1333, double -2.500000e-01)
-  %1335 = icmp eq i64 %1312, 0
-  %1336 = fcmp olt double %1311, 1.000000e+00
-  %1337 = select i1 %1335, i1 %1336, i1 false
-  br i1 %1337, label %1353, label %1338
+1334:                                             ; preds = %1358, %1307
+  %1335 = load ptr, ptr %81, align 8
+  %1336 = getelementptr inbounds i8, ptr %1335, i64 24
+  %1337 = load i64, ptr %1336, align 8
+  %1338 = add nsw i64 %1337, 1
+  store i64 %1338, ptr %1336, align 8
+  %1339 = load ptr, ptr %155, align 8
+  %1340 = load ptr, ptr %124, align 8
+  %1341 = load ptr, ptr %156, align 8
+  store double %416, ptr %1341, align 8
+  %1342 = load i64, ptr %157, align 8
+  %1343 = icmp sgt i64 %1342, 0
+  br i1 %1343, label %1344, label %1345
 
-1338:                                             ; preds = %1328
-  %1339 = load i64, ptr %337, align 8
-  %1340 = add nsw i64 %1339, 1
-  store i64 %1340, ptr %337, align 8
-  %1341 = select i1 %1335, i64 2, i64 3
-  store i64 %1341, ptr %351, align 8
-  %1342 = tail call double @llvm.fabs.f64(double %1311)
-  %1343 = fcmp ueq double %1342, 0x7FF0000000000000
-  br i1 %1343, label %1348, label %1344
+1344:                                             ; preds = %1334
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1345
 
-1344:                                             ; preds = %1338
-  %1345 = fmul double %1331, %1334
-  %1346 = fcmp ogt double %1345, 2.000000e-01
-  %1347 = select i1 %1346, double %1345, double 2.000000e-01
-  br label %1348
+1345:                                             ; preds = %1334, %1344
+  %1346 = load ptr, ptr %76, align 8
+  %1347 = load i64, ptr %1346, align 8
+  %1348 = load ptr, ptr %156, align 8
+  %1349 = load ptr, ptr %158, align 8
+  %1350 = load ptr, ptr %159, align 8
+  %1351 = inttoptr i64 %1347 to ptr
+  %1352 = load ptr, ptr %1351, align 8
+  %1353 = tail call i32 %1352(ptr noundef %1348, ptr noundef %1339, ptr noundef %1349, ptr noundef %1350, ptr noundef %1340) #11
+  %1354 = sext i32 %1353 to i64
+  %1355 = icmp eq i32 %1353, 0
+  br i1 %1355, label %1356, label %1386
 
-1348:                                             ; preds = %1338, %1344
-  %1349 = phi double [ %1347, %1344 ], [ 2.500000e-01, %1338 ]
-  %1350 = fmul double %415, %1349
-  store i64 1, ptr %350, align 8
-  %1351 = load i64, ptr %352, align 8
-  %1352 = sub nsw i64 1, %1351
-  store i64 %1352, ptr %340, align 8
-  br label %1905, !llvm.loop !17
+1356:                                             ; preds = %1345
+  %1357 = icmp sgt i64 %1293, 0
+  br i1 %1357, label %1375, label %1370
 
-1353:                                             ; preds = %1328
-  br i1 %206, label %1354, label %1369
+1358:                                             ; preds = %1307, %1358
+  %1359 = phi i64 [ %1368, %1358 ], [ 0, %1307 ]
+  %1360 = load ptr, ptr %77, align 8
+  %1361 = getelementptr inbounds double, ptr %1360, i64 %1359
+  %1362 = load double, ptr %1361, align 8
+  %1363 = getelementptr inbounds double, ptr %1296, i64 %1359
+  %1364 = load double, ptr %1363, align 8
+  %1365 = fadd double %1362, %1364
+  %1366 = load ptr, ptr %154, align 8
+  %1367 = getelementptr inbounds double, ptr %1366, i64 %1359
+  store double %1365, ptr %1367, align 8
+  %1368 = add nuw nsw i64 %1359, 1
+  %1369 = icmp eq i64 %1368, %1293
+  br i1 %1369, label %1334, label %1358, !llvm.loop !37
 
-1354:                                             ; preds = %1353
-  %1355 = load ptr, ptr %147, align 8
-  %1356 = load ptr, ptr %77, align 8
-  %1357 = load ptr, ptr %84, align 8
-  %1358 = getelementptr inbounds i8, ptr %1357, i64 56
-  %1359 = load i64, ptr %1358, align 8
-  %1360 = inttoptr i64 %1359 to ptr
-  %1361 = tail call i64 %1360(ptr noundef %0, double noundef %414, ptr noundef %1355, ptr noundef %1356) #11
-  %1362 = icmp eq i64 %1361, 0
-  br i1 %1362, label %1369, label %1363
+1370:                                             ; preds = %1375, %1356
+  %1371 = load ptr, ptr %152, align 8
+  %1372 = load ptr, ptr %148, align 8
+  tail call fastcc void @real_solve(ptr noundef %1371, i64 noundef %1294, ptr noundef %1372, ptr noundef %1296) #10
+  %1373 = load ptr, ptr %153, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1296, ptr noundef %1373, ptr noundef nonnull %77, i64 noundef %1293) #10
+  %1374 = load double, ptr %7, align 8
+  br label %1386
 
-1363:                                             ; preds = %1354
-  %1364 = load i64, ptr %337, align 8
-  %1365 = add nsw i64 %1364, 1
-  store i64 %1365, ptr %337, align 8
-  store i64 6, ptr %353, align 8
-  %1366 = fmul double %415, 2.500000e-01
-  store i64 1, ptr %350, align 8
-  %1367 = load i64, ptr %354, align 8
-  %1368 = sub nsw i64 1, %1367
-  store i64 %1368, ptr %340, align 8
-  br label %1905, !llvm.loop !17
+1375:                                             ; preds = %1356, %1375
+  %1376 = phi i64 [ %1384, %1375 ], [ 0, %1356 ]
+  %1377 = load ptr, ptr %124, align 8
+  %1378 = getelementptr inbounds double, ptr %1377, i64 %1376
+  %1379 = load double, ptr %1378, align 8
+  %1380 = getelementptr inbounds double, ptr %1295, i64 %1376
+  %1381 = load double, ptr %1380, align 8
+  %1382 = fadd double %1379, %1381
+  %1383 = getelementptr inbounds double, ptr %1296, i64 %1376
+  store double %1382, ptr %1383, align 8
+  %1384 = add nuw nsw i64 %1376, 1
+  %1385 = icmp eq i64 %1384, %1293
+  br i1 %1385, label %1370, label %1375, !llvm.loop !38
 
-1369:                                             ; preds = %1354, %1353
-  %1370 = load i64, ptr %336, align 8
-  %1371 = add nsw i64 %1370, 1
-  store i64 %1371, ptr %336, align 8
-  %1372 = load double, ptr %355, align 8
-  %1373 = fcmp ogt double %1372, 0.000000e+00
-  br i1 %1373, label %1374, label %1383
+1386:                                             ; preds = %1300, %1345, %1370
+  %1387 = phi double [ %1374, %1370 ], [ %1304, %1345 ], [ %1304, %1300 ]
+  %1388 = phi i64 [ 0, %1370 ], [ %1354, %1345 ], [ 0, %1300 ]
+  %1389 = icmp slt i64 %1388, 0
+  br i1 %1389, label %1990, label %1404
 
-1374:                                             ; preds = %1369
-  %1375 = fdiv double %1372, %1333
-  %1376 = tail call double @llvm.pow.f64(double %1375, double 2.500000e-01)
-  %1377 = load double, ptr %356, align 8
-  %1378 = fdiv double %415, %1377
-  %1379 = fmul double %1376, %1378
-  %1380 = fcmp olt double %1379, 1.000000e+00
-  %1381 = select i1 %1380, double %1379, double 1.000000e+00
-  %1382 = fmul double %1334, %1381
-  br label %1383
+1390:                                             ; preds = %1237, %1390
+  %1391 = phi i64 [ %1402, %1390 ], [ 0, %1237 ]
+  %1392 = load ptr, ptr %77, align 8
+  %1393 = getelementptr inbounds double, ptr %1392, i64 %1391
+  %1394 = load double, ptr %1393, align 8
+  %1395 = load ptr, ptr %122, align 8
+  %1396 = getelementptr i8, ptr %1395, i64 %386
+  %1397 = getelementptr double, ptr %1396, i64 %1391
+  %1398 = load double, ptr %1397, align 8
+  %1399 = fadd double %1394, %1398
+  %1400 = load ptr, ptr %147, align 8
+  %1401 = getelementptr inbounds double, ptr %1400, i64 %1391
+  store double %1399, ptr %1401, align 8
+  %1402 = add nuw nsw i64 %1391, 1
+  %1403 = icmp eq i64 %1402, %205
+  br i1 %1403, label %1288, label %1390, !llvm.loop !39
 
-1383:                                             ; preds = %1374, %1369
-  %1384 = phi double [ %1382, %1374 ], [ %1334, %1369 ]
-  %1385 = fmul double %1331, %1384
-  %1386 = fcmp olt double %1385, 1.000000e+01
-  store double %414, ptr %188, align 8
-  store double %415, ptr %357, align 8
-  store double %1333, ptr %355, align 8
-  %1387 = load ptr, ptr %76, align 8
-  %1388 = getelementptr inbounds i8, ptr %1387, i64 8
-  %1389 = load i64, ptr %1388, align 8
-  %1390 = load i64, ptr %154, align 8
-  %1391 = load ptr, ptr %116, align 8
-  %1392 = load ptr, ptr %155, align 8
-  %1393 = load ptr, ptr %115, align 8
-  br label %1410
+1404:                                             ; preds = %1386
+  %1405 = add nsw i64 %1232, 12
+  %1406 = sitofp i64 %1405 to double
+  %1407 = fdiv double 0x4027666666666667, %1406
+  %1408 = fcmp olt double %1387, 1.000000e-10
+  %1409 = select i1 %1408, double 1.000000e-10, double %1387
+  %1410 = tail call double @llvm.pow.f64(double %1409, double -2.500000e-01)
+  %1411 = icmp eq i64 %1388, 0
+  %1412 = fcmp olt double %1387, 1.000000e+00
+  %1413 = select i1 %1411, i1 %1412, i1 false
+  br i1 %1413, label %1429, label %1414
 
-1394:                                             ; preds = %1410
-  %1395 = select i1 %1386, double %1385, double 1.000000e+01
-  %1396 = icmp sgt i64 %1389, 0
-  br i1 %1396, label %1397, label %1470
+1414:                                             ; preds = %1404
+  %1415 = load i64, ptr %374, align 8
+  %1416 = add nsw i64 %1415, 1
+  store i64 %1416, ptr %374, align 8
+  %1417 = select i1 %1411, i64 2, i64 3
+  store i64 %1417, ptr %388, align 8
+  %1418 = tail call double @llvm.fabs.f64(double %1387)
+  %1419 = fcmp ueq double %1418, 0x7FF0000000000000
+  br i1 %1419, label %1424, label %1420
 
-1397:                                             ; preds = %1394
-  %1398 = load double, ptr %8, align 16
-  %1399 = load double, ptr %156, align 8
-  %1400 = getelementptr double, ptr %1391, i64 %1389
-  %1401 = load double, ptr %157, align 16
-  %1402 = shl i64 %1389, 4
-  %1403 = getelementptr i8, ptr %1391, i64 %1402
-  %1404 = load double, ptr %9, align 16
-  %1405 = load double, ptr %158, align 8
-  %1406 = load double, ptr %159, align 16
-  %1407 = getelementptr double, ptr %1392, i64 %1390
-  %1408 = shl i64 %1390, 4
-  %1409 = getelementptr i8, ptr %1392, i64 %1408
-  br label %1421
+1420:                                             ; preds = %1414
+  %1421 = fmul double %1407, %1410
+  %1422 = fcmp ogt double %1421, 2.000000e-01
+  %1423 = select i1 %1422, double %1421, double 2.000000e-01
+  br label %1424
 
-1410:                                             ; preds = %1383, %1410
-  %1411 = phi i64 [ 0, %1383 ], [ %1419, %1410 ]
-  %1412 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1411
-  %1413 = getelementptr inbounds i8, ptr %1412, i64 8
-  %1414 = load double, ptr %1413, align 8
-  %1415 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1411
-  store double %1414, ptr %1415, align 8
-  %1416 = getelementptr inbounds i8, ptr %1412, i64 16
-  %1417 = load double, ptr %1416, align 8
-  %1418 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1411
-  store double %1417, ptr %1418, align 8
-  %1419 = add nuw nsw i64 %1411, 1
-  %1420 = icmp eq i64 %1419, 3
-  br i1 %1420, label %1394, label %1410, !llvm.loop !39
+1424:                                             ; preds = %1414, %1420
+  %1425 = phi double [ %1423, %1420 ], [ 2.500000e-01, %1414 ]
+  %1426 = fmul double %491, %1425
+  store i64 1, ptr %387, align 8
+  %1427 = load i64, ptr %389, align 8
+  %1428 = sub nsw i64 1, %1427
+  store i64 %1428, ptr %377, align 8
+  br label %1990, !llvm.loop !18
 
-1421:                                             ; preds = %1397, %1458
-  %1422 = phi i64 [ 0, %1397 ], [ %1459, %1458 ]
-  %1423 = getelementptr inbounds double, ptr %1391, i64 %1422
-  %1424 = load double, ptr %1423, align 8
-  %1425 = fmul double %1398, %1424
-  %1426 = getelementptr double, ptr %1400, i64 %1422
-  %1427 = load double, ptr %1426, align 8
-  %1428 = fmul double %1399, %1427
-  %1429 = fadd double %1425, %1428
-  %1430 = getelementptr double, ptr %1403, i64 %1422
-  %1431 = load double, ptr %1430, align 8
-  %1432 = fmul double %1401, %1431
-  %1433 = fadd double %1429, %1432
-  %1434 = fmul double %1424, %1404
-  %1435 = fmul double %1427, %1405
-  %1436 = fadd double %1434, %1435
-  %1437 = fmul double %1431, %1406
-  %1438 = fadd double %1436, %1437
-  %1439 = load ptr, ptr %147, align 8
-  %1440 = getelementptr inbounds double, ptr %1439, i64 %1422
-  %1441 = load double, ptr %1440, align 8
-  %1442 = load ptr, ptr %77, align 8
-  %1443 = getelementptr inbounds double, ptr %1442, i64 %1422
-  %1444 = load double, ptr %1443, align 8
-  %1445 = fsub double %1441, %1444
-  %1446 = getelementptr inbounds double, ptr %1392, i64 %1422
-  store double %1445, ptr %1446, align 8
-  %1447 = fneg double %1433
-  %1448 = fsub double %1447, %1438
-  %1449 = getelementptr double, ptr %1407, i64 %1422
-  store double %1448, ptr %1449, align 8
-  %1450 = fneg double %1438
-  %1451 = getelementptr double, ptr %1409, i64 %1422
-  store double %1450, ptr %1451, align 8
-  %1452 = load ptr, ptr %77, align 8
-  %1453 = getelementptr inbounds double, ptr %1452, i64 %1422
-  %1454 = load double, ptr %1453, align 8
-  %1455 = getelementptr inbounds double, ptr %1393, i64 %1422
-  store double %1454, ptr %1455, align 8
-  %1456 = getelementptr double, ptr %1392, i64 %1422
-  %1457 = getelementptr double, ptr %1393, i64 %1422
-  br label %1461
+1429:                                             ; preds = %1404
+  br i1 %213, label %1430, label %1445
 
-1458:                                             ; preds = %1461
-  %1459 = add nuw nsw i64 %1422, 1
-  %1460 = icmp eq i64 %1459, %1389
-  br i1 %1460, label %1470, label %1421, !llvm.loop !40
+1430:                                             ; preds = %1429
+  %1431 = load ptr, ptr %153, align 8
+  %1432 = load ptr, ptr %77, align 8
+  %1433 = load ptr, ptr %84, align 8
+  %1434 = getelementptr inbounds i8, ptr %1433, i64 56
+  %1435 = load i64, ptr %1434, align 8
+  %1436 = inttoptr i64 %1435 to ptr
+  %1437 = tail call i64 %1436(ptr noundef %0, double noundef %490, ptr noundef %1431, ptr noundef %1432) #11
+  %1438 = icmp eq i64 %1437, 0
+  br i1 %1438, label %1445, label %1439
 
-1461:                                             ; preds = %1421, %1461
-  %1462 = phi i64 [ 0, %1421 ], [ %1466, %1461 ]
-  %1463 = mul nsw i64 %1390, %1462
-  %1464 = getelementptr double, ptr %1456, i64 %1463
-  %1465 = load double, ptr %1464, align 8
-  %1466 = add nuw nsw i64 %1462, 1
-  %1467 = mul nuw nsw i64 %1389, %1466
-  %1468 = getelementptr double, ptr %1457, i64 %1467
-  store double %1465, ptr %1468, align 8
-  %1469 = icmp eq i64 %1466, 3
-  br i1 %1469, label %1458, label %1461, !llvm.loop !41
+1439:                                             ; preds = %1430
+  %1440 = load i64, ptr %374, align 8
+  %1441 = add nsw i64 %1440, 1
+  store i64 %1441, ptr %374, align 8
+  store i64 6, ptr %390, align 8
+  %1442 = fmul double %491, 2.500000e-01
+  store i64 1, ptr %387, align 8
+  %1443 = load i64, ptr %391, align 8
+  %1444 = sub nsw i64 1, %1443
+  store i64 %1444, ptr %377, align 8
+  br label %1990, !llvm.loop !18
 
-1470:                                             ; preds = %1458, %1394
-  store double %415, ptr %345, align 8
-  %1471 = load ptr, ptr %0, align 8
-  %1472 = getelementptr inbounds i8, ptr %1471, i64 24
-  %1473 = load i64, ptr %1472, align 8
-  %1474 = load ptr, ptr %93, align 8
-  %1475 = getelementptr inbounds i8, ptr %1474, i64 8
-  %1476 = load i64, ptr %1475, align 8
-  %1477 = icmp eq i64 %1476, 0
-  br i1 %1477, label %1524, label %1478
+1445:                                             ; preds = %1430, %1429
+  %1446 = load i64, ptr %373, align 8
+  %1447 = add nsw i64 %1446, 1
+  store i64 %1447, ptr %373, align 8
+  %1448 = load double, ptr %392, align 8
+  %1449 = fcmp ogt double %1448, 0.000000e+00
+  br i1 %1449, label %1450, label %1459
 
-1478:                                             ; preds = %1470
-  %1479 = load i64, ptr %1474, align 8
-  %1480 = load ptr, ptr %76, align 8
-  %1481 = getelementptr inbounds i8, ptr %1480, i64 8
-  %1482 = load i64, ptr %1481, align 8
-  %1483 = load ptr, ptr %160, align 8
-  %1484 = load i64, ptr %161, align 8
-  %1485 = mul nsw i64 %1484, %1479
-  %1486 = getelementptr inbounds double, ptr %1483, i64 %1485
-  %1487 = getelementptr inbounds double, ptr %1486, i64 %1484
-  store double %379, ptr %1486, align 8
-  %1488 = getelementptr inbounds i8, ptr %1486, i64 8
-  store double %415, ptr %1488, align 8
-  store double %414, ptr %1487, align 8
-  %1489 = getelementptr inbounds i8, ptr %1487, i64 8
-  store double 0.000000e+00, ptr %1489, align 8
-  %1490 = icmp sgt i64 %1482, 0
-  br i1 %1490, label %1491, label %1494
+1450:                                             ; preds = %1445
+  %1451 = fdiv double %1448, %1409
+  %1452 = tail call double @llvm.pow.f64(double %1451, double 2.500000e-01)
+  %1453 = load double, ptr %393, align 8
+  %1454 = fdiv double %491, %1453
+  %1455 = fmul double %1452, %1454
+  %1456 = fcmp olt double %1455, 1.000000e+00
+  %1457 = select i1 %1456, double %1455, double 1.000000e+00
+  %1458 = fmul double %1410, %1457
+  br label %1459
 
-1491:                                             ; preds = %1478
-  %1492 = getelementptr i8, ptr %1486, i64 16
-  %1493 = icmp sgt i64 %1473, 0
+1459:                                             ; preds = %1450, %1445
+  %1460 = phi double [ %1458, %1450 ], [ %1410, %1445 ]
+  %1461 = fmul double %1407, %1460
+  %1462 = fcmp olt double %1461, 1.000000e+01
+  store double %490, ptr %195, align 8
+  store double %491, ptr %394, align 8
+  store double %1409, ptr %392, align 8
+  %1463 = load ptr, ptr %76, align 8
+  %1464 = getelementptr inbounds i8, ptr %1463, i64 8
+  %1465 = load i64, ptr %1464, align 8
+  %1466 = load i64, ptr %160, align 8
+  %1467 = load ptr, ptr %122, align 8
+  %1468 = load ptr, ptr %161, align 8
+  %1469 = load ptr, ptr %121, align 8
+  br label %1486
+
+1470:                                             ; preds = %1486
+  %1471 = select i1 %1462, double %1461, double 1.000000e+01
+  %1472 = icmp sgt i64 %1465, 0
+  br i1 %1472, label %1473, label %1546
+
+1473:                                             ; preds = %1470
+  %1474 = load double, ptr %8, align 16
+  %1475 = load double, ptr %162, align 8
+  %1476 = getelementptr double, ptr %1467, i64 %1465
+  %1477 = load double, ptr %163, align 16
+  %1478 = shl i64 %1465, 4
+  %1479 = getelementptr i8, ptr %1467, i64 %1478
+  %1480 = load double, ptr %9, align 16
+  %1481 = load double, ptr %164, align 8
+  %1482 = load double, ptr %165, align 16
+  %1483 = getelementptr double, ptr %1468, i64 %1466
+  %1484 = shl i64 %1466, 4
+  %1485 = getelementptr i8, ptr %1468, i64 %1484
   br label %1497
 
-1494:                                             ; preds = %1509, %1478
-  %1495 = add nsw i64 %1479, 1
-  %1496 = load ptr, ptr %93, align 8
-  store i64 %1495, ptr %1496, align 8
-  br label %1524
+1486:                                             ; preds = %1459, %1486
+  %1487 = phi i64 [ 0, %1459 ], [ %1495, %1486 ]
+  %1488 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1487
+  %1489 = getelementptr inbounds i8, ptr %1488, i64 8
+  %1490 = load double, ptr %1489, align 8
+  %1491 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1487
+  store double %1490, ptr %1491, align 8
+  %1492 = getelementptr inbounds i8, ptr %1488, i64 16
+  %1493 = load double, ptr %1492, align 8
+  %1494 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1487
+  store double %1493, ptr %1494, align 8
+  %1495 = add nuw nsw i64 %1487, 1
+  %1496 = icmp eq i64 %1495, 3
+  br i1 %1496, label %1470, label %1486, !llvm.loop !40
 
-1497:                                             ; preds = %1491, %1509
-  %1498 = phi i64 [ 0, %1491 ], [ %1510, %1509 ]
-  %1499 = load ptr, ptr %77, align 8
-  %1500 = getelementptr inbounds double, ptr %1499, i64 %1498
-  %1501 = load double, ptr %1500, align 8
-  %1502 = add nuw nsw i64 %1498, 2
-  %1503 = getelementptr inbounds double, ptr %1486, i64 %1502
-  store double %1501, ptr %1503, align 8
-  %1504 = load ptr, ptr %147, align 8
-  %1505 = getelementptr inbounds double, ptr %1504, i64 %1498
-  %1506 = load double, ptr %1505, align 8
-  %1507 = getelementptr inbounds double, ptr %1487, i64 %1502
-  store double %1506, ptr %1507, align 8
-  %1508 = getelementptr double, ptr %1492, i64 %1498
-  br i1 %1493, label %1512, label %1509
+1497:                                             ; preds = %1473, %1534
+  %1498 = phi i64 [ 0, %1473 ], [ %1535, %1534 ]
+  %1499 = getelementptr inbounds double, ptr %1467, i64 %1498
+  %1500 = load double, ptr %1499, align 8
+  %1501 = fmul double %1474, %1500
+  %1502 = getelementptr double, ptr %1476, i64 %1498
+  %1503 = load double, ptr %1502, align 8
+  %1504 = fmul double %1475, %1503
+  %1505 = fadd double %1501, %1504
+  %1506 = getelementptr double, ptr %1479, i64 %1498
+  %1507 = load double, ptr %1506, align 8
+  %1508 = fmul double %1477, %1507
+  %1509 = fadd double %1505, %1508
+  %1510 = fmul double %1500, %1480
+  %1511 = fmul double %1503, %1481
+  %1512 = fadd double %1510, %1511
+  %1513 = fmul double %1507, %1482
+  %1514 = fadd double %1512, %1513
+  %1515 = load ptr, ptr %153, align 8
+  %1516 = getelementptr inbounds double, ptr %1515, i64 %1498
+  %1517 = load double, ptr %1516, align 8
+  %1518 = load ptr, ptr %77, align 8
+  %1519 = getelementptr inbounds double, ptr %1518, i64 %1498
+  %1520 = load double, ptr %1519, align 8
+  %1521 = fsub double %1517, %1520
+  %1522 = getelementptr inbounds double, ptr %1468, i64 %1498
+  store double %1521, ptr %1522, align 8
+  %1523 = fneg double %1509
+  %1524 = fsub double %1523, %1514
+  %1525 = getelementptr double, ptr %1483, i64 %1498
+  store double %1524, ptr %1525, align 8
+  %1526 = fneg double %1514
+  %1527 = getelementptr double, ptr %1485, i64 %1498
+  store double %1526, ptr %1527, align 8
+  %1528 = load ptr, ptr %77, align 8
+  %1529 = getelementptr inbounds double, ptr %1528, i64 %1498
+  %1530 = load double, ptr %1529, align 8
+  %1531 = getelementptr inbounds double, ptr %1469, i64 %1498
+  store double %1530, ptr %1531, align 8
+  %1532 = getelementptr double, ptr %1468, i64 %1498
+  %1533 = getelementptr double, ptr %1469, i64 %1498
+  br label %1537
 
-1509:                                             ; preds = %1512, %1497
-  %1510 = add nuw nsw i64 %1498, 1
-  %1511 = icmp eq i64 %1510, %1482
-  br i1 %1511, label %1494, label %1497, !llvm.loop !42
+1534:                                             ; preds = %1537
+  %1535 = add nuw nsw i64 %1498, 1
+  %1536 = icmp eq i64 %1535, %1465
+  br i1 %1536, label %1546, label %1497, !llvm.loop !41
 
-1512:                                             ; preds = %1497, %1512
-  %1513 = phi i64 [ %1520, %1512 ], [ 0, %1497 ]
-  %1514 = load ptr, ptr %155, align 8
-  %1515 = load i64, ptr %154, align 8
-  %1516 = mul nsw i64 %1515, %1513
-  %1517 = getelementptr double, ptr %1514, i64 %1516
-  %1518 = getelementptr double, ptr %1517, i64 %1498
-  %1519 = load double, ptr %1518, align 8
-  %1520 = add nuw nsw i64 %1513, 1
-  %1521 = mul nuw nsw i64 %1520, %1482
-  %1522 = getelementptr double, ptr %1508, i64 %1521
-  store double %1519, ptr %1522, align 8
-  %1523 = icmp eq i64 %1520, %1473
-  br i1 %1523, label %1509, label %1512, !llvm.loop !43
+1537:                                             ; preds = %1497, %1537
+  %1538 = phi i64 [ 0, %1497 ], [ %1542, %1537 ]
+  %1539 = mul nsw i64 %1466, %1538
+  %1540 = getelementptr double, ptr %1532, i64 %1539
+  %1541 = load double, ptr %1540, align 8
+  %1542 = add nuw nsw i64 %1538, 1
+  %1543 = mul nuw nsw i64 %1465, %1542
+  %1544 = getelementptr double, ptr %1533, i64 %1543
+  store double %1541, ptr %1544, align 8
+  %1545 = icmp eq i64 %1542, 3
+  br i1 %1545, label %1534, label %1537, !llvm.loop !42
 
-1524:                                             ; preds = %1470, %1494
-  br i1 %210, label %1525, label %1633
+1546:                                             ; preds = %1534, %1470
+  store double %491, ptr %382, align 8
+  %1547 = load ptr, ptr %0, align 8
+  %1548 = getelementptr inbounds i8, ptr %1547, i64 24
+  %1549 = load i64, ptr %1548, align 8
+  %1550 = load ptr, ptr %96, align 8
+  %1551 = getelementptr inbounds i8, ptr %1550, i64 8
+  %1552 = load i64, ptr %1551, align 8
+  %1553 = icmp eq i64 %1552, 0
+  br i1 %1553, label %1600, label %1554
 
-1525:                                             ; preds = %1524
-  %1526 = load ptr, ptr %85, align 8
-  %1527 = load ptr, ptr %76, align 8
-  %1528 = getelementptr inbounds i8, ptr %1527, i64 8
-  %1529 = load i64, ptr %1528, align 8
-  %1530 = load ptr, ptr %162, align 8
-  %1531 = getelementptr inbounds i8, ptr %1526, i64 32
-  %1532 = load i64, ptr %1531, align 8
-  %1533 = getelementptr inbounds double, ptr %1530, i64 %1532
-  %1534 = load ptr, ptr %116, align 8
-  %1535 = getelementptr inbounds i8, ptr %1526, i64 24
-  %1536 = load i64, ptr %1535, align 8
-  %1537 = icmp eq i64 %1536, 0
-  br i1 %1537, label %1630, label %1538
+1554:                                             ; preds = %1546
+  %1555 = load i64, ptr %1550, align 8
+  %1556 = load ptr, ptr %76, align 8
+  %1557 = getelementptr inbounds i8, ptr %1556, i64 8
+  %1558 = load i64, ptr %1557, align 8
+  %1559 = load ptr, ptr %166, align 8
+  %1560 = load i64, ptr %167, align 8
+  %1561 = mul nsw i64 %1560, %1555
+  %1562 = getelementptr inbounds double, ptr %1559, i64 %1561
+  %1563 = getelementptr inbounds double, ptr %1562, i64 %1560
+  store double %416, ptr %1562, align 8
+  %1564 = getelementptr inbounds i8, ptr %1562, i64 8
+  store double %491, ptr %1564, align 8
+  store double %490, ptr %1563, align 8
+  %1565 = getelementptr inbounds i8, ptr %1563, i64 8
+  store double 0.000000e+00, ptr %1565, align 8
+  %1566 = icmp sgt i64 %1558, 0
+  br i1 %1566, label %1567, label %1570
 
-1538:                                             ; preds = %1525
-  %1539 = getelementptr inbounds i8, ptr %1526, i64 40
-  %1540 = load i64, ptr %1539, align 8
-  %1541 = icmp sgt i64 %1540, 0
-  br i1 %1541, label %1542, label %1546
+1567:                                             ; preds = %1554
+  %1568 = getelementptr i8, ptr %1562, i64 16
+  %1569 = icmp sgt i64 %1549, 0
+  br label %1573
 
-1542:                                             ; preds = %1538
-  %1543 = getelementptr double, ptr %1534, i64 %1529
-  %1544 = shl i64 %1529, 4
-  %1545 = getelementptr i8, ptr %1534, i64 %1544
+1570:                                             ; preds = %1585, %1554
+  %1571 = add nsw i64 %1555, 1
+  %1572 = load ptr, ptr %96, align 8
+  store i64 %1571, ptr %1572, align 8
   br label %1600
 
-1546:                                             ; preds = %1600, %1538
-  %1547 = load ptr, ptr %163, align 8
-  %1548 = load ptr, ptr %85, align 8
-  %1549 = getelementptr inbounds i8, ptr %1548, i64 8
-  %1550 = load i64, ptr %1549, align 8
-  %1551 = load ptr, ptr %164, align 8
-  %1552 = load ptr, ptr %162, align 8
-  %1553 = getelementptr inbounds i8, ptr %1548, i64 32
-  %1554 = load i64, ptr %1553, align 8
-  %1555 = getelementptr inbounds i8, ptr %1548, i64 40
-  %1556 = load i64, ptr %1555, align 8
-  %1557 = getelementptr double, ptr %1552, i64 %1554
-  %1558 = getelementptr double, ptr %1557, i64 %1556
-  store double %415, ptr %1558, align 8
-  %1559 = load ptr, ptr %163, align 8
-  store double %379, ptr %1559, align 8
-  %1560 = load ptr, ptr %85, align 8
-  %1561 = getelementptr inbounds i8, ptr %1560, i64 24
-  %1562 = load i64, ptr %1561, align 8
-  %1563 = load ptr, ptr %77, align 8
-  %1564 = load ptr, ptr %162, align 8
-  %1565 = load ptr, ptr %165, align 8
-  %1566 = inttoptr i64 %1562 to ptr
-  %1567 = load ptr, ptr %1566, align 8
-  %1568 = tail call i32 %1567(ptr noundef %1547, ptr noundef %1563, ptr noundef %1564, ptr noundef %1565, ptr noundef %1551) #11
-  %1569 = icmp eq i32 %1568, 0
-  br i1 %1569, label %1570, label %1630
+1573:                                             ; preds = %1567, %1585
+  %1574 = phi i64 [ 0, %1567 ], [ %1586, %1585 ]
+  %1575 = load ptr, ptr %77, align 8
+  %1576 = getelementptr inbounds double, ptr %1575, i64 %1574
+  %1577 = load double, ptr %1576, align 8
+  %1578 = add nuw nsw i64 %1574, 2
+  %1579 = getelementptr inbounds double, ptr %1562, i64 %1578
+  store double %1577, ptr %1579, align 8
+  %1580 = load ptr, ptr %153, align 8
+  %1581 = getelementptr inbounds double, ptr %1580, i64 %1574
+  %1582 = load double, ptr %1581, align 8
+  %1583 = getelementptr inbounds double, ptr %1563, i64 %1578
+  store double %1582, ptr %1583, align 8
+  %1584 = getelementptr double, ptr %1568, i64 %1574
+  br i1 %1569, label %1588, label %1585
 
-1570:                                             ; preds = %1546
-  %1571 = icmp slt i64 %1550, 1
-  br i1 %1571, label %1597, label %1572
+1585:                                             ; preds = %1588, %1573
+  %1586 = add nuw nsw i64 %1574, 1
+  %1587 = icmp eq i64 %1586, %1558
+  br i1 %1587, label %1570, label %1573, !llvm.loop !43
 
-1572:                                             ; preds = %1570
-  %1573 = load ptr, ptr %166, align 8
-  %1574 = getelementptr double, ptr %1551, i64 %1550
-  br label %1575
+1588:                                             ; preds = %1573, %1588
+  %1589 = phi i64 [ %1596, %1588 ], [ 0, %1573 ]
+  %1590 = load ptr, ptr %161, align 8
+  %1591 = load i64, ptr %160, align 8
+  %1592 = mul nsw i64 %1591, %1589
+  %1593 = getelementptr double, ptr %1590, i64 %1592
+  %1594 = getelementptr double, ptr %1593, i64 %1574
+  %1595 = load double, ptr %1594, align 8
+  %1596 = add nuw nsw i64 %1589, 1
+  %1597 = mul nuw nsw i64 %1596, %1558
+  %1598 = getelementptr double, ptr %1584, i64 %1597
+  store double %1595, ptr %1598, align 8
+  %1599 = icmp eq i64 %1596, %1549
+  br i1 %1599, label %1585, label %1588, !llvm.loop !44
 
-1575:                                             ; preds = %1572, %1593
-  %1576 = phi i1 [ %1571, %1572 ], [ %1595, %1593 ]
-  %1577 = phi i64 [ 0, %1572 ], [ %1594, %1593 ]
-  %1578 = getelementptr inbounds i64, ptr %1573, i64 %1577
-  %1579 = load i64, ptr %1578, align 8
-  %1580 = and i64 %1579, 2
-  %1581 = icmp eq i64 %1580, 0
-  br i1 %1581, label %1582, label %1593
+1600:                                             ; preds = %1546, %1570
+  br i1 %217, label %1601, label %1709
 
-1582:                                             ; preds = %1575
-  %1583 = getelementptr inbounds double, ptr %1551, i64 %1577
-  %1584 = load double, ptr %1583, align 8
-  %1585 = load ptr, ptr %167, align 8
-  %1586 = getelementptr inbounds i64, ptr %1585, i64 %1577
-  %1587 = load i64, ptr %1586, align 8
-  %1588 = sitofp i64 %1587 to double
-  %1589 = fmul double %1584, %1588
-  %1590 = getelementptr double, ptr %1574, i64 %1577
-  %1591 = load double, ptr %1590, align 8
-  %1592 = fcmp ogt double %1589, %1591
-  br i1 %1592, label %1593, label %1597
+1601:                                             ; preds = %1600
+  %1602 = load ptr, ptr %85, align 8
+  %1603 = load ptr, ptr %76, align 8
+  %1604 = getelementptr inbounds i8, ptr %1603, i64 8
+  %1605 = load i64, ptr %1604, align 8
+  %1606 = load ptr, ptr %168, align 8
+  %1607 = getelementptr inbounds i8, ptr %1602, i64 32
+  %1608 = load i64, ptr %1607, align 8
+  %1609 = getelementptr inbounds double, ptr %1606, i64 %1608
+  %1610 = load ptr, ptr %122, align 8
+  %1611 = getelementptr inbounds i8, ptr %1602, i64 24
+  %1612 = load i64, ptr %1611, align 8
+  %1613 = icmp eq i64 %1612, 0
+  br i1 %1613, label %1706, label %1614
 
-1593:                                             ; preds = %1582, %1575
-  %1594 = add nuw nsw i64 %1577, 1
-  %1595 = icmp sge i64 %1594, %1550
-  %1596 = icmp eq i64 %1594, %1550
-  br i1 %1596, label %1597, label %1575, !llvm.loop !44
+1614:                                             ; preds = %1601
+  %1615 = getelementptr inbounds i8, ptr %1602, i64 40
+  %1616 = load i64, ptr %1615, align 8
+  %1617 = icmp sgt i64 %1616, 0
+  br i1 %1617, label %1618, label %1622
 
-1597:                                             ; preds = %1593, %1582, %1570
-  %1598 = phi i1 [ %1571, %1570 ], [ %1595, %1593 ], [ %1576, %1582 ]
-  %1599 = zext i1 %1598 to i32
-  br label %1630
+1618:                                             ; preds = %1614
+  %1619 = getelementptr double, ptr %1610, i64 %1605
+  %1620 = shl i64 %1605, 4
+  %1621 = getelementptr i8, ptr %1610, i64 %1620
+  br label %1676
 
-1600:                                             ; preds = %1542, %1600
-  %1601 = phi i64 [ 0, %1542 ], [ %1627, %1600 ]
-  %1602 = load ptr, ptr %147, align 8
-  %1603 = getelementptr inbounds double, ptr %1602, i64 %1601
-  %1604 = load double, ptr %1603, align 8
-  %1605 = load ptr, ptr %77, align 8
-  %1606 = getelementptr inbounds double, ptr %1605, i64 %1601
-  %1607 = load double, ptr %1606, align 8
-  %1608 = fsub double %1604, %1607
-  %1609 = tail call double @llvm.fabs.f64(double %1608)
-  %1610 = getelementptr inbounds double, ptr %1534, i64 %1601
-  %1611 = load double, ptr %1610, align 8
-  %1612 = tail call double @llvm.fabs.f64(double %1611)
-  %1613 = getelementptr double, ptr %1543, i64 %1601
-  %1614 = load double, ptr %1613, align 8
-  %1615 = tail call double @llvm.fabs.f64(double %1614)
-  %1616 = fcmp ogt double %1612, %1615
-  %1617 = select i1 %1616, double %1612, double %1615
-  %1618 = getelementptr double, ptr %1545, i64 %1601
-  %1619 = load double, ptr %1618, align 8
-  %1620 = tail call double @llvm.fabs.f64(double %1619)
-  %1621 = fcmp ogt double %1617, %1620
-  %1622 = select i1 %1621, double %1617, double %1620
-  %1623 = fcmp ogt double %1622, %1609
-  %1624 = select i1 %1623, double %1622, double %1609
-  %1625 = fmul double %1624, 8.000000e+00
-  %1626 = getelementptr inbounds double, ptr %1533, i64 %1601
-  store double %1625, ptr %1626, align 8
-  %1627 = add nuw nsw i64 %1601, 1
-  %1628 = load i64, ptr %1539, align 8
-  %1629 = icmp slt i64 %1627, %1628
-  br i1 %1629, label %1600, label %1546, !llvm.loop !45
+1622:                                             ; preds = %1676, %1614
+  %1623 = load ptr, ptr %169, align 8
+  %1624 = load ptr, ptr %85, align 8
+  %1625 = getelementptr inbounds i8, ptr %1624, i64 8
+  %1626 = load i64, ptr %1625, align 8
+  %1627 = load ptr, ptr %170, align 8
+  %1628 = load ptr, ptr %168, align 8
+  %1629 = getelementptr inbounds i8, ptr %1624, i64 32
+  %1630 = load i64, ptr %1629, align 8
+  %1631 = getelementptr inbounds i8, ptr %1624, i64 40
+  %1632 = load i64, ptr %1631, align 8
+  %1633 = getelementptr double, ptr %1628, i64 %1630
+  %1634 = getelementptr double, ptr %1633, i64 %1632
+  store double %491, ptr %1634, align 8
+  %1635 = load ptr, ptr %169, align 8
+  store double %416, ptr %1635, align 8
+  %1636 = load ptr, ptr %85, align 8
+  %1637 = getelementptr inbounds i8, ptr %1636, i64 24
+  %1638 = load i64, ptr %1637, align 8
+  %1639 = load ptr, ptr %77, align 8
+  %1640 = load ptr, ptr %168, align 8
+  %1641 = load ptr, ptr %171, align 8
+  %1642 = inttoptr i64 %1638 to ptr
+  %1643 = load ptr, ptr %1642, align 8
+  %1644 = tail call i32 %1643(ptr noundef %1623, ptr noundef %1639, ptr noundef %1640, ptr noundef %1641, ptr noundef %1627) #11
+  %1645 = icmp eq i32 %1644, 0
+  br i1 %1645, label %1646, label %1706
 
-1630:                                             ; preds = %1597, %1546, %1525
-  %1631 = phi i32 [ 0, %1525 ], [ 0, %1546 ], [ %1599, %1597 ]
-  %1632 = icmp eq i32 %1631, 0
-  br label %1633
+1646:                                             ; preds = %1622
+  %1647 = icmp slt i64 %1626, 1
+  br i1 %1647, label %1673, label %1648
 
-1633:                                             ; preds = %1630, %1524
-  %1634 = phi i1 [ false, %1524 ], [ %1632, %1630 ]
-  br i1 %1634, label %1640, label %1635
+1648:                                             ; preds = %1646
+  %1649 = load ptr, ptr %172, align 8
+  %1650 = getelementptr double, ptr %1627, i64 %1626
+  br label %1651
 
-1635:                                             ; preds = %1633
-  %1636 = load i64, ptr %358, align 8
-  %1637 = getelementptr inbounds double, ptr %199, i64 %1636
-  %1638 = load double, ptr %1637, align 8
-  %1639 = fcmp ugt double %1638, %414
-  br i1 %1639, label %1852, label %1640
+1651:                                             ; preds = %1648, %1669
+  %1652 = phi i1 [ %1647, %1648 ], [ %1671, %1669 ]
+  %1653 = phi i64 [ 0, %1648 ], [ %1670, %1669 ]
+  %1654 = getelementptr inbounds i64, ptr %1649, i64 %1653
+  %1655 = load i64, ptr %1654, align 8
+  %1656 = and i64 %1655, 2
+  %1657 = icmp eq i64 %1656, 0
+  br i1 %1657, label %1658, label %1669
 
-1640:                                             ; preds = %1635, %1633
-  %1641 = load ptr, ptr %79, align 8
-  br i1 %1634, label %1642, label %1653
+1658:                                             ; preds = %1651
+  %1659 = getelementptr inbounds double, ptr %1627, i64 %1653
+  %1660 = load double, ptr %1659, align 8
+  %1661 = load ptr, ptr %173, align 8
+  %1662 = getelementptr inbounds i64, ptr %1661, i64 %1653
+  %1663 = load i64, ptr %1662, align 8
+  %1664 = sitofp i64 %1663 to double
+  %1665 = fmul double %1660, %1664
+  %1666 = getelementptr double, ptr %1650, i64 %1653
+  %1667 = load double, ptr %1666, align 8
+  %1668 = fcmp ogt double %1665, %1667
+  br i1 %1668, label %1669, label %1673
 
-1642:                                             ; preds = %1640
-  %1643 = load ptr, ptr %85, align 8
-  %1644 = getelementptr inbounds i8, ptr %1643, i64 16
-  %1645 = load i64, ptr %1644, align 8
-  %1646 = inttoptr i64 %1645 to ptr
-  %1647 = tail call i64 %1646(ptr noundef %0, double noundef %379, double noundef %415) #11
-  %1648 = icmp eq i64 %1647, -6
-  br i1 %1648, label %1649, label %1650
+1669:                                             ; preds = %1658, %1651
+  %1670 = add nuw nsw i64 %1653, 1
+  %1671 = icmp sge i64 %1670, %1626
+  %1672 = icmp eq i64 %1670, %1626
+  br i1 %1672, label %1673, label %1651, !llvm.loop !45
 
-1649:                                             ; preds = %1642
-  store double %379, ptr %1641, align 8
-  br label %1828
+1673:                                             ; preds = %1669, %1658, %1646
+  %1674 = phi i1 [ %1647, %1646 ], [ %1671, %1669 ], [ %1652, %1658 ]
+  %1675 = zext i1 %1674 to i32
+  br label %1706
 
-1650:                                             ; preds = %1642
-  %1651 = getelementptr inbounds i8, ptr %1641, i64 48
-  %1652 = load double, ptr %1651, align 8
-  br label %1653
+1676:                                             ; preds = %1618, %1676
+  %1677 = phi i64 [ 0, %1618 ], [ %1703, %1676 ]
+  %1678 = load ptr, ptr %153, align 8
+  %1679 = getelementptr inbounds double, ptr %1678, i64 %1677
+  %1680 = load double, ptr %1679, align 8
+  %1681 = load ptr, ptr %77, align 8
+  %1682 = getelementptr inbounds double, ptr %1681, i64 %1677
+  %1683 = load double, ptr %1682, align 8
+  %1684 = fsub double %1680, %1683
+  %1685 = tail call double @llvm.fabs.f64(double %1684)
+  %1686 = getelementptr inbounds double, ptr %1610, i64 %1677
+  %1687 = load double, ptr %1686, align 8
+  %1688 = tail call double @llvm.fabs.f64(double %1687)
+  %1689 = getelementptr double, ptr %1619, i64 %1677
+  %1690 = load double, ptr %1689, align 8
+  %1691 = tail call double @llvm.fabs.f64(double %1690)
+  %1692 = fcmp ogt double %1688, %1691
+  %1693 = select i1 %1692, double %1688, double %1691
+  %1694 = getelementptr double, ptr %1621, i64 %1677
+  %1695 = load double, ptr %1694, align 8
+  %1696 = tail call double @llvm.fabs.f64(double %1695)
+  %1697 = fcmp ogt double %1693, %1696
+  %1698 = select i1 %1697, double %1693, double %1696
+  %1699 = fcmp ogt double %1698, %1685
+  %1700 = select i1 %1699, double %1698, double %1685
+  %1701 = fmul double %1700, 8.000000e+00
+  %1702 = getelementptr inbounds double, ptr %1609, i64 %1677
+  store double %1701, ptr %1702, align 8
+  %1703 = add nuw nsw i64 %1677, 1
+  %1704 = load i64, ptr %1615, align 8
+  %1705 = icmp slt i64 %1703, %1704
+  br i1 %1705, label %1676, label %1622, !llvm.loop !46
 
-1653:                                             ; preds = %1650, %1640
-  %1654 = phi double [ %1652, %1650 ], [ 1.000000e+00, %1640 ]
-  %1655 = phi i64 [ %1647, %1650 ], [ 0, %1640 ]
-  %1656 = fcmp oeq double %1654, 1.000000e+00
-  br i1 %1656, label %1657, label %1659
+1706:                                             ; preds = %1673, %1622, %1601
+  %1707 = phi i32 [ 0, %1601 ], [ 0, %1622 ], [ %1675, %1673 ]
+  %1708 = icmp eq i32 %1707, 0
+  br label %1709
 
-1657:                                             ; preds = %1653
-  %1658 = load double, ptr %1641, align 8
-  br label %1662
+1709:                                             ; preds = %1706, %1600
+  %1710 = phi i1 [ false, %1600 ], [ %1708, %1706 ]
+  br i1 %1710, label %1716, label %1711
 
-1659:                                             ; preds = %1653
-  %1660 = fmul double %415, %1654
-  %1661 = fadd double %379, %1660
-  br label %1662
+1711:                                             ; preds = %1709
+  %1712 = load i64, ptr %395, align 8
+  %1713 = getelementptr inbounds double, ptr %206, i64 %1712
+  %1714 = load double, ptr %1713, align 8
+  %1715 = fcmp ugt double %1714, %490
+  br i1 %1715, label %1928, label %1716
 
-1662:                                             ; preds = %1659, %1657
-  %1663 = phi double [ %1658, %1657 ], [ %1661, %1659 ]
-  %1664 = icmp eq i64 %1655, -4
-  %1665 = select i1 %1664, i64 -4, i64 0
-  br i1 %1664, label %1723, label %1666
+1716:                                             ; preds = %1711, %1709
+  %1717 = load ptr, ptr %79, align 8
+  br i1 %1710, label %1718, label %1729
 
-1666:                                             ; preds = %1662
-  %1667 = fcmp olt double %1654, 1.000000e+00
-  %1668 = load ptr, ptr %76, align 8
-  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
-  %1670 = load i64, ptr %1669, align 8
-  %1671 = load i64, ptr %83, align 8
-  %1672 = load ptr, ptr %82, align 8
-  %1673 = load ptr, ptr %81, align 8
-  %1674 = getelementptr inbounds i8, ptr %1673, i64 48
-  %1675 = load i64, ptr %1674, align 8
-  %1676 = icmp slt i64 %1675, %1671
-  br i1 %1676, label %1677, label %1719
+1718:                                             ; preds = %1716
+  %1719 = load ptr, ptr %85, align 8
+  %1720 = getelementptr inbounds i8, ptr %1719, i64 16
+  %1721 = load i64, ptr %1720, align 8
+  %1722 = inttoptr i64 %1721 to ptr
+  %1723 = tail call i64 %1722(ptr noundef %0, double noundef %416, double noundef %491) #11
+  %1724 = icmp eq i64 %1723, -6
+  br i1 %1724, label %1725, label %1726
 
-1677:                                             ; preds = %1666, %1715
-  %1678 = phi i64 [ %1716, %1715 ], [ undef, %1666 ]
-  %1679 = phi i64 [ %1717, %1715 ], [ %1675, %1666 ]
-  %1680 = getelementptr inbounds double, ptr %1672, i64 %1679
-  %1681 = load double, ptr %1680, align 8
-  %1682 = fcmp olt double %1681, %1663
-  %1683 = fcmp oeq double %1681, %1663
-  %1684 = and i1 %1667, %1683
-  %1685 = or i1 %1682, %1684
-  br i1 %1685, label %1686, label %1719
+1725:                                             ; preds = %1718
+  store double %416, ptr %1717, align 8
+  br label %1904
 
-1686:                                             ; preds = %1677
-  %1687 = fsub double %1681, %379
-  %1688 = fdiv double %1687, %415
-  %1689 = mul nsw i64 %1679, %1670
-  %1690 = getelementptr inbounds double, ptr %1, i64 %1689
-  %1691 = load ptr, ptr %168, align 8
-  %1692 = insertelement <8 x double> poison, double %1688, i64 0
-  %1693 = shufflevector <8 x double> %1692, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1693, ptr %1691, align 8
-  %1694 = load ptr, ptr %77, align 8
-  %1695 = load ptr, ptr %169, align 8
-  %1696 = load i64, ptr %170, align 8
-  %1697 = load ptr, ptr %0, align 8
-  %1698 = getelementptr inbounds i8, ptr %1697, i64 24
-  %1699 = load i64, ptr %1698, align 8
-  %1700 = load ptr, ptr %168, align 8
-  %1701 = load ptr, ptr %76, align 8
-  %1702 = getelementptr inbounds i8, ptr %1701, i64 16
-  %1703 = load i64, ptr %1702, align 8
-  tail call fastcc void @nested(ptr noundef %1690, ptr noundef %1694, ptr noundef %1695, i64 noundef %1696, i64 noundef %1699, ptr noundef %1700, i64 noundef %1703) #10
-  %1704 = load ptr, ptr %84, align 8
-  %1705 = load i64, ptr %1704, align 8
-  %1706 = icmp eq i64 %1705, 1
-  br i1 %1706, label %1707, label %1715
+1726:                                             ; preds = %1718
+  %1727 = getelementptr inbounds i8, ptr %1717, i64 48
+  %1728 = load double, ptr %1727, align 8
+  br label %1729
 
-1707:                                             ; preds = %1686
-  %1708 = load double, ptr %1680, align 8
-  %1709 = getelementptr inbounds i8, ptr %1704, i64 56
-  %1710 = load i64, ptr %1709, align 8
-  %1711 = inttoptr i64 %1710 to ptr
-  %1712 = tail call i64 %1711(ptr noundef %0, double noundef %1708, ptr noundef %1690, ptr noundef null) #11
-  %1713 = icmp eq i64 %1712, 0
-  %1714 = select i1 %1713, i64 %1678, i64 %1712
-  br i1 %1713, label %1715, label %1723
+1729:                                             ; preds = %1726, %1716
+  %1730 = phi double [ %1728, %1726 ], [ 1.000000e+00, %1716 ]
+  %1731 = phi i64 [ %1723, %1726 ], [ 0, %1716 ]
+  %1732 = fcmp oeq double %1730, 1.000000e+00
+  br i1 %1732, label %1733, label %1735
 
-1715:                                             ; preds = %1707, %1686
-  %1716 = phi i64 [ %1714, %1707 ], [ %1678, %1686 ]
-  %1717 = add i64 %1679, 1
-  %1718 = icmp eq i64 %1717, %1671
-  br i1 %1718, label %1719, label %1677, !llvm.loop !46
+1733:                                             ; preds = %1729
+  %1734 = load double, ptr %1717, align 8
+  br label %1738
 
-1719:                                             ; preds = %1715, %1677, %1666
-  %1720 = phi i64 [ %1675, %1666 ], [ %1671, %1715 ], [ %1679, %1677 ]
-  %1721 = load ptr, ptr %81, align 8
-  %1722 = getelementptr inbounds i8, ptr %1721, i64 48
-  store i64 %1720, ptr %1722, align 8
-  br label %1723
+1735:                                             ; preds = %1729
+  %1736 = fmul double %491, %1730
+  %1737 = fadd double %416, %1736
+  br label %1738
 
-1723:                                             ; preds = %1707, %1719, %1662
-  %1724 = phi i64 [ %1665, %1662 ], [ 0, %1719 ], [ %1714, %1707 ]
-  %1725 = icmp eq i64 %1724, 0
-  %1726 = icmp ne i64 %1655, 0
-  %1727 = fcmp olt double %1654, 1.000000e+00
-  %1728 = and i1 %1727, %1725
-  %1729 = and i1 %1726, %1728
-  br i1 %1729, label %1730, label %1767
+1738:                                             ; preds = %1735, %1733
+  %1739 = phi double [ %1734, %1733 ], [ %1737, %1735 ]
+  %1740 = icmp eq i64 %1731, -4
+  %1741 = select i1 %1740, i64 -4, i64 0
+  br i1 %1740, label %1799, label %1742
 
-1730:                                             ; preds = %1723
-  %1731 = load ptr, ptr %171, align 8
-  %1732 = load ptr, ptr %172, align 8
-  %1733 = insertelement <8 x double> poison, double %1654, i64 0
-  %1734 = shufflevector <8 x double> %1733, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1734, ptr %1732, align 8
-  %1735 = load ptr, ptr %77, align 8
-  %1736 = load ptr, ptr %173, align 8
-  %1737 = load i64, ptr %174, align 8
-  %1738 = load ptr, ptr %0, align 8
-  %1739 = getelementptr inbounds i8, ptr %1738, i64 24
-  %1740 = load i64, ptr %1739, align 8
-  %1741 = load ptr, ptr %172, align 8
-  %1742 = load ptr, ptr %76, align 8
-  %1743 = getelementptr inbounds i8, ptr %1742, i64 16
-  %1744 = load i64, ptr %1743, align 8
-  tail call fastcc void @nested(ptr noundef %1731, ptr noundef %1735, ptr noundef %1736, i64 noundef %1737, i64 noundef %1740, ptr noundef %1741, i64 noundef %1744) #10
-  %1745 = load i64, ptr %154, align 8
-  %1746 = icmp sgt i64 %1745, 0
-  br i1 %1746, label %1751, label %1747
+1742:                                             ; preds = %1738
+  %1743 = fcmp olt double %1730, 1.000000e+00
+  %1744 = load ptr, ptr %76, align 8
+  %1745 = getelementptr inbounds i8, ptr %1744, i64 8
+  %1746 = load i64, ptr %1745, align 8
+  %1747 = load i64, ptr %83, align 8
+  %1748 = load ptr, ptr %82, align 8
+  %1749 = load ptr, ptr %81, align 8
+  %1750 = getelementptr inbounds i8, ptr %1749, i64 48
+  %1751 = load i64, ptr %1750, align 8
+  %1752 = icmp slt i64 %1751, %1747
+  br i1 %1752, label %1753, label %1795
 
-1747:                                             ; preds = %1751, %1730
-  %1748 = load ptr, ptr %84, align 8
-  %1749 = load i64, ptr %1748, align 8
-  %1750 = icmp eq i64 %1749, 1
-  br i1 %1750, label %1761, label %1767
+1753:                                             ; preds = %1742, %1791
+  %1754 = phi i64 [ %1792, %1791 ], [ undef, %1742 ]
+  %1755 = phi i64 [ %1793, %1791 ], [ %1751, %1742 ]
+  %1756 = getelementptr inbounds double, ptr %1748, i64 %1755
+  %1757 = load double, ptr %1756, align 8
+  %1758 = fcmp olt double %1757, %1739
+  %1759 = fcmp oeq double %1757, %1739
+  %1760 = and i1 %1743, %1759
+  %1761 = or i1 %1758, %1760
+  br i1 %1761, label %1762, label %1795
 
-1751:                                             ; preds = %1730, %1751
-  %1752 = phi i64 [ %1758, %1751 ], [ 0, %1730 ]
-  %1753 = load ptr, ptr %171, align 8
-  %1754 = getelementptr inbounds double, ptr %1753, i64 %1752
-  %1755 = load double, ptr %1754, align 8
-  %1756 = load ptr, ptr %147, align 8
-  %1757 = getelementptr inbounds double, ptr %1756, i64 %1752
-  store double %1755, ptr %1757, align 8
-  %1758 = add nuw nsw i64 %1752, 1
-  %1759 = load i64, ptr %154, align 8
-  %1760 = icmp slt i64 %1758, %1759
-  br i1 %1760, label %1751, label %1747, !llvm.loop !47
+1762:                                             ; preds = %1753
+  %1763 = fsub double %1757, %416
+  %1764 = fdiv double %1763, %491
+  %1765 = mul nsw i64 %1755, %1746
+  %1766 = getelementptr inbounds double, ptr %1, i64 %1765
+  %1767 = load ptr, ptr %174, align 8
+  %1768 = insertelement <8 x double> poison, double %1764, i64 0
+  %1769 = shufflevector <8 x double> %1768, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1769, ptr %1767, align 8
+  %1770 = load ptr, ptr %77, align 8
+  %1771 = load ptr, ptr %175, align 8
+  %1772 = load i64, ptr %176, align 8
+  %1773 = load ptr, ptr %0, align 8
+  %1774 = getelementptr inbounds i8, ptr %1773, i64 24
+  %1775 = load i64, ptr %1774, align 8
+  %1776 = load ptr, ptr %174, align 8
+  %1777 = load ptr, ptr %76, align 8
+  %1778 = getelementptr inbounds i8, ptr %1777, i64 16
+  %1779 = load i64, ptr %1778, align 8
+  tail call fastcc void @nested(ptr noundef %1766, ptr noundef %1770, ptr noundef %1771, i64 noundef %1772, i64 noundef %1775, ptr noundef %1776, i64 noundef %1779) #10
+  %1780 = load ptr, ptr %84, align 8
+  %1781 = load i64, ptr %1780, align 8
+  %1782 = icmp eq i64 %1781, 1
+  br i1 %1782, label %1783, label %1791
 
-1761:                                             ; preds = %1747
-  %1762 = load ptr, ptr %147, align 8
-  %1763 = getelementptr inbounds i8, ptr %1748, i64 56
-  %1764 = load i64, ptr %1763, align 8
-  %1765 = inttoptr i64 %1764 to ptr
-  %1766 = tail call i64 %1765(ptr noundef %0, double noundef %1663, ptr noundef %1762, ptr noundef null) #11
-  br label %1767
+1783:                                             ; preds = %1762
+  %1784 = load double, ptr %1756, align 8
+  %1785 = getelementptr inbounds i8, ptr %1780, i64 56
+  %1786 = load i64, ptr %1785, align 8
+  %1787 = inttoptr i64 %1786 to ptr
+  %1788 = tail call i64 %1787(ptr noundef %0, double noundef %1784, ptr noundef %1766, ptr noundef null) #11
+  %1789 = icmp eq i64 %1788, 0
+  %1790 = select i1 %1789, i64 %1754, i64 %1788
+  br i1 %1789, label %1791, label %1799
 
-1767:                                             ; preds = %1761, %1747, %1723
-  %1768 = phi i64 [ %1766, %1761 ], [ 0, %1747 ], [ %1724, %1723 ]
-  %1769 = icmp eq i64 %1768, 0
-  br i1 %1769, label %1772, label %1770
+1791:                                             ; preds = %1783, %1762
+  %1792 = phi i64 [ %1790, %1783 ], [ %1754, %1762 ]
+  %1793 = add i64 %1755, 1
+  %1794 = icmp eq i64 %1793, %1747
+  br i1 %1794, label %1795, label %1753, !llvm.loop !47
 
-1770:                                             ; preds = %1767
-  store double %379, ptr %1641, align 8
-  %1771 = getelementptr inbounds i8, ptr %1641, i64 8
-  store double %415, ptr %1771, align 8
-  br label %1828
+1795:                                             ; preds = %1791, %1753, %1742
+  %1796 = phi i64 [ %1751, %1742 ], [ %1747, %1791 ], [ %1755, %1753 ]
+  %1797 = load ptr, ptr %81, align 8
+  %1798 = getelementptr inbounds i8, ptr %1797, i64 48
+  store i64 %1796, ptr %1798, align 8
+  br label %1799
 
-1772:                                             ; preds = %1767
-  br i1 %1656, label %1773, label %1811
+1799:                                             ; preds = %1783, %1795, %1738
+  %1800 = phi i64 [ %1741, %1738 ], [ 0, %1795 ], [ %1790, %1783 ]
+  %1801 = icmp eq i64 %1800, 0
+  %1802 = icmp ne i64 %1731, 0
+  %1803 = fcmp olt double %1730, 1.000000e+00
+  %1804 = and i1 %1803, %1801
+  %1805 = and i1 %1802, %1804
+  br i1 %1805, label %1806, label %1843
 
-1773:                                             ; preds = %1772
-  %1774 = load ptr, ptr %147, align 8
-  %1775 = load ptr, ptr %76, align 8
-  %1776 = getelementptr inbounds i8, ptr %1775, i64 8
-  %1777 = load i64, ptr %1776, align 8
-  %1778 = load i64, ptr %83, align 8
-  %1779 = load ptr, ptr %82, align 8
-  %1780 = load ptr, ptr %81, align 8
-  %1781 = getelementptr inbounds i8, ptr %1780, i64 48
-  %1782 = load i64, ptr %1781, align 8
-  %1783 = icmp slt i64 %1782, %1778
-  br i1 %1783, label %1784, label %1807
+1806:                                             ; preds = %1799
+  %1807 = load ptr, ptr %177, align 8
+  %1808 = load ptr, ptr %178, align 8
+  %1809 = insertelement <8 x double> poison, double %1730, i64 0
+  %1810 = shufflevector <8 x double> %1809, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1810, ptr %1808, align 8
+  %1811 = load ptr, ptr %77, align 8
+  %1812 = load ptr, ptr %179, align 8
+  %1813 = load i64, ptr %180, align 8
+  %1814 = load ptr, ptr %0, align 8
+  %1815 = getelementptr inbounds i8, ptr %1814, i64 24
+  %1816 = load i64, ptr %1815, align 8
+  %1817 = load ptr, ptr %178, align 8
+  %1818 = load ptr, ptr %76, align 8
+  %1819 = getelementptr inbounds i8, ptr %1818, i64 16
+  %1820 = load i64, ptr %1819, align 8
+  tail call fastcc void @nested(ptr noundef %1807, ptr noundef %1811, ptr noundef %1812, i64 noundef %1813, i64 noundef %1816, ptr noundef %1817, i64 noundef %1820) #10
+  %1821 = load i64, ptr %160, align 8
+  %1822 = icmp sgt i64 %1821, 0
+  br i1 %1822, label %1827, label %1823
 
-1784:                                             ; preds = %1773
-  %1785 = icmp sgt i64 %1777, 0
-  br label %1786
+1823:                                             ; preds = %1827, %1806
+  %1824 = load ptr, ptr %84, align 8
+  %1825 = load i64, ptr %1824, align 8
+  %1826 = icmp eq i64 %1825, 1
+  br i1 %1826, label %1837, label %1843
 
-1786:                                             ; preds = %1784, %1797
-  %1787 = phi i64 [ %1782, %1784 ], [ %1798, %1797 ]
-  %1788 = getelementptr inbounds double, ptr %1779, i64 %1787
-  %1789 = load double, ptr %1788, align 8
-  %1790 = load ptr, ptr %79, align 8
-  %1791 = load double, ptr %1790, align 8
-  %1792 = fcmp ugt double %1789, %1791
-  br i1 %1792, label %1807, label %1793
+1827:                                             ; preds = %1806, %1827
+  %1828 = phi i64 [ %1834, %1827 ], [ 0, %1806 ]
+  %1829 = load ptr, ptr %177, align 8
+  %1830 = getelementptr inbounds double, ptr %1829, i64 %1828
+  %1831 = load double, ptr %1830, align 8
+  %1832 = load ptr, ptr %153, align 8
+  %1833 = getelementptr inbounds double, ptr %1832, i64 %1828
+  store double %1831, ptr %1833, align 8
+  %1834 = add nuw nsw i64 %1828, 1
+  %1835 = load i64, ptr %160, align 8
+  %1836 = icmp slt i64 %1834, %1835
+  br i1 %1836, label %1827, label %1823, !llvm.loop !48
 
-1793:                                             ; preds = %1786
-  br i1 %1785, label %1794, label %1797
+1837:                                             ; preds = %1823
+  %1838 = load ptr, ptr %153, align 8
+  %1839 = getelementptr inbounds i8, ptr %1824, i64 56
+  %1840 = load i64, ptr %1839, align 8
+  %1841 = inttoptr i64 %1840 to ptr
+  %1842 = tail call i64 %1841(ptr noundef %0, double noundef %1739, ptr noundef %1838, ptr noundef null) #11
+  br label %1843
 
-1794:                                             ; preds = %1793
-  %1795 = mul nsw i64 %1787, %1777
-  %1796 = getelementptr double, ptr %1, i64 %1795
-  br label %1800
+1843:                                             ; preds = %1837, %1823, %1799
+  %1844 = phi i64 [ %1842, %1837 ], [ 0, %1823 ], [ %1800, %1799 ]
+  %1845 = icmp eq i64 %1844, 0
+  br i1 %1845, label %1848, label %1846
 
-1797:                                             ; preds = %1800, %1793
-  %1798 = add i64 %1787, 1
-  %1799 = icmp eq i64 %1798, %1778
-  br i1 %1799, label %1807, label %1786, !llvm.loop !9
+1846:                                             ; preds = %1843
+  store double %416, ptr %1717, align 8
+  %1847 = getelementptr inbounds i8, ptr %1717, i64 8
+  store double %491, ptr %1847, align 8
+  br label %1904
 
-1800:                                             ; preds = %1794, %1800
-  %1801 = phi i64 [ 0, %1794 ], [ %1805, %1800 ]
-  %1802 = getelementptr inbounds double, ptr %1774, i64 %1801
-  %1803 = load double, ptr %1802, align 8
-  %1804 = getelementptr double, ptr %1796, i64 %1801
-  store double %1803, ptr %1804, align 8
-  %1805 = add nuw nsw i64 %1801, 1
-  %1806 = icmp eq i64 %1805, %1777
-  br i1 %1806, label %1797, label %1800, !llvm.loop !10
+1848:                                             ; preds = %1843
+  br i1 %1732, label %1849, label %1887
 
-1807:                                             ; preds = %1797, %1786, %1773
-  %1808 = phi i64 [ %1782, %1773 ], [ %1778, %1797 ], [ %1787, %1786 ]
-  %1809 = load ptr, ptr %81, align 8
-  %1810 = getelementptr inbounds i8, ptr %1809, i64 48
-  store i64 %1808, ptr %1810, align 8
-  br label %1811
+1849:                                             ; preds = %1848
+  %1850 = load ptr, ptr %153, align 8
+  %1851 = load ptr, ptr %76, align 8
+  %1852 = getelementptr inbounds i8, ptr %1851, i64 8
+  %1853 = load i64, ptr %1852, align 8
+  %1854 = load i64, ptr %83, align 8
+  %1855 = load ptr, ptr %82, align 8
+  %1856 = load ptr, ptr %81, align 8
+  %1857 = getelementptr inbounds i8, ptr %1856, i64 48
+  %1858 = load i64, ptr %1857, align 8
+  %1859 = icmp slt i64 %1858, %1854
+  br i1 %1859, label %1860, label %1883
 
-1811:                                             ; preds = %1807, %1772
-  br i1 %1726, label %1812, label %1828
-
-1812:                                             ; preds = %1811
-  %1813 = load i64, ptr %154, align 8
-  %1814 = icmp sgt i64 %1813, 0
-  br i1 %1814, label %1818, label %1815
-
-1815:                                             ; preds = %1818, %1812
-  store double %1663, ptr %1641, align 8
-  %1816 = getelementptr inbounds i8, ptr %1641, i64 8
-  store double 0.000000e+00, ptr %1816, align 8
-  %1817 = load ptr, ptr %81, align 8
-  store i64 0, ptr %1817, align 8
-  br label %1828
-
-1818:                                             ; preds = %1812, %1818
-  %1819 = phi i64 [ %1825, %1818 ], [ 0, %1812 ]
-  %1820 = load ptr, ptr %147, align 8
-  %1821 = getelementptr inbounds double, ptr %1820, i64 %1819
-  %1822 = load double, ptr %1821, align 8
-  %1823 = load ptr, ptr %77, align 8
-  %1824 = getelementptr inbounds double, ptr %1823, i64 %1819
-  store double %1822, ptr %1824, align 8
-  %1825 = add nuw nsw i64 %1819, 1
-  %1826 = load i64, ptr %154, align 8
-  %1827 = icmp slt i64 %1825, %1826
-  br i1 %1827, label %1818, label %1815, !llvm.loop !48
-
-1828:                                             ; preds = %1649, %1770, %1811, %1815
-  %1829 = phi i64 [ -6, %1649 ], [ %1768, %1770 ], [ %1655, %1815 ], [ %1655, %1811 ]
-  %1830 = icmp eq i64 %1829, -6
-  br i1 %1830, label %1834, label %1831
-
-1831:                                             ; preds = %1828
-  %1832 = icmp ne i64 %1829, 6
-  %1833 = select i1 %1832, i1 true, i1 %210
-  br i1 %1833, label %1846, label %1834
-
-1834:                                             ; preds = %1831, %1828
-  %1835 = phi i64 [ %1829, %1831 ], [ 2, %1828 ]
-  %1836 = load i64, ptr %336, align 8
-  %1837 = add nsw i64 %1836, -1
-  store i64 %1837, ptr %336, align 8
-  %1838 = load ptr, ptr %93, align 8
-  %1839 = load i64, ptr %1838, align 8
-  %1840 = add nsw i64 %1839, -1
-  store i64 %1840, ptr %1838, align 8
-  store i64 1, ptr %350, align 8
-  %1841 = load i64, ptr %364, align 8
-  %1842 = sub nsw i64 1, %1841
-  store i64 %1842, ptr %340, align 8
-  store double 0.000000e+00, ptr %345, align 8
-  %1843 = load i64, ptr %337, align 8
-  %1844 = add nsw i64 %1843, 1
-  store i64 %1844, ptr %337, align 8
-  store i64 %1835, ptr %365, align 8
-  %1845 = fmul double %415, 2.500000e-01
-  br label %1905, !llvm.loop !17
-
-1846:                                             ; preds = %1831
-  %1847 = icmp eq i64 %1829, 0
-  br i1 %1847, label %1852, label %1848
-
-1848:                                             ; preds = %1846
-  %1849 = load ptr, ptr %93, align 8
-  %1850 = load i64, ptr %1849, align 8
-  %1851 = add nsw i64 %1850, 1
-  store i64 %1851, ptr %1849, align 8
-  br label %1905
-
-1852:                                             ; preds = %1846, %1635
-  br i1 %359, label %1872, label %1853
-
-1853:                                             ; preds = %1872, %1852
-  %1854 = load i64, ptr %360, align 8
-  %1855 = add nsw i64 %1854, 1
-  store i64 %1855, ptr %360, align 8
-  %1856 = load ptr, ptr %77, align 8
-  %1857 = load ptr, ptr %175, align 8
-  %1858 = load ptr, ptr %176, align 8
-  store double %414, ptr %1858, align 8
-  %1859 = load i64, ptr %177, align 8
-  %1860 = icmp sgt i64 %1859, 0
-  br i1 %1860, label %1861, label %1862
-
-1861:                                             ; preds = %1853
-  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+1860:                                             ; preds = %1849
+  %1861 = icmp sgt i64 %1853, 0
   br label %1862
 
-1862:                                             ; preds = %1853, %1861
-  %1863 = load ptr, ptr %76, align 8
-  %1864 = load i64, ptr %1863, align 8
-  %1865 = load ptr, ptr %176, align 8
-  %1866 = load ptr, ptr %178, align 8
-  %1867 = load ptr, ptr %179, align 8
-  %1868 = inttoptr i64 %1864 to ptr
-  %1869 = load ptr, ptr %1868, align 8
-  %1870 = tail call i32 %1869(ptr noundef %1865, ptr noundef %1856, ptr noundef %1866, ptr noundef %1867, ptr noundef %1857) #11
-  %1871 = icmp eq i32 %1870, 0
-  br i1 %1871, label %1884, label %1881
+1862:                                             ; preds = %1860, %1873
+  %1863 = phi i64 [ %1858, %1860 ], [ %1874, %1873 ]
+  %1864 = getelementptr inbounds double, ptr %1855, i64 %1863
+  %1865 = load double, ptr %1864, align 8
+  %1866 = load ptr, ptr %79, align 8
+  %1867 = load double, ptr %1866, align 8
+  %1868 = fcmp ugt double %1865, %1867
+  br i1 %1868, label %1883, label %1869
 
-1872:                                             ; preds = %1852, %1872
-  %1873 = phi i64 [ %1879, %1872 ], [ 0, %1852 ]
-  %1874 = load ptr, ptr %147, align 8
-  %1875 = getelementptr inbounds double, ptr %1874, i64 %1873
-  %1876 = load double, ptr %1875, align 8
-  %1877 = load ptr, ptr %77, align 8
-  %1878 = getelementptr inbounds double, ptr %1877, i64 %1873
-  store double %1876, ptr %1878, align 8
-  %1879 = add nuw nsw i64 %1873, 1
-  %1880 = icmp eq i64 %1879, %198
-  br i1 %1880, label %1853, label %1872, !llvm.loop !49
+1869:                                             ; preds = %1862
+  br i1 %1861, label %1870, label %1873
 
-1881:                                             ; preds = %1862
-  store i64 3, ptr %361, align 8
-  store double %415, ptr %225, align 8
-  %1882 = icmp slt i32 %1870, 0
-  %1883 = select i1 %1882, i64 -4, i64 2
-  br label %1905
+1870:                                             ; preds = %1869
+  %1871 = mul nsw i64 %1863, %1853
+  %1872 = getelementptr double, ptr %1, i64 %1871
+  br label %1876
 
-1884:                                             ; preds = %1862
-  %1885 = icmp sgt i64 %1156, 2
-  %1886 = fcmp ogt double %1154, 1.000000e-03
-  %1887 = select i1 %1885, i1 %1886, i1 false
-  %1888 = zext i1 %1887 to i64
-  store i64 %1888, ptr %340, align 8
-  store i64 0, ptr %362, align 8
-  store i64 0, ptr %350, align 8
-  %1889 = fcmp ule double %1395, 1.000000e+00
-  %1890 = fcmp uge double %1395, 1.200000e+00
-  %1891 = or i1 %1889, %1890
-  %1892 = select i1 %1891, i1 true, i1 %1887
-  br i1 %1892, label %1895, label %1893
+1873:                                             ; preds = %1876, %1869
+  %1874 = add i64 %1863, 1
+  %1875 = icmp eq i64 %1874, %1854
+  br i1 %1875, label %1883, label %1862, !llvm.loop !10
 
-1893:                                             ; preds = %1884
-  %1894 = load double, ptr %189, align 8
-  br label %1899
+1876:                                             ; preds = %1870, %1876
+  %1877 = phi i64 [ 0, %1870 ], [ %1881, %1876 ]
+  %1878 = getelementptr inbounds double, ptr %1850, i64 %1877
+  %1879 = load double, ptr %1878, align 8
+  %1880 = getelementptr double, ptr %1872, i64 %1877
+  store double %1879, ptr %1880, align 8
+  %1881 = add nuw nsw i64 %1877, 1
+  %1882 = icmp eq i64 %1881, %1853
+  br i1 %1882, label %1873, label %1876, !llvm.loop !11
 
-1895:                                             ; preds = %1884
-  %1896 = fcmp ogt double %1395, 2.000000e-01
-  %1897 = select i1 %1896, double %1395, double 2.000000e-01
-  %1898 = fmul double %415, %1897
-  br label %1899
+1883:                                             ; preds = %1873, %1862, %1849
+  %1884 = phi i64 [ %1858, %1849 ], [ %1854, %1873 ], [ %1863, %1862 ]
+  %1885 = load ptr, ptr %81, align 8
+  %1886 = getelementptr inbounds i8, ptr %1885, i64 48
+  store i64 %1884, ptr %1886, align 8
+  br label %1887
 
-1899:                                             ; preds = %1895, %1893
-  %1900 = phi double [ %1894, %1893 ], [ %1898, %1895 ]
-  %1901 = load i64, ptr %363, align 8
-  %1902 = load i64, ptr %83, align 8
-  %1903 = icmp eq i64 %1901, %1902
-  br i1 %1903, label %1904, label %1905
+1887:                                             ; preds = %1883, %1848
+  br i1 %1802, label %1888, label %1904
 
-1904:                                             ; preds = %1899
-  store double %1900, ptr %225, align 8
-  br label %1905
+1888:                                             ; preds = %1887
+  %1889 = load i64, ptr %160, align 8
+  %1890 = icmp sgt i64 %1889, 0
+  br i1 %1890, label %1894, label %1891
 
-1905:                                             ; preds = %1153, %1196, %1208, %1904, %1899, %1881, %1848, %1834, %1363, %1348, %1310, %611, %542, %421
-  %1906 = phi double [ %384, %421 ], [ %384, %542 ], [ %384, %611 ], [ %1154, %1310 ], [ %1154, %1348 ], [ %1154, %1363 ], [ %1154, %1834 ], [ %1154, %1848 ], [ %1154, %1881 ], [ %1154, %1899 ], [ %1154, %1904 ], [ %1154, %1208 ], [ %1154, %1196 ], [ %1154, %1153 ]
-  %1907 = phi i32 [ %383, %421 ], [ %383, %542 ], [ %383, %611 ], [ %1155, %1310 ], [ %1155, %1348 ], [ %1155, %1363 ], [ %1155, %1834 ], [ %1155, %1848 ], [ %1155, %1881 ], [ %1155, %1899 ], [ %1155, %1904 ], [ %1155, %1208 ], [ %1155, %1196 ], [ %1155, %1153 ]
-  %1908 = phi i64 [ %382, %421 ], [ %382, %542 ], [ %382, %611 ], [ %1156, %1310 ], [ %1156, %1348 ], [ %1156, %1363 ], [ %1156, %1834 ], [ %1156, %1848 ], [ %1156, %1881 ], [ %1156, %1899 ], [ %1156, %1904 ], [ %1156, %1208 ], [ %1156, %1196 ], [ %1156, %1153 ]
-  %1909 = phi i64 [ %381, %421 ], [ %381, %542 ], [ %381, %611 ], [ %1157, %1310 ], [ %1157, %1348 ], [ %1157, %1363 ], [ %1157, %1834 ], [ %1157, %1848 ], [ %1157, %1881 ], [ %1157, %1899 ], [ %1157, %1904 ], [ %1157, %1208 ], [ %1157, %1196 ], [ %1157, %1153 ]
-  %1910 = phi double [ %380, %421 ], [ %380, %542 ], [ %614, %611 ], [ %380, %1310 ], [ %1350, %1348 ], [ %1366, %1363 ], [ %1845, %1834 ], [ %380, %1848 ], [ %380, %1881 ], [ %1900, %1899 ], [ %1900, %1904 ], [ %1209, %1208 ], [ %380, %1196 ], [ %380, %1153 ]
-  %1911 = phi double [ %379, %421 ], [ %379, %542 ], [ %379, %611 ], [ %379, %1310 ], [ %379, %1348 ], [ %379, %1363 ], [ %379, %1834 ], [ %379, %1848 ], [ %414, %1881 ], [ %414, %1899 ], [ %414, %1904 ], [ %379, %1208 ], [ %379, %1196 ], [ %379, %1153 ]
-  %1912 = phi i32 [ 1, %421 ], [ 1, %542 ], [ 6, %611 ], [ 1, %1310 ], [ 6, %1348 ], [ 6, %1363 ], [ 6, %1834 ], [ 1, %1848 ], [ 1, %1881 ], [ 0, %1899 ], [ 1, %1904 ], [ 6, %1208 ], [ 6, %1196 ], [ 1, %1153 ]
-  %1913 = phi i64 [ 2, %421 ], [ -4, %542 ], [ %378, %611 ], [ -4, %1310 ], [ %378, %1348 ], [ %378, %1363 ], [ %378, %1834 ], [ %1829, %1848 ], [ %1883, %1881 ], [ %378, %1899 ], [ 0, %1904 ], [ %378, %1208 ], [ %378, %1196 ], [ -4, %1153 ]
-  switch i32 %1912, label %1917 [
-    i32 0, label %1914
-    i32 6, label %1914
+1891:                                             ; preds = %1894, %1888
+  store double %1739, ptr %1717, align 8
+  %1892 = getelementptr inbounds i8, ptr %1717, i64 8
+  store double 0.000000e+00, ptr %1892, align 8
+  %1893 = load ptr, ptr %81, align 8
+  store i64 0, ptr %1893, align 8
+  br label %1904
+
+1894:                                             ; preds = %1888, %1894
+  %1895 = phi i64 [ %1901, %1894 ], [ 0, %1888 ]
+  %1896 = load ptr, ptr %153, align 8
+  %1897 = getelementptr inbounds double, ptr %1896, i64 %1895
+  %1898 = load double, ptr %1897, align 8
+  %1899 = load ptr, ptr %77, align 8
+  %1900 = getelementptr inbounds double, ptr %1899, i64 %1895
+  store double %1898, ptr %1900, align 8
+  %1901 = add nuw nsw i64 %1895, 1
+  %1902 = load i64, ptr %160, align 8
+  %1903 = icmp slt i64 %1901, %1902
+  br i1 %1903, label %1894, label %1891, !llvm.loop !49
+
+1904:                                             ; preds = %1725, %1846, %1887, %1891
+  %1905 = phi i64 [ -6, %1725 ], [ %1844, %1846 ], [ %1731, %1891 ], [ %1731, %1887 ]
+  %1906 = icmp eq i64 %1905, -6
+  br i1 %1906, label %1910, label %1907
+
+1907:                                             ; preds = %1904
+  %1908 = icmp ne i64 %1905, 6
+  %1909 = select i1 %1908, i1 true, i1 %217
+  br i1 %1909, label %1922, label %1910
+
+1910:                                             ; preds = %1907, %1904
+  %1911 = phi i64 [ %1905, %1907 ], [ 2, %1904 ]
+  %1912 = load i64, ptr %373, align 8
+  %1913 = add nsw i64 %1912, -1
+  store i64 %1913, ptr %373, align 8
+  %1914 = load ptr, ptr %96, align 8
+  %1915 = load i64, ptr %1914, align 8
+  %1916 = add nsw i64 %1915, -1
+  store i64 %1916, ptr %1914, align 8
+  store i64 1, ptr %387, align 8
+  %1917 = load i64, ptr %401, align 8
+  %1918 = sub nsw i64 1, %1917
+  store i64 %1918, ptr %377, align 8
+  store double 0.000000e+00, ptr %382, align 8
+  %1919 = load i64, ptr %374, align 8
+  %1920 = add nsw i64 %1919, 1
+  store i64 %1920, ptr %374, align 8
+  store i64 %1911, ptr %402, align 8
+  %1921 = fmul double %491, 2.500000e-01
+  br label %1990, !llvm.loop !18
+
+1922:                                             ; preds = %1907
+  %1923 = icmp eq i64 %1905, 0
+  br i1 %1923, label %1928, label %1924
+
+1924:                                             ; preds = %1922
+  %1925 = load ptr, ptr %96, align 8
+  %1926 = load i64, ptr %1925, align 8
+  %1927 = add nsw i64 %1926, 1
+  store i64 %1927, ptr %1925, align 8
+  br label %1990
+
+1928:                                             ; preds = %1922, %1711
+  br i1 %396, label %1953, label %1929
+
+1929:                                             ; preds = %1953, %1928
+  %1930 = load i64, ptr %98, align 8
+  %1931 = icmp sgt i64 %1930, 0
+  br i1 %1931, label %1932, label %1934
+
+1932:                                             ; preds = %1929
+  %1933 = load ptr, ptr %181, align 8
+  store double 0x7FF0000000000000, ptr %1933, align 8
+  br label %1934
+
+1934:                                             ; preds = %1929, %1932
+  %1935 = load i64, ptr %397, align 8
+  %1936 = add nsw i64 %1935, 1
+  store i64 %1936, ptr %397, align 8
+  %1937 = load ptr, ptr %77, align 8
+  %1938 = load ptr, ptr %182, align 8
+  %1939 = load ptr, ptr %183, align 8
+  store double %490, ptr %1939, align 8
+  %1940 = load i64, ptr %184, align 8
+  %1941 = icmp sgt i64 %1940, 0
+  br i1 %1941, label %1942, label %1943
+
+1942:                                             ; preds = %1934
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1943
+
+1943:                                             ; preds = %1934, %1942
+  %1944 = load ptr, ptr %76, align 8
+  %1945 = load i64, ptr %1944, align 8
+  %1946 = load ptr, ptr %183, align 8
+  %1947 = load ptr, ptr %185, align 8
+  %1948 = load ptr, ptr %186, align 8
+  %1949 = inttoptr i64 %1945 to ptr
+  %1950 = load ptr, ptr %1949, align 8
+  %1951 = tail call i32 %1950(ptr noundef %1946, ptr noundef %1937, ptr noundef %1947, ptr noundef %1948, ptr noundef %1938) #11
+  %1952 = icmp eq i32 %1951, 0
+  br i1 %1952, label %1965, label %1962
+
+1953:                                             ; preds = %1928, %1953
+  %1954 = phi i64 [ %1960, %1953 ], [ 0, %1928 ]
+  %1955 = load ptr, ptr %153, align 8
+  %1956 = getelementptr inbounds double, ptr %1955, i64 %1954
+  %1957 = load double, ptr %1956, align 8
+  %1958 = load ptr, ptr %77, align 8
+  %1959 = getelementptr inbounds double, ptr %1958, i64 %1954
+  store double %1957, ptr %1959, align 8
+  %1960 = add nuw nsw i64 %1954, 1
+  %1961 = icmp eq i64 %1960, %205
+  br i1 %1961, label %1929, label %1953, !llvm.loop !50
+
+1962:                                             ; preds = %1943
+  store i64 3, ptr %398, align 8
+  store double %491, ptr %232, align 8
+  %1963 = icmp slt i32 %1951, 0
+  %1964 = select i1 %1963, i64 -4, i64 2
+  br label %1990
+
+1965:                                             ; preds = %1943
+  %1966 = icmp sgt i64 %1232, 2
+  %1967 = fcmp ogt double %1230, 1.000000e-03
+  %1968 = select i1 %1966, i1 %1967, i1 false
+  %1969 = zext i1 %1968 to i64
+  store i64 %1969, ptr %377, align 8
+  store i64 0, ptr %399, align 8
+  store i64 0, ptr %387, align 8
+  %1970 = fcmp ule double %1471, 1.000000e+00
+  %1971 = fcmp uge double %1471, 1.200000e+00
+  %1972 = or i1 %1970, %1971
+  %1973 = select i1 %1972, i1 true, i1 %1968
+  br i1 %1973, label %1976, label %1974
+
+1974:                                             ; preds = %1965
+  %1975 = load double, ptr %196, align 8
+  br label %1980
+
+1976:                                             ; preds = %1965
+  %1977 = fcmp ogt double %1471, 2.000000e-01
+  %1978 = select i1 %1977, double %1471, double 2.000000e-01
+  %1979 = fmul double %491, %1978
+  br label %1980
+
+1980:                                             ; preds = %1976, %1974
+  %1981 = phi double [ %1975, %1974 ], [ %1979, %1976 ]
+  %1982 = fcmp oeq double %490, %480
+  %1983 = fcmp ogt double %417, %1981
+  %1984 = select i1 %1982, i1 %1983, i1 false
+  %1985 = select i1 %1984, double %417, double %1981
+  %1986 = load i64, ptr %400, align 8
+  %1987 = load i64, ptr %83, align 8
+  %1988 = icmp eq i64 %1986, %1987
+  br i1 %1988, label %1989, label %1990
+
+1989:                                             ; preds = %1980
+  store double %1985, ptr %232, align 8
+  br label %1990
+
+1990:                                             ; preds = %1229, %1272, %1284, %1989, %1980, %1962, %1924, %1910, %1439, %1424, %1386, %687, %618, %497
+  %1991 = phi double [ %421, %497 ], [ %421, %618 ], [ %421, %687 ], [ %1230, %1386 ], [ %1230, %1424 ], [ %1230, %1439 ], [ %1230, %1910 ], [ %1230, %1924 ], [ %1230, %1962 ], [ %1230, %1980 ], [ %1230, %1989 ], [ %1230, %1284 ], [ %1230, %1272 ], [ %1230, %1229 ]
+  %1992 = phi i32 [ %420, %497 ], [ %420, %618 ], [ %420, %687 ], [ %1231, %1386 ], [ %1231, %1424 ], [ %1231, %1439 ], [ %1231, %1910 ], [ %1231, %1924 ], [ %1231, %1962 ], [ %1231, %1980 ], [ %1231, %1989 ], [ %1231, %1284 ], [ %1231, %1272 ], [ %1231, %1229 ]
+  %1993 = phi i64 [ %419, %497 ], [ %419, %618 ], [ %419, %687 ], [ %1232, %1386 ], [ %1232, %1424 ], [ %1232, %1439 ], [ %1232, %1910 ], [ %1232, %1924 ], [ %1232, %1962 ], [ %1232, %1980 ], [ %1232, %1989 ], [ %1232, %1284 ], [ %1232, %1272 ], [ %1232, %1229 ]
+  %1994 = phi i64 [ %418, %497 ], [ %418, %618 ], [ %418, %687 ], [ %1233, %1386 ], [ %1233, %1424 ], [ %1233, %1439 ], [ %1233, %1910 ], [ %1233, %1924 ], [ %1233, %1962 ], [ %1233, %1980 ], [ %1233, %1989 ], [ %1233, %1284 ], [ %1233, %1272 ], [ %1233, %1229 ]
+  %1995 = phi double [ %417, %497 ], [ %417, %618 ], [ %690, %687 ], [ %417, %1386 ], [ %1426, %1424 ], [ %1442, %1439 ], [ %1921, %1910 ], [ %417, %1924 ], [ %417, %1962 ], [ %1985, %1980 ], [ %1985, %1989 ], [ %1285, %1284 ], [ %417, %1272 ], [ %417, %1229 ]
+  %1996 = phi double [ %416, %497 ], [ %416, %618 ], [ %416, %687 ], [ %416, %1386 ], [ %416, %1424 ], [ %416, %1439 ], [ %416, %1910 ], [ %416, %1924 ], [ %490, %1962 ], [ %490, %1980 ], [ %490, %1989 ], [ %416, %1284 ], [ %416, %1272 ], [ %416, %1229 ]
+  %1997 = phi i32 [ 1, %497 ], [ 1, %618 ], [ 6, %687 ], [ 1, %1386 ], [ 6, %1424 ], [ 6, %1439 ], [ 6, %1910 ], [ 1, %1924 ], [ 1, %1962 ], [ 0, %1980 ], [ 1, %1989 ], [ 6, %1284 ], [ 6, %1272 ], [ 1, %1229 ]
+  %1998 = phi i64 [ 2, %497 ], [ -4, %618 ], [ %415, %687 ], [ -4, %1386 ], [ %415, %1424 ], [ %415, %1439 ], [ %415, %1910 ], [ %1905, %1924 ], [ %1964, %1962 ], [ %415, %1980 ], [ 0, %1989 ], [ %415, %1284 ], [ %415, %1272 ], [ -4, %1229 ]
+  switch i32 %1997, label %2002 [
+    i32 0, label %1999
+    i32 6, label %1999
   ]
 
-1914:                                             ; preds = %1905, %1905
-  %1915 = load i64, ptr %192, align 8
-  %1916 = icmp eq i64 %1915, 0
-  br i1 %1916, label %370, label %376, !llvm.loop !17
+1999:                                             ; preds = %1990, %1990
+  %2000 = load i64, ptr %199, align 8
+  %2001 = icmp eq i64 %2000, 0
+  br i1 %2001, label %407, label %413, !llvm.loop !18
 
-1917:                                             ; preds = %1905, %183, %258, %300, %370, %397, %405
-  %1918 = phi double [ %184, %183 ], [ %371, %370 ], [ %384, %405 ], [ %384, %397 ], [ %184, %300 ], [ %184, %258 ], [ %1906, %1905 ]
-  %1919 = phi i32 [ %185, %183 ], [ %372, %370 ], [ %383, %405 ], [ %383, %397 ], [ %185, %300 ], [ %185, %258 ], [ %1907, %1905 ]
-  %1920 = phi i64 [ %186, %183 ], [ %373, %370 ], [ %382, %405 ], [ %382, %397 ], [ %186, %300 ], [ %186, %258 ], [ %1908, %1905 ]
-  %1921 = phi i64 [ %187, %183 ], [ %374, %370 ], [ %381, %405 ], [ %381, %397 ], [ %187, %300 ], [ %187, %258 ], [ %1909, %1905 ]
-  %1922 = phi i64 [ -1, %183 ], [ -1, %370 ], [ 1, %405 ], [ -5, %397 ], [ 0, %300 ], [ %261, %258 ], [ %1913, %1905 ]
-  %1923 = load ptr, ptr %182, align 8
-  %1924 = getelementptr inbounds i8, ptr %1923, i64 48
-  %1925 = load i64, ptr %1924, align 8
-  %1926 = icmp ne i64 %1922, -2
-  %1927 = icmp eq i64 %1925, 0
-  %1928 = select i1 %1926, i1 true, i1 %1927
-  br i1 %1928, label %1936, label %1929
+2002:                                             ; preds = %1990, %190, %295, %337, %407, %434, %442
+  %2003 = phi double [ %191, %190 ], [ %408, %407 ], [ %421, %442 ], [ %421, %434 ], [ %191, %337 ], [ %191, %295 ], [ %1991, %1990 ]
+  %2004 = phi i32 [ %192, %190 ], [ %409, %407 ], [ %420, %442 ], [ %420, %434 ], [ %192, %337 ], [ %192, %295 ], [ %1992, %1990 ]
+  %2005 = phi i64 [ %193, %190 ], [ %410, %407 ], [ %419, %442 ], [ %419, %434 ], [ %193, %337 ], [ %193, %295 ], [ %1993, %1990 ]
+  %2006 = phi i64 [ %194, %190 ], [ %411, %407 ], [ %418, %442 ], [ %418, %434 ], [ %194, %337 ], [ %194, %295 ], [ %1994, %1990 ]
+  %2007 = phi i64 [ -1, %190 ], [ -1, %407 ], [ 1, %442 ], [ -5, %434 ], [ 0, %337 ], [ %298, %295 ], [ %1998, %1990 ]
+  %2008 = load ptr, ptr %189, align 8
+  %2009 = getelementptr inbounds i8, ptr %2008, i64 48
+  %2010 = load i64, ptr %2009, align 8
+  %2011 = icmp ne i64 %2007, -2
+  %2012 = icmp eq i64 %2010, 0
+  %2013 = select i1 %2011, i1 true, i1 %2012
+  br i1 %2013, label %2021, label %2014
 
-1929:                                             ; preds = %1917
-  %1930 = inttoptr i64 %1925 to ptr
-  %1931 = tail call i64 %1930(ptr noundef %0) #11
-  %1932 = icmp eq i64 %1931, 8
-  %1933 = select i1 %1932, i64 8, i64 %1922
-  %1934 = icmp eq i64 %1931, 1
-  %1935 = zext i1 %1934 to i32
-  br label %1936
+2014:                                             ; preds = %2002
+  %2015 = inttoptr i64 %2010 to ptr
+  %2016 = tail call i64 %2015(ptr noundef %0) #11
+  %2017 = icmp eq i64 %2016, 8
+  %2018 = select i1 %2017, i64 8, i64 %2007
+  %2019 = icmp eq i64 %2016, 1
+  %2020 = zext i1 %2019 to i32
+  br label %2021
 
-1936:                                             ; preds = %1917, %1929
-  %1937 = phi i64 [ %1922, %1917 ], [ %1933, %1929 ]
-  %1938 = phi i32 [ 0, %1917 ], [ %1935, %1929 ]
-  %1939 = icmp eq i32 %1938, 0
-  br i1 %1939, label %1940, label %183, !llvm.loop !50
+2021:                                             ; preds = %2002, %2014
+  %2022 = phi i64 [ %2007, %2002 ], [ %2018, %2014 ]
+  %2023 = phi i32 [ 0, %2002 ], [ %2020, %2014 ]
+  %2024 = icmp eq i32 %2023, 0
+  br i1 %2024, label %2025, label %190, !llvm.loop !51
 
-1940:                                             ; preds = %1936
-  ret i64 %1937
+2025:                                             ; preds = %2021
+  %2026 = getelementptr inbounds i8, ptr %0, i64 320
+  %2027 = load i64, ptr %2026, align 8
+  %2028 = icmp sgt i64 %2027, 0
+  br i1 %2028, label %2029, label %2032
+
+2029:                                             ; preds = %2025
+  %2030 = getelementptr inbounds i8, ptr %0, i64 336
+  %2031 = load ptr, ptr %2030, align 8
+  store double 0x7FF0000000000000, ptr %2031, align 8
+  br label %2032
+
+2032:                                             ; preds = %2025, %2029
+  ret i64 %2022
 }
 
 
@@ -2635,104 +2765,109 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !51
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !52
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !52
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !53
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
@@ -2779,7 +2914,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !53
+  br i1 %41, label %13, label %18, !llvm.loop !54
 }
 
 define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
@@ -2789,7 +2924,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %73, %50
   %6 = icmp sge i64 %16, %1
   %7 = icmp eq i64 %16, %1
-  br i1 %7, label %76, label %8, !llvm.loop !54
+  br i1 %7, label %76, label %8, !llvm.loop !55
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2825,7 +2960,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %34 = select i1 %32, i64 %26, i64 %25
   %35 = add nuw nsw i64 %26, 1
   %36 = icmp slt i64 %35, %1
-  br i1 %36, label %24, label %19, !llvm.loop !55
+  br i1 %36, label %24, label %19, !llvm.loop !56
 
 37:                                               ; preds = %19
   %38 = icmp eq i64 %21, %10
@@ -2846,7 +2981,7 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %45, ptr %46, align 8
   %48 = add nuw nsw i64 %43, 1
   %49 = icmp eq i64 %48, %1
-  br i1 %49, label %50, label %42, !llvm.loop !56
+  br i1 %49, label %50, label %42, !llvm.loop !57
 
 50:                                               ; preds = %42, %37
   %51 = load double, ptr %13, align 8
@@ -2879,12 +3014,12 @@ define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %70, ptr %68, align 8
   %71 = add nuw nsw i64 %64, 1
   %72 = icmp slt i64 %71, %1
-  br i1 %72, label %63, label %73, !llvm.loop !57
+  br i1 %72, label %63, label %73, !llvm.loop !58
 
 73:                                               ; preds = %63, %54
   %74 = add nuw nsw i64 %55, 1
   %75 = icmp slt i64 %74, %1
-  br i1 %75, label %54, label %5, !llvm.loop !58
+  br i1 %75, label %54, label %5, !llvm.loop !59
 
 76:                                               ; preds = %5, %19, %3
   %77 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %19 ]
@@ -2899,7 +3034,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
 5:                                                ; preds = %124, %82
   %6 = icmp sge i64 %18, %1
   %7 = icmp eq i64 %18, %1
-  br i1 %7, label %127, label %8, !llvm.loop !59
+  br i1 %7, label %127, label %8, !llvm.loop !60
 
 8:                                                ; preds = %3, %5
   %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
@@ -2939,7 +3074,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   %38 = select i1 %36, i64 %29, i64 %27
   %39 = add nuw nsw i64 %29, 1
   %40 = icmp slt i64 %39, %1
-  br i1 %40, label %26, label %21, !llvm.loop !60
+  br i1 %40, label %26, label %21, !llvm.loop !61
 
 41:                                               ; preds = %21
   %42 = icmp eq i64 %23, %10
@@ -2966,7 +3101,7 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %51, ptr %54, align 8
   %56 = add nuw nsw i64 %47, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %58, label %46, !llvm.loop !61
+  br i1 %57, label %58, label %46, !llvm.loop !62
 
 58:                                               ; preds = %46, %41
   %59 = load double, ptr %13, align 8
@@ -3050,12 +3185,12 @@ define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr n
   store double %121, ptr %118, align 8
   %122 = add nuw nsw i64 %105, 1
   %123 = icmp slt i64 %122, %1
-  br i1 %123, label %104, label %124, !llvm.loop !62
+  br i1 %123, label %104, label %124, !llvm.loop !63
 
 124:                                              ; preds = %104, %86
   %125 = add nuw nsw i64 %87, 1
   %126 = icmp slt i64 %125, %1
-  br i1 %126, label %86, label %5, !llvm.loop !63
+  br i1 %126, label %86, label %5, !llvm.loop !64
 
 127:                                              ; preds = %5, %21, %3
   %128 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %21 ]
@@ -3087,7 +3222,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %11, ptr %17, align 8
   %18 = add nuw nsw i64 %9, 1
   %19 = icmp eq i64 %18, %1
-  br i1 %19, label %6, label %8, !llvm.loop !64
+  br i1 %19, label %6, label %8, !llvm.loop !65
 
 20:                                               ; preds = %32, %6
   %21 = icmp sgt i64 %1, 0
@@ -3114,7 +3249,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %33, ptr %26, align 8
   %34 = add nuw nsw i64 %25, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %20, label %24, !llvm.loop !65
+  br i1 %35, label %20, label %24, !llvm.loop !66
 
 36:                                               ; preds = %29, %36
   %37 = phi i64 [ 0, %29 ], [ %45, %36 ]
@@ -3127,7 +3262,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %44 = fsub double %38, %43
   %45 = add nuw nsw i64 %37, 1
   %46 = icmp eq i64 %45, %25
-  br i1 %46, label %32, label %36, !llvm.loop !66
+  br i1 %46, label %32, label %36, !llvm.loop !67
 
 47:                                               ; preds = %57, %20
   ret void
@@ -3153,7 +3288,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %62 = fdiv double %58, %61
   store double %62, ptr %51, align 8
   %63 = icmp sgt i64 %49, 1
-  br i1 %63, label %48, label %47, !llvm.loop !67
+  br i1 %63, label %48, label %47, !llvm.loop !68
 
 64:                                               ; preds = %54, %64
   %65 = phi i64 [ %49, %54 ], [ %73, %64 ]
@@ -3166,7 +3301,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %72 = fsub double %66, %71
   %73 = add nuw nsw i64 %65, 1
   %74 = icmp eq i64 %73, %1
-  br i1 %74, label %57, label %64, !llvm.loop !68
+  br i1 %74, label %57, label %64, !llvm.loop !69
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
@@ -3198,7 +3333,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %13, ptr %22, align 8
   %23 = add nuw nsw i64 %9, 1
   %24 = icmp eq i64 %23, %1
-  br i1 %24, label %6, label %8, !llvm.loop !69
+  br i1 %24, label %6, label %8, !llvm.loop !70
 
 25:                                               ; preds = %39, %6
   %26 = icmp sgt i64 %1, 0
@@ -3229,7 +3364,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %41, ptr %33, align 8
   %42 = add nuw nsw i64 %30, 1
   %43 = icmp eq i64 %42, %1
-  br i1 %43, label %25, label %29, !llvm.loop !70
+  br i1 %43, label %25, label %29, !llvm.loop !71
 
 44:                                               ; preds = %36, %44
   %45 = phi double [ %34, %36 ], [ %63, %44 ]
@@ -3253,7 +3388,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %63 = fsub double %45, %61
   %64 = add nuw nsw i64 %46, 1
   %65 = icmp eq i64 %64, %30
-  br i1 %65, label %39, label %44, !llvm.loop !71
+  br i1 %65, label %39, label %44, !llvm.loop !72
 
 66:                                               ; preds = %109, %25
   ret void
@@ -3316,7 +3451,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %110, ptr %70, align 8
   store double %111, ptr %72, align 8
   %112 = icmp sgt i64 %68, 1
-  br i1 %112, label %67, label %66, !llvm.loop !72
+  br i1 %112, label %67, label %66, !llvm.loop !73
 
 113:                                              ; preds = %75, %113
   %114 = phi i64 [ %68, %75 ], [ %133, %113 ]
@@ -3340,7 +3475,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = fsub double %116, %130
   %133 = add nuw nsw i64 %114, 1
   %134 = icmp eq i64 %133, %1
-  br i1 %134, label %78, label %113, !llvm.loop !73
+  br i1 %134, label %78, label %113, !llvm.loop !74
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3390,12 +3525,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %26, ptr %35, align 8
   %36 = add nuw nsw i64 %24, 1
   %37 = icmp eq i64 %36, %4
-  br i1 %37, label %38, label %23, !llvm.loop !74
+  br i1 %37, label %38, label %23, !llvm.loop !75
 
 38:                                               ; preds = %23, %14
   %39 = add nuw nsw i64 %15, 1
   %40 = icmp eq i64 %39, %1
-  br i1 %40, label %10, label %14, !llvm.loop !75
+  br i1 %40, label %10, label %14, !llvm.loop !76
 
 41:                                               ; preds = %12, %55
   %42 = phi i64 [ 0, %12 ], [ %56, %55 ]
@@ -3422,7 +3557,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 55:                                               ; preds = %74, %41
   %56 = add nuw nsw i64 %42, 1
   %57 = icmp eq i64 %56, %1
-  br i1 %57, label %49, label %41, !llvm.loop !76
+  br i1 %57, label %49, label %41, !llvm.loop !77
 
 58:                                               ; preds = %44, %74
   %59 = phi i64 [ 0, %44 ], [ %75, %74 ]
@@ -3443,16 +3578,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %71, ptr %69, align 8
   %72 = add nuw nsw i64 %65, 1
   %73 = icmp eq i64 %72, %4
-  br i1 %73, label %74, label %64, !llvm.loop !77
+  br i1 %73, label %74, label %64, !llvm.loop !78
 
 74:                                               ; preds = %64, %58
   %75 = add nuw nsw i64 %59, 1
   %76 = icmp eq i64 %75, %42
-  br i1 %76, label %55, label %58, !llvm.loop !78
+  br i1 %76, label %55, label %58, !llvm.loop !79
 
 77:                                               ; preds = %116, %89
   %78 = icmp sgt i64 %80, 1
-  br i1 %78, label %79, label %88, !llvm.loop !79
+  br i1 %78, label %79, label %88, !llvm.loop !80
 
 79:                                               ; preds = %51, %77
   %80 = phi i64 [ %1, %51 ], [ %81, %77 ]
@@ -3501,12 +3636,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %110, ptr %108, align 8
   %111 = add nuw nsw i64 %104, 1
   %112 = icmp eq i64 %111, %4
-  br i1 %112, label %113, label %103, !llvm.loop !77
+  br i1 %112, label %113, label %103, !llvm.loop !78
 
 113:                                              ; preds = %103, %97
   %114 = add nuw nsw i64 %98, 1
   %115 = icmp eq i64 %114, %1
-  br i1 %115, label %89, label %97, !llvm.loop !80
+  br i1 %115, label %89, label %97, !llvm.loop !81
 
 116:                                              ; preds = %94, %116
   %117 = phi i64 [ 0, %94 ], [ %121, %116 ]
@@ -3516,7 +3651,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %120, ptr %118, align 8
   %121 = add nuw nsw i64 %117, 1
   %122 = icmp eq i64 %121, %4
-  br i1 %122, label %77, label %116, !llvm.loop !81
+  br i1 %122, label %77, label %116, !llvm.loop !82
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3573,12 +3708,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %28, ptr %40, align 8
   %41 = add nuw nsw i64 %24, 1
   %42 = icmp eq i64 %41, %4
-  br i1 %42, label %43, label %23, !llvm.loop !82
+  br i1 %42, label %43, label %23, !llvm.loop !83
 
 43:                                               ; preds = %23, %14
   %44 = add nuw nsw i64 %15, 1
   %45 = icmp eq i64 %44, %1
-  br i1 %45, label %10, label %14, !llvm.loop !83
+  br i1 %45, label %10, label %14, !llvm.loop !84
 
 46:                                               ; preds = %12, %60
   %47 = phi i64 [ 0, %12 ], [ %61, %60 ]
@@ -3605,7 +3740,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 60:                                               ; preds = %91, %46
   %61 = add nuw nsw i64 %47, 1
   %62 = icmp eq i64 %61, %1
-  br i1 %62, label %54, label %46, !llvm.loop !84
+  br i1 %62, label %54, label %46, !llvm.loop !85
 
 63:                                               ; preds = %49, %91
   %64 = phi i64 [ 0, %49 ], [ %92, %91 ]
@@ -3639,16 +3774,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %88, ptr %85, align 8
   %89 = add nuw nsw i64 %72, 1
   %90 = icmp eq i64 %89, %4
-  br i1 %90, label %91, label %71, !llvm.loop !85
+  br i1 %90, label %91, label %71, !llvm.loop !86
 
 91:                                               ; preds = %71, %63
   %92 = add nuw nsw i64 %64, 1
   %93 = icmp eq i64 %92, %47
-  br i1 %93, label %60, label %63, !llvm.loop !86
+  br i1 %93, label %60, label %63, !llvm.loop !87
 
 94:                                               ; preds = %170, %133
   %95 = icmp sgt i64 %97, 1
-  br i1 %95, label %96, label %105, !llvm.loop !87
+  br i1 %95, label %96, label %105, !llvm.loop !88
 
 96:                                               ; preds = %56, %94
   %97 = phi i64 [ %1, %56 ], [ %98, %94 ]
@@ -3741,12 +3876,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %164, ptr %161, align 8
   %165 = add nuw nsw i64 %148, 1
   %166 = icmp eq i64 %165, %4
-  br i1 %166, label %167, label %147, !llvm.loop !85
+  br i1 %166, label %167, label %147, !llvm.loop !86
 
 167:                                              ; preds = %147, %139
   %168 = add nuw nsw i64 %140, 1
   %169 = icmp eq i64 %168, %1
-  br i1 %169, label %106, label %139, !llvm.loop !88
+  br i1 %169, label %106, label %139, !llvm.loop !89
 
 170:                                              ; preds = %136, %170
   %171 = phi i64 [ 0, %136 ], [ %182, %170 ]
@@ -3764,7 +3899,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %181, ptr %174, align 8
   %182 = add nuw nsw i64 %171, 1
   %183 = icmp eq i64 %182, %4
-  br i1 %183, label %94, label %170, !llvm.loop !89
+  br i1 %183, label %94, label %170, !llvm.loop !90
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
@@ -3801,7 +3936,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !90
+  br i1 %31, label %20, label %19, !llvm.loop !91
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3815,7 +3950,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !91
+  br i1 %43, label %32, label %24, !llvm.loop !92
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
@@ -3855,15 +3990,15 @@ attributes #13 = { nounwind willreturn memory(none) }
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !5}
-!18 = distinct !{!18, !4, !5}
+!17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !5}
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
-!22 = !{!23}
-!23 = distinct !{!23, !24, !"solve_stages: argument 0"}
-!24 = distinct !{!24, !"solve_stages"}
-!25 = distinct !{!25, !4, !5}
+!22 = distinct !{!22, !4, !5}
+!23 = !{!24}
+!24 = distinct !{!24, !25, !"solve_stages: argument 0"}
+!25 = distinct !{!25, !"solve_stages"}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
@@ -3930,3 +4065,4 @@ attributes #13 = { nounwind willreturn memory(none) }
 !89 = distinct !{!89, !4, !5}
 !90 = distinct !{!90, !4, !5}
 !91 = distinct !{!91, !4, !5}
+!92 = distinct !{!92, !4, !5}

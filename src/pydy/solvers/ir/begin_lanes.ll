@@ -1,26 +1,26 @@
-; sources 83af3e65b4a34353f844819e8d179a04197552c1e1aa866aae11a73f16ee2d43
+; sources 38afb954eb76a9ea3c1ac323227e50dc8d09c9b9f03292ba09a385e9a49319be
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {
   %2 = alloca [8 x double], align 16
-  %3 = getelementptr inbounds i8, ptr %0, i64 1008
-  %4 = getelementptr inbounds i8, ptr %0, i64 1024
+  %3 = getelementptr inbounds i8, ptr %0, i64 1056
+  %4 = getelementptr inbounds i8, ptr %0, i64 1072
   %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 1016
+  %6 = getelementptr inbounds i8, ptr %0, i64 1064
   %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 1608
+  %8 = getelementptr inbounds i8, ptr %0, i64 1656
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 56
   %11 = load i64, ptr %10, align 8
   %12 = inttoptr i64 %11 to ptr
-  %13 = getelementptr inbounds i8, ptr %0, i64 384
+  %13 = getelementptr inbounds i8, ptr %0, i64 432
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 1656
+  %15 = getelementptr inbounds i8, ptr %0, i64 1704
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 1664
+  %17 = getelementptr inbounds i8, ptr %0, i64 1712
   %18 = load i64, ptr %17, align 8
   %19 = getelementptr inbounds double, ptr %16, i64 %18
-  %20 = getelementptr inbounds i8, ptr %0, i64 1144
+  %20 = getelementptr inbounds i8, ptr %0, i64 1192
   %21 = load i64, ptr %20, align 8
   %22 = mul i64 %21, -64
   %23 = getelementptr inbounds i8, ptr %19, i64 %22
@@ -28,22 +28,22 @@ define noundef i64 @begin_lanes(ptr noundef %0) #0 {
   br i1 %24, label %25, label %43
 
 25:                                               ; preds = %1
-  %26 = getelementptr inbounds i8, ptr %0, i64 984
-  %27 = getelementptr inbounds i8, ptr %0, i64 1024
-  %28 = getelementptr inbounds i8, ptr %0, i64 1032
+  %26 = getelementptr inbounds i8, ptr %0, i64 1032
+  %27 = getelementptr inbounds i8, ptr %0, i64 1072
+  %28 = getelementptr inbounds i8, ptr %0, i64 1080
   %29 = getelementptr inbounds i8, ptr %0, i64 192
-  %30 = getelementptr inbounds i8, ptr %0, i64 1048
-  %31 = getelementptr inbounds i8, ptr %0, i64 1056
+  %30 = getelementptr inbounds i8, ptr %0, i64 1096
+  %31 = getelementptr inbounds i8, ptr %0, i64 1104
   %32 = getelementptr inbounds i8, ptr %0, i64 216
-  %33 = getelementptr inbounds i8, ptr %0, i64 1072
-  %34 = getelementptr inbounds i8, ptr %0, i64 1128
-  %35 = getelementptr inbounds i8, ptr %0, i64 1144
+  %33 = getelementptr inbounds i8, ptr %0, i64 1120
+  %34 = getelementptr inbounds i8, ptr %0, i64 1176
+  %35 = getelementptr inbounds i8, ptr %0, i64 1192
   %36 = getelementptr inbounds i8, ptr %0, i64 272
   %37 = getelementptr inbounds i8, ptr %0, i64 264
   %38 = getelementptr inbounds i8, ptr %0, i64 216
-  %39 = getelementptr inbounds i8, ptr %0, i64 1128
-  %40 = getelementptr inbounds i8, ptr %0, i64 1144
-  %41 = getelementptr inbounds i8, ptr %0, i64 1024
+  %39 = getelementptr inbounds i8, ptr %0, i64 1176
+  %40 = getelementptr inbounds i8, ptr %0, i64 1192
+  %41 = getelementptr inbounds i8, ptr %0, i64 1072
   %42 = icmp slt i64 %5, 1
   br label %44
 

@@ -1,19 +1,19 @@
-; sources 4fb120de306c5602bf7bdc637ed053b6f0a4e1e5650e85f9499f369d21359c8a
+; sources 29f2426556aea4c10a7bf5d35c880d0ad856d8d3224fc877725c2d79ca538a61
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 240
+  %2 = getelementptr inbounds i8, ptr %0, i64 288
   %3 = load ptr, ptr %0, align 8
   %4 = getelementptr inbounds i8, ptr %3, i64 8
   %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 312
-  %7 = getelementptr inbounds i8, ptr %0, i64 320
+  %6 = getelementptr inbounds i8, ptr %0, i64 360
+  %7 = getelementptr inbounds i8, ptr %0, i64 368
   %8 = load i64, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 360
-  %10 = getelementptr inbounds i8, ptr %0, i64 368
+  %9 = getelementptr inbounds i8, ptr %0, i64 408
+  %10 = getelementptr inbounds i8, ptr %0, i64 416
   %11 = load i64, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %0, i64 288
-  %13 = getelementptr inbounds i8, ptr %0, i64 296
+  %12 = getelementptr inbounds i8, ptr %0, i64 336
+  %13 = getelementptr inbounds i8, ptr %0, i64 344
   %14 = load i64, ptr %13, align 8
   %15 = sdiv i64 %14, 8
   %16 = load ptr, ptr %2, align 8
@@ -25,10 +25,10 @@ define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
 
 21:                                               ; preds = %1
   %22 = getelementptr inbounds i8, ptr %0, i64 48
-  %23 = getelementptr inbounds i8, ptr %0, i64 328
-  %24 = getelementptr inbounds i8, ptr %0, i64 336
+  %23 = getelementptr inbounds i8, ptr %0, i64 376
+  %24 = getelementptr inbounds i8, ptr %0, i64 384
   %25 = getelementptr inbounds i8, ptr %0, i64 72
-  %26 = getelementptr inbounds i8, ptr %0, i64 352
+  %26 = getelementptr inbounds i8, ptr %0, i64 400
   %27 = getelementptr inbounds i8, ptr %0, i64 128
   %28 = getelementptr inbounds i8, ptr %0, i64 120
   %29 = getelementptr inbounds i8, ptr %0, i64 72
@@ -37,15 +37,15 @@ define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
   %32 = getelementptr inbounds i8, ptr %16, i64 24
   %33 = icmp sgt i64 %5, 0
   %34 = getelementptr inbounds i8, ptr %16, i64 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 264
-  %36 = getelementptr inbounds i8, ptr %0, i64 264
+  %35 = getelementptr inbounds i8, ptr %0, i64 312
+  %36 = getelementptr inbounds i8, ptr %0, i64 312
   %37 = getelementptr inbounds i8, ptr %0, i64 24
   %38 = getelementptr inbounds i8, ptr %0, i64 152
   %39 = getelementptr inbounds i8, ptr %0, i64 48
   %40 = getelementptr inbounds i8, ptr %0, i64 96
   %41 = icmp slt i64 %5, 1
   %42 = icmp sgt i64 %14, 7
-  %43 = getelementptr inbounds i8, ptr %0, i64 384
+  %43 = getelementptr inbounds i8, ptr %0, i64 432
   br label %45
 
 44:                                               ; preds = %119, %1
@@ -281,124 +281,130 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
   %2 = getelementptr inbounds i8, ptr %0, i64 152
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %13
+  br i1 %4, label %5, label %14
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 144
   %7 = getelementptr inbounds i8, ptr %0, i64 160
   %8 = getelementptr inbounds i8, ptr %0, i64 168
   %9 = getelementptr inbounds i8, ptr %0, i64 24
-  %10 = getelementptr inbounds i8, ptr %0, i64 192
-  %11 = getelementptr inbounds i8, ptr %0, i64 216
-  %12 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %14
+  %10 = getelementptr inbounds i8, ptr %0, i64 264
+  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %12 = getelementptr inbounds i8, ptr %0, i64 216
+  %13 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %15
 
-13:                                               ; preds = %21, %1
+14:                                               ; preds = %22, %1
   ret void
 
-14:                                               ; preds = %5, %21
-  %15 = phi i64 [ 0, %5 ], [ %22, %21 ]
-  %16 = load ptr, ptr %6, align 8
-  %17 = load i64, ptr %7, align 8
-  %18 = mul nsw i64 %17, %15
-  %19 = getelementptr inbounds i64, ptr %16, i64 %18
-  %20 = shl nsw i64 %15, 6
-  br label %25
+15:                                               ; preds = %5, %22
+  %16 = phi i64 [ 0, %5 ], [ %23, %22 ]
+  %17 = load ptr, ptr %6, align 8
+  %18 = load i64, ptr %7, align 8
+  %19 = mul nsw i64 %18, %16
+  %20 = getelementptr inbounds i64, ptr %17, i64 %19
+  %21 = shl nsw i64 %16, 6
+  br label %26
 
-21:                                               ; preds = %71
-  %22 = add nuw nsw i64 %15, 1
-  %23 = load i64, ptr %2, align 8
-  %24 = icmp slt i64 %22, %23
-  br i1 %24, label %14, label %13, !llvm.loop !15
+22:                                               ; preds = %77
+  %23 = add nuw nsw i64 %16, 1
+  %24 = load i64, ptr %2, align 8
+  %25 = icmp slt i64 %23, %24
+  br i1 %25, label %15, label %14, !llvm.loop !15
 
-25:                                               ; preds = %14, %71
-  %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
-  %27 = load ptr, ptr %8, align 8
-  %28 = getelementptr inbounds i8, ptr %27, i64 %20
-  %29 = getelementptr inbounds i64, ptr %28, i64 %26
-  %30 = load ptr, ptr %9, align 8
-  %31 = getelementptr inbounds double, ptr %30, i64 %26
-  %32 = load double, ptr %31, align 8
-  %33 = load ptr, ptr %6, align 8
-  %34 = load i64, ptr %7, align 8
-  %35 = mul nsw i64 %34, %15
-  %36 = getelementptr inbounds i64, ptr %33, i64 %35
-  %37 = getelementptr inbounds i8, ptr %36, i64 8
-  %38 = load i64, ptr %37, align 8
-  %39 = load ptr, ptr %10, align 8
-  %40 = getelementptr inbounds double, ptr %39, i64 %38
-  %41 = load double, ptr %40, align 8
-  %42 = fcmp ogt double %41, %32
-  %43 = select i1 %42, double %41, double %32
-  %44 = getelementptr inbounds i8, ptr %36, i64 16
-  %45 = load i64, ptr %44, align 8
-  %46 = load i64, ptr %29, align 8
-  %47 = getelementptr inbounds double, ptr %40, i64 %46
-  %48 = load double, ptr %47, align 8
-  %49 = fcmp ugt double %48, %43
-  br i1 %49, label %57, label %50
+26:                                               ; preds = %15, %77
+  %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
+  %28 = load ptr, ptr %8, align 8
+  %29 = getelementptr inbounds i8, ptr %28, i64 %21
+  %30 = getelementptr inbounds i64, ptr %29, i64 %27
+  %31 = load ptr, ptr %9, align 8
+  %32 = getelementptr inbounds double, ptr %31, i64 %27
+  %33 = load double, ptr %32, align 8
+  %34 = load ptr, ptr %10, align 8
+  %35 = getelementptr inbounds double, ptr %34, i64 %27
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp olt double %33, %36
+  %38 = select i1 %37, double %33, double %36
+  %39 = load ptr, ptr %6, align 8
+  %40 = load i64, ptr %7, align 8
+  %41 = mul nsw i64 %40, %16
+  %42 = getelementptr inbounds i64, ptr %39, i64 %41
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %11, align 8
+  %46 = getelementptr inbounds double, ptr %45, i64 %44
+  %47 = load double, ptr %46, align 8
+  %48 = fcmp ogt double %47, %38
+  %49 = select i1 %48, double %47, double %38
+  %50 = getelementptr inbounds i8, ptr %42, i64 16
+  %51 = load i64, ptr %50, align 8
+  %52 = load i64, ptr %30, align 8
+  %53 = getelementptr inbounds double, ptr %46, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = fcmp ugt double %54, %49
+  br i1 %55, label %63, label %56
 
-50:                                               ; preds = %25
-  %51 = add nsw i64 %45, -1
-  %52 = icmp eq i64 %51, %46
-  br i1 %52, label %71, label %53
+56:                                               ; preds = %26
+  %57 = add nsw i64 %51, -1
+  %58 = icmp eq i64 %57, %52
+  br i1 %58, label %77, label %59
 
-53:                                               ; preds = %50
-  %54 = getelementptr i8, ptr %47, i64 8
-  %55 = load double, ptr %54, align 8
-  %56 = fcmp ogt double %55, %43
-  br i1 %56, label %71, label %57
+59:                                               ; preds = %56
+  %60 = getelementptr i8, ptr %53, i64 8
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp ogt double %61, %49
+  br i1 %62, label %77, label %63
 
-57:                                               ; preds = %53, %25
-  %58 = icmp sgt i64 %45, 1
-  br i1 %58, label %59, label %71
+63:                                               ; preds = %59, %26
+  %64 = icmp sgt i64 %51, 1
+  br i1 %64, label %65, label %77
 
-59:                                               ; preds = %57, %59
-  %60 = phi i64 [ %68, %59 ], [ %45, %57 ]
-  %61 = phi i64 [ %67, %59 ], [ 0, %57 ]
-  %62 = add nsw i64 %60, %61
-  %63 = sdiv i64 %62, 2
-  %64 = getelementptr inbounds double, ptr %40, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = fcmp ugt double %65, %43
-  %67 = select i1 %66, i64 %61, i64 %63
-  %68 = select i1 %66, i64 %63, i64 %60
-  %69 = sub nsw i64 %68, %67
-  %70 = icmp sgt i64 %69, 1
-  br i1 %70, label %59, label %71, !llvm.loop !16
+65:                                               ; preds = %63, %65
+  %66 = phi i64 [ %74, %65 ], [ %51, %63 ]
+  %67 = phi i64 [ %73, %65 ], [ 0, %63 ]
+  %68 = add nsw i64 %66, %67
+  %69 = sdiv i64 %68, 2
+  %70 = getelementptr inbounds double, ptr %46, i64 %69
+  %71 = load double, ptr %70, align 8
+  %72 = fcmp ugt double %71, %49
+  %73 = select i1 %72, i64 %67, i64 %69
+  %74 = select i1 %72, i64 %69, i64 %66
+  %75 = sub nsw i64 %74, %73
+  %76 = icmp sgt i64 %75, 1
+  br i1 %76, label %65, label %77, !llvm.loop !16
 
-71:                                               ; preds = %59, %57, %50, %53
-  %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
-  store i64 %72, ptr %29, align 8
-  %73 = getelementptr inbounds double, ptr %40, i64 %72
-  %74 = load double, ptr %73, align 8
-  %75 = fsub double %43, %74
-  %76 = load ptr, ptr %11, align 8
-  %77 = add nsw i64 %72, %38
-  %78 = shl nsw i64 %77, 5
-  %79 = getelementptr inbounds i8, ptr %76, i64 %78
+77:                                               ; preds = %65, %63, %56, %59
+  %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
+  store i64 %78, ptr %30, align 8
+  %79 = getelementptr inbounds double, ptr %46, i64 %78
   %80 = load double, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %79, i64 8
-  %82 = load double, ptr %81, align 8
-  %83 = getelementptr inbounds i8, ptr %79, i64 16
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr inbounds i8, ptr %79, i64 24
+  %81 = fsub double %49, %80
+  %82 = load ptr, ptr %12, align 8
+  %83 = add nsw i64 %78, %44
+  %84 = shl nsw i64 %83, 5
+  %85 = getelementptr inbounds i8, ptr %82, i64 %84
   %86 = load double, ptr %85, align 8
-  %87 = fmul double %75, %86
-  %88 = fadd double %84, %87
-  %89 = fmul double %75, %88
-  %90 = fadd double %82, %89
-  %91 = fmul double %75, %90
-  %92 = fadd double %80, %91
-  %93 = load ptr, ptr %12, align 8
-  %94 = load i64, ptr %19, align 8
-  %95 = shl i64 %94, 6
-  %96 = getelementptr i8, ptr %93, i64 %95
-  %97 = getelementptr double, ptr %96, i64 %26
-  store double %92, ptr %97, align 8
-  %98 = add nuw nsw i64 %26, 1
-  %99 = icmp eq i64 %98, 8
-  br i1 %99, label %21, label %25, !llvm.loop !17
+  %87 = getelementptr inbounds i8, ptr %85, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr inbounds i8, ptr %85, i64 16
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds i8, ptr %85, i64 24
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %81, %92
+  %94 = fadd double %90, %93
+  %95 = fmul double %81, %94
+  %96 = fadd double %88, %95
+  %97 = fmul double %81, %96
+  %98 = fadd double %86, %97
+  %99 = load ptr, ptr %13, align 8
+  %100 = load i64, ptr %20, align 8
+  %101 = shl i64 %100, 6
+  %102 = getelementptr i8, ptr %99, i64 %101
+  %103 = getelementptr double, ptr %102, i64 %27
+  store double %98, ptr %103, align 8
+  %104 = add nuw nsw i64 %27, 1
+  %105 = icmp eq i64 %104, 8
+  br i1 %105, label %22, label %26, !llvm.loop !17
 }
 
 declare i64 @llvm.smin.i64(i64, i64) #2

@@ -1,9 +1,9 @@
-; sources 76a0c8435a22e836496abcc3aebb9dbf1a85d56b825cbb6d85a2634ac34fe7b5
+; sources 0e27b46da3e0dc9aed92be4531c465af1f78f07568ec4fb809e462a554739f2a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %3 = getelementptr inbounds i8, ptr %0, i64 144
-  %4 = getelementptr inbounds i8, ptr %0, i64 312
+  %4 = getelementptr inbounds i8, ptr %0, i64 360
   %5 = load ptr, ptr %3, align 8
   %6 = getelementptr inbounds i8, ptr %5, i64 8
   %7 = load i64, ptr %6, align 8
@@ -12,769 +12,820 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %10 = getelementptr inbounds i8, ptr %1, i64 32
   %11 = load i64, ptr %10, align 8
   %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %13, label %534
+  br i1 %12, label %13, label %567
 
 13:                                               ; preds = %2
   %14 = getelementptr inbounds i8, ptr %1, i64 24
   %15 = getelementptr inbounds i8, ptr %1, i64 48
   %16 = getelementptr inbounds i8, ptr %1, i64 72
-  %17 = getelementptr inbounds i8, ptr %0, i64 320
-  %18 = getelementptr inbounds i8, ptr %0, i64 600
-  %19 = getelementptr inbounds i8, ptr %0, i64 480
-  %20 = getelementptr inbounds i8, ptr %0, i64 168
-  %21 = getelementptr inbounds i8, ptr %0, i64 248
-  %22 = getelementptr inbounds i8, ptr %0, i64 192
-  %23 = getelementptr inbounds i8, ptr %0, i64 216
-  %24 = getelementptr inbounds i8, ptr %0, i64 384
-  %25 = getelementptr inbounds i8, ptr %0, i64 360
-  %26 = getelementptr inbounds i8, ptr %0, i64 24
-  %27 = getelementptr inbounds i8, ptr %0, i64 480
-  %28 = getelementptr inbounds i8, ptr %0, i64 48
-  %29 = getelementptr inbounds i8, ptr %0, i64 72
-  %30 = getelementptr inbounds i8, ptr %0, i64 320
-  %31 = getelementptr inbounds i8, ptr %0, i64 96
-  %32 = getelementptr inbounds i8, ptr %0, i64 336
-  %33 = getelementptr inbounds i8, ptr %0, i64 24
-  %34 = getelementptr inbounds i8, ptr %0, i64 480
-  %35 = getelementptr inbounds i8, ptr %0, i64 48
-  %36 = getelementptr inbounds i8, ptr %0, i64 72
-  %37 = getelementptr inbounds i8, ptr %0, i64 336
-  %38 = getelementptr inbounds i8, ptr %0, i64 336
-  %39 = getelementptr inbounds i8, ptr %0, i64 320
-  %40 = getelementptr inbounds i8, ptr %0, i64 480
-  %41 = getelementptr inbounds i8, ptr %0, i64 504
-  %42 = getelementptr inbounds i8, ptr %0, i64 360
-  %43 = getelementptr inbounds i8, ptr %0, i64 24
-  %44 = getelementptr inbounds i8, ptr %0, i64 384
-  %45 = getelementptr inbounds i8, ptr %0, i64 48
-  %46 = getelementptr inbounds i8, ptr %0, i64 72
-  %47 = getelementptr inbounds i8, ptr %0, i64 96
-  %48 = getelementptr inbounds i8, ptr %0, i64 336
-  %49 = getelementptr inbounds i8, ptr %0, i64 432
-  %50 = getelementptr inbounds i8, ptr %0, i64 24
+  %17 = getelementptr inbounds i8, ptr %0, i64 368
+  %18 = getelementptr inbounds i8, ptr %0, i64 648
+  %19 = getelementptr inbounds i8, ptr %0, i64 312
+  %20 = getelementptr inbounds i8, ptr %0, i64 320
+  %21 = getelementptr inbounds i8, ptr %0, i64 336
+  %22 = getelementptr inbounds i8, ptr %0, i64 528
+  %23 = getelementptr inbounds i8, ptr %0, i64 168
+  %24 = getelementptr inbounds i8, ptr %0, i64 248
+  %25 = getelementptr inbounds i8, ptr %0, i64 192
+  %26 = getelementptr inbounds i8, ptr %0, i64 216
+  %27 = getelementptr inbounds i8, ptr %0, i64 432
+  %28 = getelementptr inbounds i8, ptr %0, i64 408
+  %29 = getelementptr inbounds i8, ptr %0, i64 24
+  %30 = getelementptr inbounds i8, ptr %0, i64 528
+  %31 = getelementptr inbounds i8, ptr %0, i64 48
+  %32 = getelementptr inbounds i8, ptr %0, i64 72
+  %33 = getelementptr inbounds i8, ptr %0, i64 368
+  %34 = getelementptr inbounds i8, ptr %0, i64 96
+  %35 = getelementptr inbounds i8, ptr %0, i64 384
+  %36 = getelementptr inbounds i8, ptr %0, i64 24
+  %37 = getelementptr inbounds i8, ptr %0, i64 528
+  %38 = getelementptr inbounds i8, ptr %0, i64 48
+  %39 = getelementptr inbounds i8, ptr %0, i64 72
+  %40 = getelementptr inbounds i8, ptr %0, i64 384
+  %41 = getelementptr inbounds i8, ptr %0, i64 384
+  %42 = getelementptr inbounds i8, ptr %0, i64 368
+  %43 = getelementptr inbounds i8, ptr %0, i64 528
+  %44 = getelementptr inbounds i8, ptr %0, i64 552
+  %45 = getelementptr inbounds i8, ptr %0, i64 408
+  %46 = getelementptr inbounds i8, ptr %0, i64 24
+  %47 = getelementptr inbounds i8, ptr %0, i64 432
+  %48 = getelementptr inbounds i8, ptr %0, i64 48
+  %49 = getelementptr inbounds i8, ptr %0, i64 72
+  %50 = getelementptr inbounds i8, ptr %0, i64 96
   %51 = getelementptr inbounds i8, ptr %0, i64 384
-  %52 = getelementptr inbounds i8, ptr %0, i64 48
-  %53 = getelementptr inbounds i8, ptr %0, i64 72
-  %54 = getelementptr inbounds i8, ptr %0, i64 504
-  %55 = getelementptr inbounds i8, ptr %0, i64 408
-  %56 = getelementptr inbounds i8, ptr %0, i64 504
-  %57 = getelementptr inbounds i8, ptr %0, i64 320
-  %58 = getelementptr inbounds i8, ptr %0, i64 648
-  %59 = icmp sgt i64 %7, 0
-  br label %60
+  %52 = getelementptr inbounds i8, ptr %0, i64 480
+  %53 = getelementptr inbounds i8, ptr %0, i64 24
+  %54 = getelementptr inbounds i8, ptr %0, i64 432
+  %55 = getelementptr inbounds i8, ptr %0, i64 48
+  %56 = getelementptr inbounds i8, ptr %0, i64 72
+  %57 = getelementptr inbounds i8, ptr %0, i64 552
+  %58 = getelementptr inbounds i8, ptr %0, i64 456
+  %59 = getelementptr inbounds i8, ptr %0, i64 552
+  %60 = getelementptr inbounds i8, ptr %0, i64 368
+  %61 = getelementptr inbounds i8, ptr %0, i64 696
+  %62 = icmp sgt i64 %7, 0
+  br label %63
 
-60:                                               ; preds = %13, %530
-  %61 = phi i64 [ undef, %13 ], [ %529, %530 ]
-  %62 = phi i64 [ -1, %13 ], [ %528, %530 ]
-  %63 = phi i64 [ 0, %13 ], [ %531, %530 ]
-  %64 = load ptr, ptr %15, align 8
-  %65 = getelementptr inbounds i64, ptr %64, i64 %63
-  %66 = load i64, ptr %65, align 8
-  %67 = load ptr, ptr %1, align 8
-  %68 = mul nsw i64 %66, %9
-  %69 = getelementptr inbounds double, ptr %67, i64 %68
-  %70 = load ptr, ptr %14, align 8
-  %71 = getelementptr inbounds double, ptr %70, i64 %63
-  %72 = load double, ptr %71, align 8
-  %73 = load ptr, ptr %16, align 8
-  %74 = mul nsw i64 %63, %7
-  %75 = getelementptr inbounds double, ptr %73, i64 %74
-  %76 = getelementptr inbounds i8, ptr %69, i64 8
-  %77 = load double, ptr %76, align 8
-  %78 = fcmp oeq double %77, 0.000000e+00
-  br i1 %78, label %79, label %88
+63:                                               ; preds = %13, %563
+  %64 = phi i64 [ undef, %13 ], [ %562, %563 ]
+  %65 = phi i64 [ -1, %13 ], [ %561, %563 ]
+  %66 = phi i64 [ 0, %13 ], [ %564, %563 ]
+  %67 = load ptr, ptr %15, align 8
+  %68 = getelementptr inbounds i64, ptr %67, i64 %66
+  %69 = load i64, ptr %68, align 8
+  %70 = load ptr, ptr %1, align 8
+  %71 = mul nsw i64 %69, %9
+  %72 = getelementptr inbounds double, ptr %70, i64 %71
+  %73 = load ptr, ptr %14, align 8
+  %74 = getelementptr inbounds double, ptr %73, i64 %66
+  %75 = load double, ptr %74, align 8
+  %76 = load ptr, ptr %16, align 8
+  %77 = mul nsw i64 %66, %7
+  %78 = getelementptr inbounds double, ptr %76, i64 %77
+  %79 = getelementptr inbounds i8, ptr %72, i64 8
+  %80 = load double, ptr %79, align 8
+  %81 = fcmp oeq double %80, 0.000000e+00
+  br i1 %81, label %82, label %91
 
-79:                                               ; preds = %60
-  %80 = getelementptr inbounds i8, ptr %69, i64 16
-  br i1 %59, label %81, label %526
+82:                                               ; preds = %63
+  %83 = getelementptr inbounds i8, ptr %72, i64 16
+  br i1 %62, label %84, label %559
 
-81:                                               ; preds = %79, %81
-  %82 = phi i64 [ %86, %81 ], [ 0, %79 ]
-  %83 = getelementptr inbounds double, ptr %80, i64 %82
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr inbounds double, ptr %75, i64 %82
-  store double %84, ptr %85, align 8
-  %86 = add nuw nsw i64 %82, 1
-  %87 = icmp eq i64 %86, %7
-  br i1 %87, label %526, label %81, !llvm.loop !3
+84:                                               ; preds = %82, %84
+  %85 = phi i64 [ %89, %84 ], [ 0, %82 ]
+  %86 = getelementptr inbounds double, ptr %83, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = getelementptr inbounds double, ptr %78, i64 %85
+  store double %87, ptr %88, align 8
+  %89 = add nuw nsw i64 %85, 1
+  %90 = icmp eq i64 %89, %7
+  br i1 %90, label %559, label %84, !llvm.loop !3
 
-88:                                               ; preds = %60
-  %89 = icmp eq i64 %66, %62
-  br i1 %89, label %496, label %90
+91:                                               ; preds = %63
+  %92 = icmp eq i64 %69, %65
+  br i1 %92, label %529, label %93
 
-90:                                               ; preds = %88
-  %91 = getelementptr inbounds double, ptr %69, i64 %9
-  %92 = load ptr, ptr %3, align 8
-  %93 = getelementptr inbounds i8, ptr %92, i64 8
-  %94 = load i64, ptr %93, align 8
-  %95 = load i64, ptr %17, align 8
-  %96 = load ptr, ptr %0, align 8
+93:                                               ; preds = %91
+  %94 = getelementptr inbounds double, ptr %72, i64 %9
+  %95 = load ptr, ptr %3, align 8
+  %96 = getelementptr inbounds i8, ptr %95, i64 8
   %97 = load i64, ptr %96, align 8
-  %98 = load double, ptr %69, align 8
-  %99 = load ptr, ptr %18, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 24
-  %101 = getelementptr inbounds i8, ptr %69, i64 16
-  %102 = icmp sgt i64 %94, 0
-  br i1 %102, label %113, label %103
+  %98 = load i64, ptr %17, align 8
+  %99 = load ptr, ptr %0, align 8
+  %100 = load i64, ptr %99, align 8
+  %101 = load double, ptr %72, align 8
+  %102 = load ptr, ptr %18, align 8
+  %103 = getelementptr inbounds i8, ptr %102, i64 24
+  %104 = getelementptr inbounds i8, ptr %72, i64 16
+  %105 = icmp sgt i64 %97, 0
+  br i1 %105, label %116, label %106
 
-103:                                              ; preds = %113, %90
-  %104 = icmp eq i64 %97, 0
-  br i1 %104, label %105, label %143
+106:                                              ; preds = %116, %93
+  %107 = icmp eq i64 %100, 0
+  br i1 %107, label %108, label %146
 
-105:                                              ; preds = %103
-  %106 = load ptr, ptr %0, align 8
-  %107 = getelementptr inbounds i8, ptr %106, i64 24
-  %108 = load i64, ptr %107, align 8
-  %109 = icmp sgt i64 %108, 0
-  br i1 %109, label %110, label %492
+108:                                              ; preds = %106
+  %109 = load ptr, ptr %0, align 8
+  %110 = getelementptr inbounds i8, ptr %109, i64 24
+  %111 = load i64, ptr %110, align 8
+  %112 = icmp sgt i64 %111, 0
+  br i1 %112, label %113, label %525
 
-110:                                              ; preds = %105
-  %111 = getelementptr i8, ptr %69, i64 16
-  %112 = icmp sgt i64 %94, 0
-  br label %121
+113:                                              ; preds = %108
+  %114 = getelementptr i8, ptr %72, i64 16
+  %115 = icmp sgt i64 %97, 0
+  br label %124
 
-113:                                              ; preds = %90, %113
-  %114 = phi i64 [ %119, %113 ], [ 0, %90 ]
-  %115 = getelementptr inbounds double, ptr %101, i64 %114
-  %116 = load double, ptr %115, align 8
-  %117 = load ptr, ptr %4, align 8
-  %118 = getelementptr inbounds double, ptr %117, i64 %114
-  store double %116, ptr %118, align 8
-  %119 = add nuw nsw i64 %114, 1
-  %120 = icmp eq i64 %119, %94
-  br i1 %120, label %103, label %113, !llvm.loop !6
+116:                                              ; preds = %93, %116
+  %117 = phi i64 [ %122, %116 ], [ 0, %93 ]
+  %118 = getelementptr inbounds double, ptr %104, i64 %117
+  %119 = load double, ptr %118, align 8
+  %120 = load ptr, ptr %4, align 8
+  %121 = getelementptr inbounds double, ptr %120, i64 %117
+  store double %119, ptr %121, align 8
+  %122 = add nuw nsw i64 %117, 1
+  %123 = icmp eq i64 %122, %97
+  br i1 %123, label %106, label %116, !llvm.loop !6
 
-121:                                              ; preds = %110, %128
-  %122 = phi i64 [ 0, %110 ], [ %129, %128 ]
-  br i1 %112, label %123, label %128
+124:                                              ; preds = %113, %131
+  %125 = phi i64 [ 0, %113 ], [ %132, %131 ]
+  br i1 %115, label %126, label %131
 
-123:                                              ; preds = %121
-  %124 = add nuw nsw i64 %122, 1
-  %125 = mul nuw nsw i64 %124, %94
-  %126 = getelementptr double, ptr %111, i64 %125
-  %127 = mul nsw i64 %122, %95
-  br label %134
+126:                                              ; preds = %124
+  %127 = add nuw nsw i64 %125, 1
+  %128 = mul nuw nsw i64 %127, %97
+  %129 = getelementptr double, ptr %114, i64 %128
+  %130 = mul nsw i64 %125, %98
+  br label %137
 
-128:                                              ; preds = %134, %121
-  %129 = add nuw nsw i64 %122, 1
-  %130 = load ptr, ptr %0, align 8
-  %131 = getelementptr inbounds i8, ptr %130, i64 24
-  %132 = load i64, ptr %131, align 8
-  %133 = icmp slt i64 %129, %132
-  br i1 %133, label %121, label %492, !llvm.loop !7
+131:                                              ; preds = %137, %124
+  %132 = add nuw nsw i64 %125, 1
+  %133 = load ptr, ptr %0, align 8
+  %134 = getelementptr inbounds i8, ptr %133, i64 24
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp slt i64 %132, %135
+  br i1 %136, label %124, label %525, !llvm.loop !7
 
-134:                                              ; preds = %123, %134
-  %135 = phi i64 [ 0, %123 ], [ %141, %134 ]
-  %136 = getelementptr double, ptr %126, i64 %135
-  %137 = load double, ptr %136, align 8
-  %138 = load ptr, ptr %54, align 8
-  %139 = getelementptr double, ptr %138, i64 %127
-  %140 = getelementptr double, ptr %139, i64 %135
-  store double %137, ptr %140, align 8
-  %141 = add nuw nsw i64 %135, 1
-  %142 = icmp eq i64 %141, %94
-  br i1 %142, label %128, label %134, !llvm.loop !8
+137:                                              ; preds = %126, %137
+  %138 = phi i64 [ 0, %126 ], [ %144, %137 ]
+  %139 = getelementptr double, ptr %129, i64 %138
+  %140 = load double, ptr %139, align 8
+  %141 = load ptr, ptr %57, align 8
+  %142 = getelementptr double, ptr %141, i64 %130
+  %143 = getelementptr double, ptr %142, i64 %138
+  store double %140, ptr %143, align 8
+  %144 = add nuw nsw i64 %138, 1
+  %145 = icmp eq i64 %144, %97
+  br i1 %145, label %131, label %137, !llvm.loop !8
 
-143:                                              ; preds = %103
-  %144 = load ptr, ptr %4, align 8
-  %145 = load ptr, ptr %19, align 8
-  %146 = load ptr, ptr %20, align 8
-  store double %98, ptr %146, align 8
-  %147 = load i64, ptr %21, align 8
-  %148 = icmp sgt i64 %147, 0
-  br i1 %148, label %149, label %150
+146:                                              ; preds = %106
+  %147 = load ptr, ptr %19, align 8
+  %148 = load i64, ptr %20, align 8
+  %149 = icmp eq i64 %148, 0
+  br i1 %149, label %176, label %150
 
-149:                                              ; preds = %143
-  tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %150
+150:                                              ; preds = %146
+  %151 = icmp sgt i64 %148, 0
+  br i1 %151, label %152, label %165
 
-150:                                              ; preds = %143, %149
-  %151 = load ptr, ptr %3, align 8
-  %152 = load i64, ptr %151, align 8
-  %153 = load ptr, ptr %20, align 8
-  %154 = load ptr, ptr %22, align 8
-  %155 = load ptr, ptr %23, align 8
-  %156 = inttoptr i64 %152 to ptr
-  %157 = load ptr, ptr %156, align 8
-  %158 = tail call i32 %157(ptr noundef %153, ptr noundef %144, ptr noundef %154, ptr noundef %155, ptr noundef %145) #6
-  %159 = sext i32 %158 to i64
-  %160 = icmp eq i32 %158, 0
-  br i1 %160, label %161, label %314
+152:                                              ; preds = %150, %152
+  %153 = phi i64 [ %163, %152 ], [ %148, %150 ]
+  %154 = phi i64 [ %162, %152 ], [ 0, %150 ]
+  %155 = add nuw nsw i64 %153, %154
+  %156 = lshr i64 %155, 1
+  %157 = and i64 %155, -2
+  %158 = getelementptr inbounds double, ptr %147, i64 %157
+  %159 = load double, ptr %158, align 8
+  %160 = fcmp ogt double %159, %101
+  %161 = add nuw nsw i64 %156, 1
+  %162 = select i1 %160, i64 %154, i64 %161
+  %163 = select i1 %160, i64 %156, i64 %153
+  %164 = icmp slt i64 %162, %163
+  br i1 %164, label %152, label %165, !llvm.loop !9
 
-161:                                              ; preds = %150
-  %162 = load ptr, ptr %0, align 8
-  %163 = load i64, ptr %162, align 8
-  %164 = load ptr, ptr %24, align 8
-  %165 = insertelement <8 x double> poison, double %77, i64 0
-  %166 = shufflevector <8 x double> %165, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %166, ptr %164, align 8
-  %167 = icmp sgt i64 %163, 1
-  br i1 %167, label %172, label %257
+165:                                              ; preds = %152, %150
+  %166 = phi i64 [ 0, %150 ], [ %162, %152 ]
+  %167 = icmp slt i64 %166, %148
+  br i1 %167, label %168, label %173
 
-168:                                              ; preds = %245
-  %169 = add nuw nsw i64 %175, 1
-  %170 = icmp slt i64 %169, %163
-  %171 = icmp eq i64 %169, %163
-  br i1 %171, label %257, label %172, !llvm.loop !9
+168:                                              ; preds = %165
+  %169 = shl nuw nsw i64 %166, 1
+  %170 = or disjoint i64 %169, 1
+  %171 = getelementptr inbounds double, ptr %147, i64 %170
+  %172 = load double, ptr %171, align 8
+  br label %173
 
-172:                                              ; preds = %161, %168
-  %173 = phi i1 [ %170, %168 ], [ %167, %161 ]
-  %174 = phi i64 [ %256, %168 ], [ undef, %161 ]
-  %175 = phi i64 [ %169, %168 ], [ 1, %161 ]
-  %176 = load ptr, ptr %25, align 8
+173:                                              ; preds = %168, %165
+  %174 = phi double [ %172, %168 ], [ 0x7FF0000000000000, %165 ]
+  %175 = load ptr, ptr %21, align 8
+  store double %174, ptr %175, align 8
+  br label %176
+
+176:                                              ; preds = %173, %146
   %177 = load ptr, ptr %4, align 8
-  %178 = load ptr, ptr %3, align 8
-  %179 = getelementptr inbounds i8, ptr %178, i64 16
-  %180 = load i64, ptr %179, align 8
-  %181 = icmp sgt i64 %180, 1
-  %182 = zext i1 %181 to i64
-  %183 = load ptr, ptr %26, align 8
-  %184 = getelementptr inbounds i64, ptr %183, i64 %175
+  %178 = load ptr, ptr %22, align 8
+  %179 = load ptr, ptr %23, align 8
+  store double %101, ptr %179, align 8
+  %180 = load i64, ptr %24, align 8
+  %181 = icmp sgt i64 %180, 0
+  br i1 %181, label %182, label %183
+
+182:                                              ; preds = %176
+  tail call fastcc void @sample(ptr noundef nonnull %3) #5
+  br label %183
+
+183:                                              ; preds = %176, %182
+  %184 = load ptr, ptr %3, align 8
   %185 = load i64, ptr %184, align 8
-  %186 = getelementptr i8, ptr %184, i64 8
-  %187 = load i64, ptr %186, align 8
-  %188 = xor i64 %185, -1
-  %189 = add i64 %187, %188
-  %190 = load ptr, ptr %24, align 8
-  %191 = load ptr, ptr %27, align 8
-  %192 = load ptr, ptr %28, align 8
-  %193 = getelementptr inbounds i64, ptr %192, i64 %185
-  %194 = load ptr, ptr %29, align 8
-  %195 = getelementptr inbounds double, ptr %194, i64 %185
-  tail call fastcc void @combine(ptr noundef %176, ptr noundef %177, ptr noundef %190, ptr noundef %191, ptr noundef %193, ptr noundef %195, i64 noundef %189, i64 noundef %182, i64 noundef %180) #5
-  %196 = icmp eq i64 %180, 1
-  br i1 %196, label %197, label %228
+  %186 = load ptr, ptr %23, align 8
+  %187 = load ptr, ptr %25, align 8
+  %188 = load ptr, ptr %26, align 8
+  %189 = inttoptr i64 %185 to ptr
+  %190 = load ptr, ptr %189, align 8
+  %191 = tail call i32 %190(ptr noundef %186, ptr noundef %177, ptr noundef %187, ptr noundef %188, ptr noundef %178) #6
+  %192 = sext i32 %191 to i64
+  %193 = icmp eq i32 %191, 0
+  br i1 %193, label %194, label %347
 
-197:                                              ; preds = %172
-  %198 = load ptr, ptr %26, align 8
-  %199 = getelementptr i64, ptr %198, i64 %175
-  %200 = getelementptr i8, ptr %199, i64 8
-  %201 = load i64, ptr %200, align 8
-  %202 = add nsw i64 %201, -1
-  %203 = load ptr, ptr %29, align 8
-  %204 = getelementptr inbounds double, ptr %203, i64 %202
-  %205 = load double, ptr %204, align 8
-  %206 = fmul double %77, %205
-  %207 = load ptr, ptr %27, align 8
-  %208 = load ptr, ptr %28, align 8
-  %209 = getelementptr inbounds i64, ptr %208, i64 %202
-  %210 = load i64, ptr %209, align 8
-  %211 = getelementptr inbounds double, ptr %207, i64 %210
-  %212 = load ptr, ptr %3, align 8
-  %213 = getelementptr inbounds i8, ptr %212, i64 8
-  %214 = load i64, ptr %213, align 8
-  %215 = icmp sgt i64 %214, 0
-  br i1 %215, label %216, label %228
+194:                                              ; preds = %183
+  %195 = load ptr, ptr %0, align 8
+  %196 = load i64, ptr %195, align 8
+  %197 = load ptr, ptr %27, align 8
+  %198 = insertelement <8 x double> poison, double %80, i64 0
+  %199 = shufflevector <8 x double> %198, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %199, ptr %197, align 8
+  %200 = icmp sgt i64 %196, 1
+  br i1 %200, label %205, label %290
 
-216:                                              ; preds = %197, %216
-  %217 = phi i64 [ %223, %216 ], [ 0, %197 ]
-  %218 = getelementptr inbounds double, ptr %211, i64 %217
-  %219 = load double, ptr %218, align 8
-  %220 = getelementptr inbounds double, ptr %176, i64 %217
-  %221 = load double, ptr %220, align 8
-  %222 = tail call double @llvm.fma.f64(double %206, double %219, double %221)
-  store double %222, ptr %220, align 8
-  %223 = add nuw nsw i64 %217, 1
-  %224 = load ptr, ptr %3, align 8
-  %225 = getelementptr inbounds i8, ptr %224, i64 8
-  %226 = load i64, ptr %225, align 8
-  %227 = icmp slt i64 %223, %226
-  br i1 %227, label %216, label %228, !llvm.loop !10
+201:                                              ; preds = %278
+  %202 = add nuw nsw i64 %208, 1
+  %203 = icmp slt i64 %202, %196
+  %204 = icmp eq i64 %202, %196
+  br i1 %204, label %290, label %205, !llvm.loop !10
 
-228:                                              ; preds = %216, %197, %172
-  %229 = load ptr, ptr %27, align 8
-  %230 = load i64, ptr %30, align 8
-  %231 = mul nsw i64 %230, %175
-  %232 = getelementptr inbounds double, ptr %229, i64 %231
-  %233 = load i64, ptr %100, align 8
-  %234 = add nsw i64 %233, 1
-  store i64 %234, ptr %100, align 8
-  %235 = load ptr, ptr %31, align 8
-  %236 = getelementptr inbounds double, ptr %235, i64 %175
-  %237 = load double, ptr %236, align 8
-  %238 = fmul double %77, %237
-  %239 = fadd double %98, %238
-  %240 = load ptr, ptr %25, align 8
-  %241 = load ptr, ptr %20, align 8
-  store double %239, ptr %241, align 8
-  %242 = load i64, ptr %21, align 8
-  %243 = icmp sgt i64 %242, 0
-  br i1 %243, label %244, label %245
+205:                                              ; preds = %194, %201
+  %206 = phi i1 [ %203, %201 ], [ %200, %194 ]
+  %207 = phi i64 [ %289, %201 ], [ undef, %194 ]
+  %208 = phi i64 [ %202, %201 ], [ 1, %194 ]
+  %209 = load ptr, ptr %28, align 8
+  %210 = load ptr, ptr %4, align 8
+  %211 = load ptr, ptr %3, align 8
+  %212 = getelementptr inbounds i8, ptr %211, i64 16
+  %213 = load i64, ptr %212, align 8
+  %214 = icmp sgt i64 %213, 1
+  %215 = zext i1 %214 to i64
+  %216 = load ptr, ptr %29, align 8
+  %217 = getelementptr inbounds i64, ptr %216, i64 %208
+  %218 = load i64, ptr %217, align 8
+  %219 = getelementptr i8, ptr %217, i64 8
+  %220 = load i64, ptr %219, align 8
+  %221 = xor i64 %218, -1
+  %222 = add i64 %220, %221
+  %223 = load ptr, ptr %27, align 8
+  %224 = load ptr, ptr %30, align 8
+  %225 = load ptr, ptr %31, align 8
+  %226 = getelementptr inbounds i64, ptr %225, i64 %218
+  %227 = load ptr, ptr %32, align 8
+  %228 = getelementptr inbounds double, ptr %227, i64 %218
+  tail call fastcc void @combine(ptr noundef %209, ptr noundef %210, ptr noundef %223, ptr noundef %224, ptr noundef %226, ptr noundef %228, i64 noundef %222, i64 noundef %215, i64 noundef %213) #5
+  %229 = icmp eq i64 %213, 1
+  br i1 %229, label %230, label %261
 
-244:                                              ; preds = %228
-  tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %245
-
-245:                                              ; preds = %228, %244
-  %246 = load ptr, ptr %3, align 8
+230:                                              ; preds = %205
+  %231 = load ptr, ptr %29, align 8
+  %232 = getelementptr i64, ptr %231, i64 %208
+  %233 = getelementptr i8, ptr %232, i64 8
+  %234 = load i64, ptr %233, align 8
+  %235 = add nsw i64 %234, -1
+  %236 = load ptr, ptr %32, align 8
+  %237 = getelementptr inbounds double, ptr %236, i64 %235
+  %238 = load double, ptr %237, align 8
+  %239 = fmul double %80, %238
+  %240 = load ptr, ptr %30, align 8
+  %241 = load ptr, ptr %31, align 8
+  %242 = getelementptr inbounds i64, ptr %241, i64 %235
+  %243 = load i64, ptr %242, align 8
+  %244 = getelementptr inbounds double, ptr %240, i64 %243
+  %245 = load ptr, ptr %3, align 8
+  %246 = getelementptr inbounds i8, ptr %245, i64 8
   %247 = load i64, ptr %246, align 8
-  %248 = load ptr, ptr %20, align 8
-  %249 = load ptr, ptr %22, align 8
-  %250 = load ptr, ptr %23, align 8
-  %251 = inttoptr i64 %247 to ptr
-  %252 = load ptr, ptr %251, align 8
-  %253 = tail call i32 %252(ptr noundef %248, ptr noundef %240, ptr noundef %249, ptr noundef %250, ptr noundef %232) #6
-  %254 = sext i32 %253 to i64
-  %255 = icmp eq i32 %253, 0
-  %256 = select i1 %255, i64 %174, i64 %254
-  br i1 %255, label %168, label %257
+  %248 = icmp sgt i64 %247, 0
+  br i1 %248, label %249, label %261
 
-257:                                              ; preds = %168, %245, %161
-  %258 = phi i1 [ %167, %161 ], [ %170, %168 ], [ %173, %245 ]
-  %259 = phi i64 [ 0, %161 ], [ %254, %245 ], [ %254, %168 ]
-  %260 = phi i64 [ undef, %161 ], [ %256, %245 ], [ %256, %168 ]
-  br i1 %258, label %314, label %261
+249:                                              ; preds = %230, %249
+  %250 = phi i64 [ %256, %249 ], [ 0, %230 ]
+  %251 = getelementptr inbounds double, ptr %244, i64 %250
+  %252 = load double, ptr %251, align 8
+  %253 = getelementptr inbounds double, ptr %209, i64 %250
+  %254 = load double, ptr %253, align 8
+  %255 = tail call double @llvm.fma.f64(double %239, double %252, double %254)
+  store double %255, ptr %253, align 8
+  %256 = add nuw nsw i64 %250, 1
+  %257 = load ptr, ptr %3, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 8
+  %259 = load i64, ptr %258, align 8
+  %260 = icmp slt i64 %256, %259
+  br i1 %260, label %249, label %261, !llvm.loop !11
 
-261:                                              ; preds = %257
-  %262 = load ptr, ptr %32, align 8
-  %263 = load ptr, ptr %4, align 8
-  %264 = load ptr, ptr %3, align 8
-  %265 = getelementptr inbounds i8, ptr %264, i64 16
-  %266 = load i64, ptr %265, align 8
-  %267 = icmp sgt i64 %266, 1
-  %268 = zext i1 %267 to i64
-  %269 = load ptr, ptr %33, align 8
-  %270 = getelementptr inbounds i64, ptr %269, i64 %163
-  %271 = load i64, ptr %270, align 8
-  %272 = getelementptr i8, ptr %270, i64 8
-  %273 = load i64, ptr %272, align 8
-  %274 = xor i64 %271, -1
-  %275 = add i64 %273, %274
-  %276 = load ptr, ptr %24, align 8
-  %277 = load ptr, ptr %34, align 8
-  %278 = load ptr, ptr %35, align 8
-  %279 = getelementptr inbounds i64, ptr %278, i64 %271
-  %280 = load ptr, ptr %36, align 8
-  %281 = getelementptr inbounds double, ptr %280, i64 %271
-  tail call fastcc void @combine(ptr noundef %262, ptr noundef %263, ptr noundef %276, ptr noundef %277, ptr noundef %279, ptr noundef %281, i64 noundef %275, i64 noundef %268, i64 noundef %266) #5
-  %282 = icmp eq i64 %266, 1
-  br i1 %282, label %283, label %314
+261:                                              ; preds = %249, %230, %205
+  %262 = load ptr, ptr %30, align 8
+  %263 = load i64, ptr %33, align 8
+  %264 = mul nsw i64 %263, %208
+  %265 = getelementptr inbounds double, ptr %262, i64 %264
+  %266 = load i64, ptr %103, align 8
+  %267 = add nsw i64 %266, 1
+  store i64 %267, ptr %103, align 8
+  %268 = load ptr, ptr %34, align 8
+  %269 = getelementptr inbounds double, ptr %268, i64 %208
+  %270 = load double, ptr %269, align 8
+  %271 = fmul double %80, %270
+  %272 = fadd double %101, %271
+  %273 = load ptr, ptr %28, align 8
+  %274 = load ptr, ptr %23, align 8
+  store double %272, ptr %274, align 8
+  %275 = load i64, ptr %24, align 8
+  %276 = icmp sgt i64 %275, 0
+  br i1 %276, label %277, label %278
 
-283:                                              ; preds = %261
-  %284 = load ptr, ptr %33, align 8
-  %285 = getelementptr i64, ptr %284, i64 %163
-  %286 = getelementptr i8, ptr %285, i64 8
-  %287 = load i64, ptr %286, align 8
-  %288 = add nsw i64 %287, -1
-  %289 = load ptr, ptr %36, align 8
-  %290 = getelementptr inbounds double, ptr %289, i64 %288
-  %291 = load double, ptr %290, align 8
-  %292 = fmul double %77, %291
-  %293 = load ptr, ptr %34, align 8
-  %294 = load ptr, ptr %35, align 8
-  %295 = getelementptr inbounds i64, ptr %294, i64 %288
-  %296 = load i64, ptr %295, align 8
-  %297 = getelementptr inbounds double, ptr %293, i64 %296
-  %298 = load ptr, ptr %3, align 8
-  %299 = getelementptr inbounds i8, ptr %298, i64 8
-  %300 = load i64, ptr %299, align 8
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %302, label %314
-
-302:                                              ; preds = %283, %302
-  %303 = phi i64 [ %309, %302 ], [ 0, %283 ]
-  %304 = getelementptr inbounds double, ptr %297, i64 %303
-  %305 = load double, ptr %304, align 8
-  %306 = getelementptr inbounds double, ptr %262, i64 %303
-  %307 = load double, ptr %306, align 8
-  %308 = tail call double @llvm.fma.f64(double %292, double %305, double %307)
-  store double %308, ptr %306, align 8
-  %309 = add nuw nsw i64 %303, 1
-  %310 = load ptr, ptr %3, align 8
-  %311 = getelementptr inbounds i8, ptr %310, i64 8
-  %312 = load i64, ptr %311, align 8
-  %313 = icmp slt i64 %309, %312
-  br i1 %313, label %302, label %314, !llvm.loop !10
-
-314:                                              ; preds = %302, %283, %257, %261, %150
-  %315 = phi i64 [ %159, %150 ], [ %260, %257 ], [ %259, %261 ], [ %259, %283 ], [ %259, %302 ]
-  %316 = icmp eq i64 %315, 0
-  br i1 %316, label %317, label %492
-
-317:                                              ; preds = %314
-  %318 = getelementptr inbounds i8, ptr %91, i64 16
-  %319 = icmp sgt i64 %94, 0
-  br i1 %319, label %341, label %320
-
-320:                                              ; preds = %341, %317
-  %321 = load double, ptr %91, align 8
-  %322 = load ptr, ptr %38, align 8
-  %323 = load ptr, ptr %19, align 8
-  %324 = mul nsw i64 %97, %95
-  %325 = getelementptr inbounds double, ptr %323, i64 %324
-  %326 = load ptr, ptr %20, align 8
-  store double %321, ptr %326, align 8
-  %327 = load i64, ptr %21, align 8
-  %328 = icmp sgt i64 %327, 0
-  br i1 %328, label %329, label %330
-
-329:                                              ; preds = %320
+277:                                              ; preds = %261
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %330
+  br label %278
 
-330:                                              ; preds = %320, %329
+278:                                              ; preds = %261, %277
+  %279 = load ptr, ptr %3, align 8
+  %280 = load i64, ptr %279, align 8
+  %281 = load ptr, ptr %23, align 8
+  %282 = load ptr, ptr %25, align 8
+  %283 = load ptr, ptr %26, align 8
+  %284 = inttoptr i64 %280 to ptr
+  %285 = load ptr, ptr %284, align 8
+  %286 = tail call i32 %285(ptr noundef %281, ptr noundef %273, ptr noundef %282, ptr noundef %283, ptr noundef %265) #6
+  %287 = sext i32 %286 to i64
+  %288 = icmp eq i32 %286, 0
+  %289 = select i1 %288, i64 %207, i64 %287
+  br i1 %288, label %201, label %290
+
+290:                                              ; preds = %201, %278, %194
+  %291 = phi i1 [ %200, %194 ], [ %203, %201 ], [ %206, %278 ]
+  %292 = phi i64 [ 0, %194 ], [ %287, %278 ], [ %287, %201 ]
+  %293 = phi i64 [ undef, %194 ], [ %289, %278 ], [ %289, %201 ]
+  br i1 %291, label %347, label %294
+
+294:                                              ; preds = %290
+  %295 = load ptr, ptr %35, align 8
+  %296 = load ptr, ptr %4, align 8
+  %297 = load ptr, ptr %3, align 8
+  %298 = getelementptr inbounds i8, ptr %297, i64 16
+  %299 = load i64, ptr %298, align 8
+  %300 = icmp sgt i64 %299, 1
+  %301 = zext i1 %300 to i64
+  %302 = load ptr, ptr %36, align 8
+  %303 = getelementptr inbounds i64, ptr %302, i64 %196
+  %304 = load i64, ptr %303, align 8
+  %305 = getelementptr i8, ptr %303, i64 8
+  %306 = load i64, ptr %305, align 8
+  %307 = xor i64 %304, -1
+  %308 = add i64 %306, %307
+  %309 = load ptr, ptr %27, align 8
+  %310 = load ptr, ptr %37, align 8
+  %311 = load ptr, ptr %38, align 8
+  %312 = getelementptr inbounds i64, ptr %311, i64 %304
+  %313 = load ptr, ptr %39, align 8
+  %314 = getelementptr inbounds double, ptr %313, i64 %304
+  tail call fastcc void @combine(ptr noundef %295, ptr noundef %296, ptr noundef %309, ptr noundef %310, ptr noundef %312, ptr noundef %314, i64 noundef %308, i64 noundef %301, i64 noundef %299) #5
+  %315 = icmp eq i64 %299, 1
+  br i1 %315, label %316, label %347
+
+316:                                              ; preds = %294
+  %317 = load ptr, ptr %36, align 8
+  %318 = getelementptr i64, ptr %317, i64 %196
+  %319 = getelementptr i8, ptr %318, i64 8
+  %320 = load i64, ptr %319, align 8
+  %321 = add nsw i64 %320, -1
+  %322 = load ptr, ptr %39, align 8
+  %323 = getelementptr inbounds double, ptr %322, i64 %321
+  %324 = load double, ptr %323, align 8
+  %325 = fmul double %80, %324
+  %326 = load ptr, ptr %37, align 8
+  %327 = load ptr, ptr %38, align 8
+  %328 = getelementptr inbounds i64, ptr %327, i64 %321
+  %329 = load i64, ptr %328, align 8
+  %330 = getelementptr inbounds double, ptr %326, i64 %329
   %331 = load ptr, ptr %3, align 8
-  %332 = load i64, ptr %331, align 8
-  %333 = load ptr, ptr %20, align 8
-  %334 = load ptr, ptr %22, align 8
-  %335 = load ptr, ptr %23, align 8
-  %336 = inttoptr i64 %332 to ptr
-  %337 = load ptr, ptr %336, align 8
-  %338 = tail call i32 %337(ptr noundef %333, ptr noundef %322, ptr noundef %334, ptr noundef %335, ptr noundef %325) #6
-  %339 = sext i32 %338 to i64
-  %340 = icmp eq i32 %338, 0
-  br i1 %340, label %349, label %492
+  %332 = getelementptr inbounds i8, ptr %331, i64 8
+  %333 = load i64, ptr %332, align 8
+  %334 = icmp sgt i64 %333, 0
+  br i1 %334, label %335, label %347
 
-341:                                              ; preds = %317, %341
-  %342 = phi i64 [ %347, %341 ], [ 0, %317 ]
-  %343 = getelementptr inbounds double, ptr %318, i64 %342
-  %344 = load double, ptr %343, align 8
-  %345 = load ptr, ptr %37, align 8
-  %346 = getelementptr inbounds double, ptr %345, i64 %342
-  store double %344, ptr %346, align 8
-  %347 = add nuw nsw i64 %342, 1
-  %348 = icmp eq i64 %347, %94
-  br i1 %348, label %320, label %341, !llvm.loop !11
+335:                                              ; preds = %316, %335
+  %336 = phi i64 [ %342, %335 ], [ 0, %316 ]
+  %337 = getelementptr inbounds double, ptr %330, i64 %336
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr inbounds double, ptr %295, i64 %336
+  %340 = load double, ptr %339, align 8
+  %341 = tail call double @llvm.fma.f64(double %325, double %338, double %340)
+  store double %341, ptr %339, align 8
+  %342 = add nuw nsw i64 %336, 1
+  %343 = load ptr, ptr %3, align 8
+  %344 = getelementptr inbounds i8, ptr %343, i64 8
+  %345 = load i64, ptr %344, align 8
+  %346 = icmp slt i64 %342, %345
+  br i1 %346, label %335, label %347, !llvm.loop !11
 
-349:                                              ; preds = %330
-  %350 = load ptr, ptr %0, align 8
-  %351 = load ptr, ptr %3, align 8
-  %352 = getelementptr inbounds i8, ptr %351, i64 16
-  %353 = load i64, ptr %352, align 8
-  %354 = load i64, ptr %350, align 8
-  %355 = load i64, ptr %39, align 8
-  %356 = load ptr, ptr %40, align 8
-  %357 = mul nsw i64 %355, %354
+347:                                              ; preds = %335, %316, %290, %294, %183
+  %348 = phi i64 [ %192, %183 ], [ %293, %290 ], [ %292, %294 ], [ %292, %316 ], [ %292, %335 ]
+  %349 = icmp eq i64 %348, 0
+  br i1 %349, label %350, label %525
+
+350:                                              ; preds = %347
+  %351 = getelementptr inbounds i8, ptr %94, i64 16
+  %352 = icmp sgt i64 %97, 0
+  br i1 %352, label %374, label %353
+
+353:                                              ; preds = %374, %350
+  %354 = load double, ptr %94, align 8
+  %355 = load ptr, ptr %41, align 8
+  %356 = load ptr, ptr %22, align 8
+  %357 = mul nsw i64 %100, %98
   %358 = getelementptr inbounds double, ptr %356, i64 %357
-  %359 = load ptr, ptr %41, align 8
-  %360 = add nsw i64 %354, 1
-  %361 = getelementptr inbounds i8, ptr %350, i64 16
-  %362 = load i64, ptr %361, align 8
-  %363 = icmp sgt i64 %362, 0
-  br i1 %363, label %364, label %419
+  %359 = load ptr, ptr %23, align 8
+  store double %354, ptr %359, align 8
+  %360 = load i64, ptr %24, align 8
+  %361 = icmp sgt i64 %360, 0
+  br i1 %361, label %362, label %363
 
-364:                                              ; preds = %349
-  %365 = getelementptr inbounds i8, ptr %350, i64 8
-  br label %371
-
-366:                                              ; preds = %407
-  %367 = add nsw i64 %374, 1
-  %368 = load i64, ptr %361, align 8
-  %369 = add nsw i64 %368, %360
-  %370 = icmp slt i64 %367, %369
-  br i1 %370, label %371, label %419, !llvm.loop !12
-
-371:                                              ; preds = %364, %366
-  %372 = phi i1 [ %363, %364 ], [ %370, %366 ]
-  %373 = phi i64 [ undef, %364 ], [ %418, %366 ]
-  %374 = phi i64 [ %360, %364 ], [ %367, %366 ]
-  %375 = load i64, ptr %365, align 8
-  %376 = load ptr, ptr %42, align 8
-  %377 = load ptr, ptr %4, align 8
-  %378 = load ptr, ptr %43, align 8
-  %379 = getelementptr i64, ptr %378, i64 %374
-  %380 = getelementptr i64, ptr %379, i64 %375
-  %381 = load i64, ptr %380, align 8
-  %382 = getelementptr i8, ptr %380, i64 8
-  %383 = load i64, ptr %382, align 8
-  %384 = xor i64 %381, -1
-  %385 = add i64 %383, %384
-  %386 = load ptr, ptr %44, align 8
-  %387 = load ptr, ptr %40, align 8
-  %388 = load ptr, ptr %45, align 8
-  %389 = getelementptr inbounds i64, ptr %388, i64 %381
-  %390 = load ptr, ptr %46, align 8
-  %391 = getelementptr inbounds double, ptr %390, i64 %381
-  tail call fastcc void @combine(ptr noundef %376, ptr noundef %377, ptr noundef %386, ptr noundef %387, ptr noundef %389, ptr noundef %391, i64 noundef %385, i64 noundef 1, i64 noundef %353) #5
-  %392 = load ptr, ptr %40, align 8
-  %393 = mul nsw i64 %374, %355
-  %394 = getelementptr inbounds double, ptr %392, i64 %393
-  %395 = load i64, ptr %100, align 8
-  %396 = add nsw i64 %395, 1
-  store i64 %396, ptr %100, align 8
-  %397 = load ptr, ptr %47, align 8
-  %398 = getelementptr inbounds double, ptr %397, i64 %374
-  %399 = load double, ptr %398, align 8
-  %400 = fmul double %77, %399
-  %401 = fadd double %98, %400
-  %402 = load ptr, ptr %42, align 8
-  %403 = load ptr, ptr %20, align 8
-  store double %401, ptr %403, align 8
-  %404 = load i64, ptr %21, align 8
-  %405 = icmp sgt i64 %404, 0
-  br i1 %405, label %406, label %407
-
-406:                                              ; preds = %371
+362:                                              ; preds = %353
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %407
+  br label %363
 
-407:                                              ; preds = %371, %406
-  %408 = load ptr, ptr %3, align 8
-  %409 = load i64, ptr %408, align 8
-  %410 = load ptr, ptr %20, align 8
-  %411 = load ptr, ptr %22, align 8
-  %412 = load ptr, ptr %23, align 8
-  %413 = inttoptr i64 %409 to ptr
-  %414 = load ptr, ptr %413, align 8
-  %415 = tail call i32 %414(ptr noundef %410, ptr noundef %402, ptr noundef %411, ptr noundef %412, ptr noundef %394) #6
-  %416 = sext i32 %415 to i64
-  %417 = icmp eq i32 %415, 0
-  %418 = select i1 %417, i64 %373, i64 %416
-  br i1 %417, label %366, label %419
+363:                                              ; preds = %353, %362
+  %364 = load ptr, ptr %3, align 8
+  %365 = load i64, ptr %364, align 8
+  %366 = load ptr, ptr %23, align 8
+  %367 = load ptr, ptr %25, align 8
+  %368 = load ptr, ptr %26, align 8
+  %369 = inttoptr i64 %365 to ptr
+  %370 = load ptr, ptr %369, align 8
+  %371 = tail call i32 %370(ptr noundef %366, ptr noundef %355, ptr noundef %367, ptr noundef %368, ptr noundef %358) #6
+  %372 = sext i32 %371 to i64
+  %373 = icmp eq i32 %371, 0
+  br i1 %373, label %382, label %525
 
-419:                                              ; preds = %366, %407, %349
-  %420 = phi i1 [ %363, %349 ], [ %370, %366 ], [ %372, %407 ]
-  %421 = phi i64 [ 0, %349 ], [ %416, %407 ], [ %416, %366 ]
-  %422 = phi i64 [ undef, %349 ], [ %418, %407 ], [ %418, %366 ]
-  %423 = getelementptr inbounds i8, ptr %350, i64 16
-  br i1 %420, label %492, label %424
+374:                                              ; preds = %350, %374
+  %375 = phi i64 [ %380, %374 ], [ 0, %350 ]
+  %376 = getelementptr inbounds double, ptr %351, i64 %375
+  %377 = load double, ptr %376, align 8
+  %378 = load ptr, ptr %40, align 8
+  %379 = getelementptr inbounds double, ptr %378, i64 %375
+  store double %377, ptr %379, align 8
+  %380 = add nuw nsw i64 %375, 1
+  %381 = icmp eq i64 %380, %97
+  br i1 %381, label %353, label %374, !llvm.loop !12
 
-424:                                              ; preds = %419
-  %425 = load ptr, ptr %3, align 8
-  %426 = getelementptr inbounds i8, ptr %425, i64 8
-  %427 = load i64, ptr %426, align 8
-  %428 = icmp sgt i64 %427, 0
-  br i1 %428, label %429, label %433
+382:                                              ; preds = %363
+  %383 = load ptr, ptr %0, align 8
+  %384 = load ptr, ptr %3, align 8
+  %385 = getelementptr inbounds i8, ptr %384, i64 16
+  %386 = load i64, ptr %385, align 8
+  %387 = load i64, ptr %383, align 8
+  %388 = load i64, ptr %42, align 8
+  %389 = load ptr, ptr %43, align 8
+  %390 = mul nsw i64 %388, %387
+  %391 = getelementptr inbounds double, ptr %389, i64 %390
+  %392 = load ptr, ptr %44, align 8
+  %393 = add nsw i64 %387, 1
+  %394 = getelementptr inbounds i8, ptr %383, i64 16
+  %395 = load i64, ptr %394, align 8
+  %396 = icmp sgt i64 %395, 0
+  br i1 %396, label %397, label %452
 
-429:                                              ; preds = %424
-  %430 = getelementptr inbounds double, ptr %359, i64 %355
-  %431 = shl nsw i64 %355, 4
-  %432 = getelementptr inbounds i8, ptr %359, i64 %431
+397:                                              ; preds = %382
+  %398 = getelementptr inbounds i8, ptr %383, i64 8
+  br label %404
+
+399:                                              ; preds = %440
+  %400 = add nsw i64 %407, 1
+  %401 = load i64, ptr %394, align 8
+  %402 = add nsw i64 %401, %393
+  %403 = icmp slt i64 %400, %402
+  br i1 %403, label %404, label %452, !llvm.loop !13
+
+404:                                              ; preds = %397, %399
+  %405 = phi i1 [ %396, %397 ], [ %403, %399 ]
+  %406 = phi i64 [ undef, %397 ], [ %451, %399 ]
+  %407 = phi i64 [ %393, %397 ], [ %400, %399 ]
+  %408 = load i64, ptr %398, align 8
+  %409 = load ptr, ptr %45, align 8
+  %410 = load ptr, ptr %4, align 8
+  %411 = load ptr, ptr %46, align 8
+  %412 = getelementptr i64, ptr %411, i64 %407
+  %413 = getelementptr i64, ptr %412, i64 %408
+  %414 = load i64, ptr %413, align 8
+  %415 = getelementptr i8, ptr %413, i64 8
+  %416 = load i64, ptr %415, align 8
+  %417 = xor i64 %414, -1
+  %418 = add i64 %416, %417
+  %419 = load ptr, ptr %47, align 8
+  %420 = load ptr, ptr %43, align 8
+  %421 = load ptr, ptr %48, align 8
+  %422 = getelementptr inbounds i64, ptr %421, i64 %414
+  %423 = load ptr, ptr %49, align 8
+  %424 = getelementptr inbounds double, ptr %423, i64 %414
+  tail call fastcc void @combine(ptr noundef %409, ptr noundef %410, ptr noundef %419, ptr noundef %420, ptr noundef %422, ptr noundef %424, i64 noundef %418, i64 noundef 1, i64 noundef %386) #5
+  %425 = load ptr, ptr %43, align 8
+  %426 = mul nsw i64 %407, %388
+  %427 = getelementptr inbounds double, ptr %425, i64 %426
+  %428 = load i64, ptr %103, align 8
+  %429 = add nsw i64 %428, 1
+  store i64 %429, ptr %103, align 8
+  %430 = load ptr, ptr %50, align 8
+  %431 = getelementptr inbounds double, ptr %430, i64 %407
+  %432 = load double, ptr %431, align 8
+  %433 = fmul double %80, %432
+  %434 = fadd double %101, %433
+  %435 = load ptr, ptr %45, align 8
+  %436 = load ptr, ptr %23, align 8
+  store double %434, ptr %436, align 8
+  %437 = load i64, ptr %24, align 8
+  %438 = icmp sgt i64 %437, 0
+  br i1 %438, label %439, label %440
+
+439:                                              ; preds = %404
+  tail call fastcc void @sample(ptr noundef nonnull %3) #5
   br label %440
 
-433:                                              ; preds = %440, %424
-  %434 = getelementptr inbounds i8, ptr %350, i64 8
-  %435 = load i64, ptr %434, align 8
-  %436 = load i64, ptr %423, align 8
-  %437 = getelementptr inbounds i8, ptr %350, i64 24
-  %438 = load i64, ptr %437, align 8
-  %439 = icmp sgt i64 %438, 3
-  br i1 %439, label %467, label %492
+440:                                              ; preds = %404, %439
+  %441 = load ptr, ptr %3, align 8
+  %442 = load i64, ptr %441, align 8
+  %443 = load ptr, ptr %23, align 8
+  %444 = load ptr, ptr %25, align 8
+  %445 = load ptr, ptr %26, align 8
+  %446 = inttoptr i64 %442 to ptr
+  %447 = load ptr, ptr %446, align 8
+  %448 = tail call i32 %447(ptr noundef %443, ptr noundef %435, ptr noundef %444, ptr noundef %445, ptr noundef %427) #6
+  %449 = sext i32 %448 to i64
+  %450 = icmp eq i32 %448, 0
+  %451 = select i1 %450, i64 %406, i64 %449
+  br i1 %450, label %399, label %452
 
-440:                                              ; preds = %429, %440
-  %441 = phi i64 [ 0, %429 ], [ %462, %440 ]
-  %442 = load ptr, ptr %48, align 8
-  %443 = getelementptr inbounds double, ptr %442, i64 %441
-  %444 = load double, ptr %443, align 8
-  %445 = load ptr, ptr %4, align 8
-  %446 = getelementptr inbounds double, ptr %445, i64 %441
-  %447 = load double, ptr %446, align 8
-  %448 = fsub double %444, %447
-  %449 = load ptr, ptr %40, align 8
-  %450 = getelementptr inbounds double, ptr %449, i64 %441
-  %451 = load double, ptr %450, align 8
-  %452 = fmul double %77, %451
-  %453 = fsub double %452, %448
-  %454 = getelementptr inbounds double, ptr %359, i64 %441
-  store double %448, ptr %454, align 8
-  %455 = getelementptr inbounds double, ptr %430, i64 %441
-  store double %453, ptr %455, align 8
-  %456 = fsub double %448, %453
-  %457 = getelementptr inbounds double, ptr %358, i64 %441
-  %458 = load double, ptr %457, align 8
-  %459 = fmul double %77, %458
-  %460 = fsub double %456, %459
-  %461 = getelementptr inbounds double, ptr %432, i64 %441
-  store double %460, ptr %461, align 8
-  %462 = add nuw nsw i64 %441, 1
-  %463 = load ptr, ptr %3, align 8
-  %464 = getelementptr inbounds i8, ptr %463, i64 8
-  %465 = load i64, ptr %464, align 8
-  %466 = icmp slt i64 %462, %465
-  br i1 %466, label %440, label %433, !llvm.loop !13
+452:                                              ; preds = %399, %440, %382
+  %453 = phi i1 [ %396, %382 ], [ %403, %399 ], [ %405, %440 ]
+  %454 = phi i64 [ 0, %382 ], [ %449, %440 ], [ %449, %399 ]
+  %455 = phi i64 [ undef, %382 ], [ %451, %440 ], [ %451, %399 ]
+  %456 = getelementptr inbounds i8, ptr %383, i64 16
+  br i1 %453, label %525, label %457
 
-467:                                              ; preds = %433, %467
-  %468 = phi i64 [ %489, %467 ], [ 3, %433 ]
-  %469 = mul nsw i64 %468, %355
-  %470 = getelementptr inbounds double, ptr %359, i64 %469
-  %471 = load ptr, ptr %49, align 8
-  %472 = load ptr, ptr %50, align 8
-  %473 = getelementptr i64, ptr %472, i64 %360
-  %474 = getelementptr i64, ptr %473, i64 %435
-  %475 = getelementptr i64, ptr %474, i64 %436
-  %476 = getelementptr i64, ptr %475, i64 %468
-  %477 = getelementptr i8, ptr %476, i64 -24
-  %478 = load i64, ptr %477, align 8
-  %479 = getelementptr i8, ptr %476, i64 -16
-  %480 = load i64, ptr %479, align 8
-  %481 = xor i64 %478, -1
-  %482 = add i64 %480, %481
-  %483 = load ptr, ptr %51, align 8
-  %484 = load ptr, ptr %40, align 8
-  %485 = load ptr, ptr %52, align 8
-  %486 = getelementptr inbounds i64, ptr %485, i64 %478
-  %487 = load ptr, ptr %53, align 8
-  %488 = getelementptr inbounds double, ptr %487, i64 %478
-  tail call fastcc void @combine(ptr noundef %470, ptr noundef %471, ptr noundef %483, ptr noundef %484, ptr noundef %486, ptr noundef %488, i64 noundef %482, i64 noundef 1, i64 noundef %353) #5
-  %489 = add nuw nsw i64 %468, 1
-  %490 = load i64, ptr %437, align 8
-  %491 = icmp slt i64 %489, %490
-  br i1 %491, label %467, label %492, !llvm.loop !14
+457:                                              ; preds = %452
+  %458 = load ptr, ptr %3, align 8
+  %459 = getelementptr inbounds i8, ptr %458, i64 8
+  %460 = load i64, ptr %459, align 8
+  %461 = icmp sgt i64 %460, 0
+  br i1 %461, label %462, label %466
 
-492:                                              ; preds = %467, %128, %433, %105, %419, %314, %330
-  %493 = phi i64 [ %315, %314 ], [ %339, %330 ], [ %422, %419 ], [ 0, %105 ], [ %421, %433 ], [ 0, %128 ], [ %421, %467 ]
-  %494 = icmp eq i64 %493, 0
-  %495 = select i1 %494, i64 %61, i64 %493
-  br i1 %494, label %496, label %526
+462:                                              ; preds = %457
+  %463 = getelementptr inbounds double, ptr %392, i64 %388
+  %464 = shl nsw i64 %388, 4
+  %465 = getelementptr inbounds i8, ptr %392, i64 %464
+  br label %473
 
-496:                                              ; preds = %492, %88
-  %497 = phi i64 [ %66, %492 ], [ %62, %88 ]
-  %498 = phi i64 [ %495, %492 ], [ %61, %88 ]
-  %499 = load double, ptr %69, align 8
-  %500 = fsub double %72, %499
-  %501 = load double, ptr %76, align 8
-  %502 = fdiv double %500, %501
-  %503 = load ptr, ptr %55, align 8
-  %504 = insertelement <8 x double> poison, double %502, i64 0
-  %505 = shufflevector <8 x double> %504, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %505, ptr %503, align 8
-  %506 = load ptr, ptr %4, align 8
-  %507 = load ptr, ptr %56, align 8
-  %508 = load i64, ptr %57, align 8
-  %509 = load ptr, ptr %0, align 8
-  %510 = getelementptr inbounds i8, ptr %509, i64 24
+466:                                              ; preds = %473, %457
+  %467 = getelementptr inbounds i8, ptr %383, i64 8
+  %468 = load i64, ptr %467, align 8
+  %469 = load i64, ptr %456, align 8
+  %470 = getelementptr inbounds i8, ptr %383, i64 24
+  %471 = load i64, ptr %470, align 8
+  %472 = icmp sgt i64 %471, 3
+  br i1 %472, label %500, label %525
+
+473:                                              ; preds = %462, %473
+  %474 = phi i64 [ 0, %462 ], [ %495, %473 ]
+  %475 = load ptr, ptr %51, align 8
+  %476 = getelementptr inbounds double, ptr %475, i64 %474
+  %477 = load double, ptr %476, align 8
+  %478 = load ptr, ptr %4, align 8
+  %479 = getelementptr inbounds double, ptr %478, i64 %474
+  %480 = load double, ptr %479, align 8
+  %481 = fsub double %477, %480
+  %482 = load ptr, ptr %43, align 8
+  %483 = getelementptr inbounds double, ptr %482, i64 %474
+  %484 = load double, ptr %483, align 8
+  %485 = fmul double %80, %484
+  %486 = fsub double %485, %481
+  %487 = getelementptr inbounds double, ptr %392, i64 %474
+  store double %481, ptr %487, align 8
+  %488 = getelementptr inbounds double, ptr %463, i64 %474
+  store double %486, ptr %488, align 8
+  %489 = fsub double %481, %486
+  %490 = getelementptr inbounds double, ptr %391, i64 %474
+  %491 = load double, ptr %490, align 8
+  %492 = fmul double %80, %491
+  %493 = fsub double %489, %492
+  %494 = getelementptr inbounds double, ptr %465, i64 %474
+  store double %493, ptr %494, align 8
+  %495 = add nuw nsw i64 %474, 1
+  %496 = load ptr, ptr %3, align 8
+  %497 = getelementptr inbounds i8, ptr %496, i64 8
+  %498 = load i64, ptr %497, align 8
+  %499 = icmp slt i64 %495, %498
+  br i1 %499, label %473, label %466, !llvm.loop !14
+
+500:                                              ; preds = %466, %500
+  %501 = phi i64 [ %522, %500 ], [ 3, %466 ]
+  %502 = mul nsw i64 %501, %388
+  %503 = getelementptr inbounds double, ptr %392, i64 %502
+  %504 = load ptr, ptr %52, align 8
+  %505 = load ptr, ptr %53, align 8
+  %506 = getelementptr i64, ptr %505, i64 %393
+  %507 = getelementptr i64, ptr %506, i64 %468
+  %508 = getelementptr i64, ptr %507, i64 %469
+  %509 = getelementptr i64, ptr %508, i64 %501
+  %510 = getelementptr i8, ptr %509, i64 -24
   %511 = load i64, ptr %510, align 8
-  %512 = load ptr, ptr %55, align 8
-  %513 = load ptr, ptr %3, align 8
-  %514 = getelementptr inbounds i8, ptr %513, i64 16
-  %515 = load i64, ptr %514, align 8
-  tail call fastcc void @nested(ptr noundef %75, ptr noundef %506, ptr noundef %507, i64 noundef %508, i64 noundef %511, ptr noundef %512, i64 noundef %515) #5
-  %516 = load ptr, ptr %58, align 8
-  %517 = load i64, ptr %516, align 8
-  %518 = icmp eq i64 %517, 1
-  %519 = fcmp ogt double %502, 0.000000e+00
-  %520 = and i1 %519, %518
-  br i1 %520, label %521, label %526
+  %512 = getelementptr i8, ptr %509, i64 -16
+  %513 = load i64, ptr %512, align 8
+  %514 = xor i64 %511, -1
+  %515 = add i64 %513, %514
+  %516 = load ptr, ptr %54, align 8
+  %517 = load ptr, ptr %43, align 8
+  %518 = load ptr, ptr %55, align 8
+  %519 = getelementptr inbounds i64, ptr %518, i64 %511
+  %520 = load ptr, ptr %56, align 8
+  %521 = getelementptr inbounds double, ptr %520, i64 %511
+  tail call fastcc void @combine(ptr noundef %503, ptr noundef %504, ptr noundef %516, ptr noundef %517, ptr noundef %519, ptr noundef %521, i64 noundef %515, i64 noundef 1, i64 noundef %386) #5
+  %522 = add nuw nsw i64 %501, 1
+  %523 = load i64, ptr %470, align 8
+  %524 = icmp slt i64 %522, %523
+  br i1 %524, label %500, label %525, !llvm.loop !15
 
-521:                                              ; preds = %496
-  %522 = getelementptr inbounds i8, ptr %516, i64 56
-  %523 = load i64, ptr %522, align 8
-  %524 = inttoptr i64 %523 to ptr
-  %525 = tail call i64 %524(ptr noundef %0, double noundef %72, ptr noundef %75, ptr noundef null) #6
-  br label %526
+525:                                              ; preds = %500, %131, %466, %108, %452, %347, %363
+  %526 = phi i64 [ %348, %347 ], [ %372, %363 ], [ %455, %452 ], [ 0, %108 ], [ %454, %466 ], [ 0, %131 ], [ %454, %500 ]
+  %527 = icmp eq i64 %526, 0
+  %528 = select i1 %527, i64 %64, i64 %526
+  br i1 %527, label %529, label %559
 
-526:                                              ; preds = %81, %79, %496, %521, %492
-  %527 = phi i32 [ 1, %492 ], [ 0, %521 ], [ 0, %496 ], [ 4, %79 ], [ 4, %81 ]
-  %528 = phi i64 [ %66, %492 ], [ %497, %521 ], [ %497, %496 ], [ %62, %79 ], [ %62, %81 ]
-  %529 = phi i64 [ %495, %492 ], [ %498, %521 ], [ %498, %496 ], [ %61, %79 ], [ %61, %81 ]
-  switch i32 %527, label %534 [
-    i32 0, label %530
-    i32 4, label %530
+529:                                              ; preds = %525, %91
+  %530 = phi i64 [ %69, %525 ], [ %65, %91 ]
+  %531 = phi i64 [ %528, %525 ], [ %64, %91 ]
+  %532 = load double, ptr %72, align 8
+  %533 = fsub double %75, %532
+  %534 = load double, ptr %79, align 8
+  %535 = fdiv double %533, %534
+  %536 = load ptr, ptr %58, align 8
+  %537 = insertelement <8 x double> poison, double %535, i64 0
+  %538 = shufflevector <8 x double> %537, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %538, ptr %536, align 8
+  %539 = load ptr, ptr %4, align 8
+  %540 = load ptr, ptr %59, align 8
+  %541 = load i64, ptr %60, align 8
+  %542 = load ptr, ptr %0, align 8
+  %543 = getelementptr inbounds i8, ptr %542, i64 24
+  %544 = load i64, ptr %543, align 8
+  %545 = load ptr, ptr %58, align 8
+  %546 = load ptr, ptr %3, align 8
+  %547 = getelementptr inbounds i8, ptr %546, i64 16
+  %548 = load i64, ptr %547, align 8
+  tail call fastcc void @nested(ptr noundef %78, ptr noundef %539, ptr noundef %540, i64 noundef %541, i64 noundef %544, ptr noundef %545, i64 noundef %548) #5
+  %549 = load ptr, ptr %61, align 8
+  %550 = load i64, ptr %549, align 8
+  %551 = icmp eq i64 %550, 1
+  %552 = fcmp ogt double %535, 0.000000e+00
+  %553 = and i1 %552, %551
+  br i1 %553, label %554, label %559
+
+554:                                              ; preds = %529
+  %555 = getelementptr inbounds i8, ptr %549, i64 56
+  %556 = load i64, ptr %555, align 8
+  %557 = inttoptr i64 %556 to ptr
+  %558 = tail call i64 %557(ptr noundef %0, double noundef %75, ptr noundef %78, ptr noundef null) #6
+  br label %559
+
+559:                                              ; preds = %84, %82, %529, %554, %525
+  %560 = phi i32 [ 1, %525 ], [ 0, %554 ], [ 0, %529 ], [ 4, %82 ], [ 4, %84 ]
+  %561 = phi i64 [ %69, %525 ], [ %530, %554 ], [ %530, %529 ], [ %65, %82 ], [ %65, %84 ]
+  %562 = phi i64 [ %528, %525 ], [ %531, %554 ], [ %531, %529 ], [ %64, %82 ], [ %64, %84 ]
+  switch i32 %560, label %567 [
+    i32 0, label %563
+    i32 4, label %563
   ]
 
-530:                                              ; preds = %526, %526
-  %531 = add nuw nsw i64 %63, 1
-  %532 = load i64, ptr %10, align 8
-  %533 = icmp slt i64 %531, %532
-  br i1 %533, label %60, label %534, !llvm.loop !15
+563:                                              ; preds = %559, %559
+  %564 = add nuw nsw i64 %66, 1
+  %565 = load i64, ptr %10, align 8
+  %566 = icmp slt i64 %564, %565
+  br i1 %566, label %63, label %567, !llvm.loop !16
 
-534:                                              ; preds = %526, %530, %2
-  %535 = phi i64 [ 0, %2 ], [ %529, %526 ], [ 0, %530 ]
-  ret i64 %535
+567:                                              ; preds = %559, %563, %2
+  %568 = phi i64 [ 0, %2 ], [ %562, %559 ], [ 0, %563 ]
+  ret i64 %568
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !16
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !17
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !17
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !18
 }
 
 declare double @llvm.fma.f64(double, double, double) #2
@@ -834,7 +885,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !18
+  br i1 %53, label %54, label %28, !llvm.loop !19
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -883,7 +934,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !19
+  br i1 %98, label %72, label %99, !llvm.loop !20
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -899,7 +950,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !20
+  br i1 %108, label %16, label %22, !llvm.loop !21
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -930,7 +981,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !18
+  br i1 %133, label %114, label %120, !llvm.loop !19
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -947,14 +998,14 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !19
+  br i1 %148, label %134, label %149, !llvm.loop !20
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !21
+  br i1 %152, label %109, label %153, !llvm.loop !22
 
 153:                                              ; preds = %149, %16
   ret void
@@ -996,7 +1047,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !22
+  br i1 %31, label %20, label %19, !llvm.loop !23
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -1010,7 +1061,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !23
+  br i1 %43, label %32, label %24, !llvm.loop !24
 }
 
 attributes #0 = { nounwind }
@@ -1046,3 +1097,4 @@ attributes #6 = { nounwind }
 !21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
+!24 = distinct !{!24, !4, !5}

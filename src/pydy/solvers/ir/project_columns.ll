@@ -1,11 +1,11 @@
-; sources 050ef51f27994e572a683276f4a3a9deadaf4c67abb50cd0ceee4f2c4006cbb8
+; sources 2bb14a0790c0dd9c7a12efed2ee0b2febd80baac325b600b6f767b0783d2a5f5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
 define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2, ptr noundef %3) #0 {
   %5 = alloca %struct.Held, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 648
+  %6 = getelementptr inbounds i8, ptr %0, i64 696
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 72
   %9 = load i64, ptr %8, align 8
@@ -55,7 +55,7 @@ define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2, p
   %42 = getelementptr inbounds i8, ptr %5, i64 64
   store i64 1, ptr %42, align 8, !alias.scope !3
   %43 = getelementptr inbounds i8, ptr %5, i64 72
-  %44 = getelementptr inbounds i8, ptr %0, i64 696
+  %44 = getelementptr inbounds i8, ptr %0, i64 744
   %45 = load ptr, ptr %44, align 8, !noalias !3
   store ptr %45, ptr %43, align 8, !alias.scope !3
   %46 = getelementptr inbounds i8, ptr %5, i64 80

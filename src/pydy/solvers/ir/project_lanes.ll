@@ -1,4 +1,4 @@
-; sources 5d9776cfb773728e027e8da8bdf8da988ec6e6973e1107f3ada2b733b7b26532
+; sources 5f21de2eae9f50929f52f2e49a29755aeef2a5b52e582049a8b04e256bb0ae72
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -7,7 +7,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %6 = alloca %struct.Held, align 8
   %7 = load <8 x double>, ptr %1, align 8
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
-  %8 = getelementptr inbounds i8, ptr %0, i64 1608
+  %8 = getelementptr inbounds i8, ptr %0, i64 1656
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 64
   %11 = load i64, ptr %10, align 8, !noalias !3
@@ -44,7 +44,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %34 = getelementptr inbounds i8, ptr %6, i64 64
   store i64 %4, ptr %34, align 8, !alias.scope !3
   %35 = getelementptr inbounds i8, ptr %6, i64 72
-  %36 = getelementptr inbounds i8, ptr %0, i64 1656
+  %36 = getelementptr inbounds i8, ptr %0, i64 1704
   %37 = load ptr, ptr %36, align 8, !noalias !3
   store ptr %37, ptr %35, align 8, !alias.scope !3
   %38 = getelementptr inbounds i8, ptr %6, i64 80
@@ -143,7 +143,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
 102:                                              ; preds = %152, %95
   %103 = getelementptr inbounds i8, ptr %0, i64 168
   %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 1632
+  %105 = getelementptr inbounds i8, ptr %0, i64 1680
   %106 = load ptr, ptr %35, align 8
   %107 = load i64, ptr %34, align 8
   %108 = load ptr, ptr %8, align 8
@@ -173,8 +173,8 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %130 = icmp slt i64 %129, %120
   %131 = icmp sgt i64 %120, 0
   %132 = icmp sgt i64 %127, 0
-  %133 = getelementptr inbounds i8, ptr %0, i64 624
-  %134 = getelementptr inbounds i8, ptr %0, i64 600
+  %133 = getelementptr inbounds i8, ptr %0, i64 672
+  %134 = getelementptr inbounds i8, ptr %0, i64 648
   %135 = select i1 %130, double 1.000000e-05, double 0x3CE0000000000000
   %136 = insertelement <8 x double> poison, double %135, i64 0
   %137 = shufflevector <8 x double> %136, <8 x double> poison, <8 x i32> zeroinitializer
@@ -532,8 +532,8 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %415 = load i64, ptr %31, align 8
   %416 = icmp slt i64 %415, %352
   %417 = icmp sgt i64 %369, 0
-  %418 = getelementptr inbounds i8, ptr %0, i64 624
-  %419 = getelementptr inbounds i8, ptr %0, i64 600
+  %418 = getelementptr inbounds i8, ptr %0, i64 672
+  %419 = getelementptr inbounds i8, ptr %0, i64 648
   %420 = select i1 %416, double 1.000000e-05, double 0x3CE0000000000000
   %421 = insertelement <8 x double> poison, double %420, i64 0
   %422 = shufflevector <8 x double> %421, <8 x double> poison, <8 x i32> zeroinitializer
@@ -899,124 +899,130 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 152
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %13
+  br i1 %4, label %5, label %14
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 144
   %7 = getelementptr inbounds i8, ptr %0, i64 160
   %8 = getelementptr inbounds i8, ptr %0, i64 168
   %9 = getelementptr inbounds i8, ptr %0, i64 24
-  %10 = getelementptr inbounds i8, ptr %0, i64 192
-  %11 = getelementptr inbounds i8, ptr %0, i64 216
-  %12 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %14
+  %10 = getelementptr inbounds i8, ptr %0, i64 264
+  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %12 = getelementptr inbounds i8, ptr %0, i64 216
+  %13 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %15
 
-13:                                               ; preds = %21, %1
+14:                                               ; preds = %22, %1
   ret void
 
-14:                                               ; preds = %5, %21
-  %15 = phi i64 [ 0, %5 ], [ %22, %21 ]
-  %16 = load ptr, ptr %6, align 8
-  %17 = load i64, ptr %7, align 8
-  %18 = mul nsw i64 %17, %15
-  %19 = getelementptr inbounds i64, ptr %16, i64 %18
-  %20 = shl nsw i64 %15, 6
-  br label %25
+15:                                               ; preds = %5, %22
+  %16 = phi i64 [ 0, %5 ], [ %23, %22 ]
+  %17 = load ptr, ptr %6, align 8
+  %18 = load i64, ptr %7, align 8
+  %19 = mul nsw i64 %18, %16
+  %20 = getelementptr inbounds i64, ptr %17, i64 %19
+  %21 = shl nsw i64 %16, 6
+  br label %26
 
-21:                                               ; preds = %71
-  %22 = add nuw nsw i64 %15, 1
-  %23 = load i64, ptr %2, align 8
-  %24 = icmp slt i64 %22, %23
-  br i1 %24, label %14, label %13, !llvm.loop !22
+22:                                               ; preds = %77
+  %23 = add nuw nsw i64 %16, 1
+  %24 = load i64, ptr %2, align 8
+  %25 = icmp slt i64 %23, %24
+  br i1 %25, label %15, label %14, !llvm.loop !22
 
-25:                                               ; preds = %14, %71
-  %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
-  %27 = load ptr, ptr %8, align 8
-  %28 = getelementptr inbounds i8, ptr %27, i64 %20
-  %29 = getelementptr inbounds i64, ptr %28, i64 %26
-  %30 = load ptr, ptr %9, align 8
-  %31 = getelementptr inbounds double, ptr %30, i64 %26
-  %32 = load double, ptr %31, align 8
-  %33 = load ptr, ptr %6, align 8
-  %34 = load i64, ptr %7, align 8
-  %35 = mul nsw i64 %34, %15
-  %36 = getelementptr inbounds i64, ptr %33, i64 %35
-  %37 = getelementptr inbounds i8, ptr %36, i64 8
-  %38 = load i64, ptr %37, align 8
-  %39 = load ptr, ptr %10, align 8
-  %40 = getelementptr inbounds double, ptr %39, i64 %38
-  %41 = load double, ptr %40, align 8
-  %42 = fcmp ogt double %41, %32
-  %43 = select i1 %42, double %41, double %32
-  %44 = getelementptr inbounds i8, ptr %36, i64 16
-  %45 = load i64, ptr %44, align 8
-  %46 = load i64, ptr %29, align 8
-  %47 = getelementptr inbounds double, ptr %40, i64 %46
-  %48 = load double, ptr %47, align 8
-  %49 = fcmp ugt double %48, %43
-  br i1 %49, label %57, label %50
+26:                                               ; preds = %15, %77
+  %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
+  %28 = load ptr, ptr %8, align 8
+  %29 = getelementptr inbounds i8, ptr %28, i64 %21
+  %30 = getelementptr inbounds i64, ptr %29, i64 %27
+  %31 = load ptr, ptr %9, align 8
+  %32 = getelementptr inbounds double, ptr %31, i64 %27
+  %33 = load double, ptr %32, align 8
+  %34 = load ptr, ptr %10, align 8
+  %35 = getelementptr inbounds double, ptr %34, i64 %27
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp olt double %33, %36
+  %38 = select i1 %37, double %33, double %36
+  %39 = load ptr, ptr %6, align 8
+  %40 = load i64, ptr %7, align 8
+  %41 = mul nsw i64 %40, %16
+  %42 = getelementptr inbounds i64, ptr %39, i64 %41
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %11, align 8
+  %46 = getelementptr inbounds double, ptr %45, i64 %44
+  %47 = load double, ptr %46, align 8
+  %48 = fcmp ogt double %47, %38
+  %49 = select i1 %48, double %47, double %38
+  %50 = getelementptr inbounds i8, ptr %42, i64 16
+  %51 = load i64, ptr %50, align 8
+  %52 = load i64, ptr %30, align 8
+  %53 = getelementptr inbounds double, ptr %46, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = fcmp ugt double %54, %49
+  br i1 %55, label %63, label %56
 
-50:                                               ; preds = %25
-  %51 = add nsw i64 %45, -1
-  %52 = icmp eq i64 %51, %46
-  br i1 %52, label %71, label %53
+56:                                               ; preds = %26
+  %57 = add nsw i64 %51, -1
+  %58 = icmp eq i64 %57, %52
+  br i1 %58, label %77, label %59
 
-53:                                               ; preds = %50
-  %54 = getelementptr i8, ptr %47, i64 8
-  %55 = load double, ptr %54, align 8
-  %56 = fcmp ogt double %55, %43
-  br i1 %56, label %71, label %57
+59:                                               ; preds = %56
+  %60 = getelementptr i8, ptr %53, i64 8
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp ogt double %61, %49
+  br i1 %62, label %77, label %63
 
-57:                                               ; preds = %53, %25
-  %58 = icmp sgt i64 %45, 1
-  br i1 %58, label %59, label %71
+63:                                               ; preds = %59, %26
+  %64 = icmp sgt i64 %51, 1
+  br i1 %64, label %65, label %77
 
-59:                                               ; preds = %57, %59
-  %60 = phi i64 [ %68, %59 ], [ %45, %57 ]
-  %61 = phi i64 [ %67, %59 ], [ 0, %57 ]
-  %62 = add nsw i64 %60, %61
-  %63 = sdiv i64 %62, 2
-  %64 = getelementptr inbounds double, ptr %40, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = fcmp ugt double %65, %43
-  %67 = select i1 %66, i64 %61, i64 %63
-  %68 = select i1 %66, i64 %63, i64 %60
-  %69 = sub nsw i64 %68, %67
-  %70 = icmp sgt i64 %69, 1
-  br i1 %70, label %59, label %71, !llvm.loop !23
+65:                                               ; preds = %63, %65
+  %66 = phi i64 [ %74, %65 ], [ %51, %63 ]
+  %67 = phi i64 [ %73, %65 ], [ 0, %63 ]
+  %68 = add nsw i64 %66, %67
+  %69 = sdiv i64 %68, 2
+  %70 = getelementptr inbounds double, ptr %46, i64 %69
+  %71 = load double, ptr %70, align 8
+  %72 = fcmp ugt double %71, %49
+  %73 = select i1 %72, i64 %67, i64 %69
+  %74 = select i1 %72, i64 %69, i64 %66
+  %75 = sub nsw i64 %74, %73
+  %76 = icmp sgt i64 %75, 1
+  br i1 %76, label %65, label %77, !llvm.loop !23
 
-71:                                               ; preds = %59, %57, %50, %53
-  %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
-  store i64 %72, ptr %29, align 8
-  %73 = getelementptr inbounds double, ptr %40, i64 %72
-  %74 = load double, ptr %73, align 8
-  %75 = fsub double %43, %74
-  %76 = load ptr, ptr %11, align 8
-  %77 = add nsw i64 %72, %38
-  %78 = shl nsw i64 %77, 5
-  %79 = getelementptr inbounds i8, ptr %76, i64 %78
+77:                                               ; preds = %65, %63, %56, %59
+  %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
+  store i64 %78, ptr %30, align 8
+  %79 = getelementptr inbounds double, ptr %46, i64 %78
   %80 = load double, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %79, i64 8
-  %82 = load double, ptr %81, align 8
-  %83 = getelementptr inbounds i8, ptr %79, i64 16
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr inbounds i8, ptr %79, i64 24
+  %81 = fsub double %49, %80
+  %82 = load ptr, ptr %12, align 8
+  %83 = add nsw i64 %78, %44
+  %84 = shl nsw i64 %83, 5
+  %85 = getelementptr inbounds i8, ptr %82, i64 %84
   %86 = load double, ptr %85, align 8
-  %87 = fmul double %75, %86
-  %88 = fadd double %84, %87
-  %89 = fmul double %75, %88
-  %90 = fadd double %82, %89
-  %91 = fmul double %75, %90
-  %92 = fadd double %80, %91
-  %93 = load ptr, ptr %12, align 8
-  %94 = load i64, ptr %19, align 8
-  %95 = shl i64 %94, 6
-  %96 = getelementptr i8, ptr %93, i64 %95
-  %97 = getelementptr double, ptr %96, i64 %26
-  store double %92, ptr %97, align 8
-  %98 = add nuw nsw i64 %26, 1
-  %99 = icmp eq i64 %98, 8
-  br i1 %99, label %21, label %25, !llvm.loop !24
+  %87 = getelementptr inbounds i8, ptr %85, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr inbounds i8, ptr %85, i64 16
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds i8, ptr %85, i64 24
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %81, %92
+  %94 = fadd double %90, %93
+  %95 = fmul double %81, %94
+  %96 = fadd double %88, %95
+  %97 = fmul double %81, %96
+  %98 = fadd double %86, %97
+  %99 = load ptr, ptr %13, align 8
+  %100 = load i64, ptr %20, align 8
+  %101 = shl i64 %100, 6
+  %102 = getelementptr i8, ptr %99, i64 %101
+  %103 = getelementptr double, ptr %102, i64 %27
+  store double %98, ptr %103, align 8
+  %104 = add nuw nsw i64 %27, 1
+  %105 = icmp eq i64 %104, 8
+  br i1 %105, label %22, label %26, !llvm.loop !24
 }
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #4

@@ -1,4 +1,4 @@
-; sources acdb501c9a1f34064e6234d2c257f0b22bd85c024ba09101c0cc5c0cf09a8a0c
+; sources 938197d250f65551dfae2c13e48d91af0c8562470d721e147df4b08fa6f8b7ce
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -12,25 +12,25 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %6 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %6, ptr %5, align 8
   %7 = getelementptr inbounds i8, ptr %4, i64 16
-  %8 = getelementptr inbounds i8, ptr %0, i64 312
+  %8 = getelementptr inbounds i8, ptr %0, i64 360
   store ptr %8, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 720
+  %9 = getelementptr inbounds i8, ptr %0, i64 768
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 768
+  %13 = getelementptr inbounds i8, ptr %0, i64 816
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 888
+  %15 = getelementptr inbounds i8, ptr %0, i64 936
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 912
+  %17 = getelementptr inbounds i8, ptr %0, i64 960
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 576
-  %20 = getelementptr inbounds i8, ptr %0, i64 600
+  %19 = getelementptr inbounds i8, ptr %0, i64 624
+  %20 = getelementptr inbounds i8, ptr %0, i64 648
   %21 = load ptr, ptr %20, align 8
   %22 = getelementptr inbounds i8, ptr %21, i64 80
   %23 = load i64, ptr %22, align 8
   %24 = load ptr, ptr %19, align 8
-  %25 = getelementptr inbounds i8, ptr %0, i64 936
+  %25 = getelementptr inbounds i8, ptr %0, i64 984
   %26 = load ptr, ptr %25, align 8
   %27 = shl nsw i64 %12, 4
   %28 = getelementptr inbounds i8, ptr %26, i64 %27
@@ -39,15 +39,15 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %31 = getelementptr inbounds double, ptr %26, i64 %12
   %32 = load double, ptr %30, align 8
   %33 = fcmp oeq double %32, %1
-  %34 = getelementptr inbounds i8, ptr %0, i64 984
-  %35 = getelementptr inbounds i8, ptr %0, i64 408
-  %36 = getelementptr inbounds i8, ptr %0, i64 504
-  %37 = getelementptr inbounds i8, ptr %0, i64 320
+  %34 = getelementptr inbounds i8, ptr %0, i64 1032
+  %35 = getelementptr inbounds i8, ptr %0, i64 456
+  %36 = getelementptr inbounds i8, ptr %0, i64 552
+  %37 = getelementptr inbounds i8, ptr %0, i64 368
   %38 = getelementptr inbounds i8, ptr %0, i64 168
   %39 = getelementptr inbounds i8, ptr %0, i64 248
   %40 = getelementptr inbounds i8, ptr %0, i64 168
   %41 = getelementptr inbounds i8, ptr %0, i64 192
-  %42 = getelementptr inbounds i8, ptr %0, i64 744
+  %42 = getelementptr inbounds i8, ptr %0, i64 792
   %43 = zext i1 %33 to i64
   br label %51
 
@@ -61,7 +61,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   br i1 %48, label %49, label %100
 
 49:                                               ; preds = %47
-  %50 = getelementptr inbounds i8, ptr %0, i64 816
+  %50 = getelementptr inbounds i8, ptr %0, i64 864
   br label %96
 
 51:                                               ; preds = %3, %44
@@ -120,7 +120,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %94 = getelementptr inbounds i8, ptr %93, i64 80
   store i64 %23, ptr %94, align 8
   %95 = load ptr, ptr %19, align 8
-  br label %971
+  br label %1029
 
 96:                                               ; preds = %49, %116
   %97 = phi i64 [ 0, %49 ], [ %117, %116 ]
@@ -129,8 +129,8 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   br i1 %99, label %102, label %100
 
 100:                                              ; preds = %96, %116, %47
-  %101 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %101, label %975 [
+  %101 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %101, label %1033 [
     i64 0, label %123
     i64 -4, label %119
   ]
@@ -166,1249 +166,1327 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %121 = getelementptr inbounds i8, ptr %120, i64 80
   store i64 %23, ptr %121, align 8
   %122 = load ptr, ptr %19, align 8
-  br label %971
+  br label %1029
 
 123:                                              ; preds = %100
-  store double 0x7FF8000000000000, ptr %30, align 8
-  %124 = getelementptr inbounds i8, ptr %0, i64 984
-  %125 = load ptr, ptr %7, align 8
-  %126 = getelementptr inbounds i8, ptr %125, i64 96
-  %127 = getelementptr inbounds i8, ptr %125, i64 192
-  %128 = getelementptr inbounds i8, ptr %125, i64 8
-  %129 = load ptr, ptr %4, align 8
-  %130 = load ptr, ptr %5, align 8
-  %131 = getelementptr inbounds i8, ptr %0, i64 168
-  %132 = getelementptr inbounds i8, ptr %0, i64 248
-  %133 = getelementptr inbounds i8, ptr %0, i64 168
-  %134 = getelementptr inbounds i8, ptr %0, i64 192
-  %135 = getelementptr inbounds i8, ptr %0, i64 744
-  %136 = icmp sgt i64 %12, 0
-  %137 = getelementptr inbounds i8, ptr %0, i64 984
-  %138 = load ptr, ptr %7, align 8
-  %139 = getelementptr inbounds i8, ptr %138, i64 96
-  %140 = getelementptr inbounds i8, ptr %138, i64 192
-  %141 = getelementptr inbounds i8, ptr %138, i64 8
-  %142 = load ptr, ptr %4, align 8
-  %143 = load ptr, ptr %5, align 8
-  %144 = getelementptr inbounds i8, ptr %0, i64 168
-  %145 = getelementptr inbounds i8, ptr %0, i64 248
-  %146 = getelementptr inbounds i8, ptr %0, i64 168
-  %147 = getelementptr inbounds i8, ptr %0, i64 192
-  %148 = getelementptr inbounds i8, ptr %0, i64 744
-  %149 = icmp sgt i64 %12, 0
-  %150 = icmp sgt i64 %12, 0
-  %151 = getelementptr inbounds i8, ptr %0, i64 792
-  %152 = getelementptr inbounds i8, ptr %24, i64 48
-  %153 = getelementptr inbounds i8, ptr %0, i64 624
-  %154 = getelementptr inbounds i8, ptr %0, i64 632
-  %155 = fadd double %1, %2
-  %156 = tail call double @llvm.fabs.f64(double %155)
-  %157 = getelementptr inbounds i8, ptr %0, i64 968
-  %158 = getelementptr inbounds i8, ptr %0, i64 960
-  %159 = icmp sgt i64 %12, 0
-  %160 = getelementptr inbounds i8, ptr %0, i64 1016
-  %161 = getelementptr inbounds i8, ptr %0, i64 1008
-  %162 = getelementptr inbounds i8, ptr %0, i64 1032
-  %163 = getelementptr inbounds i8, ptr %0, i64 1080
-  %164 = getelementptr inbounds i8, ptr %0, i64 1056
-  %165 = getelementptr inbounds i8, ptr %0, i64 624
-  %166 = getelementptr inbounds i8, ptr %0, i64 632
-  %167 = fadd double %1, %2
-  %168 = tail call double @llvm.fabs.f64(double %167)
-  %169 = getelementptr inbounds i8, ptr %0, i64 968
-  %170 = getelementptr inbounds i8, ptr %0, i64 960
-  %171 = getelementptr inbounds i8, ptr %0, i64 1016
-  %172 = getelementptr inbounds i8, ptr %24, i64 48
-  %173 = icmp sgt i64 %12, 0
-  %174 = getelementptr inbounds i8, ptr %24, i64 48
-  %175 = icmp sgt i64 %12, 0
-  %176 = getelementptr inbounds i8, ptr %0, i64 968
-  %177 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %178
+  %124 = getelementptr inbounds i8, ptr %0, i64 320
+  %125 = load i64, ptr %124, align 8
+  %126 = icmp sgt i64 %125, 0
+  br i1 %126, label %127, label %181
 
-178:                                              ; preds = %123, %950
-  %179 = phi i1 [ false, %123 ], [ %954, %950 ]
-  %180 = phi i64 [ -4, %123 ], [ %948, %950 ]
-  %181 = phi double [ 0.000000e+00, %123 ], [ %947, %950 ]
-  %182 = phi i32 [ 1, %123 ], [ %953, %950 ]
-  %183 = zext nneg i32 %182 to i64
-  %184 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %183
-  %185 = load double, ptr %184, align 8
-  %186 = mul nsw i64 %12, %183
-  %187 = load ptr, ptr %9, align 8
-  %188 = getelementptr inbounds i8, ptr %187, i64 8
-  %189 = load i64, ptr %188, align 8
-  %190 = icmp sgt i64 %189, 0
-  br i1 %190, label %191, label %232
+127:                                              ; preds = %123
+  %128 = getelementptr inbounds i8, ptr %0, i64 320
+  %129 = load i64, ptr %128, align 8
+  %130 = icmp sgt i64 %129, 0
+  br i1 %130, label %131, label %134
 
-191:                                              ; preds = %178
-  %192 = add nsw i32 %182, -1
-  %193 = icmp ugt i32 %182, 1
-  %194 = select i1 %193, i32 %192, i32 1
-  %195 = tail call i32 @llvm.smin.i32(i32 %182, i32 3)
-  %196 = icmp sgt i32 %194, %195
-  %197 = zext nneg i32 %182 to i64
-  %198 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %197
-  br label %202
+131:                                              ; preds = %127
+  %132 = getelementptr inbounds i8, ptr %0, i64 336
+  %133 = load ptr, ptr %132, align 8
+  store double 0x7FF0000000000000, ptr %133, align 8
+  br label %134
 
-199:                                              ; preds = %229
-  %200 = add nuw nsw i64 %204, 1
-  %201 = icmp eq i64 %200, %189
-  br i1 %201, label %232, label %202, !llvm.loop !7
+134:                                              ; preds = %127, %131
+  %135 = getelementptr inbounds i8, ptr %0, i64 1032
+  %136 = load ptr, ptr %135, align 8
+  %137 = getelementptr inbounds i8, ptr %0, i64 456
+  %138 = load ptr, ptr %137, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %138, align 8
+  %139 = load ptr, ptr %8, align 8
+  %140 = getelementptr inbounds i8, ptr %0, i64 552
+  %141 = load ptr, ptr %140, align 8
+  %142 = getelementptr inbounds i8, ptr %0, i64 368
+  %143 = load i64, ptr %142, align 8
+  %144 = load ptr, ptr %0, align 8
+  %145 = getelementptr inbounds i8, ptr %144, i64 24
+  %146 = load i64, ptr %145, align 8
+  %147 = load ptr, ptr %137, align 8
+  %148 = load ptr, ptr %6, align 8
+  %149 = getelementptr inbounds i8, ptr %148, i64 16
+  %150 = load i64, ptr %149, align 8
+  tail call fastcc void @nested(ptr noundef %136, ptr noundef %139, ptr noundef %141, i64 noundef %143, i64 noundef %146, ptr noundef %147, i64 noundef %150) #8
+  %151 = fadd double %1, %2
+  %152 = getelementptr inbounds i8, ptr %0, i64 168
+  %153 = load ptr, ptr %152, align 8
+  store double %151, ptr %153, align 8
+  %154 = getelementptr inbounds i8, ptr %0, i64 248
+  %155 = load i64, ptr %154, align 8
+  %156 = icmp sgt i64 %155, 0
+  br i1 %156, label %157, label %158
 
-202:                                              ; preds = %191, %199
-  %203 = phi double [ 2.000000e+00, %191 ], [ %231, %199 ]
-  %204 = phi i64 [ 0, %191 ], [ %200, %199 ]
-  %205 = load ptr, ptr %15, align 8
-  %206 = getelementptr inbounds i64, ptr %205, i64 %204
-  %207 = load i64, ptr %206, align 8
-  %208 = sitofp i64 %207 to double
-  br i1 %196, label %229, label %213
-
-209:                                              ; preds = %227
-  %210 = add i32 %215, 1
-  %211 = icmp sge i32 %215, %195
-  %212 = icmp eq i32 %215, %195
-  br i1 %212, label %229, label %213, !llvm.loop !8
-
-213:                                              ; preds = %202, %209
-  %214 = phi i1 [ %211, %209 ], [ %196, %202 ]
-  %215 = phi i32 [ %210, %209 ], [ %194, %202 ]
-  %216 = phi double [ %228, %209 ], [ %203, %202 ]
-  %217 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %204, double noundef %208, i32 noundef %215, i32 noundef %182) #8
-  %218 = fcmp une double %217, -4.000000e+00
-  %219 = fcmp ogt double %217, %181
-  %220 = and i1 %218, %219
-  br i1 %220, label %221, label %227
-
-221:                                              ; preds = %213
-  %222 = load double, ptr %198, align 8
-  %223 = fcmp olt double %216, %222
-  %224 = select i1 %223, double %216, double %222
-  %225 = fcmp olt double %217, %224
-  br i1 %225, label %226, label %227
-
-226:                                              ; preds = %221
-  br label %227
-
-227:                                              ; preds = %226, %221, %213
-  %228 = phi double [ %216, %213 ], [ %217, %226 ], [ %216, %221 ]
-  br i1 %218, label %209, label %229
-
-229:                                              ; preds = %209, %227, %202
-  %230 = phi i1 [ %196, %202 ], [ %211, %209 ], [ %214, %227 ]
-  %231 = phi double [ %203, %202 ], [ %228, %227 ], [ %228, %209 ]
-  br i1 %230, label %199, label %232
-
-232:                                              ; preds = %229, %199, %178
-  %233 = phi double [ 2.000000e+00, %178 ], [ -4.000000e+00, %229 ], [ %231, %199 ]
-  %234 = fcmp olt double %233, 0.000000e+00
-  br i1 %234, label %940, label %235
-
-235:                                              ; preds = %232
-  %236 = getelementptr double, ptr %28, i64 %186
-  %237 = fcmp olt double %233, %185
-  br i1 %237, label %238, label %272
-
-238:                                              ; preds = %235
-  %239 = load ptr, ptr %25, align 8
-  %240 = load ptr, ptr %124, align 8
-  %241 = load ptr, ptr %126, align 8
-  %242 = insertelement <8 x double> poison, double %233, i64 0
-  %243 = shufflevector <8 x double> %242, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %243, ptr %241, align 8
-  %244 = load ptr, ptr %125, align 8
-  %245 = load ptr, ptr %127, align 8
-  %246 = load i64, ptr %128, align 8
-  %247 = load ptr, ptr %129, align 8
-  %248 = getelementptr inbounds i8, ptr %247, i64 24
-  %249 = load i64, ptr %248, align 8
-  %250 = load ptr, ptr %126, align 8
-  %251 = load ptr, ptr %130, align 8
-  %252 = getelementptr inbounds i8, ptr %251, i64 16
-  %253 = load i64, ptr %252, align 8
-  tail call fastcc void @nested(ptr noundef %240, ptr noundef %244, ptr noundef %245, i64 noundef %246, i64 noundef %249, ptr noundef %250, i64 noundef %253) #8
-  %254 = fmul double %233, %2
-  %255 = fadd double %254, %1
-  %256 = load ptr, ptr %131, align 8
-  store double %255, ptr %256, align 8
-  %257 = load i64, ptr %132, align 8
-  %258 = icmp sgt i64 %257, 0
-  br i1 %258, label %259, label %260
-
-259:                                              ; preds = %238
+157:                                              ; preds = %134
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %158
+
+158:                                              ; preds = %134, %157
+  %159 = load ptr, ptr %9, align 8
+  %160 = load i64, ptr %159, align 8
+  %161 = getelementptr inbounds i8, ptr %0, i64 168
+  %162 = load ptr, ptr %161, align 8
+  %163 = load ptr, ptr %135, align 8
+  %164 = getelementptr inbounds i8, ptr %0, i64 192
+  %165 = load ptr, ptr %164, align 8
+  %166 = getelementptr inbounds i8, ptr %0, i64 792
+  %167 = load ptr, ptr %166, align 8
+  %168 = load ptr, ptr %25, align 8
+  %169 = getelementptr inbounds i8, ptr %159, i64 8
+  %170 = load i64, ptr %169, align 8
+  %171 = mul i64 %170, 48
+  %172 = getelementptr inbounds i8, ptr %168, i64 %171
+  %173 = inttoptr i64 %160 to ptr
+  %174 = load ptr, ptr %173, align 8
+  %175 = tail call i32 %174(ptr noundef %162, ptr noundef %163, ptr noundef %165, ptr noundef %167, ptr noundef %172) #9
+  %176 = icmp slt i32 %175, 0
+  br i1 %176, label %177, label %181
+
+177:                                              ; preds = %158
+  %178 = load ptr, ptr %20, align 8
+  %179 = getelementptr inbounds i8, ptr %178, i64 80
+  store i64 %23, ptr %179, align 8
+  %180 = load ptr, ptr %19, align 8
+  br label %1029
+
+181:                                              ; preds = %158, %123
+  store double 0x7FF8000000000000, ptr %30, align 8
+  %182 = getelementptr inbounds i8, ptr %0, i64 1032
+  %183 = load ptr, ptr %7, align 8
+  %184 = getelementptr inbounds i8, ptr %183, i64 96
+  %185 = getelementptr inbounds i8, ptr %183, i64 192
+  %186 = getelementptr inbounds i8, ptr %183, i64 8
+  %187 = load ptr, ptr %4, align 8
+  %188 = load ptr, ptr %5, align 8
+  %189 = getelementptr inbounds i8, ptr %0, i64 168
+  %190 = getelementptr inbounds i8, ptr %0, i64 248
+  %191 = getelementptr inbounds i8, ptr %0, i64 168
+  %192 = getelementptr inbounds i8, ptr %0, i64 192
+  %193 = getelementptr inbounds i8, ptr %0, i64 792
+  %194 = icmp sgt i64 %12, 0
+  %195 = getelementptr inbounds i8, ptr %0, i64 1032
+  %196 = load ptr, ptr %7, align 8
+  %197 = getelementptr inbounds i8, ptr %196, i64 96
+  %198 = getelementptr inbounds i8, ptr %196, i64 192
+  %199 = getelementptr inbounds i8, ptr %196, i64 8
+  %200 = load ptr, ptr %4, align 8
+  %201 = load ptr, ptr %5, align 8
+  %202 = getelementptr inbounds i8, ptr %0, i64 168
+  %203 = getelementptr inbounds i8, ptr %0, i64 248
+  %204 = getelementptr inbounds i8, ptr %0, i64 168
+  %205 = getelementptr inbounds i8, ptr %0, i64 192
+  %206 = getelementptr inbounds i8, ptr %0, i64 792
+  %207 = icmp sgt i64 %12, 0
+  %208 = icmp sgt i64 %12, 0
+  %209 = getelementptr inbounds i8, ptr %0, i64 840
+  %210 = getelementptr inbounds i8, ptr %24, i64 48
+  %211 = getelementptr inbounds i8, ptr %0, i64 672
+  %212 = getelementptr inbounds i8, ptr %0, i64 680
+  %213 = fadd double %1, %2
+  %214 = tail call double @llvm.fabs.f64(double %213)
+  %215 = getelementptr inbounds i8, ptr %0, i64 1016
+  %216 = getelementptr inbounds i8, ptr %0, i64 1008
+  %217 = icmp sgt i64 %12, 0
+  %218 = getelementptr inbounds i8, ptr %0, i64 1064
+  %219 = getelementptr inbounds i8, ptr %0, i64 1056
+  %220 = getelementptr inbounds i8, ptr %0, i64 1080
+  %221 = getelementptr inbounds i8, ptr %0, i64 1128
+  %222 = getelementptr inbounds i8, ptr %0, i64 1104
+  %223 = getelementptr inbounds i8, ptr %0, i64 672
+  %224 = getelementptr inbounds i8, ptr %0, i64 680
+  %225 = fadd double %1, %2
+  %226 = tail call double @llvm.fabs.f64(double %225)
+  %227 = getelementptr inbounds i8, ptr %0, i64 1016
+  %228 = getelementptr inbounds i8, ptr %0, i64 1008
+  %229 = getelementptr inbounds i8, ptr %0, i64 1064
+  %230 = getelementptr inbounds i8, ptr %24, i64 48
+  %231 = icmp sgt i64 %12, 0
+  %232 = getelementptr inbounds i8, ptr %24, i64 48
+  %233 = icmp sgt i64 %12, 0
+  %234 = getelementptr inbounds i8, ptr %0, i64 1016
+  %235 = getelementptr inbounds i8, ptr %0, i64 1008
+  br label %236
+
+236:                                              ; preds = %181, %1008
+  %237 = phi i1 [ false, %181 ], [ %1012, %1008 ]
+  %238 = phi i64 [ -4, %181 ], [ %1006, %1008 ]
+  %239 = phi double [ 0.000000e+00, %181 ], [ %1005, %1008 ]
+  %240 = phi i32 [ 1, %181 ], [ %1011, %1008 ]
+  %241 = zext nneg i32 %240 to i64
+  %242 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %241
+  %243 = load double, ptr %242, align 8
+  %244 = mul nsw i64 %12, %241
+  %245 = load ptr, ptr %9, align 8
+  %246 = getelementptr inbounds i8, ptr %245, i64 8
+  %247 = load i64, ptr %246, align 8
+  %248 = icmp sgt i64 %247, 0
+  br i1 %248, label %249, label %290
+
+249:                                              ; preds = %236
+  %250 = add nsw i32 %240, -1
+  %251 = icmp ugt i32 %240, 1
+  %252 = select i1 %251, i32 %250, i32 1
+  %253 = tail call i32 @llvm.smin.i32(i32 %240, i32 3)
+  %254 = icmp sgt i32 %252, %253
+  %255 = zext nneg i32 %240 to i64
+  %256 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %255
   br label %260
 
-260:                                              ; preds = %238, %259
-  %261 = load ptr, ptr %9, align 8
-  %262 = load i64, ptr %261, align 8
-  %263 = load ptr, ptr %133, align 8
-  %264 = load ptr, ptr %124, align 8
-  %265 = load ptr, ptr %134, align 8
-  %266 = load ptr, ptr %135, align 8
-  %267 = load ptr, ptr %25, align 8
-  %268 = inttoptr i64 %262 to ptr
-  %269 = load ptr, ptr %268, align 8
-  %270 = tail call i32 %269(ptr noundef %263, ptr noundef %264, ptr noundef %265, ptr noundef %266, ptr noundef %267) #9
-  %271 = icmp slt i32 %270, 0
-  br i1 %271, label %940, label %272
+257:                                              ; preds = %287
+  %258 = add nuw nsw i64 %262, 1
+  %259 = icmp eq i64 %258, %247
+  br i1 %259, label %290, label %260, !llvm.loop !7
 
-272:                                              ; preds = %260, %235
-  %273 = phi double [ %233, %260 ], [ %185, %235 ]
-  %274 = phi ptr [ %239, %260 ], [ %236, %235 ]
-  br label %275
+260:                                              ; preds = %249, %257
+  %261 = phi double [ 2.000000e+00, %249 ], [ %289, %257 ]
+  %262 = phi i64 [ 0, %249 ], [ %258, %257 ]
+  %263 = load ptr, ptr %15, align 8
+  %264 = getelementptr inbounds i64, ptr %263, i64 %262
+  %265 = load i64, ptr %264, align 8
+  %266 = sitofp i64 %265 to double
+  br i1 %254, label %287, label %271
 
-275:                                              ; preds = %884, %272
-  %276 = phi double [ %181, %272 ], [ %886, %884 ]
-  %277 = phi i64 [ %180, %272 ], [ %887, %884 ]
-  br i1 %136, label %281, label %278
+267:                                              ; preds = %285
+  %268 = add i32 %273, 1
+  %269 = icmp sge i32 %273, %253
+  %270 = icmp eq i32 %273, %253
+  br i1 %270, label %287, label %271, !llvm.loop !8
 
-278:                                              ; preds = %316, %275
-  %279 = phi double [ 2.000000e+00, %275 ], [ %317, %316 ]
-  %280 = fcmp ogt double %279, 1.000000e+00
-  br i1 %280, label %884, label %320
+271:                                              ; preds = %260, %267
+  %272 = phi i1 [ %269, %267 ], [ %254, %260 ]
+  %273 = phi i32 [ %268, %267 ], [ %252, %260 ]
+  %274 = phi double [ %286, %267 ], [ %261, %260 ]
+  %275 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %262, double noundef %266, i32 noundef %273, i32 noundef %240) #8
+  %276 = fcmp une double %275, -4.000000e+00
+  %277 = fcmp ogt double %275, %239
+  %278 = and i1 %276, %277
+  br i1 %278, label %279, label %285
 
-281:                                              ; preds = %275, %316
-  %282 = phi i64 [ %318, %316 ], [ 0, %275 ]
-  %283 = phi double [ %317, %316 ], [ 2.000000e+00, %275 ]
-  %284 = getelementptr inbounds i64, ptr %18, i64 %282
-  store i64 0, ptr %284, align 8
-  %285 = getelementptr inbounds i64, ptr %16, i64 %282
-  %286 = load i64, ptr %285, align 8
-  %287 = getelementptr inbounds double, ptr %274, i64 %282
-  %288 = load double, ptr %287, align 8
-  %289 = getelementptr inbounds i64, ptr %14, i64 %282
-  %290 = load i64, ptr %289, align 8
-  %291 = icmp slt i64 %286, 0
-  %292 = fcmp ogt double %288, 0.000000e+00
-  %293 = and i1 %291, %292
-  %294 = icmp sgt i64 %290, -1
-  %295 = and i1 %293, %294
-  br i1 %295, label %303, label %296
+279:                                              ; preds = %271
+  %280 = load double, ptr %256, align 8
+  %281 = fcmp olt double %274, %280
+  %282 = select i1 %281, double %274, double %280
+  %283 = fcmp olt double %275, %282
+  br i1 %283, label %284, label %285
 
-296:                                              ; preds = %281
-  %297 = icmp sgt i64 %286, 0
-  %298 = fcmp olt double %288, 0.000000e+00
-  %299 = and i1 %297, %298
-  br i1 %299, label %300, label %303
+284:                                              ; preds = %279
+  br label %285
 
-300:                                              ; preds = %296
-  %301 = icmp slt i64 %290, 1
-  %302 = zext i1 %301 to i32
-  br label %303
+285:                                              ; preds = %284, %279, %271
+  %286 = phi double [ %274, %271 ], [ %275, %284 ], [ %274, %279 ]
+  br i1 %276, label %267, label %287
 
-303:                                              ; preds = %281, %296, %300
-  %304 = phi i32 [ 1, %281 ], [ 0, %296 ], [ %302, %300 ]
-  %305 = icmp eq i32 %304, 0
-  br i1 %305, label %306, label %310
+287:                                              ; preds = %267, %285, %260
+  %288 = phi i1 [ %254, %260 ], [ %269, %267 ], [ %272, %285 ]
+  %289 = phi double [ %261, %260 ], [ %286, %285 ], [ %286, %267 ]
+  br i1 %288, label %257, label %290
 
-306:                                              ; preds = %303
-  %307 = icmp eq i64 %286, 0
-  %308 = fcmp ord double %288, 0.000000e+00
-  %309 = or i1 %307, %308
-  br i1 %309, label %316, label %310
+290:                                              ; preds = %287, %257, %236
+  %291 = phi double [ 2.000000e+00, %236 ], [ -4.000000e+00, %287 ], [ %289, %257 ]
+  %292 = fcmp olt double %291, 0.000000e+00
+  br i1 %292, label %998, label %293
 
-310:                                              ; preds = %306, %303
-  %311 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %276, double noundef %273, i64 noundef %282) #8
-  %312 = fcmp ole double %311, %276
-  %313 = zext i1 %312 to i64
-  store i64 %313, ptr %284, align 8
-  %314 = fcmp olt double %311, %283
-  %315 = select i1 %314, double %311, double %283
-  br label %316
+293:                                              ; preds = %290
+  %294 = getelementptr double, ptr %28, i64 %244
+  %295 = fcmp olt double %291, %243
+  br i1 %295, label %296, label %330
 
-316:                                              ; preds = %306, %310
-  %317 = phi double [ %315, %310 ], [ %283, %306 ]
-  %318 = add nuw nsw i64 %282, 1
-  %319 = icmp eq i64 %318, %12
-  br i1 %319, label %278, label %281, !llvm.loop !9
+296:                                              ; preds = %293
+  %297 = load ptr, ptr %25, align 8
+  %298 = load ptr, ptr %182, align 8
+  %299 = load ptr, ptr %184, align 8
+  %300 = insertelement <8 x double> poison, double %291, i64 0
+  %301 = shufflevector <8 x double> %300, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %301, ptr %299, align 8
+  %302 = load ptr, ptr %183, align 8
+  %303 = load ptr, ptr %185, align 8
+  %304 = load i64, ptr %186, align 8
+  %305 = load ptr, ptr %187, align 8
+  %306 = getelementptr inbounds i8, ptr %305, i64 24
+  %307 = load i64, ptr %306, align 8
+  %308 = load ptr, ptr %184, align 8
+  %309 = load ptr, ptr %188, align 8
+  %310 = getelementptr inbounds i8, ptr %309, i64 16
+  %311 = load i64, ptr %310, align 8
+  tail call fastcc void @nested(ptr noundef %298, ptr noundef %302, ptr noundef %303, i64 noundef %304, i64 noundef %307, ptr noundef %308, i64 noundef %311) #8
+  %312 = fmul double %291, %2
+  %313 = fadd double %312, %1
+  %314 = load ptr, ptr %189, align 8
+  store double %313, ptr %314, align 8
+  %315 = load i64, ptr %190, align 8
+  %316 = icmp sgt i64 %315, 0
+  br i1 %316, label %317, label %318
 
-320:                                              ; preds = %278
-  %321 = load ptr, ptr %137, align 8
-  %322 = load ptr, ptr %139, align 8
-  %323 = insertelement <8 x double> poison, double %279, i64 0
-  %324 = shufflevector <8 x double> %323, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %324, ptr %322, align 8
-  %325 = load ptr, ptr %138, align 8
-  %326 = load ptr, ptr %140, align 8
-  %327 = load i64, ptr %141, align 8
-  %328 = load ptr, ptr %142, align 8
-  %329 = getelementptr inbounds i8, ptr %328, i64 24
-  %330 = load i64, ptr %329, align 8
-  %331 = load ptr, ptr %139, align 8
-  %332 = load ptr, ptr %143, align 8
-  %333 = getelementptr inbounds i8, ptr %332, i64 16
-  %334 = load i64, ptr %333, align 8
-  tail call fastcc void @nested(ptr noundef %321, ptr noundef %325, ptr noundef %326, i64 noundef %327, i64 noundef %330, ptr noundef %331, i64 noundef %334) #8
-  %335 = fmul double %279, %2
-  %336 = fadd double %335, %1
-  %337 = load ptr, ptr %144, align 8
-  store double %336, ptr %337, align 8
-  %338 = load i64, ptr %145, align 8
-  %339 = icmp sgt i64 %338, 0
-  br i1 %339, label %340, label %341
-
-340:                                              ; preds = %320
+317:                                              ; preds = %296
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %341
+  br label %318
 
-341:                                              ; preds = %320, %340
-  %342 = load ptr, ptr %9, align 8
-  %343 = load i64, ptr %342, align 8
-  %344 = load ptr, ptr %146, align 8
-  %345 = load ptr, ptr %137, align 8
-  %346 = load ptr, ptr %147, align 8
-  %347 = load ptr, ptr %148, align 8
-  %348 = load ptr, ptr %25, align 8
-  %349 = getelementptr inbounds i8, ptr %342, i64 8
-  %350 = load i64, ptr %349, align 8
-  %351 = getelementptr inbounds double, ptr %348, i64 %350
-  %352 = inttoptr i64 %343 to ptr
-  %353 = load ptr, ptr %352, align 8
-  %354 = tail call i32 %353(ptr noundef %344, ptr noundef %345, ptr noundef %346, ptr noundef %347, ptr noundef %351) #9
-  %355 = icmp slt i32 %354, 0
-  br i1 %355, label %357, label %356
+318:                                              ; preds = %296, %317
+  %319 = load ptr, ptr %9, align 8
+  %320 = load i64, ptr %319, align 8
+  %321 = load ptr, ptr %191, align 8
+  %322 = load ptr, ptr %182, align 8
+  %323 = load ptr, ptr %192, align 8
+  %324 = load ptr, ptr %193, align 8
+  %325 = load ptr, ptr %25, align 8
+  %326 = inttoptr i64 %320 to ptr
+  %327 = load ptr, ptr %326, align 8
+  %328 = tail call i32 %327(ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %324, ptr noundef %325) #9
+  %329 = icmp slt i32 %328, 0
+  br i1 %329, label %998, label %330
 
-356:                                              ; preds = %341
-  br i1 %149, label %362, label %459
+330:                                              ; preds = %318, %293
+  %331 = phi double [ %291, %318 ], [ %243, %293 ]
+  %332 = phi ptr [ %297, %318 ], [ %294, %293 ]
+  br label %333
 
-357:                                              ; preds = %341
-  %358 = load ptr, ptr %20, align 8
-  %359 = getelementptr inbounds i8, ptr %358, i64 80
-  store i64 %23, ptr %359, align 8
-  %360 = load ptr, ptr %19, align 8
-  %361 = getelementptr inbounds i8, ptr %360, i64 48
-  store double 1.000000e+00, ptr %361, align 8
-  br label %884
+333:                                              ; preds = %942, %330
+  %334 = phi double [ %239, %330 ], [ %944, %942 ]
+  %335 = phi i64 [ %238, %330 ], [ %945, %942 ]
+  br i1 %194, label %339, label %336
 
-362:                                              ; preds = %356, %453
-  %363 = phi i1 [ %457, %453 ], [ %149, %356 ]
-  %364 = phi i64 [ %455, %453 ], [ %277, %356 ]
-  %365 = phi i64 [ %456, %453 ], [ 0, %356 ]
-  %366 = phi double [ %454, %453 ], [ %279, %356 ]
-  %367 = getelementptr inbounds i64, ptr %16, i64 %365
-  %368 = load i64, ptr %367, align 8
-  %369 = getelementptr inbounds double, ptr %31, i64 %365
-  %370 = load double, ptr %369, align 8
-  %371 = getelementptr inbounds i64, ptr %14, i64 %365
-  %372 = load i64, ptr %371, align 8
-  %373 = icmp slt i64 %368, 0
-  %374 = fcmp ogt double %370, 0.000000e+00
-  %375 = and i1 %373, %374
-  %376 = icmp sgt i64 %372, -1
-  %377 = and i1 %375, %376
-  br i1 %377, label %385, label %378
+336:                                              ; preds = %374, %333
+  %337 = phi double [ 2.000000e+00, %333 ], [ %375, %374 ]
+  %338 = fcmp ogt double %337, 1.000000e+00
+  br i1 %338, label %942, label %378
 
-378:                                              ; preds = %362
-  %379 = icmp sgt i64 %368, 0
-  %380 = fcmp olt double %370, 0.000000e+00
-  %381 = and i1 %379, %380
-  br i1 %381, label %382, label %385
+339:                                              ; preds = %333, %374
+  %340 = phi i64 [ %376, %374 ], [ 0, %333 ]
+  %341 = phi double [ %375, %374 ], [ 2.000000e+00, %333 ]
+  %342 = getelementptr inbounds i64, ptr %18, i64 %340
+  store i64 0, ptr %342, align 8
+  %343 = getelementptr inbounds i64, ptr %16, i64 %340
+  %344 = load i64, ptr %343, align 8
+  %345 = getelementptr inbounds double, ptr %332, i64 %340
+  %346 = load double, ptr %345, align 8
+  %347 = getelementptr inbounds i64, ptr %14, i64 %340
+  %348 = load i64, ptr %347, align 8
+  %349 = icmp slt i64 %344, 0
+  %350 = fcmp ogt double %346, 0.000000e+00
+  %351 = and i1 %349, %350
+  %352 = icmp sgt i64 %348, -1
+  %353 = and i1 %351, %352
+  br i1 %353, label %361, label %354
 
-382:                                              ; preds = %378
-  %383 = icmp slt i64 %372, 1
-  %384 = zext i1 %383 to i32
-  br label %385
+354:                                              ; preds = %339
+  %355 = icmp sgt i64 %344, 0
+  %356 = fcmp olt double %346, 0.000000e+00
+  %357 = and i1 %355, %356
+  br i1 %357, label %358, label %361
 
-385:                                              ; preds = %362, %378, %382
-  %386 = phi i32 [ 1, %362 ], [ 0, %378 ], [ %384, %382 ]
-  %387 = icmp eq i32 %386, 0
-  br i1 %387, label %453, label %388
+358:                                              ; preds = %354
+  %359 = icmp slt i64 %348, 1
+  %360 = zext i1 %359 to i32
+  br label %361
 
-388:                                              ; preds = %385
-  %389 = getelementptr inbounds double, ptr %274, i64 %365
-  %390 = load double, ptr %389, align 8
-  %391 = fcmp ogt double %390, 0.000000e+00
-  %392 = and i1 %373, %391
-  %393 = and i1 %376, %392
-  br i1 %393, label %401, label %394
+361:                                              ; preds = %339, %354, %358
+  %362 = phi i32 [ 1, %339 ], [ 0, %354 ], [ %360, %358 ]
+  %363 = icmp eq i32 %362, 0
+  br i1 %363, label %364, label %368
 
-394:                                              ; preds = %388
-  %395 = icmp sgt i64 %368, 0
-  %396 = fcmp olt double %390, 0.000000e+00
-  %397 = and i1 %395, %396
-  br i1 %397, label %398, label %401
+364:                                              ; preds = %361
+  %365 = icmp eq i64 %344, 0
+  %366 = fcmp ord double %346, 0.000000e+00
+  %367 = or i1 %365, %366
+  br i1 %367, label %374, label %368
 
-398:                                              ; preds = %394
-  %399 = icmp slt i64 %372, 1
-  %400 = zext i1 %399 to i32
-  br label %401
+368:                                              ; preds = %364, %361
+  %369 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %334, double noundef %331, i64 noundef %340) #8
+  %370 = fcmp ole double %369, %334
+  %371 = zext i1 %370 to i64
+  store i64 %371, ptr %342, align 8
+  %372 = fcmp olt double %369, %341
+  %373 = select i1 %372, double %369, double %341
+  br label %374
 
-401:                                              ; preds = %388, %394, %398
-  %402 = phi i32 [ 1, %388 ], [ 0, %394 ], [ %400, %398 ]
-  %403 = icmp eq i32 %402, 0
-  br i1 %403, label %404, label %453
+374:                                              ; preds = %364, %368
+  %375 = phi double [ %373, %368 ], [ %341, %364 ]
+  %376 = add nuw nsw i64 %340, 1
+  %377 = icmp eq i64 %376, %12
+  br i1 %377, label %336, label %339, !llvm.loop !9
 
-404:                                              ; preds = %401
-  %405 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %276, double noundef %366, i64 noundef %365) #8
-  %406 = fcmp ogt double %405, %276
-  br i1 %406, label %407, label %409
+378:                                              ; preds = %336
+  %379 = load ptr, ptr %195, align 8
+  %380 = load ptr, ptr %197, align 8
+  %381 = insertelement <8 x double> poison, double %337, i64 0
+  %382 = shufflevector <8 x double> %381, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %382, ptr %380, align 8
+  %383 = load ptr, ptr %196, align 8
+  %384 = load ptr, ptr %198, align 8
+  %385 = load i64, ptr %199, align 8
+  %386 = load ptr, ptr %200, align 8
+  %387 = getelementptr inbounds i8, ptr %386, i64 24
+  %388 = load i64, ptr %387, align 8
+  %389 = load ptr, ptr %197, align 8
+  %390 = load ptr, ptr %201, align 8
+  %391 = getelementptr inbounds i8, ptr %390, i64 16
+  %392 = load i64, ptr %391, align 8
+  tail call fastcc void @nested(ptr noundef %379, ptr noundef %383, ptr noundef %384, i64 noundef %385, i64 noundef %388, ptr noundef %389, i64 noundef %392) #8
+  %393 = fmul double %337, %2
+  %394 = fadd double %393, %1
+  %395 = load ptr, ptr %202, align 8
+  store double %394, ptr %395, align 8
+  %396 = load i64, ptr %203, align 8
+  %397 = icmp sgt i64 %396, 0
+  br i1 %397, label %398, label %399
 
-407:                                              ; preds = %404
-  %408 = getelementptr inbounds i64, ptr %18, i64 %365
-  store i64 2, ptr %408, align 8
-  br label %409
-
-409:                                              ; preds = %407, %404
-  %410 = phi double [ %405, %407 ], [ %366, %404 ]
-  %411 = load ptr, ptr %137, align 8
-  %412 = load ptr, ptr %139, align 8
-  %413 = insertelement <8 x double> poison, double %410, i64 0
-  %414 = shufflevector <8 x double> %413, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %414, ptr %412, align 8
-  %415 = load ptr, ptr %138, align 8
-  %416 = load ptr, ptr %140, align 8
-  %417 = load i64, ptr %141, align 8
-  %418 = load ptr, ptr %142, align 8
-  %419 = getelementptr inbounds i8, ptr %418, i64 24
-  %420 = load i64, ptr %419, align 8
-  %421 = load ptr, ptr %139, align 8
-  %422 = load ptr, ptr %143, align 8
-  %423 = getelementptr inbounds i8, ptr %422, i64 16
-  %424 = load i64, ptr %423, align 8
-  tail call fastcc void @nested(ptr noundef %411, ptr noundef %415, ptr noundef %416, i64 noundef %417, i64 noundef %420, ptr noundef %421, i64 noundef %424) #8
-  %425 = fmul double %410, %2
-  %426 = fadd double %425, %1
-  %427 = load ptr, ptr %144, align 8
-  store double %426, ptr %427, align 8
-  %428 = load i64, ptr %145, align 8
-  %429 = icmp sgt i64 %428, 0
-  br i1 %429, label %430, label %431
-
-430:                                              ; preds = %409
+398:                                              ; preds = %378
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %431
+  br label %399
 
-431:                                              ; preds = %409, %430
-  %432 = load ptr, ptr %9, align 8
-  %433 = load i64, ptr %432, align 8
-  %434 = load ptr, ptr %146, align 8
-  %435 = load ptr, ptr %137, align 8
-  %436 = load ptr, ptr %147, align 8
-  %437 = load ptr, ptr %148, align 8
-  %438 = load ptr, ptr %25, align 8
-  %439 = getelementptr inbounds i8, ptr %432, i64 8
-  %440 = load i64, ptr %439, align 8
-  %441 = getelementptr inbounds double, ptr %438, i64 %440
-  %442 = inttoptr i64 %433 to ptr
-  %443 = load ptr, ptr %442, align 8
-  %444 = tail call i32 %443(ptr noundef %434, ptr noundef %435, ptr noundef %436, ptr noundef %437, ptr noundef %441) #9
-  %445 = icmp sgt i32 %444, -1
-  br i1 %445, label %451, label %446
+399:                                              ; preds = %378, %398
+  %400 = load ptr, ptr %9, align 8
+  %401 = load i64, ptr %400, align 8
+  %402 = load ptr, ptr %204, align 8
+  %403 = load ptr, ptr %195, align 8
+  %404 = load ptr, ptr %205, align 8
+  %405 = load ptr, ptr %206, align 8
+  %406 = load ptr, ptr %25, align 8
+  %407 = getelementptr inbounds i8, ptr %400, i64 8
+  %408 = load i64, ptr %407, align 8
+  %409 = getelementptr inbounds double, ptr %406, i64 %408
+  %410 = inttoptr i64 %401 to ptr
+  %411 = load ptr, ptr %410, align 8
+  %412 = tail call i32 %411(ptr noundef %402, ptr noundef %403, ptr noundef %404, ptr noundef %405, ptr noundef %409) #9
+  %413 = icmp slt i32 %412, 0
+  br i1 %413, label %415, label %414
 
-446:                                              ; preds = %431
-  %447 = load ptr, ptr %20, align 8
-  %448 = getelementptr inbounds i8, ptr %447, i64 80
-  store i64 %23, ptr %448, align 8
-  %449 = load ptr, ptr %19, align 8
-  %450 = getelementptr inbounds i8, ptr %449, i64 48
-  store double 1.000000e+00, ptr %450, align 8
-  br label %451
+414:                                              ; preds = %399
+  br i1 %207, label %420, label %517
 
-451:                                              ; preds = %431, %446
-  %452 = phi i64 [ -4, %446 ], [ %364, %431 ]
-  br i1 %445, label %453, label %459
+415:                                              ; preds = %399
+  %416 = load ptr, ptr %20, align 8
+  %417 = getelementptr inbounds i8, ptr %416, i64 80
+  store i64 %23, ptr %417, align 8
+  %418 = load ptr, ptr %19, align 8
+  %419 = getelementptr inbounds i8, ptr %418, i64 48
+  store double 1.000000e+00, ptr %419, align 8
+  br label %942
 
-453:                                              ; preds = %385, %401, %451
-  %454 = phi double [ %366, %401 ], [ %410, %451 ], [ %366, %385 ]
-  %455 = phi i64 [ %364, %401 ], [ %452, %451 ], [ %364, %385 ]
-  %456 = add nuw nsw i64 %365, 1
-  %457 = icmp slt i64 %456, %12
-  %458 = icmp eq i64 %456, %12
-  br i1 %458, label %459, label %362, !llvm.loop !10
+420:                                              ; preds = %414, %511
+  %421 = phi i1 [ %515, %511 ], [ %207, %414 ]
+  %422 = phi i64 [ %513, %511 ], [ %335, %414 ]
+  %423 = phi i64 [ %514, %511 ], [ 0, %414 ]
+  %424 = phi double [ %512, %511 ], [ %337, %414 ]
+  %425 = getelementptr inbounds i64, ptr %16, i64 %423
+  %426 = load i64, ptr %425, align 8
+  %427 = getelementptr inbounds double, ptr %31, i64 %423
+  %428 = load double, ptr %427, align 8
+  %429 = getelementptr inbounds i64, ptr %14, i64 %423
+  %430 = load i64, ptr %429, align 8
+  %431 = icmp slt i64 %426, 0
+  %432 = fcmp ogt double %428, 0.000000e+00
+  %433 = and i1 %431, %432
+  %434 = icmp sgt i64 %430, -1
+  %435 = and i1 %433, %434
+  br i1 %435, label %443, label %436
 
-459:                                              ; preds = %451, %453, %356
-  %460 = phi i1 [ %149, %356 ], [ %363, %451 ], [ %457, %453 ]
-  %461 = phi i32 [ 16, %356 ], [ 1, %451 ], [ 16, %453 ]
-  %462 = phi double [ %279, %356 ], [ %410, %451 ], [ %454, %453 ]
-  %463 = phi i64 [ %277, %356 ], [ %452, %451 ], [ %455, %453 ]
-  br i1 %460, label %884, label %464
+436:                                              ; preds = %420
+  %437 = icmp sgt i64 %426, 0
+  %438 = fcmp olt double %428, 0.000000e+00
+  %439 = and i1 %437, %438
+  br i1 %439, label %440, label %443
 
-464:                                              ; preds = %459
-  br i1 %150, label %475, label %467
+440:                                              ; preds = %436
+  %441 = icmp slt i64 %430, 1
+  %442 = zext i1 %441 to i32
+  br label %443
 
-465:                                              ; preds = %562
-  %466 = zext i1 %563 to i32
+443:                                              ; preds = %420, %436, %440
+  %444 = phi i32 [ 1, %420 ], [ 0, %436 ], [ %442, %440 ]
+  %445 = icmp eq i32 %444, 0
+  br i1 %445, label %511, label %446
+
+446:                                              ; preds = %443
+  %447 = getelementptr inbounds double, ptr %332, i64 %423
+  %448 = load double, ptr %447, align 8
+  %449 = fcmp ogt double %448, 0.000000e+00
+  %450 = and i1 %431, %449
+  %451 = and i1 %434, %450
+  br i1 %451, label %459, label %452
+
+452:                                              ; preds = %446
+  %453 = icmp sgt i64 %426, 0
+  %454 = fcmp olt double %448, 0.000000e+00
+  %455 = and i1 %453, %454
+  br i1 %455, label %456, label %459
+
+456:                                              ; preds = %452
+  %457 = icmp slt i64 %430, 1
+  %458 = zext i1 %457 to i32
+  br label %459
+
+459:                                              ; preds = %446, %452, %456
+  %460 = phi i32 [ 1, %446 ], [ 0, %452 ], [ %458, %456 ]
+  %461 = icmp eq i32 %460, 0
+  br i1 %461, label %462, label %511
+
+462:                                              ; preds = %459
+  %463 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %334, double noundef %424, i64 noundef %423) #8
+  %464 = fcmp ogt double %463, %334
+  br i1 %464, label %465, label %467
+
+465:                                              ; preds = %462
+  %466 = getelementptr inbounds i64, ptr %18, i64 %423
+  store i64 2, ptr %466, align 8
   br label %467
 
-467:                                              ; preds = %465, %464
-  %468 = phi i32 [ 0, %464 ], [ %466, %465 ]
-  %469 = phi i64 [ -1, %464 ], [ %552, %465 ]
-  %470 = icmp eq i32 %468, 0
-  br i1 %470, label %471, label %566
-
-471:                                              ; preds = %467
-  br i1 %159, label %472, label %693
-
-472:                                              ; preds = %471
-  %473 = fmul double %462, %2
-  %474 = fadd double %473, %1
-  br label %815
-
-475:                                              ; preds = %464, %562
-  %476 = phi i64 [ %564, %562 ], [ 0, %464 ]
-  %477 = phi i64 [ %552, %562 ], [ -1, %464 ]
-  %478 = phi i1 [ %563, %562 ], [ false, %464 ]
-  %479 = getelementptr inbounds double, ptr %31, i64 %476
-  %480 = load double, ptr %479, align 8
-  %481 = getelementptr inbounds i64, ptr %16, i64 %476
+467:                                              ; preds = %465, %462
+  %468 = phi double [ %463, %465 ], [ %424, %462 ]
+  %469 = load ptr, ptr %195, align 8
+  %470 = load ptr, ptr %197, align 8
+  %471 = insertelement <8 x double> poison, double %468, i64 0
+  %472 = shufflevector <8 x double> %471, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %472, ptr %470, align 8
+  %473 = load ptr, ptr %196, align 8
+  %474 = load ptr, ptr %198, align 8
+  %475 = load i64, ptr %199, align 8
+  %476 = load ptr, ptr %200, align 8
+  %477 = getelementptr inbounds i8, ptr %476, i64 24
+  %478 = load i64, ptr %477, align 8
+  %479 = load ptr, ptr %197, align 8
+  %480 = load ptr, ptr %201, align 8
+  %481 = getelementptr inbounds i8, ptr %480, i64 16
   %482 = load i64, ptr %481, align 8
-  %483 = getelementptr inbounds i64, ptr %14, i64 %476
-  %484 = load i64, ptr %483, align 8
-  %485 = icmp slt i64 %482, 0
-  %486 = fcmp ogt double %480, 0.000000e+00
-  %487 = and i1 %486, %485
-  %488 = icmp sgt i64 %484, -1
-  %489 = and i1 %487, %488
-  br i1 %489, label %497, label %490
+  tail call fastcc void @nested(ptr noundef %469, ptr noundef %473, ptr noundef %474, i64 noundef %475, i64 noundef %478, ptr noundef %479, i64 noundef %482) #8
+  %483 = fmul double %468, %2
+  %484 = fadd double %483, %1
+  %485 = load ptr, ptr %202, align 8
+  store double %484, ptr %485, align 8
+  %486 = load i64, ptr %203, align 8
+  %487 = icmp sgt i64 %486, 0
+  br i1 %487, label %488, label %489
 
-490:                                              ; preds = %475
-  %491 = icmp sgt i64 %482, 0
-  %492 = fcmp olt double %480, 0.000000e+00
-  %493 = and i1 %492, %491
-  br i1 %493, label %494, label %497
+488:                                              ; preds = %467
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %489
 
-494:                                              ; preds = %490
-  %495 = icmp slt i64 %484, 1
-  %496 = zext i1 %495 to i32
-  br label %497
+489:                                              ; preds = %467, %488
+  %490 = load ptr, ptr %9, align 8
+  %491 = load i64, ptr %490, align 8
+  %492 = load ptr, ptr %204, align 8
+  %493 = load ptr, ptr %195, align 8
+  %494 = load ptr, ptr %205, align 8
+  %495 = load ptr, ptr %206, align 8
+  %496 = load ptr, ptr %25, align 8
+  %497 = getelementptr inbounds i8, ptr %490, i64 8
+  %498 = load i64, ptr %497, align 8
+  %499 = getelementptr inbounds double, ptr %496, i64 %498
+  %500 = inttoptr i64 %491 to ptr
+  %501 = load ptr, ptr %500, align 8
+  %502 = tail call i32 %501(ptr noundef %492, ptr noundef %493, ptr noundef %494, ptr noundef %495, ptr noundef %499) #9
+  %503 = icmp sgt i32 %502, -1
+  br i1 %503, label %509, label %504
 
-497:                                              ; preds = %475, %490, %494
-  %498 = phi i32 [ 1, %475 ], [ 0, %490 ], [ %496, %494 ]
-  %499 = icmp eq i32 %498, 0
-  br i1 %499, label %500, label %525
+504:                                              ; preds = %489
+  %505 = load ptr, ptr %20, align 8
+  %506 = getelementptr inbounds i8, ptr %505, i64 80
+  store i64 %23, ptr %506, align 8
+  %507 = load ptr, ptr %19, align 8
+  %508 = getelementptr inbounds i8, ptr %507, i64 48
+  store double 1.000000e+00, ptr %508, align 8
+  br label %509
 
-500:                                              ; preds = %497
-  %501 = getelementptr inbounds double, ptr %274, i64 %476
-  %502 = load double, ptr %501, align 8
-  %503 = fcmp ogt double %502, 0.000000e+00
-  %504 = and i1 %485, %503
-  %505 = and i1 %488, %504
-  br i1 %505, label %513, label %506
+509:                                              ; preds = %489, %504
+  %510 = phi i64 [ -4, %504 ], [ %422, %489 ]
+  br i1 %503, label %511, label %517
 
-506:                                              ; preds = %500
-  %507 = icmp sgt i64 %482, 0
-  %508 = fcmp olt double %502, 0.000000e+00
-  %509 = and i1 %507, %508
-  br i1 %509, label %510, label %513
+511:                                              ; preds = %443, %459, %509
+  %512 = phi double [ %424, %459 ], [ %468, %509 ], [ %424, %443 ]
+  %513 = phi i64 [ %422, %459 ], [ %510, %509 ], [ %422, %443 ]
+  %514 = add nuw nsw i64 %423, 1
+  %515 = icmp slt i64 %514, %12
+  %516 = icmp eq i64 %514, %12
+  br i1 %516, label %517, label %420, !llvm.loop !10
 
-510:                                              ; preds = %506
-  %511 = icmp slt i64 %484, 1
-  %512 = zext i1 %511 to i32
-  br label %513
+517:                                              ; preds = %509, %511, %414
+  %518 = phi i1 [ %207, %414 ], [ %421, %509 ], [ %515, %511 ]
+  %519 = phi i32 [ 16, %414 ], [ 1, %509 ], [ 16, %511 ]
+  %520 = phi double [ %337, %414 ], [ %468, %509 ], [ %512, %511 ]
+  %521 = phi i64 [ %335, %414 ], [ %510, %509 ], [ %513, %511 ]
+  br i1 %518, label %942, label %522
 
-513:                                              ; preds = %500, %506, %510
-  %514 = phi i32 [ 1, %500 ], [ 0, %506 ], [ %512, %510 ]
-  %515 = icmp eq i32 %514, 0
-  br i1 %515, label %525, label %516
+522:                                              ; preds = %517
+  br i1 %208, label %533, label %525
 
-516:                                              ; preds = %513
-  %517 = fcmp oeq double %480, 0.000000e+00
-  br i1 %517, label %522, label %518
-
-518:                                              ; preds = %516
-  %519 = getelementptr inbounds i64, ptr %18, i64 %476
-  %520 = load i64, ptr %519, align 8
-  %521 = icmp eq i64 %520, 1
-  br label %522
-
-522:                                              ; preds = %518, %516
-  %523 = phi i1 [ true, %516 ], [ %521, %518 ]
-  %524 = zext i1 %523 to i32
+523:                                              ; preds = %620
+  %524 = zext i1 %621 to i32
   br label %525
 
-525:                                              ; preds = %522, %513, %497
-  %526 = phi i32 [ 1, %497 ], [ %524, %522 ], [ 0, %513 ]
-  %527 = icmp eq i32 %526, 0
-  br i1 %527, label %528, label %534
+525:                                              ; preds = %523, %522
+  %526 = phi i32 [ 0, %522 ], [ %524, %523 ]
+  %527 = phi i64 [ -1, %522 ], [ %610, %523 ]
+  %528 = icmp eq i32 %526, 0
+  br i1 %528, label %529, label %624
 
-528:                                              ; preds = %525
-  %529 = getelementptr inbounds i64, ptr %18, i64 %476
-  %530 = load i64, ptr %529, align 8
-  %531 = icmp eq i64 %530, 2
-  %532 = fcmp oeq double %480, 0.000000e+00
-  %533 = and i1 %532, %531
-  br label %534
+529:                                              ; preds = %525
+  br i1 %217, label %530, label %751
 
-534:                                              ; preds = %528, %525
-  %535 = phi i1 [ true, %525 ], [ %533, %528 ]
-  br i1 %535, label %551, label %536
+530:                                              ; preds = %529
+  %531 = fmul double %520, %2
+  %532 = fadd double %531, %1
+  br label %873
 
-536:                                              ; preds = %534
-  %537 = getelementptr inbounds double, ptr %274, i64 %476
+533:                                              ; preds = %522, %620
+  %534 = phi i64 [ %622, %620 ], [ 0, %522 ]
+  %535 = phi i64 [ %610, %620 ], [ -1, %522 ]
+  %536 = phi i1 [ %621, %620 ], [ false, %522 ]
+  %537 = getelementptr inbounds double, ptr %31, i64 %534
   %538 = load double, ptr %537, align 8
-  %539 = icmp eq i64 %482, 0
-  %540 = fcmp ord double %538, 0.000000e+00
-  %541 = or i1 %539, %540
-  br i1 %541, label %551, label %542
+  %539 = getelementptr inbounds i64, ptr %16, i64 %534
+  %540 = load i64, ptr %539, align 8
+  %541 = getelementptr inbounds i64, ptr %14, i64 %534
+  %542 = load i64, ptr %541, align 8
+  %543 = icmp slt i64 %540, 0
+  %544 = fcmp ogt double %538, 0.000000e+00
+  %545 = and i1 %544, %543
+  %546 = icmp sgt i64 %542, -1
+  %547 = and i1 %545, %546
+  br i1 %547, label %555, label %548
 
-542:                                              ; preds = %536
-  %543 = sitofp i64 %482 to double
-  %544 = fmul double %480, %543
-  %545 = fcmp olt double %544, 0.000000e+00
-  br i1 %545, label %546, label %548
+548:                                              ; preds = %533
+  %549 = icmp sgt i64 %540, 0
+  %550 = fcmp olt double %538, 0.000000e+00
+  %551 = and i1 %550, %549
+  br i1 %551, label %552, label %555
 
-546:                                              ; preds = %542
-  %547 = sub nsw i64 0, %482
-  store i64 %547, ptr %481, align 8
-  br label %551
+552:                                              ; preds = %548
+  %553 = icmp slt i64 %542, 1
+  %554 = zext i1 %553 to i32
+  br label %555
 
-548:                                              ; preds = %542
-  %549 = fcmp ueq double %480, 0.000000e+00
-  %550 = select i1 %549, i64 %476, i64 %477
-  br label %551
+555:                                              ; preds = %533, %548, %552
+  %556 = phi i32 [ 1, %533 ], [ 0, %548 ], [ %554, %552 ]
+  %557 = icmp eq i32 %556, 0
+  br i1 %557, label %558, label %583
 
-551:                                              ; preds = %548, %546, %536, %534
-  %552 = phi i64 [ %477, %534 ], [ %477, %546 ], [ %477, %536 ], [ %550, %548 ]
-  %553 = zext i1 %535 to i64
-  %554 = getelementptr inbounds i64, ptr %18, i64 %476
-  store i64 %553, ptr %554, align 8
-  %555 = xor i1 %535, true
-  %556 = or i1 %478, %555
-  br i1 %556, label %562, label %557
+558:                                              ; preds = %555
+  %559 = getelementptr inbounds double, ptr %332, i64 %534
+  %560 = load double, ptr %559, align 8
+  %561 = fcmp ogt double %560, 0.000000e+00
+  %562 = and i1 %543, %561
+  %563 = and i1 %546, %562
+  br i1 %563, label %571, label %564
 
-557:                                              ; preds = %551
-  %558 = load ptr, ptr %151, align 8
-  %559 = getelementptr inbounds i64, ptr %558, i64 %476
-  %560 = load i64, ptr %559, align 8
-  %561 = icmp eq i64 %560, 1
-  br label %562
+564:                                              ; preds = %558
+  %565 = icmp sgt i64 %540, 0
+  %566 = fcmp olt double %560, 0.000000e+00
+  %567 = and i1 %565, %566
+  br i1 %567, label %568, label %571
 
-562:                                              ; preds = %551, %557
-  %563 = phi i1 [ %478, %551 ], [ %561, %557 ]
-  %564 = add nuw nsw i64 %476, 1
-  %565 = icmp eq i64 %564, %12
-  br i1 %565, label %465, label %475, !llvm.loop !11
+568:                                              ; preds = %564
+  %569 = icmp slt i64 %542, 1
+  %570 = zext i1 %569 to i32
+  br label %571
 
-566:                                              ; preds = %467
-  store double %462, ptr %152, align 8
-  %567 = load ptr, ptr %9, align 8
-  %568 = getelementptr inbounds i8, ptr %567, i64 8
-  %569 = load i64, ptr %568, align 8
-  %570 = load ptr, ptr %25, align 8
-  %571 = getelementptr inbounds double, ptr %570, i64 %569
-  %572 = mul i64 %569, 56
-  %573 = getelementptr inbounds i8, ptr %570, i64 %572
-  %574 = load ptr, ptr %153, align 8
-  %575 = load i64, ptr %154, align 8
-  %576 = getelementptr double, ptr %574, i64 %575
-  %577 = getelementptr i8, ptr %576, i64 -8
-  %578 = load double, ptr %577, align 8
-  %579 = load double, ptr %574, align 8
-  %580 = fsub double %578, %579
-  %581 = icmp sgt i64 %569, 0
-  br i1 %581, label %585, label %582
+571:                                              ; preds = %558, %564, %568
+  %572 = phi i32 [ 1, %558 ], [ 0, %564 ], [ %570, %568 ]
+  %573 = icmp eq i32 %572, 0
+  br i1 %573, label %583, label %574
 
-582:                                              ; preds = %598, %566
-  %583 = phi i32 [ 0, %566 ], [ %600, %598 ]
-  %584 = icmp eq i32 %583, 0
-  br i1 %584, label %884, label %603
+574:                                              ; preds = %571
+  %575 = fcmp oeq double %538, 0.000000e+00
+  br i1 %575, label %580, label %576
 
-585:                                              ; preds = %566, %598
-  %586 = phi i64 [ %601, %598 ], [ 0, %566 ]
-  %587 = phi i32 [ %600, %598 ], [ 0, %566 ]
-  %588 = icmp eq i32 %587, 0
-  br i1 %588, label %589, label %598
+576:                                              ; preds = %574
+  %577 = getelementptr inbounds i64, ptr %18, i64 %534
+  %578 = load i64, ptr %577, align 8
+  %579 = icmp eq i64 %578, 1
+  br label %580
 
-589:                                              ; preds = %585
-  %590 = load ptr, ptr %17, align 8
-  %591 = getelementptr inbounds i64, ptr %590, i64 %586
-  %592 = load i64, ptr %591, align 8
-  %593 = icmp eq i64 %592, 0
-  br i1 %593, label %598, label %594
+580:                                              ; preds = %576, %574
+  %581 = phi i1 [ true, %574 ], [ %579, %576 ]
+  %582 = zext i1 %581 to i32
+  br label %583
 
-594:                                              ; preds = %589
-  %595 = getelementptr inbounds double, ptr %571, i64 %586
+583:                                              ; preds = %580, %571, %555
+  %584 = phi i32 [ 1, %555 ], [ %582, %580 ], [ 0, %571 ]
+  %585 = icmp eq i32 %584, 0
+  br i1 %585, label %586, label %592
+
+586:                                              ; preds = %583
+  %587 = getelementptr inbounds i64, ptr %18, i64 %534
+  %588 = load i64, ptr %587, align 8
+  %589 = icmp eq i64 %588, 2
+  %590 = fcmp oeq double %538, 0.000000e+00
+  %591 = and i1 %590, %589
+  br label %592
+
+592:                                              ; preds = %586, %583
+  %593 = phi i1 [ true, %583 ], [ %591, %586 ]
+  br i1 %593, label %609, label %594
+
+594:                                              ; preds = %592
+  %595 = getelementptr inbounds double, ptr %332, i64 %534
   %596 = load double, ptr %595, align 8
-  %597 = fcmp oeq double %596, 0.000000e+00
-  br label %598
+  %597 = icmp eq i64 %540, 0
+  %598 = fcmp ord double %596, 0.000000e+00
+  %599 = or i1 %597, %598
+  br i1 %599, label %609, label %600
 
-598:                                              ; preds = %594, %589, %585
-  %599 = phi i1 [ true, %585 ], [ false, %589 ], [ %597, %594 ]
-  %600 = zext i1 %599 to i32
-  %601 = add nuw nsw i64 %586, 1
-  %602 = icmp eq i64 %601, %569
-  br i1 %602, label %582, label %585, !llvm.loop !12
+600:                                              ; preds = %594
+  %601 = sitofp i64 %540 to double
+  %602 = fmul double %538, %601
+  %603 = fcmp olt double %602, 0.000000e+00
+  br i1 %603, label %604, label %606
 
-603:                                              ; preds = %582
-  %604 = fsub double %273, %462
-  %605 = fmul double %604, %2
-  %606 = fcmp ogt double %156, %580
-  %607 = select i1 %606, double %156, double %580
-  %608 = fmul double %607, 0x3F50000000000000
-  %609 = fcmp ugt double %605, %608
-  br i1 %609, label %610, label %884
+604:                                              ; preds = %600
+  %605 = sub nsw i64 0, %540
+  store i64 %605, ptr %539, align 8
+  br label %609
 
-610:                                              ; preds = %603
-  %611 = fmul double %604, 0x3F50000000000000
-  %612 = fadd double %462, %611
-  %613 = load ptr, ptr %137, align 8
-  %614 = load ptr, ptr %139, align 8
-  %615 = insertelement <8 x double> poison, double %612, i64 0
-  %616 = shufflevector <8 x double> %615, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %616, ptr %614, align 8
-  %617 = load ptr, ptr %138, align 8
-  %618 = load ptr, ptr %140, align 8
-  %619 = load i64, ptr %141, align 8
-  %620 = load ptr, ptr %142, align 8
-  %621 = getelementptr inbounds i8, ptr %620, i64 24
-  %622 = load i64, ptr %621, align 8
-  %623 = load ptr, ptr %139, align 8
-  %624 = load ptr, ptr %143, align 8
-  %625 = getelementptr inbounds i8, ptr %624, i64 16
-  %626 = load i64, ptr %625, align 8
-  tail call fastcc void @nested(ptr noundef %613, ptr noundef %617, ptr noundef %618, i64 noundef %619, i64 noundef %622, ptr noundef %623, i64 noundef %626) #8
-  %627 = fmul double %612, %2
-  %628 = fadd double %627, %1
-  %629 = load ptr, ptr %144, align 8
-  store double %628, ptr %629, align 8
-  %630 = load i64, ptr %145, align 8
-  %631 = icmp sgt i64 %630, 0
-  br i1 %631, label %632, label %633
+606:                                              ; preds = %600
+  %607 = fcmp ueq double %538, 0.000000e+00
+  %608 = select i1 %607, i64 %534, i64 %535
+  br label %609
 
-632:                                              ; preds = %610
+609:                                              ; preds = %606, %604, %594, %592
+  %610 = phi i64 [ %535, %592 ], [ %535, %604 ], [ %535, %594 ], [ %608, %606 ]
+  %611 = zext i1 %593 to i64
+  %612 = getelementptr inbounds i64, ptr %18, i64 %534
+  store i64 %611, ptr %612, align 8
+  %613 = xor i1 %593, true
+  %614 = or i1 %536, %613
+  br i1 %614, label %620, label %615
+
+615:                                              ; preds = %609
+  %616 = load ptr, ptr %209, align 8
+  %617 = getelementptr inbounds i64, ptr %616, i64 %534
+  %618 = load i64, ptr %617, align 8
+  %619 = icmp eq i64 %618, 1
+  br label %620
+
+620:                                              ; preds = %609, %615
+  %621 = phi i1 [ %536, %609 ], [ %619, %615 ]
+  %622 = add nuw nsw i64 %534, 1
+  %623 = icmp eq i64 %622, %12
+  br i1 %623, label %523, label %533, !llvm.loop !11
+
+624:                                              ; preds = %525
+  store double %520, ptr %210, align 8
+  %625 = load ptr, ptr %9, align 8
+  %626 = getelementptr inbounds i8, ptr %625, i64 8
+  %627 = load i64, ptr %626, align 8
+  %628 = load ptr, ptr %25, align 8
+  %629 = getelementptr inbounds double, ptr %628, i64 %627
+  %630 = mul i64 %627, 56
+  %631 = getelementptr inbounds i8, ptr %628, i64 %630
+  %632 = load ptr, ptr %211, align 8
+  %633 = load i64, ptr %212, align 8
+  %634 = getelementptr double, ptr %632, i64 %633
+  %635 = getelementptr i8, ptr %634, i64 -8
+  %636 = load double, ptr %635, align 8
+  %637 = load double, ptr %632, align 8
+  %638 = fsub double %636, %637
+  %639 = icmp sgt i64 %627, 0
+  br i1 %639, label %643, label %640
+
+640:                                              ; preds = %656, %624
+  %641 = phi i32 [ 0, %624 ], [ %658, %656 ]
+  %642 = icmp eq i32 %641, 0
+  br i1 %642, label %942, label %661
+
+643:                                              ; preds = %624, %656
+  %644 = phi i64 [ %659, %656 ], [ 0, %624 ]
+  %645 = phi i32 [ %658, %656 ], [ 0, %624 ]
+  %646 = icmp eq i32 %645, 0
+  br i1 %646, label %647, label %656
+
+647:                                              ; preds = %643
+  %648 = load ptr, ptr %17, align 8
+  %649 = getelementptr inbounds i64, ptr %648, i64 %644
+  %650 = load i64, ptr %649, align 8
+  %651 = icmp eq i64 %650, 0
+  br i1 %651, label %656, label %652
+
+652:                                              ; preds = %647
+  %653 = getelementptr inbounds double, ptr %629, i64 %644
+  %654 = load double, ptr %653, align 8
+  %655 = fcmp oeq double %654, 0.000000e+00
+  br label %656
+
+656:                                              ; preds = %652, %647, %643
+  %657 = phi i1 [ true, %643 ], [ false, %647 ], [ %655, %652 ]
+  %658 = zext i1 %657 to i32
+  %659 = add nuw nsw i64 %644, 1
+  %660 = icmp eq i64 %659, %627
+  br i1 %660, label %640, label %643, !llvm.loop !12
+
+661:                                              ; preds = %640
+  %662 = fsub double %331, %520
+  %663 = fmul double %662, %2
+  %664 = fcmp ogt double %214, %638
+  %665 = select i1 %664, double %214, double %638
+  %666 = fmul double %665, 0x3F50000000000000
+  %667 = fcmp ugt double %663, %666
+  br i1 %667, label %668, label %942
+
+668:                                              ; preds = %661
+  %669 = fmul double %662, 0x3F50000000000000
+  %670 = fadd double %520, %669
+  %671 = load ptr, ptr %195, align 8
+  %672 = load ptr, ptr %197, align 8
+  %673 = insertelement <8 x double> poison, double %670, i64 0
+  %674 = shufflevector <8 x double> %673, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %674, ptr %672, align 8
+  %675 = load ptr, ptr %196, align 8
+  %676 = load ptr, ptr %198, align 8
+  %677 = load i64, ptr %199, align 8
+  %678 = load ptr, ptr %200, align 8
+  %679 = getelementptr inbounds i8, ptr %678, i64 24
+  %680 = load i64, ptr %679, align 8
+  %681 = load ptr, ptr %197, align 8
+  %682 = load ptr, ptr %201, align 8
+  %683 = getelementptr inbounds i8, ptr %682, i64 16
+  %684 = load i64, ptr %683, align 8
+  tail call fastcc void @nested(ptr noundef %671, ptr noundef %675, ptr noundef %676, i64 noundef %677, i64 noundef %680, ptr noundef %681, i64 noundef %684) #8
+  %685 = fmul double %670, %2
+  %686 = fadd double %685, %1
+  %687 = load ptr, ptr %202, align 8
+  store double %686, ptr %687, align 8
+  %688 = load i64, ptr %203, align 8
+  %689 = icmp sgt i64 %688, 0
+  br i1 %689, label %690, label %691
+
+690:                                              ; preds = %668
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %633
+  br label %691
 
-633:                                              ; preds = %610, %632
-  %634 = load ptr, ptr %9, align 8
-  %635 = load i64, ptr %634, align 8
-  %636 = load ptr, ptr %146, align 8
-  %637 = load ptr, ptr %137, align 8
-  %638 = load ptr, ptr %147, align 8
-  %639 = load ptr, ptr %148, align 8
-  %640 = load ptr, ptr %25, align 8
-  %641 = getelementptr inbounds i8, ptr %634, i64 8
-  %642 = load i64, ptr %641, align 8
-  %643 = mul i64 %642, 56
-  %644 = getelementptr inbounds i8, ptr %640, i64 %643
-  %645 = inttoptr i64 %635 to ptr
-  %646 = load ptr, ptr %645, align 8
-  %647 = tail call i32 %646(ptr noundef %636, ptr noundef %637, ptr noundef %638, ptr noundef %639, ptr noundef %644) #9
-  %648 = icmp slt i32 %647, 0
-  br i1 %648, label %688, label %649
+691:                                              ; preds = %668, %690
+  %692 = load ptr, ptr %9, align 8
+  %693 = load i64, ptr %692, align 8
+  %694 = load ptr, ptr %204, align 8
+  %695 = load ptr, ptr %195, align 8
+  %696 = load ptr, ptr %205, align 8
+  %697 = load ptr, ptr %206, align 8
+  %698 = load ptr, ptr %25, align 8
+  %699 = getelementptr inbounds i8, ptr %692, i64 8
+  %700 = load i64, ptr %699, align 8
+  %701 = mul i64 %700, 56
+  %702 = getelementptr inbounds i8, ptr %698, i64 %701
+  %703 = inttoptr i64 %693 to ptr
+  %704 = load ptr, ptr %703, align 8
+  %705 = tail call i32 %704(ptr noundef %694, ptr noundef %695, ptr noundef %696, ptr noundef %697, ptr noundef %702) #9
+  %706 = icmp slt i32 %705, 0
+  br i1 %706, label %746, label %707
 
-649:                                              ; preds = %633
-  %650 = icmp sgt i64 %569, 0
-  br i1 %650, label %651, label %884
+707:                                              ; preds = %691
+  %708 = icmp sgt i64 %627, 0
+  br i1 %708, label %709, label %942
 
-651:                                              ; preds = %649
-  %652 = fmul double %462, %2
-  %653 = fadd double %652, %1
-  %654 = fsub double %653, %653
-  br label %655
+709:                                              ; preds = %707
+  %710 = fmul double %520, %2
+  %711 = fadd double %710, %1
+  %712 = fsub double %711, %711
+  br label %713
 
-655:                                              ; preds = %651, %685
-  %656 = phi i64 [ 0, %651 ], [ %686, %685 ]
-  %657 = load ptr, ptr %17, align 8
-  %658 = getelementptr inbounds i64, ptr %657, i64 %656
-  %659 = load i64, ptr %658, align 8
-  %660 = icmp eq i64 %659, 0
-  br i1 %660, label %685, label %661
+713:                                              ; preds = %709, %743
+  %714 = phi i64 [ 0, %709 ], [ %744, %743 ]
+  %715 = load ptr, ptr %17, align 8
+  %716 = getelementptr inbounds i64, ptr %715, i64 %714
+  %717 = load i64, ptr %716, align 8
+  %718 = icmp eq i64 %717, 0
+  br i1 %718, label %743, label %719
 
-661:                                              ; preds = %655
-  %662 = getelementptr inbounds double, ptr %571, i64 %656
-  %663 = load double, ptr %662, align 8
-  %664 = fcmp oeq double %663, 0.000000e+00
-  br i1 %664, label %665, label %685
+719:                                              ; preds = %713
+  %720 = getelementptr inbounds double, ptr %629, i64 %714
+  %721 = load double, ptr %720, align 8
+  %722 = fcmp oeq double %721, 0.000000e+00
+  br i1 %722, label %723, label %743
 
-665:                                              ; preds = %661
-  %666 = getelementptr inbounds double, ptr %573, i64 %656
-  %667 = load double, ptr %666, align 8
-  %668 = fcmp oeq double %667, 0.000000e+00
-  br i1 %668, label %669, label %685
+723:                                              ; preds = %719
+  %724 = getelementptr inbounds double, ptr %631, i64 %714
+  %725 = load double, ptr %724, align 8
+  %726 = fcmp oeq double %725, 0.000000e+00
+  br i1 %726, label %727, label %743
 
-669:                                              ; preds = %665
-  %670 = load i64, ptr %157, align 8
-  %671 = icmp eq i64 %670, 0
-  br i1 %671, label %685, label %672
+727:                                              ; preds = %723
+  %728 = load i64, ptr %215, align 8
+  %729 = icmp eq i64 %728, 0
+  br i1 %729, label %743, label %730
 
-672:                                              ; preds = %669
-  %673 = load ptr, ptr %158, align 8
-  %674 = shl nsw i64 %656, 4
-  %675 = getelementptr inbounds i8, ptr %673, i64 %674
-  %676 = getelementptr inbounds i8, ptr %675, i64 8
-  %677 = load double, ptr %676, align 8
-  %678 = fcmp oeq double %677, %653
-  br i1 %678, label %684, label %679
-
-679:                                              ; preds = %672
-  %680 = load double, ptr %675, align 8
-  %681 = fsub double %677, %680
-  %682 = fcmp ult double %681, %654
-  br i1 %682, label %683, label %685
-
-683:                                              ; preds = %679
-  store double %653, ptr %675, align 8
-  br label %684
-
-684:                                              ; preds = %672, %683
-  store double %653, ptr %676, align 8
-  br label %685
-
-685:                                              ; preds = %684, %679, %669, %665, %661, %655
-  %686 = add nuw nsw i64 %656, 1
-  %687 = icmp eq i64 %686, %569
-  br i1 %687, label %884, label %655, !llvm.loop !13
-
-688:                                              ; preds = %633
-  %689 = load ptr, ptr %20, align 8
-  %690 = getelementptr inbounds i8, ptr %689, i64 80
-  store i64 %23, ptr %690, align 8
-  %691 = load ptr, ptr %19, align 8
-  %692 = getelementptr inbounds i8, ptr %691, i64 48
-  store double 1.000000e+00, ptr %692, align 8
-  br label %884
-
-693:                                              ; preds = %857, %471
-  %694 = load ptr, ptr %9, align 8
-  %695 = getelementptr inbounds i8, ptr %694, i64 8
-  %696 = load i64, ptr %695, align 8
-  %697 = load ptr, ptr %25, align 8
-  %698 = getelementptr inbounds double, ptr %697, i64 %696
-  %699 = mul i64 %696, 56
-  %700 = getelementptr inbounds i8, ptr %697, i64 %699
-  %701 = load ptr, ptr %165, align 8
-  %702 = load i64, ptr %166, align 8
-  %703 = getelementptr double, ptr %701, i64 %702
-  %704 = getelementptr i8, ptr %703, i64 -8
-  %705 = load double, ptr %704, align 8
-  %706 = load double, ptr %701, align 8
-  %707 = fsub double %705, %706
-  %708 = icmp sgt i64 %696, 0
-  br i1 %708, label %712, label %709
-
-709:                                              ; preds = %725, %693
-  %710 = phi i32 [ 0, %693 ], [ %727, %725 ]
-  %711 = icmp eq i32 %710, 0
-  br i1 %711, label %865, label %730
-
-712:                                              ; preds = %693, %725
-  %713 = phi i64 [ %728, %725 ], [ 0, %693 ]
-  %714 = phi i32 [ %727, %725 ], [ 0, %693 ]
-  %715 = icmp eq i32 %714, 0
-  br i1 %715, label %716, label %725
-
-716:                                              ; preds = %712
-  %717 = load ptr, ptr %17, align 8
-  %718 = getelementptr inbounds i64, ptr %717, i64 %713
-  %719 = load i64, ptr %718, align 8
-  %720 = icmp eq i64 %719, 0
-  br i1 %720, label %725, label %721
-
-721:                                              ; preds = %716
-  %722 = getelementptr inbounds double, ptr %698, i64 %713
-  %723 = load double, ptr %722, align 8
-  %724 = fcmp oeq double %723, 0.000000e+00
-  br label %725
-
-725:                                              ; preds = %721, %716, %712
-  %726 = phi i1 [ true, %712 ], [ false, %716 ], [ %724, %721 ]
-  %727 = zext i1 %726 to i32
-  %728 = add nuw nsw i64 %713, 1
-  %729 = icmp eq i64 %728, %696
-  br i1 %729, label %709, label %712, !llvm.loop !12
-
-730:                                              ; preds = %709
-  %731 = fsub double %273, %462
-  %732 = fmul double %731, %2
-  %733 = fcmp ogt double %168, %707
-  %734 = select i1 %733, double %168, double %707
-  %735 = fmul double %734, 0x3F50000000000000
-  %736 = fcmp ugt double %732, %735
-  br i1 %736, label %737, label %865
+730:                                              ; preds = %727
+  %731 = load ptr, ptr %216, align 8
+  %732 = shl nsw i64 %714, 4
+  %733 = getelementptr inbounds i8, ptr %731, i64 %732
+  %734 = getelementptr inbounds i8, ptr %733, i64 8
+  %735 = load double, ptr %734, align 8
+  %736 = fcmp oeq double %735, %711
+  br i1 %736, label %742, label %737
 
 737:                                              ; preds = %730
-  %738 = fmul double %731, 0x3F50000000000000
-  %739 = fadd double %462, %738
-  %740 = load ptr, ptr %137, align 8
-  %741 = load ptr, ptr %139, align 8
-  %742 = insertelement <8 x double> poison, double %739, i64 0
-  %743 = shufflevector <8 x double> %742, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %743, ptr %741, align 8
-  %744 = load ptr, ptr %138, align 8
-  %745 = load ptr, ptr %140, align 8
-  %746 = load i64, ptr %141, align 8
-  %747 = load ptr, ptr %142, align 8
-  %748 = getelementptr inbounds i8, ptr %747, i64 24
-  %749 = load i64, ptr %748, align 8
-  %750 = load ptr, ptr %139, align 8
-  %751 = load ptr, ptr %143, align 8
-  %752 = getelementptr inbounds i8, ptr %751, i64 16
-  %753 = load i64, ptr %752, align 8
-  tail call fastcc void @nested(ptr noundef %740, ptr noundef %744, ptr noundef %745, i64 noundef %746, i64 noundef %749, ptr noundef %750, i64 noundef %753) #8
-  %754 = fmul double %739, %2
-  %755 = fadd double %754, %1
-  %756 = load ptr, ptr %144, align 8
-  store double %755, ptr %756, align 8
-  %757 = load i64, ptr %145, align 8
-  %758 = icmp sgt i64 %757, 0
-  br i1 %758, label %759, label %760
+  %738 = load double, ptr %733, align 8
+  %739 = fsub double %735, %738
+  %740 = fcmp ult double %739, %712
+  br i1 %740, label %741, label %743
 
-759:                                              ; preds = %737
+741:                                              ; preds = %737
+  store double %711, ptr %733, align 8
+  br label %742
+
+742:                                              ; preds = %730, %741
+  store double %711, ptr %734, align 8
+  br label %743
+
+743:                                              ; preds = %742, %737, %727, %723, %719, %713
+  %744 = add nuw nsw i64 %714, 1
+  %745 = icmp eq i64 %744, %627
+  br i1 %745, label %942, label %713, !llvm.loop !13
+
+746:                                              ; preds = %691
+  %747 = load ptr, ptr %20, align 8
+  %748 = getelementptr inbounds i8, ptr %747, i64 80
+  store i64 %23, ptr %748, align 8
+  %749 = load ptr, ptr %19, align 8
+  %750 = getelementptr inbounds i8, ptr %749, i64 48
+  store double 1.000000e+00, ptr %750, align 8
+  br label %942
+
+751:                                              ; preds = %915, %529
+  %752 = load ptr, ptr %9, align 8
+  %753 = getelementptr inbounds i8, ptr %752, i64 8
+  %754 = load i64, ptr %753, align 8
+  %755 = load ptr, ptr %25, align 8
+  %756 = getelementptr inbounds double, ptr %755, i64 %754
+  %757 = mul i64 %754, 56
+  %758 = getelementptr inbounds i8, ptr %755, i64 %757
+  %759 = load ptr, ptr %223, align 8
+  %760 = load i64, ptr %224, align 8
+  %761 = getelementptr double, ptr %759, i64 %760
+  %762 = getelementptr i8, ptr %761, i64 -8
+  %763 = load double, ptr %762, align 8
+  %764 = load double, ptr %759, align 8
+  %765 = fsub double %763, %764
+  %766 = icmp sgt i64 %754, 0
+  br i1 %766, label %770, label %767
+
+767:                                              ; preds = %783, %751
+  %768 = phi i32 [ 0, %751 ], [ %785, %783 ]
+  %769 = icmp eq i32 %768, 0
+  br i1 %769, label %923, label %788
+
+770:                                              ; preds = %751, %783
+  %771 = phi i64 [ %786, %783 ], [ 0, %751 ]
+  %772 = phi i32 [ %785, %783 ], [ 0, %751 ]
+  %773 = icmp eq i32 %772, 0
+  br i1 %773, label %774, label %783
+
+774:                                              ; preds = %770
+  %775 = load ptr, ptr %17, align 8
+  %776 = getelementptr inbounds i64, ptr %775, i64 %771
+  %777 = load i64, ptr %776, align 8
+  %778 = icmp eq i64 %777, 0
+  br i1 %778, label %783, label %779
+
+779:                                              ; preds = %774
+  %780 = getelementptr inbounds double, ptr %756, i64 %771
+  %781 = load double, ptr %780, align 8
+  %782 = fcmp oeq double %781, 0.000000e+00
+  br label %783
+
+783:                                              ; preds = %779, %774, %770
+  %784 = phi i1 [ true, %770 ], [ false, %774 ], [ %782, %779 ]
+  %785 = zext i1 %784 to i32
+  %786 = add nuw nsw i64 %771, 1
+  %787 = icmp eq i64 %786, %754
+  br i1 %787, label %767, label %770, !llvm.loop !12
+
+788:                                              ; preds = %767
+  %789 = fsub double %331, %520
+  %790 = fmul double %789, %2
+  %791 = fcmp ogt double %226, %765
+  %792 = select i1 %791, double %226, double %765
+  %793 = fmul double %792, 0x3F50000000000000
+  %794 = fcmp ugt double %790, %793
+  br i1 %794, label %795, label %923
+
+795:                                              ; preds = %788
+  %796 = fmul double %789, 0x3F50000000000000
+  %797 = fadd double %520, %796
+  %798 = load ptr, ptr %195, align 8
+  %799 = load ptr, ptr %197, align 8
+  %800 = insertelement <8 x double> poison, double %797, i64 0
+  %801 = shufflevector <8 x double> %800, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %801, ptr %799, align 8
+  %802 = load ptr, ptr %196, align 8
+  %803 = load ptr, ptr %198, align 8
+  %804 = load i64, ptr %199, align 8
+  %805 = load ptr, ptr %200, align 8
+  %806 = getelementptr inbounds i8, ptr %805, i64 24
+  %807 = load i64, ptr %806, align 8
+  %808 = load ptr, ptr %197, align 8
+  %809 = load ptr, ptr %201, align 8
+  %810 = getelementptr inbounds i8, ptr %809, i64 16
+  %811 = load i64, ptr %810, align 8
+  tail call fastcc void @nested(ptr noundef %798, ptr noundef %802, ptr noundef %803, i64 noundef %804, i64 noundef %807, ptr noundef %808, i64 noundef %811) #8
+  %812 = fmul double %797, %2
+  %813 = fadd double %812, %1
+  %814 = load ptr, ptr %202, align 8
+  store double %813, ptr %814, align 8
+  %815 = load i64, ptr %203, align 8
+  %816 = icmp sgt i64 %815, 0
+  br i1 %816, label %817, label %818
+
+817:                                              ; preds = %795
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %760
+  br label %818
 
-760:                                              ; preds = %737, %759
-  %761 = load ptr, ptr %9, align 8
-  %762 = load i64, ptr %761, align 8
-  %763 = load ptr, ptr %146, align 8
-  %764 = load ptr, ptr %137, align 8
-  %765 = load ptr, ptr %147, align 8
-  %766 = load ptr, ptr %148, align 8
-  %767 = load ptr, ptr %25, align 8
-  %768 = getelementptr inbounds i8, ptr %761, i64 8
-  %769 = load i64, ptr %768, align 8
-  %770 = mul i64 %769, 56
-  %771 = getelementptr inbounds i8, ptr %767, i64 %770
-  %772 = inttoptr i64 %762 to ptr
-  %773 = load ptr, ptr %772, align 8
-  %774 = tail call i32 %773(ptr noundef %763, ptr noundef %764, ptr noundef %765, ptr noundef %766, ptr noundef %771) #9
-  %775 = icmp slt i32 %774, 0
-  br i1 %775, label %860, label %776
+818:                                              ; preds = %795, %817
+  %819 = load ptr, ptr %9, align 8
+  %820 = load i64, ptr %819, align 8
+  %821 = load ptr, ptr %204, align 8
+  %822 = load ptr, ptr %195, align 8
+  %823 = load ptr, ptr %205, align 8
+  %824 = load ptr, ptr %206, align 8
+  %825 = load ptr, ptr %25, align 8
+  %826 = getelementptr inbounds i8, ptr %819, i64 8
+  %827 = load i64, ptr %826, align 8
+  %828 = mul i64 %827, 56
+  %829 = getelementptr inbounds i8, ptr %825, i64 %828
+  %830 = inttoptr i64 %820 to ptr
+  %831 = load ptr, ptr %830, align 8
+  %832 = tail call i32 %831(ptr noundef %821, ptr noundef %822, ptr noundef %823, ptr noundef %824, ptr noundef %829) #9
+  %833 = icmp slt i32 %832, 0
+  br i1 %833, label %918, label %834
 
-776:                                              ; preds = %760
-  %777 = icmp sgt i64 %696, 0
-  br i1 %777, label %778, label %865
+834:                                              ; preds = %818
+  %835 = icmp sgt i64 %754, 0
+  br i1 %835, label %836, label %923
 
-778:                                              ; preds = %776
-  %779 = fmul double %462, %2
-  %780 = fadd double %779, %1
-  %781 = fsub double %780, %780
-  br label %782
+836:                                              ; preds = %834
+  %837 = fmul double %520, %2
+  %838 = fadd double %837, %1
+  %839 = fsub double %838, %838
+  br label %840
 
-782:                                              ; preds = %778, %812
-  %783 = phi i64 [ 0, %778 ], [ %813, %812 ]
-  %784 = load ptr, ptr %17, align 8
-  %785 = getelementptr inbounds i64, ptr %784, i64 %783
-  %786 = load i64, ptr %785, align 8
-  %787 = icmp eq i64 %786, 0
-  br i1 %787, label %812, label %788
+840:                                              ; preds = %836, %870
+  %841 = phi i64 [ 0, %836 ], [ %871, %870 ]
+  %842 = load ptr, ptr %17, align 8
+  %843 = getelementptr inbounds i64, ptr %842, i64 %841
+  %844 = load i64, ptr %843, align 8
+  %845 = icmp eq i64 %844, 0
+  br i1 %845, label %870, label %846
 
-788:                                              ; preds = %782
-  %789 = getelementptr inbounds double, ptr %698, i64 %783
-  %790 = load double, ptr %789, align 8
-  %791 = fcmp oeq double %790, 0.000000e+00
-  br i1 %791, label %792, label %812
+846:                                              ; preds = %840
+  %847 = getelementptr inbounds double, ptr %756, i64 %841
+  %848 = load double, ptr %847, align 8
+  %849 = fcmp oeq double %848, 0.000000e+00
+  br i1 %849, label %850, label %870
 
-792:                                              ; preds = %788
-  %793 = getelementptr inbounds double, ptr %700, i64 %783
-  %794 = load double, ptr %793, align 8
-  %795 = fcmp oeq double %794, 0.000000e+00
-  br i1 %795, label %796, label %812
+850:                                              ; preds = %846
+  %851 = getelementptr inbounds double, ptr %758, i64 %841
+  %852 = load double, ptr %851, align 8
+  %853 = fcmp oeq double %852, 0.000000e+00
+  br i1 %853, label %854, label %870
 
-796:                                              ; preds = %792
-  %797 = load i64, ptr %169, align 8
-  %798 = icmp eq i64 %797, 0
-  br i1 %798, label %812, label %799
+854:                                              ; preds = %850
+  %855 = load i64, ptr %227, align 8
+  %856 = icmp eq i64 %855, 0
+  br i1 %856, label %870, label %857
 
-799:                                              ; preds = %796
-  %800 = load ptr, ptr %170, align 8
-  %801 = shl nsw i64 %783, 4
-  %802 = getelementptr inbounds i8, ptr %800, i64 %801
-  %803 = getelementptr inbounds i8, ptr %802, i64 8
-  %804 = load double, ptr %803, align 8
-  %805 = fcmp oeq double %804, %780
-  br i1 %805, label %811, label %806
+857:                                              ; preds = %854
+  %858 = load ptr, ptr %228, align 8
+  %859 = shl nsw i64 %841, 4
+  %860 = getelementptr inbounds i8, ptr %858, i64 %859
+  %861 = getelementptr inbounds i8, ptr %860, i64 8
+  %862 = load double, ptr %861, align 8
+  %863 = fcmp oeq double %862, %838
+  br i1 %863, label %869, label %864
 
-806:                                              ; preds = %799
-  %807 = load double, ptr %802, align 8
-  %808 = fsub double %804, %807
-  %809 = fcmp ult double %808, %781
-  br i1 %809, label %810, label %812
+864:                                              ; preds = %857
+  %865 = load double, ptr %860, align 8
+  %866 = fsub double %862, %865
+  %867 = fcmp ult double %866, %839
+  br i1 %867, label %868, label %870
 
-810:                                              ; preds = %806
-  store double %780, ptr %802, align 8
-  br label %811
+868:                                              ; preds = %864
+  store double %838, ptr %860, align 8
+  br label %869
 
-811:                                              ; preds = %799, %810
-  store double %780, ptr %803, align 8
-  br label %812
+869:                                              ; preds = %857, %868
+  store double %838, ptr %861, align 8
+  br label %870
 
-812:                                              ; preds = %811, %806, %796, %792, %788, %782
-  %813 = add nuw nsw i64 %783, 1
-  %814 = icmp eq i64 %813, %696
-  br i1 %814, label %865, label %782, !llvm.loop !13
+870:                                              ; preds = %869, %864, %854, %850, %846, %840
+  %871 = add nuw nsw i64 %841, 1
+  %872 = icmp eq i64 %871, %754
+  br i1 %872, label %923, label %840, !llvm.loop !13
 
-815:                                              ; preds = %472, %857
-  %816 = phi i64 [ 0, %472 ], [ %858, %857 ]
-  %817 = getelementptr inbounds i64, ptr %18, i64 %816
-  %818 = load i64, ptr %817, align 8
-  %819 = icmp eq i64 %818, 0
-  br i1 %819, label %857, label %820
+873:                                              ; preds = %530, %915
+  %874 = phi i64 [ 0, %530 ], [ %916, %915 ]
+  %875 = getelementptr inbounds i64, ptr %18, i64 %874
+  %876 = load i64, ptr %875, align 8
+  %877 = icmp eq i64 %876, 0
+  br i1 %877, label %915, label %878
 
-820:                                              ; preds = %815
-  %821 = load ptr, ptr %20, align 8
-  %822 = getelementptr inbounds i8, ptr %821, i64 80
-  %823 = load i64, ptr %822, align 8
-  %824 = load ptr, ptr %6, align 8
-  %825 = getelementptr inbounds i8, ptr %824, i64 8
-  %826 = load i64, ptr %825, align 8
-  %827 = load i64, ptr %160, align 8
-  %828 = icmp eq i64 %827, 0
-  br i1 %828, label %853, label %829
+878:                                              ; preds = %873
+  %879 = load ptr, ptr %20, align 8
+  %880 = getelementptr inbounds i8, ptr %879, i64 80
+  %881 = load i64, ptr %880, align 8
+  %882 = load ptr, ptr %6, align 8
+  %883 = getelementptr inbounds i8, ptr %882, i64 8
+  %884 = load i64, ptr %883, align 8
+  %885 = load i64, ptr %218, align 8
+  %886 = icmp eq i64 %885, 0
+  br i1 %886, label %911, label %887
 
-829:                                              ; preds = %820
-  %830 = load ptr, ptr %161, align 8
-  %831 = getelementptr inbounds double, ptr %830, i64 %823
-  store double %474, ptr %831, align 8
-  %832 = load ptr, ptr %162, align 8
-  %833 = getelementptr inbounds i64, ptr %832, i64 %823
-  store i64 %816, ptr %833, align 8
-  %834 = icmp sgt i64 %826, 0
-  br i1 %834, label %835, label %837
+887:                                              ; preds = %878
+  %888 = load ptr, ptr %219, align 8
+  %889 = getelementptr inbounds double, ptr %888, i64 %881
+  store double %532, ptr %889, align 8
+  %890 = load ptr, ptr %220, align 8
+  %891 = getelementptr inbounds i64, ptr %890, i64 %881
+  store i64 %874, ptr %891, align 8
+  %892 = icmp sgt i64 %884, 0
+  br i1 %892, label %893, label %895
 
-835:                                              ; preds = %829
-  %836 = mul nsw i64 %826, %823
-  br label %841
+893:                                              ; preds = %887
+  %894 = mul nsw i64 %884, %881
+  br label %899
 
-837:                                              ; preds = %841, %829
-  %838 = add nsw i64 %823, 1
-  %839 = load ptr, ptr %20, align 8
-  %840 = getelementptr inbounds i8, ptr %839, i64 80
-  store i64 %838, ptr %840, align 8
-  br label %853
+895:                                              ; preds = %899, %887
+  %896 = add nsw i64 %881, 1
+  %897 = load ptr, ptr %20, align 8
+  %898 = getelementptr inbounds i8, ptr %897, i64 80
+  store i64 %896, ptr %898, align 8
+  br label %911
 
-841:                                              ; preds = %835, %841
-  %842 = phi i64 [ 0, %835 ], [ %851, %841 ]
-  %843 = load ptr, ptr %137, align 8
-  %844 = getelementptr inbounds double, ptr %843, i64 %842
-  %845 = load double, ptr %844, align 8
-  %846 = load ptr, ptr %163, align 8
-  %847 = add nsw i64 %842, %836
-  %848 = getelementptr inbounds double, ptr %846, i64 %847
-  store double %845, ptr %848, align 8
-  %849 = load ptr, ptr %164, align 8
-  %850 = getelementptr inbounds double, ptr %849, i64 %847
-  store double %845, ptr %850, align 8
-  %851 = add nuw nsw i64 %842, 1
-  %852 = icmp eq i64 %851, %826
-  br i1 %852, label %837, label %841, !llvm.loop !14
+899:                                              ; preds = %893, %899
+  %900 = phi i64 [ 0, %893 ], [ %909, %899 ]
+  %901 = load ptr, ptr %195, align 8
+  %902 = getelementptr inbounds double, ptr %901, i64 %900
+  %903 = load double, ptr %902, align 8
+  %904 = load ptr, ptr %221, align 8
+  %905 = add nsw i64 %900, %894
+  %906 = getelementptr inbounds double, ptr %904, i64 %905
+  store double %903, ptr %906, align 8
+  %907 = load ptr, ptr %222, align 8
+  %908 = getelementptr inbounds double, ptr %907, i64 %905
+  store double %903, ptr %908, align 8
+  %909 = add nuw nsw i64 %900, 1
+  %910 = icmp eq i64 %909, %884
+  br i1 %910, label %895, label %899, !llvm.loop !14
 
-853:                                              ; preds = %820, %837
-  %854 = getelementptr inbounds i64, ptr %16, i64 %816
-  %855 = load i64, ptr %854, align 8
-  %856 = sub nsw i64 0, %855
-  store i64 %856, ptr %854, align 8
-  br label %857
+911:                                              ; preds = %878, %895
+  %912 = getelementptr inbounds i64, ptr %16, i64 %874
+  %913 = load i64, ptr %912, align 8
+  %914 = sub nsw i64 0, %913
+  store i64 %914, ptr %912, align 8
+  br label %915
 
-857:                                              ; preds = %815, %853
-  %858 = add nuw nsw i64 %816, 1
-  %859 = icmp eq i64 %858, %12
-  br i1 %859, label %693, label %815, !llvm.loop !15
+915:                                              ; preds = %873, %911
+  %916 = add nuw nsw i64 %874, 1
+  %917 = icmp eq i64 %916, %12
+  br i1 %917, label %751, label %873, !llvm.loop !15
 
-860:                                              ; preds = %760
-  %861 = load ptr, ptr %20, align 8
-  %862 = getelementptr inbounds i8, ptr %861, i64 80
-  store i64 %23, ptr %862, align 8
-  %863 = load ptr, ptr %19, align 8
-  %864 = getelementptr inbounds i8, ptr %863, i64 48
-  store double 1.000000e+00, ptr %864, align 8
-  br label %884
+918:                                              ; preds = %818
+  %919 = load ptr, ptr %20, align 8
+  %920 = getelementptr inbounds i8, ptr %919, i64 80
+  store i64 %23, ptr %920, align 8
+  %921 = load ptr, ptr %19, align 8
+  %922 = getelementptr inbounds i8, ptr %921, i64 48
+  store double 1.000000e+00, ptr %922, align 8
+  br label %942
 
-865:                                              ; preds = %812, %776, %730, %709
-  %866 = icmp sgt i64 %469, -1
-  br i1 %866, label %867, label %876
+923:                                              ; preds = %870, %834, %788, %767
+  %924 = icmp sgt i64 %527, -1
+  br i1 %924, label %925, label %934
 
-867:                                              ; preds = %865
-  br i1 %173, label %869, label %868
+925:                                              ; preds = %923
+  br i1 %231, label %927, label %926
 
-868:                                              ; preds = %869, %867
-  store double %462, ptr %174, align 8
-  br label %884
+926:                                              ; preds = %927, %925
+  store double %520, ptr %232, align 8
+  br label %942
 
-869:                                              ; preds = %867, %869
-  %870 = phi i64 [ %874, %869 ], [ 0, %867 ]
-  %871 = icmp eq i64 %870, %469
-  %872 = zext i1 %871 to i64
-  %873 = getelementptr inbounds i64, ptr %18, i64 %870
-  store i64 %872, ptr %873, align 8
-  %874 = add nuw nsw i64 %870, 1
-  %875 = icmp eq i64 %874, %12
-  br i1 %875, label %868, label %869, !llvm.loop !16
+927:                                              ; preds = %925, %927
+  %928 = phi i64 [ %932, %927 ], [ 0, %925 ]
+  %929 = icmp eq i64 %928, %527
+  %930 = zext i1 %929 to i64
+  %931 = getelementptr inbounds i64, ptr %18, i64 %928
+  store i64 %930, ptr %931, align 8
+  %932 = add nuw nsw i64 %928, 1
+  %933 = icmp eq i64 %932, %12
+  br i1 %933, label %926, label %927, !llvm.loop !16
 
-876:                                              ; preds = %865
-  %877 = load i64, ptr %171, align 8
-  %878 = icmp sgt i64 %877, 0
-  br i1 %878, label %879, label %884
+934:                                              ; preds = %923
+  %935 = load i64, ptr %229, align 8
+  %936 = icmp sgt i64 %935, 0
+  br i1 %936, label %937, label %942
 
-879:                                              ; preds = %876
-  %880 = load i64, ptr %22, align 8
-  %881 = add nsw i64 %880, %12
-  %882 = icmp sgt i64 %881, %877
-  br i1 %882, label %883, label %884
+937:                                              ; preds = %934
+  %938 = load i64, ptr %22, align 8
+  %939 = add nsw i64 %938, %12
+  %940 = icmp sgt i64 %939, %935
+  br i1 %940, label %941, label %942
 
-883:                                              ; preds = %879
-  store double %462, ptr %172, align 8
-  br label %884
+941:                                              ; preds = %937
+  store double %520, ptr %230, align 8
+  br label %942
 
-884:                                              ; preds = %685, %649, %603, %582, %860, %868, %883, %688, %879, %876, %278, %459, %357
-  %885 = phi i32 [ 1, %357 ], [ %461, %459 ], [ 11, %278 ], [ 1, %860 ], [ 1, %868 ], [ 1, %883 ], [ 1, %688 ], [ 0, %879 ], [ 0, %876 ], [ 1, %582 ], [ 1, %603 ], [ 1, %649 ], [ 1, %685 ]
-  %886 = phi double [ %276, %357 ], [ %276, %459 ], [ %276, %278 ], [ %276, %860 ], [ %276, %868 ], [ %276, %883 ], [ %276, %688 ], [ %462, %879 ], [ %462, %876 ], [ %276, %582 ], [ %276, %603 ], [ %276, %649 ], [ %276, %685 ]
-  %887 = phi i64 [ -4, %357 ], [ %463, %459 ], [ %277, %278 ], [ -4, %860 ], [ 21, %868 ], [ -3, %883 ], [ -4, %688 ], [ %463, %879 ], [ %463, %876 ], [ -2, %582 ], [ -2, %603 ], [ -2, %649 ], [ -2, %685 ]
-  switch i32 %885, label %945 [
-    i32 0, label %275
-    i32 11, label %888
+942:                                              ; preds = %743, %707, %661, %640, %918, %926, %941, %746, %937, %934, %336, %517, %415
+  %943 = phi i32 [ 1, %415 ], [ %519, %517 ], [ 11, %336 ], [ 1, %918 ], [ 1, %926 ], [ 1, %941 ], [ 1, %746 ], [ 0, %937 ], [ 0, %934 ], [ 1, %640 ], [ 1, %661 ], [ 1, %707 ], [ 1, %743 ]
+  %944 = phi double [ %334, %415 ], [ %334, %517 ], [ %334, %336 ], [ %334, %918 ], [ %334, %926 ], [ %334, %941 ], [ %334, %746 ], [ %520, %937 ], [ %520, %934 ], [ %334, %640 ], [ %334, %661 ], [ %334, %707 ], [ %334, %743 ]
+  %945 = phi i64 [ -4, %415 ], [ %521, %517 ], [ %335, %336 ], [ -4, %918 ], [ 21, %926 ], [ -3, %941 ], [ -4, %746 ], [ %521, %937 ], [ %521, %934 ], [ -2, %640 ], [ -2, %661 ], [ -2, %707 ], [ -2, %743 ]
+  switch i32 %943, label %1003 [
+    i32 0, label %333
+    i32 11, label %946
   ], !llvm.loop !17
 
-888:                                              ; preds = %884
-  br i1 %175, label %889, label %945
+946:                                              ; preds = %942
+  br i1 %233, label %947, label %1003
 
-889:                                              ; preds = %888
-  %890 = fcmp oeq double %273, %185
-  %891 = add nsw i32 %182, -1
-  %892 = sext i32 %891 to i64
-  %893 = mul nsw i64 %12, %892
-  %894 = getelementptr double, ptr %28, i64 %893
-  %895 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %892
-  %896 = fmul double %273, %2
-  %897 = fadd double %896, %1
-  br label %898
+947:                                              ; preds = %946
+  %948 = fcmp oeq double %331, %243
+  %949 = add nsw i32 %240, -1
+  %950 = sext i32 %949 to i64
+  %951 = mul nsw i64 %12, %950
+  %952 = getelementptr double, ptr %28, i64 %951
+  %953 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %950
+  %954 = fmul double %331, %2
+  %955 = fadd double %954, %1
+  br label %956
 
-898:                                              ; preds = %889, %937
-  %899 = phi i64 [ 0, %889 ], [ %938, %937 ]
-  %900 = getelementptr inbounds double, ptr %274, i64 %899
-  %901 = load double, ptr %900, align 8
-  %902 = fcmp ogt double %901, 0.000000e+00
-  br i1 %902, label %905, label %903
+956:                                              ; preds = %947, %995
+  %957 = phi i64 [ 0, %947 ], [ %996, %995 ]
+  %958 = getelementptr inbounds double, ptr %332, i64 %957
+  %959 = load double, ptr %958, align 8
+  %960 = fcmp ogt double %959, 0.000000e+00
+  br i1 %960, label %963, label %961
 
-903:                                              ; preds = %898
-  %904 = fcmp olt double %901, 0.000000e+00
-  br i1 %904, label %905, label %908
+961:                                              ; preds = %956
+  %962 = fcmp olt double %959, 0.000000e+00
+  br i1 %962, label %963, label %966
 
-905:                                              ; preds = %903, %898
-  %906 = phi i64 [ 1, %898 ], [ -1, %903 ]
-  %907 = getelementptr inbounds i64, ptr %16, i64 %899
-  store i64 %906, ptr %907, align 8
-  br label %908
+963:                                              ; preds = %961, %956
+  %964 = phi i64 [ 1, %956 ], [ -1, %961 ]
+  %965 = getelementptr inbounds i64, ptr %16, i64 %957
+  store i64 %964, ptr %965, align 8
+  br label %966
 
-908:                                              ; preds = %905, %903
-  br i1 %890, label %909, label %937
+966:                                              ; preds = %963, %961
+  br i1 %948, label %967, label %995
 
-909:                                              ; preds = %908
-  %910 = getelementptr double, ptr %894, i64 %899
-  %911 = load double, ptr %910, align 8
-  %912 = fcmp oeq double %911, 0.000000e+00
-  br i1 %912, label %913, label %937
+967:                                              ; preds = %966
+  %968 = getelementptr double, ptr %952, i64 %957
+  %969 = load double, ptr %968, align 8
+  %970 = fcmp oeq double %969, 0.000000e+00
+  br i1 %970, label %971, label %995
 
-913:                                              ; preds = %909
-  %914 = getelementptr double, ptr %236, i64 %899
-  %915 = load double, ptr %914, align 8
-  %916 = fcmp oeq double %915, 0.000000e+00
-  br i1 %916, label %917, label %937
+971:                                              ; preds = %967
+  %972 = getelementptr double, ptr %294, i64 %957
+  %973 = load double, ptr %972, align 8
+  %974 = fcmp oeq double %973, 0.000000e+00
+  br i1 %974, label %975, label %995
 
-917:                                              ; preds = %913
-  %918 = load double, ptr %895, align 8
-  %919 = fmul double %918, %2
-  %920 = fadd double %919, %1
-  %921 = load i64, ptr %176, align 8
-  %922 = icmp eq i64 %921, 0
-  br i1 %922, label %937, label %923
+975:                                              ; preds = %971
+  %976 = load double, ptr %953, align 8
+  %977 = fmul double %976, %2
+  %978 = fadd double %977, %1
+  %979 = load i64, ptr %234, align 8
+  %980 = icmp eq i64 %979, 0
+  br i1 %980, label %995, label %981
 
-923:                                              ; preds = %917
-  %924 = load ptr, ptr %177, align 8
-  %925 = shl nsw i64 %899, 4
-  %926 = getelementptr inbounds i8, ptr %924, i64 %925
-  %927 = getelementptr inbounds i8, ptr %926, i64 8
-  %928 = load double, ptr %927, align 8
-  %929 = fcmp oeq double %928, %920
-  br i1 %929, label %936, label %930
+981:                                              ; preds = %975
+  %982 = load ptr, ptr %235, align 8
+  %983 = shl nsw i64 %957, 4
+  %984 = getelementptr inbounds i8, ptr %982, i64 %983
+  %985 = getelementptr inbounds i8, ptr %984, i64 8
+  %986 = load double, ptr %985, align 8
+  %987 = fcmp oeq double %986, %978
+  br i1 %987, label %994, label %988
 
-930:                                              ; preds = %923
-  %931 = load double, ptr %926, align 8
-  %932 = fsub double %928, %931
-  %933 = fsub double %897, %920
-  %934 = fcmp ult double %932, %933
-  br i1 %934, label %935, label %937
+988:                                              ; preds = %981
+  %989 = load double, ptr %984, align 8
+  %990 = fsub double %986, %989
+  %991 = fsub double %955, %978
+  %992 = fcmp ult double %990, %991
+  br i1 %992, label %993, label %995
 
-935:                                              ; preds = %930
-  store double %920, ptr %926, align 8
-  br label %936
+993:                                              ; preds = %988
+  store double %978, ptr %984, align 8
+  br label %994
 
-936:                                              ; preds = %923, %935
-  store double %897, ptr %927, align 8
-  br label %937
+994:                                              ; preds = %981, %993
+  store double %955, ptr %985, align 8
+  br label %995
 
-937:                                              ; preds = %936, %930, %917, %908, %909, %913
-  %938 = add nuw nsw i64 %899, 1
-  %939 = icmp eq i64 %938, %12
-  br i1 %939, label %945, label %898, !llvm.loop !18
+995:                                              ; preds = %994, %988, %975, %966, %967, %971
+  %996 = add nuw nsw i64 %957, 1
+  %997 = icmp eq i64 %996, %12
+  br i1 %997, label %1003, label %956, !llvm.loop !18
 
-940:                                              ; preds = %260, %232
-  %941 = load ptr, ptr %20, align 8
-  %942 = getelementptr inbounds i8, ptr %941, i64 80
-  store i64 %23, ptr %942, align 8
-  %943 = load ptr, ptr %19, align 8
-  %944 = getelementptr inbounds i8, ptr %943, i64 48
-  store double 1.000000e+00, ptr %944, align 8
-  br label %945
+998:                                              ; preds = %318, %290
+  %999 = load ptr, ptr %20, align 8
+  %1000 = getelementptr inbounds i8, ptr %999, i64 80
+  store i64 %23, ptr %1000, align 8
+  %1001 = load ptr, ptr %19, align 8
+  %1002 = getelementptr inbounds i8, ptr %1001, i64 48
+  store double 1.000000e+00, ptr %1002, align 8
+  br label %1003
 
-945:                                              ; preds = %884, %937, %940, %888
-  %946 = phi i32 [ 0, %888 ], [ 1, %940 ], [ 0, %937 ], [ %885, %884 ]
-  %947 = phi double [ %273, %888 ], [ %181, %940 ], [ %273, %937 ], [ %886, %884 ]
-  %948 = phi i64 [ %887, %888 ], [ -4, %940 ], [ %887, %937 ], [ %887, %884 ]
-  %949 = icmp eq i32 %946, 0
-  br i1 %949, label %950, label %955
+1003:                                             ; preds = %942, %995, %998, %946
+  %1004 = phi i32 [ 0, %946 ], [ 1, %998 ], [ 0, %995 ], [ %943, %942 ]
+  %1005 = phi double [ %331, %946 ], [ %239, %998 ], [ %331, %995 ], [ %944, %942 ]
+  %1006 = phi i64 [ %945, %946 ], [ -4, %998 ], [ %945, %995 ], [ %945, %942 ]
+  %1007 = icmp eq i32 %1004, 0
+  br i1 %1007, label %1008, label %1013
 
-950:                                              ; preds = %945
-  %951 = fcmp oeq double %947, %185
-  %952 = zext i1 %951 to i32
-  %953 = add nuw nsw i32 %182, %952
-  %954 = icmp ugt i32 %953, 4
-  br i1 %954, label %955, label %178, !llvm.loop !19
+1008:                                             ; preds = %1003
+  %1009 = fcmp oeq double %1005, %243
+  %1010 = zext i1 %1009 to i32
+  %1011 = add nuw nsw i32 %240, %1010
+  %1012 = icmp ugt i32 %1011, 4
+  br i1 %1012, label %1013, label %236, !llvm.loop !19
 
-955:                                              ; preds = %950, %945
-  %956 = phi i1 [ %954, %950 ], [ %179, %945 ]
-  br i1 %956, label %957, label %975
+1013:                                             ; preds = %1008, %1003
+  %1014 = phi i1 [ %1012, %1008 ], [ %237, %1003 ]
+  br i1 %1014, label %1015, label %1033
 
-957:                                              ; preds = %955
-  %958 = icmp sgt i64 %12, 0
-  br i1 %958, label %959, label %962
+1015:                                             ; preds = %1013
+  %1016 = icmp sgt i64 %12, 0
+  br i1 %1016, label %1017, label %1020
 
-959:                                              ; preds = %957
-  %960 = shl i64 %12, 5
-  %961 = getelementptr i8, ptr %28, i64 %960
-  br label %964
+1017:                                             ; preds = %1015
+  %1018 = shl i64 %12, 5
+  %1019 = getelementptr i8, ptr %28, i64 %1018
+  br label %1022
 
-962:                                              ; preds = %964, %957
-  %963 = load double, ptr %24, align 8
-  store double %963, ptr %30, align 8
-  br label %971
+1020:                                             ; preds = %1022, %1015
+  %1021 = load double, ptr %24, align 8
+  store double %1021, ptr %30, align 8
+  br label %1029
 
-964:                                              ; preds = %959, %964
-  %965 = phi i64 [ 0, %959 ], [ %969, %964 ]
-  %966 = getelementptr double, ptr %961, i64 %965
-  %967 = load double, ptr %966, align 8
-  %968 = getelementptr inbounds double, ptr %28, i64 %965
-  store double %967, ptr %968, align 8
-  %969 = add nuw nsw i64 %965, 1
-  %970 = icmp eq i64 %969, %12
-  br i1 %970, label %962, label %964, !llvm.loop !20
+1022:                                             ; preds = %1017, %1022
+  %1023 = phi i64 [ 0, %1017 ], [ %1027, %1022 ]
+  %1024 = getelementptr double, ptr %1019, i64 %1023
+  %1025 = load double, ptr %1024, align 8
+  %1026 = getelementptr inbounds double, ptr %28, i64 %1023
+  store double %1025, ptr %1026, align 8
+  %1027 = add nuw nsw i64 %1023, 1
+  %1028 = icmp eq i64 %1027, %12
+  br i1 %1028, label %1020, label %1022, !llvm.loop !20
 
-971:                                              ; preds = %119, %962, %92
-  %972 = phi ptr [ %95, %92 ], [ %24, %962 ], [ %122, %119 ]
-  %973 = phi i64 [ -4, %92 ], [ 0, %962 ], [ -4, %119 ]
-  %974 = getelementptr inbounds i8, ptr %972, i64 48
-  store double 1.000000e+00, ptr %974, align 8
-  br label %975
+1029:                                             ; preds = %119, %1020, %177, %92
+  %1030 = phi ptr [ %95, %92 ], [ %180, %177 ], [ %24, %1020 ], [ %122, %119 ]
+  %1031 = phi i64 [ -4, %92 ], [ -4, %177 ], [ 0, %1020 ], [ -4, %119 ]
+  %1032 = getelementptr inbounds i8, ptr %1030, i64 48
+  store double 1.000000e+00, ptr %1032, align 8
+  br label %1033
 
-975:                                              ; preds = %971, %955, %100
-  %976 = phi i64 [ %948, %955 ], [ %101, %100 ], [ %973, %971 ]
-  ret i64 %976
+1033:                                             ; preds = %1029, %1013, %100
+  %1034 = phi i64 [ %1006, %1013 ], [ %101, %100 ], [ %1031, %1029 ]
+  ret i64 %1034
 }
 
 
 
 define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3) unnamed_addr #2 {
   %5 = alloca [9 x double], align 16
-  %6 = getelementptr inbounds i8, ptr %0, i64 720
+  %6 = getelementptr inbounds i8, ptr %0, i64 768
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 8
   %9 = load i64, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 624
+  %10 = getelementptr inbounds i8, ptr %0, i64 672
   %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %0, i64 632
+  %12 = getelementptr inbounds i8, ptr %0, i64 680
   %13 = load i64, ptr %12, align 8
   %14 = getelementptr double, ptr %11, i64 %13
   %15 = getelementptr i8, ptr %14, i64 -8
@@ -1426,11 +1504,11 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   br i1 %26, label %27, label %353
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 936
+  %28 = getelementptr inbounds i8, ptr %0, i64 984
   %29 = shl nsw i64 %9, 4
   %30 = mul i64 %9, 40
-  %31 = getelementptr inbounds i8, ptr %0, i64 816
-  %32 = getelementptr inbounds i8, ptr %0, i64 984
+  %31 = getelementptr inbounds i8, ptr %0, i64 864
+  %32 = getelementptr inbounds i8, ptr %0, i64 1032
   %33 = getelementptr inbounds i8, ptr %1, i64 16
   %34 = getelementptr inbounds i8, ptr %1, i64 8
   %35 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1438,18 +1516,18 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %37 = getelementptr inbounds i8, ptr %0, i64 144
   %38 = getelementptr inbounds i8, ptr %0, i64 168
   %39 = getelementptr inbounds i8, ptr %0, i64 192
-  %40 = getelementptr inbounds i8, ptr %0, i64 744
+  %40 = getelementptr inbounds i8, ptr %0, i64 792
   %41 = getelementptr inbounds i8, ptr %0, i64 144
-  %42 = getelementptr inbounds i8, ptr %0, i64 984
+  %42 = getelementptr inbounds i8, ptr %0, i64 1032
   %43 = getelementptr inbounds i8, ptr %1, i64 16
   %44 = getelementptr inbounds i8, ptr %1, i64 8
-  %45 = getelementptr inbounds i8, ptr %0, i64 552
-  %46 = getelementptr inbounds i8, ptr %0, i64 528
+  %45 = getelementptr inbounds i8, ptr %0, i64 600
+  %46 = getelementptr inbounds i8, ptr %0, i64 576
   %47 = getelementptr inbounds i8, ptr %0, i64 168
   %48 = getelementptr inbounds i8, ptr %0, i64 248
   %49 = getelementptr inbounds i8, ptr %0, i64 168
   %50 = getelementptr inbounds i8, ptr %0, i64 192
-  %51 = getelementptr inbounds i8, ptr %0, i64 744
+  %51 = getelementptr inbounds i8, ptr %0, i64 792
   %52 = shl nsw i64 %9, 5
   br label %53
 
@@ -1848,13 +1926,13 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 }
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
-  %8 = getelementptr inbounds i8, ptr %0, i64 720
-  %9 = getelementptr inbounds i8, ptr %0, i64 888
+  %8 = getelementptr inbounds i8, ptr %0, i64 768
+  %9 = getelementptr inbounds i8, ptr %0, i64 936
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %6
   %12 = load i64, ptr %11, align 8
   %13 = sitofp i64 %12 to double
-  %14 = getelementptr inbounds i8, ptr %0, i64 936
+  %14 = getelementptr inbounds i8, ptr %0, i64 984
   %15 = load ptr, ptr %14, align 8
   %16 = load ptr, ptr %8, align 8
   %17 = getelementptr inbounds i8, ptr %16, i64 8
@@ -1869,7 +1947,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %26 = fmul double %25, 0x3CB0000000000000
   %27 = fdiv double %26, %3
   %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 984
+  %29 = getelementptr inbounds i8, ptr %0, i64 1032
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %1, i64 16
   %32 = load ptr, ptr %31, align 8
@@ -1916,7 +1994,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %65 = load ptr, ptr %29, align 8
   %66 = getelementptr inbounds i8, ptr %0, i64 192
   %67 = load ptr, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %0, i64 744
+  %68 = getelementptr inbounds i8, ptr %0, i64 792
   %69 = load ptr, ptr %68, align 8
   %70 = load ptr, ptr %14, align 8
   %71 = getelementptr inbounds i8, ptr %61, i64 8
@@ -2140,114 +2218,119 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !33
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !33
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !34
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !34
 }
 
 declare double @llvm.fabs.f64(double) #4
 
 define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, i64 noundef %4, double noundef %5, i32 noundef %6, i32 noundef %7) unnamed_addr #2 {
-  %9 = getelementptr inbounds i8, ptr %0, i64 720
+  %9 = getelementptr inbounds i8, ptr %0, i64 768
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 936
+  %13 = getelementptr inbounds i8, ptr %0, i64 984
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %4
   %16 = add nsw i32 %6, 2
@@ -2294,7 +2377,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
   %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
-  %58 = getelementptr inbounds i8, ptr %0, i64 984
+  %58 = getelementptr inbounds i8, ptr %0, i64 1032
   %59 = getelementptr inbounds i8, ptr %1, i64 16
   %60 = getelementptr inbounds i8, ptr %1, i64 8
   %61 = getelementptr inbounds i8, ptr %0, i64 168
@@ -2302,7 +2385,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %63 = getelementptr inbounds i8, ptr %0, i64 144
   %64 = getelementptr inbounds i8, ptr %0, i64 168
   %65 = getelementptr inbounds i8, ptr %0, i64 192
-  %66 = getelementptr inbounds i8, ptr %0, i64 744
+  %66 = getelementptr inbounds i8, ptr %0, i64 792
   %67 = fmul double %39, 0xBCE0000000000000
   br label %72
 

@@ -1,16 +1,16 @@
-; sources aabdbe656e4dfe693b3bc6ae6b212fbe25fc1e2cb0d1b57c8f565133c76ec52a
+; sources dcdda4402f0d30e210238e7db4a90b3e9af36a65042ed545608a115011621ab4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
-  %3 = getelementptr inbounds i8, ptr %1, i64 168
-  %4 = getelementptr inbounds i8, ptr %0, i64 312
+  %3 = getelementptr inbounds i8, ptr %1, i64 216
+  %4 = getelementptr inbounds i8, ptr %0, i64 360
   %5 = getelementptr inbounds i8, ptr %0, i64 144
   %6 = load ptr, ptr %1, align 8
   %7 = getelementptr inbounds i8, ptr %6, i64 8
   %8 = load i64, ptr %7, align 8
   %9 = getelementptr inbounds i8, ptr %6, i64 16
   %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 320
+  %11 = getelementptr inbounds i8, ptr %0, i64 368
   %12 = load i64, ptr %11, align 8
   %13 = load ptr, ptr %0, align 8
   %14 = load i64, ptr %13, align 8
@@ -19,510 +19,602 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
   %17 = load i64, ptr %16, align 8
   %18 = getelementptr inbounds i8, ptr %15, i64 16
   %19 = load i64, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %1, i64 192
+  %20 = getelementptr inbounds i8, ptr %1, i64 240
   %21 = load ptr, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %1, i64 216
+  %22 = getelementptr inbounds i8, ptr %1, i64 264
   %23 = load ptr, ptr %22, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 96
   %25 = load ptr, ptr %24, align 8
-  %26 = getelementptr inbounds i8, ptr %1, i64 240
+  %26 = getelementptr inbounds i8, ptr %1, i64 288
   %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds i8, ptr %1, i64 360
+  %28 = getelementptr inbounds i8, ptr %1, i64 408
   %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %1, i64 336
+  %30 = getelementptr inbounds i8, ptr %1, i64 384
   %31 = load ptr, ptr %30, align 8
   %32 = getelementptr inbounds i8, ptr %1, i64 48
   %33 = load ptr, ptr %32, align 8
   %34 = load i64, ptr %15, align 8
   %35 = getelementptr inbounds double, ptr %33, i64 %34
-  %36 = getelementptr inbounds i8, ptr %1, i64 264
-  %37 = getelementptr inbounds i8, ptr %1, i64 272
+  %36 = getelementptr inbounds i8, ptr %1, i64 312
+  %37 = getelementptr inbounds i8, ptr %1, i64 320
   %38 = load i64, ptr %37, align 8
-  %39 = getelementptr inbounds i8, ptr %1, i64 288
+  %39 = getelementptr inbounds i8, ptr %1, i64 336
   %40 = icmp sgt i64 %8, 0
-  %41 = getelementptr inbounds i8, ptr %1, i64 312
-  %42 = getelementptr inbounds i8, ptr %0, i64 480
-  %43 = getelementptr inbounds i8, ptr %0, i64 168
-  %44 = getelementptr inbounds i8, ptr %0, i64 248
-  %45 = getelementptr inbounds i8, ptr %0, i64 192
-  %46 = getelementptr inbounds i8, ptr %0, i64 216
-  %47 = getelementptr inbounds i8, ptr %0, i64 600
-  %48 = getelementptr inbounds i8, ptr %0, i64 384
-  %49 = getelementptr inbounds i8, ptr %0, i64 360
-  %50 = getelementptr inbounds i8, ptr %0, i64 24
-  %51 = getelementptr inbounds i8, ptr %0, i64 480
-  %52 = getelementptr inbounds i8, ptr %0, i64 48
-  %53 = getelementptr inbounds i8, ptr %0, i64 72
-  %54 = getelementptr inbounds i8, ptr %0, i64 320
-  %55 = getelementptr inbounds i8, ptr %0, i64 336
+  %41 = getelementptr inbounds i8, ptr %1, i64 360
+  %42 = getelementptr inbounds i8, ptr %0, i64 312
+  %43 = getelementptr inbounds i8, ptr %0, i64 320
+  %44 = getelementptr inbounds i8, ptr %0, i64 336
+  %45 = getelementptr inbounds i8, ptr %1, i64 168
+  %46 = getelementptr inbounds i8, ptr %1, i64 176
+  %47 = getelementptr inbounds i8, ptr %1, i64 192
+  %48 = getelementptr inbounds i8, ptr %0, i64 528
+  %49 = getelementptr inbounds i8, ptr %0, i64 168
+  %50 = getelementptr inbounds i8, ptr %0, i64 248
+  %51 = getelementptr inbounds i8, ptr %0, i64 192
+  %52 = getelementptr inbounds i8, ptr %0, i64 216
+  %53 = getelementptr inbounds i8, ptr %0, i64 648
+  %54 = getelementptr inbounds i8, ptr %0, i64 432
+  %55 = getelementptr inbounds i8, ptr %0, i64 408
   %56 = getelementptr inbounds i8, ptr %0, i64 24
-  %57 = getelementptr inbounds i8, ptr %0, i64 480
+  %57 = getelementptr inbounds i8, ptr %0, i64 528
   %58 = getelementptr inbounds i8, ptr %0, i64 48
   %59 = getelementptr inbounds i8, ptr %0, i64 72
-  %60 = icmp sgt i64 %14, 0
-  %61 = getelementptr inbounds i8, ptr %0, i64 360
+  %60 = getelementptr inbounds i8, ptr %0, i64 368
+  %61 = getelementptr inbounds i8, ptr %0, i64 384
   %62 = getelementptr inbounds i8, ptr %0, i64 24
-  %63 = getelementptr inbounds i8, ptr %0, i64 384
-  %64 = getelementptr inbounds i8, ptr %0, i64 480
-  %65 = getelementptr inbounds i8, ptr %0, i64 48
-  %66 = getelementptr inbounds i8, ptr %0, i64 72
-  %67 = getelementptr inbounds i8, ptr %0, i64 336
-  %68 = getelementptr inbounds i8, ptr %0, i64 432
-  %69 = getelementptr inbounds i8, ptr %0, i64 384
-  %70 = icmp sgt i64 %8, 0
-  %71 = getelementptr inbounds i8, ptr %1, i64 24
-  %72 = getelementptr inbounds i8, ptr %1, i64 104
-  %73 = getelementptr inbounds i8, ptr %1, i64 72
-  %74 = icmp sgt i64 %8, 0
-  %75 = icmp sgt i64 %17, 0
-  %76 = getelementptr double, ptr %29, i64 %8
-  %77 = getelementptr inbounds i8, ptr %1, i64 384
-  %78 = icmp sgt i64 %19, 0
-  %79 = add nsw i64 %17, %8
-  %80 = sub i64 %79, %19
-  %81 = getelementptr double, ptr %29, i64 %80
-  %82 = getelementptr inbounds i8, ptr %1, i64 408
-  %83 = icmp sgt i64 %14, 0
-  %84 = icmp sgt i64 %8, 0
-  %85 = mul nsw i64 %14, %12
-  %86 = getelementptr double, ptr %31, i64 %85
-  br label %87
+  %63 = getelementptr inbounds i8, ptr %0, i64 528
+  %64 = getelementptr inbounds i8, ptr %0, i64 48
+  %65 = getelementptr inbounds i8, ptr %0, i64 72
+  %66 = icmp sgt i64 %14, 0
+  %67 = getelementptr inbounds i8, ptr %0, i64 408
+  %68 = getelementptr inbounds i8, ptr %0, i64 24
+  %69 = getelementptr inbounds i8, ptr %0, i64 432
+  %70 = getelementptr inbounds i8, ptr %0, i64 528
+  %71 = getelementptr inbounds i8, ptr %0, i64 48
+  %72 = getelementptr inbounds i8, ptr %0, i64 72
+  %73 = getelementptr inbounds i8, ptr %0, i64 384
+  %74 = getelementptr inbounds i8, ptr %0, i64 480
+  %75 = getelementptr inbounds i8, ptr %0, i64 432
+  %76 = icmp sgt i64 %8, 0
+  %77 = getelementptr inbounds i8, ptr %1, i64 24
+  %78 = getelementptr inbounds i8, ptr %1, i64 104
+  %79 = getelementptr inbounds i8, ptr %1, i64 72
+  %80 = icmp sgt i64 %8, 0
+  %81 = icmp sgt i64 %17, 0
+  %82 = getelementptr double, ptr %29, i64 %8
+  %83 = getelementptr inbounds i8, ptr %1, i64 432
+  %84 = icmp sgt i64 %19, 0
+  %85 = add nsw i64 %17, %8
+  %86 = sub i64 %85, %19
+  %87 = getelementptr double, ptr %29, i64 %86
+  %88 = getelementptr inbounds i8, ptr %1, i64 456
+  %89 = icmp sgt i64 %14, 0
+  %90 = icmp sgt i64 %8, 0
+  %91 = mul nsw i64 %14, %12
+  %92 = getelementptr double, ptr %31, i64 %91
+  br label %93
 
-87:                                               ; preds = %410, %2
-  %88 = phi i64 [ %38, %2 ], [ %90, %410 ]
-  %89 = phi i64 [ undef, %2 ], [ %411, %410 ]
-  %90 = add nsw i64 %88, -1
-  %91 = icmp slt i64 %88, 1
-  br i1 %91, label %412, label %92
+93:                                               ; preds = %476, %2
+  %94 = phi i64 [ %38, %2 ], [ %96, %476 ]
+  %95 = phi i64 [ undef, %2 ], [ %477, %476 ]
+  %96 = add nsw i64 %94, -1
+  %97 = icmp slt i64 %94, 1
+  br i1 %97, label %478, label %98
 
-92:                                               ; preds = %87
-  %93 = load ptr, ptr %36, align 8
-  %94 = getelementptr inbounds double, ptr %93, i64 %90
-  %95 = load double, ptr %94, align 8
-  %96 = load ptr, ptr %39, align 8
-  %97 = getelementptr inbounds double, ptr %96, i64 %90
-  %98 = load double, ptr %97, align 8
-  br i1 %40, label %99, label %101
+98:                                               ; preds = %93
+  %99 = load ptr, ptr %36, align 8
+  %100 = getelementptr inbounds double, ptr %99, i64 %96
+  %101 = load double, ptr %100, align 8
+  %102 = load ptr, ptr %39, align 8
+  %103 = getelementptr inbounds double, ptr %102, i64 %96
+  %104 = load double, ptr %103, align 8
+  br i1 %40, label %105, label %107
 
-99:                                               ; preds = %92
-  %100 = mul nsw i64 %90, %8
-  br label %119
+105:                                              ; preds = %98
+  %106 = mul nsw i64 %96, %8
+  br label %185
 
-101:                                              ; preds = %119, %92
-  %102 = load ptr, ptr %4, align 8
-  %103 = load ptr, ptr %42, align 8
-  %104 = load ptr, ptr %43, align 8
-  store double %95, ptr %104, align 8
-  %105 = load i64, ptr %44, align 8
-  %106 = icmp sgt i64 %105, 0
-  br i1 %106, label %107, label %108
+107:                                              ; preds = %185, %98
+  %108 = load ptr, ptr %42, align 8
+  %109 = load i64, ptr %43, align 8
+  %110 = icmp eq i64 %109, 0
+  br i1 %110, label %137, label %111
 
-107:                                              ; preds = %101
+111:                                              ; preds = %107
+  %112 = icmp sgt i64 %109, 0
+  br i1 %112, label %113, label %126
+
+113:                                              ; preds = %111, %113
+  %114 = phi i64 [ %124, %113 ], [ %109, %111 ]
+  %115 = phi i64 [ %123, %113 ], [ 0, %111 ]
+  %116 = add nuw nsw i64 %114, %115
+  %117 = lshr i64 %116, 1
+  %118 = and i64 %116, -2
+  %119 = getelementptr inbounds double, ptr %108, i64 %118
+  %120 = load double, ptr %119, align 8
+  %121 = fcmp ogt double %120, %101
+  %122 = add nuw nsw i64 %117, 1
+  %123 = select i1 %121, i64 %115, i64 %122
+  %124 = select i1 %121, i64 %117, i64 %114
+  %125 = icmp slt i64 %123, %124
+  br i1 %125, label %113, label %126, !llvm.loop !3
+
+126:                                              ; preds = %113, %111
+  %127 = phi i64 [ 0, %111 ], [ %123, %113 ]
+  %128 = icmp slt i64 %127, %109
+  br i1 %128, label %129, label %134
+
+129:                                              ; preds = %126
+  %130 = shl nuw nsw i64 %127, 1
+  %131 = or disjoint i64 %130, 1
+  %132 = getelementptr inbounds double, ptr %108, i64 %131
+  %133 = load double, ptr %132, align 8
+  br label %134
+
+134:                                              ; preds = %129, %126
+  %135 = phi double [ %133, %129 ], [ 0x7FF0000000000000, %126 ]
+  %136 = load ptr, ptr %44, align 8
+  store double %135, ptr %136, align 8
+  br label %137
+
+137:                                              ; preds = %134, %107
+  %138 = load ptr, ptr %45, align 8
+  %139 = load i64, ptr %46, align 8
+  %140 = icmp eq i64 %139, 0
+  br i1 %140, label %167, label %141
+
+141:                                              ; preds = %137
+  %142 = icmp sgt i64 %139, 0
+  br i1 %142, label %143, label %156
+
+143:                                              ; preds = %141, %143
+  %144 = phi i64 [ %154, %143 ], [ %139, %141 ]
+  %145 = phi i64 [ %153, %143 ], [ 0, %141 ]
+  %146 = add nuw nsw i64 %144, %145
+  %147 = lshr i64 %146, 1
+  %148 = and i64 %146, -2
+  %149 = getelementptr inbounds double, ptr %138, i64 %148
+  %150 = load double, ptr %149, align 8
+  %151 = fcmp ogt double %150, %101
+  %152 = add nuw nsw i64 %147, 1
+  %153 = select i1 %151, i64 %145, i64 %152
+  %154 = select i1 %151, i64 %147, i64 %144
+  %155 = icmp slt i64 %153, %154
+  br i1 %155, label %143, label %156, !llvm.loop !3
+
+156:                                              ; preds = %143, %141
+  %157 = phi i64 [ 0, %141 ], [ %153, %143 ]
+  %158 = icmp slt i64 %157, %139
+  br i1 %158, label %159, label %164
+
+159:                                              ; preds = %156
+  %160 = shl nuw nsw i64 %157, 1
+  %161 = or disjoint i64 %160, 1
+  %162 = getelementptr inbounds double, ptr %138, i64 %161
+  %163 = load double, ptr %162, align 8
+  br label %164
+
+164:                                              ; preds = %159, %156
+  %165 = phi double [ %163, %159 ], [ 0x7FF0000000000000, %156 ]
+  %166 = load ptr, ptr %47, align 8
+  store double %165, ptr %166, align 8
+  br label %167
+
+167:                                              ; preds = %164, %137
+  %168 = load ptr, ptr %4, align 8
+  %169 = load ptr, ptr %48, align 8
+  %170 = load ptr, ptr %49, align 8
+  store double %101, ptr %170, align 8
+  %171 = load i64, ptr %50, align 8
+  %172 = icmp sgt i64 %171, 0
+  br i1 %172, label %173, label %174
+
+173:                                              ; preds = %167
   tail call fastcc void @sample(ptr noundef nonnull %5) #4
-  br label %108
+  br label %174
 
-108:                                              ; preds = %101, %107
-  %109 = load ptr, ptr %5, align 8
-  %110 = load i64, ptr %109, align 8
-  %111 = load ptr, ptr %43, align 8
-  %112 = load ptr, ptr %45, align 8
-  %113 = load ptr, ptr %46, align 8
-  %114 = inttoptr i64 %110 to ptr
-  %115 = load ptr, ptr %114, align 8
-  %116 = tail call i32 %115(ptr noundef %111, ptr noundef %102, ptr noundef %112, ptr noundef %113, ptr noundef %103) #5
-  %117 = sext i32 %116 to i64
-  %118 = icmp eq i32 %116, 0
-  br i1 %118, label %129, label %284
+174:                                              ; preds = %167, %173
+  %175 = load ptr, ptr %5, align 8
+  %176 = load i64, ptr %175, align 8
+  %177 = load ptr, ptr %49, align 8
+  %178 = load ptr, ptr %51, align 8
+  %179 = load ptr, ptr %52, align 8
+  %180 = inttoptr i64 %176 to ptr
+  %181 = load ptr, ptr %180, align 8
+  %182 = tail call i32 %181(ptr noundef %177, ptr noundef %168, ptr noundef %178, ptr noundef %179, ptr noundef %169) #5
+  %183 = sext i32 %182 to i64
+  %184 = icmp eq i32 %182, 0
+  br i1 %184, label %195, label %350
 
-119:                                              ; preds = %99, %119
-  %120 = phi i64 [ 0, %99 ], [ %127, %119 ]
-  %121 = load ptr, ptr %41, align 8
-  %122 = getelementptr double, ptr %121, i64 %100
-  %123 = getelementptr double, ptr %122, i64 %120
-  %124 = load double, ptr %123, align 8
-  %125 = load ptr, ptr %4, align 8
-  %126 = getelementptr inbounds double, ptr %125, i64 %120
-  store double %124, ptr %126, align 8
-  %127 = add nuw nsw i64 %120, 1
-  %128 = icmp eq i64 %127, %8
-  br i1 %128, label %101, label %119, !llvm.loop !3
+185:                                              ; preds = %105, %185
+  %186 = phi i64 [ 0, %105 ], [ %193, %185 ]
+  %187 = load ptr, ptr %41, align 8
+  %188 = getelementptr double, ptr %187, i64 %106
+  %189 = getelementptr double, ptr %188, i64 %186
+  %190 = load double, ptr %189, align 8
+  %191 = load ptr, ptr %4, align 8
+  %192 = getelementptr inbounds double, ptr %191, i64 %186
+  store double %190, ptr %192, align 8
+  %193 = add nuw nsw i64 %186, 1
+  %194 = icmp eq i64 %193, %8
+  br i1 %194, label %107, label %185, !llvm.loop !6
 
-129:                                              ; preds = %108
-  %130 = load ptr, ptr %47, align 8
-  %131 = getelementptr inbounds i8, ptr %130, i64 24
-  %132 = load ptr, ptr %0, align 8
-  %133 = load i64, ptr %132, align 8
-  %134 = load ptr, ptr %48, align 8
-  %135 = insertelement <8 x double> poison, double %98, i64 0
-  %136 = shufflevector <8 x double> %135, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %136, ptr %134, align 8
-  %137 = icmp sgt i64 %133, 1
-  br i1 %137, label %142, label %227
+195:                                              ; preds = %174
+  %196 = load ptr, ptr %53, align 8
+  %197 = getelementptr inbounds i8, ptr %196, i64 24
+  %198 = load ptr, ptr %0, align 8
+  %199 = load i64, ptr %198, align 8
+  %200 = load ptr, ptr %54, align 8
+  %201 = insertelement <8 x double> poison, double %104, i64 0
+  %202 = shufflevector <8 x double> %201, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %202, ptr %200, align 8
+  %203 = icmp sgt i64 %199, 1
+  br i1 %203, label %208, label %293
 
-138:                                              ; preds = %215
-  %139 = add nuw nsw i64 %145, 1
-  %140 = icmp slt i64 %139, %133
-  %141 = icmp eq i64 %139, %133
-  br i1 %141, label %227, label %142, !llvm.loop !6
+204:                                              ; preds = %281
+  %205 = add nuw nsw i64 %211, 1
+  %206 = icmp slt i64 %205, %199
+  %207 = icmp eq i64 %205, %199
+  br i1 %207, label %293, label %208, !llvm.loop !7
 
-142:                                              ; preds = %129, %138
-  %143 = phi i1 [ %140, %138 ], [ %137, %129 ]
-  %144 = phi i64 [ %226, %138 ], [ undef, %129 ]
-  %145 = phi i64 [ %139, %138 ], [ 1, %129 ]
-  %146 = load ptr, ptr %49, align 8
-  %147 = load ptr, ptr %4, align 8
-  %148 = load ptr, ptr %5, align 8
-  %149 = getelementptr inbounds i8, ptr %148, i64 16
-  %150 = load i64, ptr %149, align 8
-  %151 = icmp sgt i64 %150, 1
-  %152 = zext i1 %151 to i64
-  %153 = load ptr, ptr %50, align 8
-  %154 = getelementptr inbounds i64, ptr %153, i64 %145
-  %155 = load i64, ptr %154, align 8
-  %156 = getelementptr i8, ptr %154, i64 8
-  %157 = load i64, ptr %156, align 8
-  %158 = xor i64 %155, -1
-  %159 = add i64 %157, %158
-  %160 = load ptr, ptr %48, align 8
-  %161 = load ptr, ptr %51, align 8
-  %162 = load ptr, ptr %52, align 8
-  %163 = getelementptr inbounds i64, ptr %162, i64 %155
-  %164 = load ptr, ptr %53, align 8
-  %165 = getelementptr inbounds double, ptr %164, i64 %155
-  tail call fastcc void @combine(ptr noundef %146, ptr noundef %147, ptr noundef %160, ptr noundef %161, ptr noundef %163, ptr noundef %165, i64 noundef %159, i64 noundef %152, i64 noundef %150) #4
-  %166 = icmp eq i64 %150, 1
-  br i1 %166, label %167, label %198
+208:                                              ; preds = %195, %204
+  %209 = phi i1 [ %206, %204 ], [ %203, %195 ]
+  %210 = phi i64 [ %292, %204 ], [ undef, %195 ]
+  %211 = phi i64 [ %205, %204 ], [ 1, %195 ]
+  %212 = load ptr, ptr %55, align 8
+  %213 = load ptr, ptr %4, align 8
+  %214 = load ptr, ptr %5, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 16
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp sgt i64 %216, 1
+  %218 = zext i1 %217 to i64
+  %219 = load ptr, ptr %56, align 8
+  %220 = getelementptr inbounds i64, ptr %219, i64 %211
+  %221 = load i64, ptr %220, align 8
+  %222 = getelementptr i8, ptr %220, i64 8
+  %223 = load i64, ptr %222, align 8
+  %224 = xor i64 %221, -1
+  %225 = add i64 %223, %224
+  %226 = load ptr, ptr %54, align 8
+  %227 = load ptr, ptr %57, align 8
+  %228 = load ptr, ptr %58, align 8
+  %229 = getelementptr inbounds i64, ptr %228, i64 %221
+  %230 = load ptr, ptr %59, align 8
+  %231 = getelementptr inbounds double, ptr %230, i64 %221
+  tail call fastcc void @combine(ptr noundef %212, ptr noundef %213, ptr noundef %226, ptr noundef %227, ptr noundef %229, ptr noundef %231, i64 noundef %225, i64 noundef %218, i64 noundef %216) #4
+  %232 = icmp eq i64 %216, 1
+  br i1 %232, label %233, label %264
 
-167:                                              ; preds = %142
-  %168 = load ptr, ptr %50, align 8
-  %169 = getelementptr i64, ptr %168, i64 %145
-  %170 = getelementptr i8, ptr %169, i64 8
-  %171 = load i64, ptr %170, align 8
-  %172 = add nsw i64 %171, -1
-  %173 = load ptr, ptr %53, align 8
-  %174 = getelementptr inbounds double, ptr %173, i64 %172
-  %175 = load double, ptr %174, align 8
-  %176 = fmul double %98, %175
-  %177 = load ptr, ptr %51, align 8
-  %178 = load ptr, ptr %52, align 8
-  %179 = getelementptr inbounds i64, ptr %178, i64 %172
-  %180 = load i64, ptr %179, align 8
-  %181 = getelementptr inbounds double, ptr %177, i64 %180
-  %182 = load ptr, ptr %5, align 8
-  %183 = getelementptr inbounds i8, ptr %182, i64 8
-  %184 = load i64, ptr %183, align 8
-  %185 = icmp sgt i64 %184, 0
-  br i1 %185, label %186, label %198
+233:                                              ; preds = %208
+  %234 = load ptr, ptr %56, align 8
+  %235 = getelementptr i64, ptr %234, i64 %211
+  %236 = getelementptr i8, ptr %235, i64 8
+  %237 = load i64, ptr %236, align 8
+  %238 = add nsw i64 %237, -1
+  %239 = load ptr, ptr %59, align 8
+  %240 = getelementptr inbounds double, ptr %239, i64 %238
+  %241 = load double, ptr %240, align 8
+  %242 = fmul double %104, %241
+  %243 = load ptr, ptr %57, align 8
+  %244 = load ptr, ptr %58, align 8
+  %245 = getelementptr inbounds i64, ptr %244, i64 %238
+  %246 = load i64, ptr %245, align 8
+  %247 = getelementptr inbounds double, ptr %243, i64 %246
+  %248 = load ptr, ptr %5, align 8
+  %249 = getelementptr inbounds i8, ptr %248, i64 8
+  %250 = load i64, ptr %249, align 8
+  %251 = icmp sgt i64 %250, 0
+  br i1 %251, label %252, label %264
 
-186:                                              ; preds = %167, %186
-  %187 = phi i64 [ %193, %186 ], [ 0, %167 ]
-  %188 = getelementptr inbounds double, ptr %181, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = getelementptr inbounds double, ptr %146, i64 %187
-  %191 = load double, ptr %190, align 8
-  %192 = tail call double @llvm.fma.f64(double %176, double %189, double %191)
-  store double %192, ptr %190, align 8
-  %193 = add nuw nsw i64 %187, 1
-  %194 = load ptr, ptr %5, align 8
-  %195 = getelementptr inbounds i8, ptr %194, i64 8
-  %196 = load i64, ptr %195, align 8
-  %197 = icmp slt i64 %193, %196
-  br i1 %197, label %186, label %198, !llvm.loop !7
+252:                                              ; preds = %233, %252
+  %253 = phi i64 [ %259, %252 ], [ 0, %233 ]
+  %254 = getelementptr inbounds double, ptr %247, i64 %253
+  %255 = load double, ptr %254, align 8
+  %256 = getelementptr inbounds double, ptr %212, i64 %253
+  %257 = load double, ptr %256, align 8
+  %258 = tail call double @llvm.fma.f64(double %242, double %255, double %257)
+  store double %258, ptr %256, align 8
+  %259 = add nuw nsw i64 %253, 1
+  %260 = load ptr, ptr %5, align 8
+  %261 = getelementptr inbounds i8, ptr %260, i64 8
+  %262 = load i64, ptr %261, align 8
+  %263 = icmp slt i64 %259, %262
+  br i1 %263, label %252, label %264, !llvm.loop !8
 
-198:                                              ; preds = %186, %167, %142
-  %199 = load ptr, ptr %51, align 8
-  %200 = load i64, ptr %54, align 8
-  %201 = mul nsw i64 %200, %145
-  %202 = getelementptr inbounds double, ptr %199, i64 %201
-  %203 = load i64, ptr %131, align 8
-  %204 = add nsw i64 %203, 1
-  store i64 %204, ptr %131, align 8
-  %205 = load ptr, ptr %24, align 8
-  %206 = getelementptr inbounds double, ptr %205, i64 %145
-  %207 = load double, ptr %206, align 8
-  %208 = fmul double %98, %207
-  %209 = fadd double %95, %208
-  %210 = load ptr, ptr %49, align 8
-  %211 = load ptr, ptr %43, align 8
-  store double %209, ptr %211, align 8
-  %212 = load i64, ptr %44, align 8
-  %213 = icmp sgt i64 %212, 0
-  br i1 %213, label %214, label %215
+264:                                              ; preds = %252, %233, %208
+  %265 = load ptr, ptr %57, align 8
+  %266 = load i64, ptr %60, align 8
+  %267 = mul nsw i64 %266, %211
+  %268 = getelementptr inbounds double, ptr %265, i64 %267
+  %269 = load i64, ptr %197, align 8
+  %270 = add nsw i64 %269, 1
+  store i64 %270, ptr %197, align 8
+  %271 = load ptr, ptr %24, align 8
+  %272 = getelementptr inbounds double, ptr %271, i64 %211
+  %273 = load double, ptr %272, align 8
+  %274 = fmul double %104, %273
+  %275 = fadd double %101, %274
+  %276 = load ptr, ptr %55, align 8
+  %277 = load ptr, ptr %49, align 8
+  store double %275, ptr %277, align 8
+  %278 = load i64, ptr %50, align 8
+  %279 = icmp sgt i64 %278, 0
+  br i1 %279, label %280, label %281
 
-214:                                              ; preds = %198
+280:                                              ; preds = %264
   tail call fastcc void @sample(ptr noundef nonnull %5) #4
-  br label %215
+  br label %281
 
-215:                                              ; preds = %198, %214
-  %216 = load ptr, ptr %5, align 8
-  %217 = load i64, ptr %216, align 8
-  %218 = load ptr, ptr %43, align 8
-  %219 = load ptr, ptr %45, align 8
-  %220 = load ptr, ptr %46, align 8
-  %221 = inttoptr i64 %217 to ptr
-  %222 = load ptr, ptr %221, align 8
-  %223 = tail call i32 %222(ptr noundef %218, ptr noundef %210, ptr noundef %219, ptr noundef %220, ptr noundef %202) #5
-  %224 = sext i32 %223 to i64
-  %225 = icmp eq i32 %223, 0
-  %226 = select i1 %225, i64 %144, i64 %224
-  br i1 %225, label %138, label %227
+281:                                              ; preds = %264, %280
+  %282 = load ptr, ptr %5, align 8
+  %283 = load i64, ptr %282, align 8
+  %284 = load ptr, ptr %49, align 8
+  %285 = load ptr, ptr %51, align 8
+  %286 = load ptr, ptr %52, align 8
+  %287 = inttoptr i64 %283 to ptr
+  %288 = load ptr, ptr %287, align 8
+  %289 = tail call i32 %288(ptr noundef %284, ptr noundef %276, ptr noundef %285, ptr noundef %286, ptr noundef %268) #5
+  %290 = sext i32 %289 to i64
+  %291 = icmp eq i32 %289, 0
+  %292 = select i1 %291, i64 %210, i64 %290
+  br i1 %291, label %204, label %293
 
-227:                                              ; preds = %138, %215, %129
-  %228 = phi i1 [ %137, %129 ], [ %140, %138 ], [ %143, %215 ]
-  %229 = phi i64 [ 0, %129 ], [ %224, %215 ], [ %224, %138 ]
-  %230 = phi i64 [ undef, %129 ], [ %226, %215 ], [ %226, %138 ]
-  br i1 %228, label %284, label %231
+293:                                              ; preds = %204, %281, %195
+  %294 = phi i1 [ %203, %195 ], [ %206, %204 ], [ %209, %281 ]
+  %295 = phi i64 [ 0, %195 ], [ %290, %281 ], [ %290, %204 ]
+  %296 = phi i64 [ undef, %195 ], [ %292, %281 ], [ %292, %204 ]
+  br i1 %294, label %350, label %297
 
-231:                                              ; preds = %227
-  %232 = load ptr, ptr %55, align 8
-  %233 = load ptr, ptr %4, align 8
-  %234 = load ptr, ptr %5, align 8
-  %235 = getelementptr inbounds i8, ptr %234, i64 16
-  %236 = load i64, ptr %235, align 8
-  %237 = icmp sgt i64 %236, 1
-  %238 = zext i1 %237 to i64
-  %239 = load ptr, ptr %56, align 8
-  %240 = getelementptr inbounds i64, ptr %239, i64 %133
-  %241 = load i64, ptr %240, align 8
-  %242 = getelementptr i8, ptr %240, i64 8
-  %243 = load i64, ptr %242, align 8
-  %244 = xor i64 %241, -1
-  %245 = add i64 %243, %244
-  %246 = load ptr, ptr %48, align 8
-  %247 = load ptr, ptr %57, align 8
-  %248 = load ptr, ptr %58, align 8
-  %249 = getelementptr inbounds i64, ptr %248, i64 %241
-  %250 = load ptr, ptr %59, align 8
-  %251 = getelementptr inbounds double, ptr %250, i64 %241
-  tail call fastcc void @combine(ptr noundef %232, ptr noundef %233, ptr noundef %246, ptr noundef %247, ptr noundef %249, ptr noundef %251, i64 noundef %245, i64 noundef %238, i64 noundef %236) #4
-  %252 = icmp eq i64 %236, 1
-  br i1 %252, label %253, label %284
-
-253:                                              ; preds = %231
-  %254 = load ptr, ptr %56, align 8
-  %255 = getelementptr i64, ptr %254, i64 %133
-  %256 = getelementptr i8, ptr %255, i64 8
-  %257 = load i64, ptr %256, align 8
-  %258 = add nsw i64 %257, -1
-  %259 = load ptr, ptr %59, align 8
-  %260 = getelementptr inbounds double, ptr %259, i64 %258
-  %261 = load double, ptr %260, align 8
-  %262 = fmul double %98, %261
-  %263 = load ptr, ptr %57, align 8
-  %264 = load ptr, ptr %58, align 8
-  %265 = getelementptr inbounds i64, ptr %264, i64 %258
-  %266 = load i64, ptr %265, align 8
-  %267 = getelementptr inbounds double, ptr %263, i64 %266
-  %268 = load ptr, ptr %5, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 8
-  %270 = load i64, ptr %269, align 8
-  %271 = icmp sgt i64 %270, 0
-  br i1 %271, label %272, label %284
-
-272:                                              ; preds = %253, %272
-  %273 = phi i64 [ %279, %272 ], [ 0, %253 ]
-  %274 = getelementptr inbounds double, ptr %267, i64 %273
-  %275 = load double, ptr %274, align 8
-  %276 = getelementptr inbounds double, ptr %232, i64 %273
-  %277 = load double, ptr %276, align 8
-  %278 = tail call double @llvm.fma.f64(double %262, double %275, double %277)
-  store double %278, ptr %276, align 8
-  %279 = add nuw nsw i64 %273, 1
-  %280 = load ptr, ptr %5, align 8
-  %281 = getelementptr inbounds i8, ptr %280, i64 8
-  %282 = load i64, ptr %281, align 8
-  %283 = icmp slt i64 %279, %282
-  br i1 %283, label %272, label %284, !llvm.loop !7
-
-284:                                              ; preds = %272, %253, %227, %231, %108
-  %285 = phi i64 [ %117, %108 ], [ %230, %227 ], [ %229, %231 ], [ %229, %253 ], [ %229, %272 ]
-  %286 = icmp eq i64 %285, 0
-  %287 = select i1 %60, i1 %286, i1 false
-  br i1 %287, label %288, label %296
-
-288:                                              ; preds = %284
-  %289 = mul nsw i64 %90, %14
-  br label %300
-
-290:                                              ; preds = %381, %367
-  %291 = icmp sgt i64 %301, 1
-  %292 = icmp eq i32 %347, 0
-  %293 = select i1 %291, i1 %292, i1 false
-  br i1 %293, label %300, label %294, !llvm.loop !8
-
-294:                                              ; preds = %290
-  %295 = sext i32 %347 to i64
-  br label %296
-
-296:                                              ; preds = %294, %284
-  %297 = phi i64 [ %285, %284 ], [ %295, %294 ]
-  %298 = phi i1 [ %286, %284 ], [ %292, %294 ]
-  br i1 %298, label %299, label %390
-
-299:                                              ; preds = %296
-  br i1 %83, label %393, label %410
-
-300:                                              ; preds = %288, %290
-  %301 = phi i64 [ %14, %288 ], [ %302, %290 ]
-  %302 = add nsw i64 %301, -1
-  %303 = load ptr, ptr %61, align 8
-  %304 = load ptr, ptr %4, align 8
+297:                                              ; preds = %293
+  %298 = load ptr, ptr %61, align 8
+  %299 = load ptr, ptr %4, align 8
+  %300 = load ptr, ptr %5, align 8
+  %301 = getelementptr inbounds i8, ptr %300, i64 16
+  %302 = load i64, ptr %301, align 8
+  %303 = icmp sgt i64 %302, 1
+  %304 = zext i1 %303 to i64
   %305 = load ptr, ptr %62, align 8
-  %306 = getelementptr inbounds i64, ptr %305, i64 %302
+  %306 = getelementptr inbounds i64, ptr %305, i64 %199
   %307 = load i64, ptr %306, align 8
   %308 = getelementptr i8, ptr %306, i64 8
   %309 = load i64, ptr %308, align 8
   %310 = xor i64 %307, -1
   %311 = add i64 %309, %310
-  %312 = load ptr, ptr %63, align 8
-  %313 = load ptr, ptr %64, align 8
-  %314 = load ptr, ptr %65, align 8
+  %312 = load ptr, ptr %54, align 8
+  %313 = load ptr, ptr %63, align 8
+  %314 = load ptr, ptr %64, align 8
   %315 = getelementptr inbounds i64, ptr %314, i64 %307
-  %316 = load ptr, ptr %66, align 8
+  %316 = load ptr, ptr %65, align 8
   %317 = getelementptr inbounds double, ptr %316, i64 %307
-  tail call fastcc void @combine(ptr noundef %303, ptr noundef %304, ptr noundef %312, ptr noundef %313, ptr noundef %315, ptr noundef %317, i64 noundef %311, i64 noundef 1, i64 noundef %10) #4
-  %318 = getelementptr inbounds i64, ptr %21, i64 %302
-  %319 = load i64, ptr %318, align 8
-  %320 = getelementptr inbounds i64, ptr %21, i64 %301
-  %321 = load i64, ptr %320, align 8
-  %322 = sub nsw i64 %321, %319
-  %323 = load ptr, ptr %67, align 8
-  %324 = load ptr, ptr %68, align 8
-  %325 = load ptr, ptr %69, align 8
-  %326 = getelementptr inbounds i64, ptr %23, i64 %319
-  %327 = getelementptr inbounds double, ptr %27, i64 %319
-  tail call fastcc void @combine(ptr noundef %323, ptr noundef %324, ptr noundef %325, ptr noundef %31, ptr noundef %326, ptr noundef %327, i64 noundef %322, i64 noundef 0, i64 noundef %10) #4
-  br i1 %70, label %351, label %328
+  tail call fastcc void @combine(ptr noundef %298, ptr noundef %299, ptr noundef %312, ptr noundef %313, ptr noundef %315, ptr noundef %317, i64 noundef %311, i64 noundef %304, i64 noundef %302) #4
+  %318 = icmp eq i64 %302, 1
+  br i1 %318, label %319, label %350
 
-328:                                              ; preds = %351, %300
-  %329 = getelementptr inbounds double, ptr %25, i64 %302
-  %330 = load double, ptr %329, align 8
-  %331 = fmul double %98, %330
-  %332 = fadd double %95, %331
-  %333 = load ptr, ptr %61, align 8
-  %334 = load ptr, ptr %28, align 8
-  %335 = load ptr, ptr %71, align 8
-  store double %332, ptr %335, align 8
-  %336 = load i64, ptr %72, align 8
+319:                                              ; preds = %297
+  %320 = load ptr, ptr %62, align 8
+  %321 = getelementptr i64, ptr %320, i64 %199
+  %322 = getelementptr i8, ptr %321, i64 8
+  %323 = load i64, ptr %322, align 8
+  %324 = add nsw i64 %323, -1
+  %325 = load ptr, ptr %65, align 8
+  %326 = getelementptr inbounds double, ptr %325, i64 %324
+  %327 = load double, ptr %326, align 8
+  %328 = fmul double %104, %327
+  %329 = load ptr, ptr %63, align 8
+  %330 = load ptr, ptr %64, align 8
+  %331 = getelementptr inbounds i64, ptr %330, i64 %324
+  %332 = load i64, ptr %331, align 8
+  %333 = getelementptr inbounds double, ptr %329, i64 %332
+  %334 = load ptr, ptr %5, align 8
+  %335 = getelementptr inbounds i8, ptr %334, i64 8
+  %336 = load i64, ptr %335, align 8
   %337 = icmp sgt i64 %336, 0
-  br i1 %337, label %338, label %339
+  br i1 %337, label %338, label %350
 
-338:                                              ; preds = %328
-  tail call fastcc void @sample(ptr noundef nonnull %1) #4
-  br label %339
+338:                                              ; preds = %319, %338
+  %339 = phi i64 [ %345, %338 ], [ 0, %319 ]
+  %340 = getelementptr inbounds double, ptr %333, i64 %339
+  %341 = load double, ptr %340, align 8
+  %342 = getelementptr inbounds double, ptr %298, i64 %339
+  %343 = load double, ptr %342, align 8
+  %344 = tail call double @llvm.fma.f64(double %328, double %341, double %343)
+  store double %344, ptr %342, align 8
+  %345 = add nuw nsw i64 %339, 1
+  %346 = load ptr, ptr %5, align 8
+  %347 = getelementptr inbounds i8, ptr %346, i64 8
+  %348 = load i64, ptr %347, align 8
+  %349 = icmp slt i64 %345, %348
+  br i1 %349, label %338, label %350, !llvm.loop !8
 
-339:                                              ; preds = %328, %338
-  %340 = load ptr, ptr %1, align 8
-  %341 = load i64, ptr %340, align 8
-  %342 = load ptr, ptr %71, align 8
-  %343 = load ptr, ptr %32, align 8
-  %344 = load ptr, ptr %73, align 8
-  %345 = inttoptr i64 %341 to ptr
-  %346 = load ptr, ptr %345, align 8
-  %347 = tail call i32 %346(ptr noundef %342, ptr noundef %333, ptr noundef %343, ptr noundef %344, ptr noundef %334) #5
-  br i1 %74, label %348, label %359
+350:                                              ; preds = %338, %319, %293, %297, %174
+  %351 = phi i64 [ %183, %174 ], [ %296, %293 ], [ %295, %297 ], [ %295, %319 ], [ %295, %338 ]
+  %352 = icmp eq i64 %351, 0
+  %353 = select i1 %66, i1 %352, i1 false
+  br i1 %353, label %354, label %362
 
-348:                                              ; preds = %339
-  %349 = mul nsw i64 %302, %12
-  %350 = getelementptr double, ptr %31, i64 %349
-  br label %360
+354:                                              ; preds = %350
+  %355 = mul nsw i64 %96, %14
+  br label %366
 
-351:                                              ; preds = %300, %351
-  %352 = phi i64 [ %357, %351 ], [ 0, %300 ]
-  %353 = load ptr, ptr %67, align 8
-  %354 = getelementptr inbounds double, ptr %353, i64 %352
-  %355 = load double, ptr %354, align 8
-  %356 = getelementptr inbounds double, ptr %35, i64 %352
-  store double %355, ptr %356, align 8
-  %357 = add nuw nsw i64 %352, 1
-  %358 = icmp eq i64 %357, %8
-  br i1 %358, label %328, label %351, !llvm.loop !9
+356:                                              ; preds = %447, %433
+  %357 = icmp sgt i64 %367, 1
+  %358 = icmp eq i32 %413, 0
+  %359 = select i1 %357, i1 %358, i1 false
+  br i1 %359, label %366, label %360, !llvm.loop !9
 
-359:                                              ; preds = %360, %339
-  br i1 %75, label %371, label %367
+360:                                              ; preds = %356
+  %361 = sext i32 %413 to i64
+  br label %362
 
-360:                                              ; preds = %348, %360
-  %361 = phi i64 [ 0, %348 ], [ %365, %360 ]
-  %362 = getelementptr inbounds double, ptr %29, i64 %361
-  %363 = load double, ptr %362, align 8
-  %364 = getelementptr double, ptr %350, i64 %361
-  store double %363, ptr %364, align 8
-  %365 = add nuw nsw i64 %361, 1
-  %366 = icmp eq i64 %365, %8
-  br i1 %366, label %359, label %360, !llvm.loop !10
+362:                                              ; preds = %360, %350
+  %363 = phi i64 [ %351, %350 ], [ %361, %360 ]
+  %364 = phi i1 [ %352, %350 ], [ %358, %360 ]
+  br i1 %364, label %365, label %456
 
-367:                                              ; preds = %371, %359
-  br i1 %78, label %368, label %290
+365:                                              ; preds = %362
+  br i1 %89, label %459, label %476
 
-368:                                              ; preds = %367
-  %369 = add nsw i64 %302, %289
-  %370 = mul nsw i64 %369, %19
-  br label %381
+366:                                              ; preds = %354, %356
+  %367 = phi i64 [ %14, %354 ], [ %368, %356 ]
+  %368 = add nsw i64 %367, -1
+  %369 = load ptr, ptr %67, align 8
+  %370 = load ptr, ptr %4, align 8
+  %371 = load ptr, ptr %68, align 8
+  %372 = getelementptr inbounds i64, ptr %371, i64 %368
+  %373 = load i64, ptr %372, align 8
+  %374 = getelementptr i8, ptr %372, i64 8
+  %375 = load i64, ptr %374, align 8
+  %376 = xor i64 %373, -1
+  %377 = add i64 %375, %376
+  %378 = load ptr, ptr %69, align 8
+  %379 = load ptr, ptr %70, align 8
+  %380 = load ptr, ptr %71, align 8
+  %381 = getelementptr inbounds i64, ptr %380, i64 %373
+  %382 = load ptr, ptr %72, align 8
+  %383 = getelementptr inbounds double, ptr %382, i64 %373
+  tail call fastcc void @combine(ptr noundef %369, ptr noundef %370, ptr noundef %378, ptr noundef %379, ptr noundef %381, ptr noundef %383, i64 noundef %377, i64 noundef 1, i64 noundef %10) #4
+  %384 = getelementptr inbounds i64, ptr %21, i64 %368
+  %385 = load i64, ptr %384, align 8
+  %386 = getelementptr inbounds i64, ptr %21, i64 %367
+  %387 = load i64, ptr %386, align 8
+  %388 = sub nsw i64 %387, %385
+  %389 = load ptr, ptr %73, align 8
+  %390 = load ptr, ptr %74, align 8
+  %391 = load ptr, ptr %75, align 8
+  %392 = getelementptr inbounds i64, ptr %23, i64 %385
+  %393 = getelementptr inbounds double, ptr %27, i64 %385
+  tail call fastcc void @combine(ptr noundef %389, ptr noundef %390, ptr noundef %391, ptr noundef %31, ptr noundef %392, ptr noundef %393, i64 noundef %388, i64 noundef 0, i64 noundef %10) #4
+  br i1 %76, label %417, label %394
 
-371:                                              ; preds = %359, %371
-  %372 = phi i64 [ %379, %371 ], [ 0, %359 ]
-  %373 = getelementptr double, ptr %76, i64 %372
-  %374 = load double, ptr %373, align 8
-  %375 = load ptr, ptr %77, align 8
-  %376 = getelementptr inbounds double, ptr %375, i64 %372
-  %377 = load double, ptr %376, align 8
-  %378 = fadd double %374, %377
-  store double %378, ptr %376, align 8
-  %379 = add nuw nsw i64 %372, 1
-  %380 = icmp eq i64 %379, %17
-  br i1 %380, label %367, label %371, !llvm.loop !11
+394:                                              ; preds = %417, %366
+  %395 = getelementptr inbounds double, ptr %25, i64 %368
+  %396 = load double, ptr %395, align 8
+  %397 = fmul double %104, %396
+  %398 = fadd double %101, %397
+  %399 = load ptr, ptr %67, align 8
+  %400 = load ptr, ptr %28, align 8
+  %401 = load ptr, ptr %77, align 8
+  store double %398, ptr %401, align 8
+  %402 = load i64, ptr %78, align 8
+  %403 = icmp sgt i64 %402, 0
+  br i1 %403, label %404, label %405
 
-381:                                              ; preds = %368, %381
-  %382 = phi i64 [ 0, %368 ], [ %388, %381 ]
-  %383 = getelementptr double, ptr %81, i64 %382
-  %384 = load double, ptr %383, align 8
-  %385 = load ptr, ptr %82, align 8
-  %386 = getelementptr double, ptr %385, i64 %370
-  %387 = getelementptr double, ptr %386, i64 %382
-  store double %384, ptr %387, align 8
-  %388 = add nuw nsw i64 %382, 1
-  %389 = icmp eq i64 %388, %19
-  br i1 %389, label %290, label %381, !llvm.loop !12
+404:                                              ; preds = %394
+  tail call fastcc void @sample(ptr noundef %1) #4
+  br label %405
 
-390:                                              ; preds = %296
-  %391 = load ptr, ptr %3, align 8
-  %392 = getelementptr inbounds i8, ptr %391, i64 24
-  store i64 %90, ptr %392, align 8
-  br label %410
+405:                                              ; preds = %394, %404
+  %406 = load ptr, ptr %1, align 8
+  %407 = load i64, ptr %406, align 8
+  %408 = load ptr, ptr %77, align 8
+  %409 = load ptr, ptr %32, align 8
+  %410 = load ptr, ptr %79, align 8
+  %411 = inttoptr i64 %407 to ptr
+  %412 = load ptr, ptr %411, align 8
+  %413 = tail call i32 %412(ptr noundef %408, ptr noundef %399, ptr noundef %409, ptr noundef %410, ptr noundef %400) #5
+  br i1 %80, label %414, label %425
 
-393:                                              ; preds = %299, %398
-  %394 = phi i64 [ %399, %398 ], [ 0, %299 ]
-  br i1 %84, label %395, label %398
+414:                                              ; preds = %405
+  %415 = mul nsw i64 %368, %12
+  %416 = getelementptr double, ptr %31, i64 %415
+  br label %426
 
-395:                                              ; preds = %393
-  %396 = mul nsw i64 %394, %12
-  %397 = getelementptr double, ptr %31, i64 %396
-  br label %401
+417:                                              ; preds = %366, %417
+  %418 = phi i64 [ %423, %417 ], [ 0, %366 ]
+  %419 = load ptr, ptr %73, align 8
+  %420 = getelementptr inbounds double, ptr %419, i64 %418
+  %421 = load double, ptr %420, align 8
+  %422 = getelementptr inbounds double, ptr %35, i64 %418
+  store double %421, ptr %422, align 8
+  %423 = add nuw nsw i64 %418, 1
+  %424 = icmp eq i64 %423, %8
+  br i1 %424, label %394, label %417, !llvm.loop !10
 
-398:                                              ; preds = %401, %393
-  %399 = add nuw nsw i64 %394, 1
-  %400 = icmp eq i64 %399, %14
-  br i1 %400, label %410, label %393, !llvm.loop !13
+425:                                              ; preds = %426, %405
+  br i1 %81, label %437, label %433
 
-401:                                              ; preds = %395, %401
-  %402 = phi i64 [ 0, %395 ], [ %408, %401 ]
-  %403 = getelementptr double, ptr %397, i64 %402
-  %404 = load double, ptr %403, align 8
-  %405 = getelementptr double, ptr %86, i64 %402
-  %406 = load double, ptr %405, align 8
-  %407 = fadd double %404, %406
-  store double %407, ptr %405, align 8
-  %408 = add nuw nsw i64 %402, 1
-  %409 = icmp eq i64 %408, %8
-  br i1 %409, label %398, label %401, !llvm.loop !14
+426:                                              ; preds = %414, %426
+  %427 = phi i64 [ 0, %414 ], [ %431, %426 ]
+  %428 = getelementptr inbounds double, ptr %29, i64 %427
+  %429 = load double, ptr %428, align 8
+  %430 = getelementptr double, ptr %416, i64 %427
+  store double %429, ptr %430, align 8
+  %431 = add nuw nsw i64 %427, 1
+  %432 = icmp eq i64 %431, %8
+  br i1 %432, label %425, label %426, !llvm.loop !11
 
-410:                                              ; preds = %398, %299, %390
-  %411 = phi i64 [ %297, %390 ], [ %89, %299 ], [ %89, %398 ]
-  br i1 %298, label %87, label %412, !llvm.loop !15
+433:                                              ; preds = %437, %425
+  br i1 %84, label %434, label %356
 
-412:                                              ; preds = %87, %410
-  %413 = phi i64 [ %411, %410 ], [ 0, %87 ]
-  ret i64 %413
+434:                                              ; preds = %433
+  %435 = add nsw i64 %368, %355
+  %436 = mul nsw i64 %435, %19
+  br label %447
+
+437:                                              ; preds = %425, %437
+  %438 = phi i64 [ %445, %437 ], [ 0, %425 ]
+  %439 = getelementptr double, ptr %82, i64 %438
+  %440 = load double, ptr %439, align 8
+  %441 = load ptr, ptr %83, align 8
+  %442 = getelementptr inbounds double, ptr %441, i64 %438
+  %443 = load double, ptr %442, align 8
+  %444 = fadd double %440, %443
+  store double %444, ptr %442, align 8
+  %445 = add nuw nsw i64 %438, 1
+  %446 = icmp eq i64 %445, %17
+  br i1 %446, label %433, label %437, !llvm.loop !12
+
+447:                                              ; preds = %434, %447
+  %448 = phi i64 [ 0, %434 ], [ %454, %447 ]
+  %449 = getelementptr double, ptr %87, i64 %448
+  %450 = load double, ptr %449, align 8
+  %451 = load ptr, ptr %88, align 8
+  %452 = getelementptr double, ptr %451, i64 %436
+  %453 = getelementptr double, ptr %452, i64 %448
+  store double %450, ptr %453, align 8
+  %454 = add nuw nsw i64 %448, 1
+  %455 = icmp eq i64 %454, %19
+  br i1 %455, label %356, label %447, !llvm.loop !13
+
+456:                                              ; preds = %362
+  %457 = load ptr, ptr %3, align 8
+  %458 = getelementptr inbounds i8, ptr %457, i64 24
+  store i64 %96, ptr %458, align 8
+  br label %476
+
+459:                                              ; preds = %365, %464
+  %460 = phi i64 [ %465, %464 ], [ 0, %365 ]
+  br i1 %90, label %461, label %464
+
+461:                                              ; preds = %459
+  %462 = mul nsw i64 %460, %12
+  %463 = getelementptr double, ptr %31, i64 %462
+  br label %467
+
+464:                                              ; preds = %467, %459
+  %465 = add nuw nsw i64 %460, 1
+  %466 = icmp eq i64 %465, %14
+  br i1 %466, label %476, label %459, !llvm.loop !14
+
+467:                                              ; preds = %461, %467
+  %468 = phi i64 [ 0, %461 ], [ %474, %467 ]
+  %469 = getelementptr double, ptr %463, i64 %468
+  %470 = load double, ptr %469, align 8
+  %471 = getelementptr double, ptr %92, i64 %468
+  %472 = load double, ptr %471, align 8
+  %473 = fadd double %470, %472
+  store double %473, ptr %471, align 8
+  %474 = add nuw nsw i64 %468, 1
+  %475 = icmp eq i64 %474, %8
+  br i1 %475, label %464, label %467, !llvm.loop !15
+
+476:                                              ; preds = %464, %365, %456
+  %477 = phi i64 [ %363, %456 ], [ %95, %365 ], [ %95, %464 ]
+  br i1 %364, label %93, label %478, !llvm.loop !16
+
+478:                                              ; preds = %93, %476
+  %479 = phi i64 [ %477, %476 ], [ 0, %93 ]
+  ret i64 %479
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #1 {
@@ -580,7 +672,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !16
+  br i1 %53, label %54, label %28, !llvm.loop !17
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -629,7 +721,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !17
+  br i1 %98, label %72, label %99, !llvm.loop !18
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -645,7 +737,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !18
+  br i1 %108, label %16, label %22, !llvm.loop !19
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -676,7 +768,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !16
+  br i1 %133, label %114, label %120, !llvm.loop !17
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -693,14 +785,14 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !17
+  br i1 %148, label %134, label %149, !llvm.loop !18
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !19
+  br i1 %152, label %109, label %153, !llvm.loop !20
 
 153:                                              ; preds = %149, %16
   ret void
@@ -710,104 +802,109 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %12
+  br i1 %4, label %5, label %13
 
 5:                                                ; preds = %1
   %6 = getelementptr inbounds i8, ptr %0, i64 96
   %7 = getelementptr inbounds i8, ptr %0, i64 112
   %8 = getelementptr inbounds i8, ptr %0, i64 24
-  %9 = getelementptr inbounds i8, ptr %0, i64 120
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  %11 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %13
+  %9 = getelementptr inbounds i8, ptr %0, i64 192
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = getelementptr inbounds i8, ptr %0, i64 144
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-12:                                               ; preds = %56, %1
+13:                                               ; preds = %61, %1
   ret void
 
-13:                                               ; preds = %5, %56
-  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
-  %15 = load ptr, ptr %6, align 8
-  %16 = load i64, ptr %7, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds i64, ptr %15, i64 %17
-  %19 = getelementptr inbounds i8, ptr %18, i64 24
-  %20 = load ptr, ptr %8, align 8
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %18, i64 8
-  %23 = load i64, ptr %22, align 8
-  %24 = load ptr, ptr %9, align 8
-  %25 = getelementptr inbounds double, ptr %24, i64 %23
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp ogt double %26, %21
-  %28 = select i1 %27, double %26, double %21
-  %29 = getelementptr inbounds i8, ptr %18, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = load i64, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %25, i64 %31
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ugt double %33, %28
-  br i1 %34, label %42, label %35
+14:                                               ; preds = %5, %61
+  %15 = phi i64 [ 0, %5 ], [ %86, %61 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = getelementptr inbounds i8, ptr %19, i64 24
+  %21 = load ptr, ptr %8, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %9, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp olt double %22, %24
+  %26 = select i1 %25, double %22, double %24
+  %27 = getelementptr inbounds i8, ptr %19, i64 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %28
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %26
+  %33 = select i1 %32, double %31, double %26
+  %34 = getelementptr inbounds i8, ptr %19, i64 16
+  %35 = load i64, ptr %34, align 8
+  %36 = load i64, ptr %20, align 8
+  %37 = getelementptr inbounds double, ptr %30, i64 %36
+  %38 = load double, ptr %37, align 8
+  %39 = fcmp ugt double %38, %33
+  br i1 %39, label %47, label %40
 
-35:                                               ; preds = %13
-  %36 = add nsw i64 %30, -1
-  %37 = icmp eq i64 %36, %31
-  br i1 %37, label %56, label %38
+40:                                               ; preds = %14
+  %41 = add nsw i64 %35, -1
+  %42 = icmp eq i64 %41, %36
+  br i1 %42, label %61, label %43
 
-38:                                               ; preds = %35
-  %39 = getelementptr i8, ptr %32, i64 8
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %40, %28
-  br i1 %41, label %56, label %42
+43:                                               ; preds = %40
+  %44 = getelementptr i8, ptr %37, i64 8
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %45, %33
+  br i1 %46, label %61, label %47
 
-42:                                               ; preds = %38, %13
-  %43 = icmp sgt i64 %30, 1
-  br i1 %43, label %44, label %56
+47:                                               ; preds = %43, %14
+  %48 = icmp sgt i64 %35, 1
+  br i1 %48, label %49, label %61
 
-44:                                               ; preds = %42, %44
-  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
-  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
-  %47 = add nsw i64 %45, %46
-  %48 = sdiv i64 %47, 2
-  %49 = getelementptr inbounds double, ptr %25, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fcmp ugt double %50, %28
-  %52 = select i1 %51, i64 %46, i64 %48
-  %53 = select i1 %51, i64 %48, i64 %45
-  %54 = sub nsw i64 %53, %52
-  %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !20
+49:                                               ; preds = %47, %49
+  %50 = phi i64 [ %58, %49 ], [ %35, %47 ]
+  %51 = phi i64 [ %57, %49 ], [ 0, %47 ]
+  %52 = add nsw i64 %50, %51
+  %53 = sdiv i64 %52, 2
+  %54 = getelementptr inbounds double, ptr %30, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ugt double %55, %33
+  %57 = select i1 %56, i64 %51, i64 %53
+  %58 = select i1 %56, i64 %53, i64 %50
+  %59 = sub nsw i64 %58, %57
+  %60 = icmp sgt i64 %59, 1
+  br i1 %60, label %49, label %61, !llvm.loop !21
 
-56:                                               ; preds = %44, %42, %35, %38
-  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
-  store i64 %57, ptr %19, align 8
-  %58 = getelementptr inbounds double, ptr %25, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = fsub double %28, %59
-  %61 = load ptr, ptr %10, align 8
-  %62 = add nsw i64 %57, %23
-  %63 = shl nsw i64 %62, 5
-  %64 = getelementptr inbounds i8, ptr %61, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %64, i64 8
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %64, i64 16
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %64, i64 24
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fadd double %69, %72
-  %74 = fmul double %60, %73
-  %75 = fadd double %67, %74
-  %76 = fmul double %60, %75
-  %77 = fadd double %65, %76
-  %78 = load ptr, ptr %11, align 8
-  %79 = load i64, ptr %18, align 8
-  %80 = getelementptr inbounds double, ptr %78, i64 %79
-  store double %77, ptr %80, align 8
-  %81 = add nuw nsw i64 %14, 1
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !21
+61:                                               ; preds = %49, %47, %40, %43
+  %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
+  store i64 %62, ptr %20, align 8
+  %63 = getelementptr inbounds double, ptr %30, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %33, %64
+  %66 = load ptr, ptr %11, align 8
+  %67 = add nsw i64 %62, %28
+  %68 = shl nsw i64 %67, 5
+  %69 = getelementptr inbounds i8, ptr %66, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr inbounds i8, ptr %69, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %69, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %65, %76
+  %78 = fadd double %74, %77
+  %79 = fmul double %65, %78
+  %80 = fadd double %72, %79
+  %81 = fmul double %65, %80
+  %82 = fadd double %70, %81
+  %83 = load ptr, ptr %12, align 8
+  %84 = load i64, ptr %19, align 8
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  store double %82, ptr %85, align 8
+  %86 = add nuw nsw i64 %15, 1
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp slt i64 %86, %87
+  br i1 %88, label %14, label %13, !llvm.loop !22
 }
 
 declare double @llvm.fma.f64(double, double, double) #3
@@ -844,3 +941,4 @@ attributes #5 = { nounwind }
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
+!22 = distinct !{!22, !4, !5}

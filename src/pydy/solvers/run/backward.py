@@ -153,5 +153,9 @@ class WayBack:
         after = adjoints[count * length : count * length + n].copy()
         if back.words[at.BACK_WRONG] >= 0:
             after[:] = np.nan
-        instants = (times[:, None] + np.outer(sizes, self.nodes)).ravel()
+        instants = times[:, None] + np.outer(sizes, self.nodes)
+        # Steps end where inputs jump, with what these were before.
+        jumps, before = self._work.problem.jumps.T
+        until = np.append(before, np.inf)[np.searchsorted(jumps, times, side="right")]
+        instants = np.minimum(instants, until[:, None]).ravel()
         return Sweep(after, back.totals, instants, back.kept)

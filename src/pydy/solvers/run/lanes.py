@@ -26,7 +26,7 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
-from pydy.solvers.run.problem import lined_up, tables_of
+from pydy.solvers.run.problem import jumps_of, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import (
     NO_CONSTRAINTS,
@@ -348,7 +348,8 @@ def _problem(
     program, (place, c, prepared) = kernel.program, _bound(kernel)
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
-
+    until = lined_up(LANES)
+    until[:] = np.inf
     return LaneProblem(
         words=np.array([place, n, n, controlled, controlled, *inputs]),
         clock=lined_up(LANES),
@@ -360,4 +361,6 @@ def _problem(
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,
         cubics=cubics,
+        jumps=jumps_of(sampled),
+        until=until,
     )

@@ -97,6 +97,8 @@ class Problem(NamedTuple):
     tables: WordRows  # (k, 4): place in r, first knot, number of knots, last interval
     knots: Numbers
     cubics: NumberRows  # (·, 4): from each knot on, lowest power first
+    jumps: NumberRows  # (k, 2): when inputs jump, and the last number before that
+    until: Numbers  # (1,): the inputs are those of this time at the latest
 
 
 class Memory(NamedTuple):
@@ -286,6 +288,8 @@ class LaneProblem(NamedTuple):
     intervals: WordRows  # (k, lanes): where each lane found itself last
     knots: Numbers
     cubics: NumberRows
+    jumps: NumberRows
+    until: Numbers
 
 
 class Lanes(NamedTuple):

@@ -21,6 +21,8 @@ from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
+_NO_JUMPS = np.zeros((0, 2))
+
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
 
@@ -89,6 +91,17 @@ def tables_of(
     return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
 
 
+def jumps_of(sampled: Sequence[tuple[np.ndarray, Any]]) -> np.ndarray:
+    """Return the times at which sampled inputs jump, each with the last number before it."""
+    found = [np.zeros(0)]
+    for _, samples in sampled:
+        if samples.interpolation == "previous":
+            changes = np.diff(samples.values.reshape(len(samples.breaks), -1), axis=0)
+            found.append(samples.breaks[1:][changes.any(axis=1)])
+    times = np.unique(np.concatenate(found))
+    return np.stack([times, np.nextafter(times, -np.inf)], axis=1)
+
+
 # -- Python functions ------------------------------------------------------------------------------
 
 
@@ -135,8 +148,13 @@ class Callback:
 
 def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Problem:
     """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
-    r, tables = np.zeros(1), tables_of(())
+    sampled: Sequence[tuple[np.ndarray, Any]] = ()
+    r, jumps = np.zeros(1), _NO_JUMPS
     if call is not None and call.inputs is None:
-        r, tables = np.array(call.r if len(call.r) else r, dtype=float), tables_of(call.sampled)
+        r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
+        # A Python function computes its inputs itself, and knows no time from the left.
+        if sampled and isinstance(called, Bound):
+            jumps = jumps_of(sampled)
     words = np.array([called.place, n, blocks(n), n, blocks(n)])
-    return Problem(words, np.zeros(1), r, called.c, *tables)
+    until = np.array([np.inf])
+    return Problem(words, np.zeros(1), r, called.c, *tables_of(sampled), jumps, until)
