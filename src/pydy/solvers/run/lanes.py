@@ -26,7 +26,7 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
-from pydy.solvers.run.problem import jumps_of, lined_up, tables_of
+from pydy.solvers.run.problem import NO_JUMPS, jumps_of, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import (
     NO_CONSTRAINTS,
@@ -361,6 +361,6 @@ def _problem(
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,
         cubics=cubics,
-        jumps=jumps_of(sampled),
+        jumps=jumps_of(sampled) if sampled else NO_JUMPS,
         until=until,
     )

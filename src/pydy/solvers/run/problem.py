@@ -21,7 +21,7 @@ from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-_NO_JUMPS = np.zeros((0, 2))
+NO_JUMPS = np.zeros((0, 2))
 
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
@@ -149,7 +149,7 @@ class Callback:
 def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Problem:
     """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
     sampled: Sequence[tuple[np.ndarray, Any]] = ()
-    r, jumps = np.zeros(1), _NO_JUMPS
+    r, jumps = np.zeros(1), NO_JUMPS
     if call is not None and call.inputs is None:
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
         # A Python function computes its inputs itself, and knows no time from the left.
