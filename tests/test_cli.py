@@ -206,8 +206,16 @@ def test_run_that_fails_says_why_prints_no_numbers_and_exits_with_1(capsys):
     assert main(["run", "pendulum", "--duration", "1e6", "--points", "3"]) == 1
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.startswith("python -m pydy run: `odeint` gave up (Excess work")
+    assert err.startswith("python -m pydy run: `dop853` took 1000000 steps")
     assert err.count("\n") == 1
+
+
+def test_run_with_few_points_prints_what_it_prints_with_many(capsys):
+    last = []
+    for points in ("2", "51"):
+        assert main(["run", "pendulum", "--links", "3", "--duration", "4", "--points", points]) == 0
+        last.append(capsys.readouterr().out.splitlines()[-1].split())
+    np.testing.assert_allclose(*np.array(last, dtype=float), atol=2e-6)
 
 
 @pytest.mark.parametrize(
