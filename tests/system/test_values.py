@@ -3,11 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
 import zoo
 from cases import close, system_of
 from oracle import oracle
+from pydy.errors import PyDyUserWarning
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
 
@@ -164,3 +167,40 @@ def test_constants_of_each_sample_count_however_often_nodes_are_evaluated():
     for _ in range(70):  # worth compiling in between
         found = model.interpreted(products, (np.zeros(2), x, np.zeros((1, 0)), p))
         np.testing.assert_array_equal(found["products"], [[6.0], [14.0]])
+
+
+# what symbols are assumed to be
+
+
+def pulled_by(force):
+    """A particle of mass 1 on a line."""
+    q, u = me.dynamicsymbols("q u")
+    frame, origin = zoo.inertial_frame()
+    point = origin.locatenew("P", q * frame.x)
+    point.set_vel(frame, u * frame.x)
+    bodies, loads = [me.Particle("P", point, 1)], [(point, force * frame.x)]
+    return System(Definition(frame, [q], [u], bodies=bodies, loads=loads))
+
+
+@pytest.mark.parametrize(
+    ("assumption", "value", "words"),
+    [
+        ({"positive": True}, -4.0, "cannot be negative"),
+        ({"negative": True}, 4.0, "cannot be positive"),
+        ({"integer": True}, 1.5, "is an integer"),
+    ],
+)
+def test_a_constant_that_is_not_what_its_symbol_is_assumed_to_be_is_told(assumption, value, words):
+    k, q = sm.Symbol("k", **assumption), me.dynamicsymbols("q")
+    system = pulled_by(-sm.sqrt(k**2) * q)
+    with pytest.warns(
+        PyDyUserWarning, match=f"`k` is {value:g}, .* one that {words}.* Make the sy"
+    ):
+        system.constants = {k: value}
+
+
+def test_what_agrees_with_assumptions_and_gravity_that_is_turned_off_are_not_told():
+    k, g = sm.Symbol("k", integer=True), sm.Symbol("g", positive=True)
+    system = pulled_by(-k * me.dynamicsymbols("q") - g)
+    system.constants = {k: 3.0, g: 0.0}
+    assert np.isfinite(system.evaluate_ode(x=[1.0, 0.0])).all()

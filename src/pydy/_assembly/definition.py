@@ -81,6 +81,13 @@ class Definition:
         return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
 
     @cached_property
+    def assumed(self) -> dict[str, list[int]]:
+        """The places of constants that were made with an assumption on their values, by this."""
+        names = ("is_nonnegative", "is_nonpositive", "is_integer")
+        found = {n: [k for k, s in enumerate(self.constants) if getattr(s, n)] for n in names}
+        return {name: places for name, places in found.items() if places}
+
+    @cached_property
     def of_one_name(self) -> list[tuple[Any, ...]]:
         """Groups of symbols that differ in their assumptions alone, time included."""
         groups: dict[Any, list[Any]] = {}

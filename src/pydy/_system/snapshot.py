@@ -34,7 +34,7 @@ def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) 
     what, default = _DEFAULTS[argument]
     places = definition.places[what]
     try:
-        return places.read(argument, values, default)
+        numbers = places.read(argument, values, default)
     except ValueError as error:
         mechanism, time = definition.equations.mechanism, definition.equations.time
         unknown = [key for key in values if places.get(key, argument) is None]
@@ -57,6 +57,35 @@ def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) 
                 f"`system.constants[{name!r}] = ...`, right before the first call with them."
             ) from None
         raise
+    if what == "constants" and definition.assumed:
+        _check_assumptions(definition, numbers, values)
+    return numbers
+
+
+# What contradicts an assumption. Zero is the limit of what is positive: gravity that is turned off.
+_WRONG: dict[str, tuple[str, Callable[[np.ndarray], np.ndarray]]] = {
+    "is_nonnegative": ("cannot be negative", lambda values: values < 0.0),
+    "is_nonpositive": ("cannot be positive", lambda values: values > 0.0),
+    "is_integer": ("is an integer", lambda values: values % 1.0 != 0.0),
+}
+
+
+def _check_assumptions(
+    definition: Definition, numbers: np.ndarray, given: Mapping[Any, Any]
+) -> None:
+    """Warn of a constant with a given value that is not what SymPy takes for granted of it."""
+    for name, places in definition.assumed.items():
+        words, wrong = _WRONG[name]
+        found = [places[k] for k in np.flatnonzero(wrong(numbers[places]))]
+        known = found and {definition.places["constants"].get(key, "constants") for key in given}
+        for k in found:
+            if k in known:
+                warn_user(
+                    f"`constants` for `{definition.constants[k]}` is {numbers[k]:g}, but its "
+                    f"symbol was made as one that {words}: where SymPy simplified by that, results "
+                    "are wrong. Make the symbol without that assumption."
+                )
+                return
 
 
 @dataclass(frozen=True, eq=False)
