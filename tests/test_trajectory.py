@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 import zoo
 from cases import system_of
 from pydy._dataset import write_netcdf
+from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_energy, plot_phase, plot_sensitivities
 from pydy.solvers import Event
@@ -289,6 +290,39 @@ def test_a_file_keeps_events_and_odd_names(tmp_path):
     np.testing.assert_array_equal(event.after, [-1.5, 0.0])
     with pytest.raises(ValueError, match="contains no derivatives"):
         loaded.at([0.5])
+
+
+def test_what_has_no_dense_output_keeps_where_inputs_jump(tmp_path):
+    """A mass on a spring, pushed in steps: arcs of circles about each force; h⁴ / 384 remains."""
+    pytest.importorskip("xarray")
+    system = multi_mass_spring_damper(1, False, True)
+    (force,) = system.specifieds_symbols
+    system.constants = dict.fromkeys(system.constants_symbols, 1.0) | {sm.Symbol("c0"): 0.0}
+    breaks, levels = np.array([0.0, 0.37, 1.1, 1.9, 3.0]), [1.0, -2.0, 0.5, 3.0, 3.0]
+    system.specifieds = {force: SampledInput(breaks, levels, "previous")}
+    system.times, system.ode_solver = np.linspace(0.0, 3.0, 31), "dop853"
+    motion = system.simulate(rtol=1e-12, atol=1e-12, sensitivities=["k0"])
+    motion.save(tmp_path / "run.nc")
+    Trajectory.load(tmp_path / "run.nc").save(tmp_path / "again.nc")
+    times = np.linspace(0.0, 3.0, 1001)
+    exact, x, radii = np.zeros((len(times), 2)), np.zeros(2), []
+    for begin, end, level in zip(breaks, [*breaks[1:-1], 4.0], levels, strict=False):
+        c, s = np.cos(times - begin), np.sin(times - begin)
+        arc = [level + (x[0] - level) * c + x[1] * s, x[1] * c - (x[0] - level) * s]
+        own = (times >= begin) & (times <= end)
+        exact[own] = np.stack(arc, axis=1)[own]
+        c, s = np.cos(end - begin), np.sin(end - begin)
+        radii.append(np.hypot(x[0] - level, x[1]))
+        x = np.array([level + (x[0] - level) * c + x[1] * s, x[1] * c - (x[0] - level) * s])
+    kept = [pickle.loads(pickle.dumps(motion))]
+    kept += [Trajectory.load(tmp_path / name) for name in ("run.nc", "again.nc")]
+    for one in (pickle.loads(pickle.dumps(kept[0])), *kept):
+        found = one.at(times)
+        assert np.abs(found.states - exact).max() < 1.001 * max(radii) * 0.1**4 / 384
+        np.testing.assert_array_equal(found.specifieds, motion.at(times).specifieds)
+        own = motion.at(times).sensitivity["x0", "k0"]
+        np.testing.assert_allclose(found.sensitivity["x0", "k0"], own, atol=0.0025)  # files: lines
+        assert one.events == ()
 
 
 def test_a_file_keeps_what_jumps_at_events(tmp_path):

@@ -31,6 +31,9 @@ class Model(Protocol):
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
 
+    def jumps(self) -> np.ndarray:
+        """Return the times at which sampled inputs jump."""
+
     def scene(self, *visuals: Any, **options: Any) -> Any:
         """Return a scene that shows the model."""
 
@@ -78,7 +81,7 @@ def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
 
 
 class Sides(NamedTuple):
-    """What events have on both sides, beside the states: rows before and after each of them."""
+    """What breaks have on both sides, beside the states: rows before and after each of them."""
 
     derivatives: np.ndarray
     outputs: np.ndarray
@@ -96,12 +99,18 @@ class Sides(NamedTuple):
         tables = (f(moments, states) for f in (model.derivatives, model.outputs, model.specifieds))
         return cls(*(np.reshape(table, (rows, -1)) for table in tables))
 
+    @classmethod
+    def joined(cls, parts: list[Any]) -> Any:
+        """Join those of each break; older files have none."""
+        if not parts or None in parts:
+            return None
+        return cls(*(np.concatenate([own[name] for own in parts]) for name in cls._fields))
 
-def between(
-    known: Any, times: np.ndarray, values: np.ndarray | None
-) -> tuple[np.ndarray, np.ndarray | None]:
-    """Interpolate the states of a Trajectory, and its sensitivities if there are `values`."""
+
+def between(known: Any, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
+    """Interpolate the states of a Trajectory, and its sensitivities if it has any."""
     m, n = known.states.shape
+    values = None if known._sensitivity is None else known._sensitivity.values
     whole = known._dense(times) if known._dense else _hermite(known, times, values)
     if values is None:
         return whole, None
@@ -112,11 +121,28 @@ def between(
     return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, values.shape[2])
 
 
+def breaks(known: Any) -> tuple[Any, ...]:
+    """Return where derivatives jump: at events, and where a Trajectory keeps jumps of inputs."""
+    found: tuple[Any, ...] = known.events + known._jumps
+    return found
+
+
+def states_at_jumps(known: Any) -> list[tuple[float, np.ndarray, np.ndarray | None]]:
+    """Return where a Trajectory's inputs jump, away from events: times, states, sensitivities."""
+    if known._dense is None or known._model is None:
+        return []
+    jumps = np.setdiff1d(known._model.jumps(), [event.time for event in known.events])
+    times = jumps[(jumps > known.times[0]) & (jumps <= known.times[-1])]
+    states, columns = between(known, times)
+    each = [None] * len(times) if columns is None else columns
+    return list(zip(times.tolist(), states, each, strict=True))
+
+
 def _hermite(known: Any, times: np.ndarray, values: np.ndarray | None) -> np.ndarray:
     """Interpolate states, followed by sensitivities if their derivatives are known."""
     nodes = known.times
     x, rates = _beside(known, nodes, known.states, known.derivatives, values)
-    if known._sides is not None or (known.events and known._model is not None):
+    if known._sides is not None or (breaks(known) and known._model is not None):
         moments, sides = _at_events(known)
         columns = None if values is None else _sensitivities_at(known)
         own = _beside(known, moments, sides, Sides.of(known).derivatives, columns)
@@ -172,13 +198,13 @@ def _beside(
 
 def _at_events(known: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the times of both sides of each event, and the states there."""
-    moments = np.repeat([e.time for e in known.events], 2)
-    return moments, np.array([side for e in known.events for side in (e.before, e.after)])
+    moments = np.repeat([e.time for e in breaks(known)], 2)
+    return moments, np.array([side for e in breaks(known) for side in (e.before, e.after)])
 
 
 def _sensitivities_at(known: Any) -> np.ndarray | None:
     """Return the sensitivities of the states on both sides of each event, if all have them."""
-    pairs = [(e.sensitivity_before, e.sensitivity_after) for e in known.events]
+    pairs = [(e.sensitivity_before, e.sensitivity_after) for e in breaks(known)]
     values = [value for pair in pairs for value in pair]
     return None if not values or any(v is None for v in values) else np.array(values)
 

@@ -12,7 +12,16 @@ import numpy as np
 from pydy._checks import ascending, check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
-from pydy._interpolation import Model, SensitivityModel, Sides, between, checked_times, straight
+from pydy._interpolation import (
+    Model,
+    SensitivityModel,
+    Sides,
+    between,
+    breaks,
+    checked_times,
+    states_at_jumps,
+    straight,
+)
 from pydy._names import (
     column_names,
     latex_of,
@@ -360,6 +369,7 @@ class Trajectory:
         self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
+        self._jumps: tuple[EventRecord, ...] = ()  # of inputs; see `_keep_jumps`
         self._sides: Sides | None = None  # of a file; a model evaluates them
 
     # -- names ------------------------------------------------------------------------------------
@@ -568,7 +578,7 @@ class Trajectory:
         """
         times = checked_times(times, self.times)
         known = self._sensitivity
-        states, values = between(self, times, None if known is None else known.values)
+        states, values = between(self, times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
@@ -700,6 +710,16 @@ class Trajectory:
         index = pandas.Index(self.times, name="time")
         return pandas.DataFrame({name: self[name] for name in self.names}, index=index)
 
+    def _keep_jumps(self) -> None:
+        """Remember the states where inputs jump, for when the dense output is gone."""
+        self._jumps = self._jumps or tuple(
+            EventRecord(t, "", -1, x, x, None, own, own) for t, x, own in states_at_jumps(self)
+        )
+
+    def __getstate__(self) -> dict[str, Any]:
+        self._keep_jumps()
+        return self.__dict__
+
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
 
@@ -723,7 +743,8 @@ class Trajectory:
             derivatives=self._model is not None or self._derivatives is not None,
             energy=self._energy is not None,
         )
-        events = [dict(vars(event)) for event in self.events]
+        self._keep_jumps()
+        events = [dict(vars(event)) for event in breaks(self)]
         if events and (self._model is not None or self._sides is not None):
             sides = Sides.of(self)._asdict()
             for k, event in enumerate(events):
@@ -764,9 +785,10 @@ class Trajectory:
             outputs=parts.table(*OUTPUTS),
             specifieds=parts.table("specified"),
             constants=parts.constants,
-            events=events,
+            events=[event for event in events if event.index >= 0],
             statistics=statistics,
         )
+        loaded._jumps = tuple(event for event in events if event.index < 0)
         if parts.sensitivity is not None:
             loaded._take_sensitivity(*parts.sensitivity)
         loaded._columns.latex_by_name = parts.latex
@@ -774,7 +796,5 @@ class Trajectory:
             loaded._derivatives = parts.table("derivative")
         if "energy" in parts.columns:
             loaded._energy = parts.table("energy")
-        if sides and None not in sides:  # as in older files
-            tables = (np.concatenate([own[name] for own in sides]) for name in Sides._fields)
-            loaded._sides = Sides(*tables)
+        loaded._sides = Sides.joined(sides)
         return loaded

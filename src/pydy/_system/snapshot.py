@@ -24,6 +24,7 @@ from pydy._system.definition import check_times
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.run.constraints import satisfied
+from pydy.solvers.run.problem import jumps_of
 from pydy.trajectory import Columns, Trajectory
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
@@ -315,6 +316,11 @@ class Snapshot:
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
         return self.at(times, states).evaluate(self.energies.kernel(self.driven))
+
+    def jumps(self) -> np.ndarray:
+        """Return the times at which sampled inputs jump."""
+        found: np.ndarray = jumps_of(self.plan.sampled)[:, 0]
+        return found
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""

@@ -73,6 +73,7 @@ class Pieces(_Several):
         super().__init__(pieces)
         self._base = base
         self.specifieds, self.energy, self.scene = base.specifieds, base.energy, base.scene
+        self.jumps = base.jumps
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps."""
@@ -171,7 +172,8 @@ class ContactTrajectory(Trajectory):
         self._lost = [(time, work) for time, _, work in impacts]
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "contact_work": self.contact_work}  # it needs continuous extensions
+        whole = super().__getstate__()
+        return {**whole, "contact_work": self.contact_work}  # it needs continuous extensions
 
     def end(self, last: int = -1) -> tuple[tuple[str, ...], Any]:
         """Return the modes of a part of the motion, and the function of its derivatives."""
