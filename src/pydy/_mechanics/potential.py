@@ -342,8 +342,8 @@ class _Search:
         direction = self.mechanism.components(term.direction, self.frame)
         if not all(self._is_constant(part) for part in direction):
             return None
-        place = self.mechanism.components(term.where.pos_from(origins[0]), self.frame)
-        return (direction.T * place)[0]
+        along = Vector([(direction, self.frame)])
+        return self.mechanism.dot(term.where.pos_from(origins[0]), along)
 
     def _constant_force(self, term: _Term, mass: Any = sm.S.One) -> bool:
         height = self._height(term) if self._is_constant(term.size) else None

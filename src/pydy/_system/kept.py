@@ -618,7 +618,7 @@ class _OfEnergies:
 
 
 class EnergyPart(_OfEnergies):
-    """The energies and forces, and the total energy's derivatives; nothing where it may change."""
+    """The energies, and the total energy's derivatives; nothing where it may change."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         known: tuple[Any, ...] = ()
@@ -629,8 +629,7 @@ class EnergyPart(_OfEnergies):
         graph, speeds = assembly.graph, assembly.speeds
         kinetic, potential = assembly.read(known, "the energy")
         places, motion = assembly.with_left_out()
-        first, n = graph.args[speeds[0]][1], len(speeds)
-        moves = [*motion, *assembly.rates[:first]]
+        moves = [*motion, *assembly.rates[: graph.args[speeds[0]][1]]]
         driven = graph.inputs_of([kinetic, potential, *places, *moves]) & {"t", "r"}
         momenta = dense_jacobian(graph, [kinetic], speeds)
         rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
@@ -638,17 +637,12 @@ class EnergyPart(_OfEnergies):
             return {}
         total = graph.add(kinetic, potential)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-        hessian, u_dot = dense_jacobian(graph, momenta, speeds), assembly.rates[first : first + n]
-        forces = [graph.zero] * len(states)
-        for k in range(n):
-            parts = zip(hessian[k * n : (k + 1) * n], u_dot, strict=True)
-            forces[first + k] = graph.sum([(graph.mul(a, b), 1.0) for a, b in parts])
         slopes = dense_jacobian(graph, [total], states)
-        return {"kinetic": [kinetic], "total": [total], "slopes": slopes, "forces": forces}
+        return {"kinetic": [kinetic], "total": [total], "slopes": slopes}
 
 
 class Moving(_OfEnergies):
-    """The kinetic energy, and its second derivatives by the states as far as these are speeds."""
+    """The kinetic energy, its second derivatives by speeds, and the states' own derivatives."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, speeds = assembly.graph, assembly.speeds
@@ -662,4 +656,4 @@ class Moving(_OfEnergies):
         for k in range(n):
             start = (first + k) * states + first
             hessian[start : start + n] = rows[k * n : (k + 1) * n]
-        return {"kinetic": nodes, "hessian": hessian}
+        return {"kinetic": nodes, "hessian": hessian, "rates": assembly.rates[:states]}

@@ -50,12 +50,11 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
     ``turns``; ``solved``, the derivatives by what is solved for; ``per_unit``, the inverses of
     units that states have by themselves, or zeros.
 'moving'
-    ``kinetic`` energy, and ``hessian``, its second derivatives by the states as far as these are
-    speeds. Nothing where it is not known.
+    ``kinetic`` energy, ``hessian``, its second derivatives by the states as far as these are
+    speeds, and ``rates``, the states' derivatives. Nothing where it is not known.
 'energy'
-    ``kinetic`` and ``total`` energy, the derivatives ``slopes`` of this by the states, and what the
-    ``forces`` M u' of the constraints and loads are on each state. Nothing where it is not known,
-    or may change.
+    ``kinetic`` and ``total`` energy, and the derivatives ``slopes`` of this by the states. Nothing
+    where it is not known, or may change.
 """
 
 
@@ -241,7 +240,13 @@ def _energy(ran: Ran, part: Part) -> Verdict | None:
     allowed = _moved(found["slopes"], errors).max() + LOST * kinetic
     allowed = np.broadcast_to(allowed, changes.shape)
     if ran.nearness is None:  # beside the constraints
-        forces = np.nan_to_num(found["forces"], nan=0.0, posinf=0.0, neginf=0.0)
+        found = part("moving", ran.times, ran.states)
+        hessian, rates = (
+            np.nan_to_num(found[name], nan=0.0, posinf=0.0, neginf=0.0)
+            for name in ("hessian", "rates")
+        )
+        # M u' is what the constraints and loads are on each state.
+        forces = np.einsum("kij,kj->ki", hessian.reshape(*rates.shape, -1), rates)
         allowed = allowed + ran.summed(_moved(forces, errors))[:, 0]
     if not (changes > allowed).any():
         return None
