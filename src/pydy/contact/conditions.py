@@ -139,7 +139,7 @@ class Stick:
         self.name = text(name, "`name`", empty=False)
 
     def __repr__(self) -> str:
-        return f"<Stick {self.name}>"
+        return f"<{type(self).__name__} {self.name}>"
 
     @property
     def plane(self) -> bool:

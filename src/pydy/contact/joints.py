@@ -90,9 +90,6 @@ class Roll(Stick):
             body.masscenter, on=gap, mu=mu, mu_static=mu_static, along=along, name=name
         )
 
-    def __repr__(self) -> str:
-        return f"<Roll {self.name}>"
-
     def speeds(self, frame: Any) -> tuple[Any, ...]:
         """Return the sliding speed or speeds, from velocities in the inertial frame."""
         centre, plane = self.body.masscenter, self.normal_vector.args[0][1]
@@ -170,9 +167,6 @@ class Clearance(Stick):
         gap = (self.play**2 - self.offset.dot(self.offset)) / (2 * self.play)
         pressed = Unilateral(gap, restitution=restitution, name=name)
         super().__init__(pin, on=pressed, mu=mu, mu_static=mu_static, along=axis, name=name)
-
-    def __repr__(self) -> str:
-        return f"<Clearance {self.name}>"
 
     def speeds(self, frame: Any) -> tuple[Any, ...]:
         """Return the sliding speed, from velocities in the inertial frame.
