@@ -12,8 +12,7 @@ from pydy._checks import ascending, real_array
 
 def evenly(count: int, most: int) -> np.ndarray:
     """Return up to `most` of the numbers below `count`, spread over all, the last one included."""
-    found: np.ndarray = np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
-    return found
+    return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
 
 
 class Model(Protocol):

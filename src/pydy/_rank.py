@@ -47,14 +47,12 @@ _SWEEPS, _EXACT = 8, 30  # the exponents' error halves at each; then pivots of o
 
 def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
     """Return whether values are within the rounding error of terms as large as `bound`."""
-    found: np.ndarray = np.abs(value) <= ROUNDED * np.abs(bound)  # NaN is not
-    return found
+    return np.abs(value) <= ROUNDED * np.abs(bound)  # NaN is not
 
 
 def or_one(sizes: np.ndarray) -> np.ndarray:
     """Replace zeros by ones, to divide by."""
-    known: np.ndarray = np.where(sizes > 0.0, sizes, 1.0)
-    return known
+    return np.where(sizes > 0.0, sizes, 1.0)
 
 
 def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
@@ -68,8 +66,7 @@ def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
     if units is not None:
         told = sizes * or_one(units)[..., None, :]
         small &= told <= ROUNDED * told.max(axis=-1, keepdims=True, initial=0.0)
-    known: np.ndarray = np.where(small, 0.0, sizes)
-    return known
+    return np.where(small, 0.0, sizes)
 
 
 def equilibrated(

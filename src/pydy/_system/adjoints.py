@@ -170,8 +170,7 @@ def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
     rounding = 4.0 * len(matrix) * np.finfo(float).eps
     if not (np.diag(factor) ** 2 > rounding * np.diag(matrix)).all():
         return np.eye(len(matrix))
-    inverse: np.ndarray = np.linalg.inv(factor).T
-    return inverse
+    return np.linalg.inv(factor).T
 
 
 def _least(rows: np.ndarray) -> np.ndarray:
@@ -461,8 +460,7 @@ class Stretch:
 
     def _rates(self, x: np.ndarray, t: float) -> np.ndarray:
         whole = np.append(x[: self.n], np.zeros(len(self.last) - self.n))
-        found: np.ndarray = self.rates.evaluate(self.rates.kernel, whole, t)
-        return found
+        return self.rates.evaluate(self.rates.kernel, whole, t)
 
     def _steps_back(self, first: int, last: int, end: np.ndarray) -> None:
         """Go back from the end of step `last` − 1, the state `end`, to where `first` begins."""

@@ -174,8 +174,7 @@ def _solve_coordinates(
 
     def slopes_at(z: np.ndarray) -> np.ndarray:
         gradient = value(model.compiled_jacobian("holonomic", "x"), placed(z))
-        chosen: np.ndarray = gradient.reshape(size, len(x))[:, coordinates]
-        return chosen
+        return gradient.reshape(size, len(x))[:, coordinates]
 
     # An area and a length in nanometres are to weigh the same: rows in units of their terms.
     first = value(bounded, x)[size:]

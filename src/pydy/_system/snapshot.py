@@ -258,8 +258,7 @@ class Snapshot:
         times, known = self.times, self.model.latest.get("times")
         if known is None or known.shape != times.shape or known.tobytes() != times.tobytes():
             self.model.latest["times"] = known = check_times(times)
-        found: np.ndarray = known.copy()
-        return found
+        return known.copy()
 
     # -- values for one call ----------------------------------------------------------------------
 

@@ -240,8 +240,7 @@ class Sweep:
         out = out.reshape(len(out), *made.program.blocks[0].shape)
         if not np.isfinite(out).all():
             warn_not_finite(out, at, self.names())
-        result: np.ndarray = out[0] if single else out
-        return result
+        return out[0] if single else out
 
 
 class Evaluation(Setup):

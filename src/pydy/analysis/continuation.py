@@ -105,8 +105,7 @@ class EquilibriumBranch:
 
     def __getitem__(self, unknown: Any) -> np.ndarray:
         """Return an unknown along the branch, by symbol or name."""
-        column: np.ndarray = self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]
-        return column
+        return self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]
 
     def to_xarray(self) -> Any:
         """Return an `xarray.Dataset` with the parameter and all unknowns by `point`."""
@@ -144,10 +143,7 @@ class _Point:
 
     def pairs(self, limit: float, above: float | np.ndarray) -> np.ndarray:
         """The upper ones of the conjugate pairs with a real part above a level."""
-        found: np.ndarray = self.spectrum[
-            (self.spectrum.imag > limit) & (self.spectrum.real > above)
-        ]
-        return found
+        return self.spectrum[(self.spectrum.imag > limit) & (self.spectrum.real > above)]
 
 
 class _Curve:
@@ -205,8 +201,7 @@ class _Curve:
         sizes = self._rows(slopes)
         inverse = np.linalg.pinv(slopes * self.scale / sizes[:, None], rcond=DEPENDENT)
         steps = np.abs(inverse) @ (rounding / sizes)
-        factors: np.ndarray = np.where(steps > 0.1 * ON_BRANCH, 100.0 * steps / ON_BRANCH, 1.0)
-        return factors
+        return np.where(steps > 0.1 * ON_BRANCH, 100.0 * steps / ON_BRANCH, 1.0)
 
     def F(self, z: np.ndarray) -> np.ndarray:
         residuals: np.ndarray = self._F(z) / self.sizes

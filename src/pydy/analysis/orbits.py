@@ -64,8 +64,7 @@ class PeriodicOrbit:
         """Floquet multipliers, the largest first, shape (k,)."""
         values = np.linalg.eigvals(self.monodromy).astype(complex)
         order = np.lexsort((-values.imag, -values.real, -np.abs(values).round(12)))
-        result: np.ndarray = values[order]
-        return result
+        return values[order]
 
     @property
     def stable(self) -> bool:

@@ -95,8 +95,7 @@ class EigenvalueSweep:
     def stable(self) -> np.ndarray:
         """Whether no real part is positive, shape (m,); rounding errors of zero are ignored."""
         largest: np.ndarray = self.eigenvalues.real.max(axis=1)
-        flags: np.ndarray = largest <= self._nothing
-        return flags
+        return largest <= self._nothing
 
     @property
     def neutral(self) -> tuple[str, ...]:

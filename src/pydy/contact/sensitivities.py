@@ -119,8 +119,7 @@ class Transitions:
                 "`sensitivities` where a body comes to rest in a plane after a slide that curves, "
                 "and slides on, are not known. Simulate without `sensitivities`."
             )
-        found: np.ndarray = self.total - np.outer(rates, self.time)
-        return found
+        return self.total - np.outer(rates, self.time)
 
     def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""

@@ -210,5 +210,4 @@ class ContactTrajectory(Trajectory):
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
         for time, lost in self._lost:
             work[nodes >= time] += lost
-        found: np.ndarray = work[np.searchsorted(nodes, self.times)]
-        return found
+        return work[np.searchsorted(nodes, self.times)]

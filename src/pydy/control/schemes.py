@@ -253,5 +253,4 @@ def derivatives(nodes: np.ndarray) -> np.ndarray:
 def quadrature(nodes: Sequence[float] | np.ndarray) -> np.ndarray:
     """Return the weights that integrate polynomials through some nodes over [0, 1] exactly."""
     x, w = legendre.leggauss(len(nodes))
-    weights: np.ndarray = lagrange(np.asarray(nodes), (1.0 + x) / 2) @ (w / 2)
-    return weights
+    return lagrange(np.asarray(nodes), (1.0 + x) / 2) @ (w / 2)

@@ -190,5 +190,4 @@ def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
             f"`{argument}` must be an axis of the scene's frame such as 'z' or '-y', a constant "
             f"vector, or three numbers that are not all zero, got {shown(value)}."
         )
-    unit: np.ndarray = direction / length
-    return unit
+    return direction / length

@@ -79,8 +79,7 @@ def normals(corners: np.ndarray) -> np.ndarray:
     """Return the unit normals of triangles, shape (k, 3)."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lengths = np.sqrt((normal * normal).sum(1))[:, None]
-    unit: np.ndarray = normal / np.where(lengths > 0, lengths, 1.0)
-    return unit
+    return normal / np.where(lengths > 0, lengths, 1.0)
 
 
 def _joined(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
