@@ -237,7 +237,7 @@ class Exporting(Setup):
         start = float(times[0]) if len(times) else 0.0
         places = _input_places(definition, now.plan, inputs)
         held = choice(constraints, (None, "project"), "`constraints`") and _held(now)
-        checked = check_events(events, definition.places["states"]) if events is not None else ()
+        checked = check_events(events, definition.places["states"])
         _check_resets(definition, checked)
         r = now.plan(now.x, start) if places else np.zeros(0)
         parts = [

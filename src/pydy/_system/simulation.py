@@ -105,7 +105,7 @@ class Ready:
         model = driven(model, definition, self._plan)
         if projected:
             options["constraints"] = compile_constraints(model, definition)
-        if events is not None and (checked := check_events(events, definition.places["states"])):
+        if checked := check_events(events, definition.places["states"]):
             options["events"] = compile_events(model, definition, checked)
         return model, options
 

@@ -39,8 +39,8 @@ def native_solver(ode_solver: Any) -> Solver:
 
 def check_events(events: Any, states: Places) -> tuple[Event, ...]:
     """Return the events of an argument, with states in place of names in their resets."""
-    if isinstance(events, Event):
-        events = (events,)
+    if events is None or isinstance(events, Event):
+        events = () if events is None else (events,)
     if not isinstance(events, Iterable) or isinstance(events, (str, bytes)):
         raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.")
     checked = []

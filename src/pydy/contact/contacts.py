@@ -336,7 +336,7 @@ class Contacts:
                 "'dop853'`, or another one of pydy.solvers."
             )
         now, kept = self._now(events)
-        given = [] if events is None else [*check_events(events, now.definition.places["states"])]
+        given = check_events(events, now.definition.places["states"])
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         times = now.checked_times()
@@ -383,10 +383,8 @@ class Motions:
             wanted = [p.symbol for p in made.parameters]
             self.columns = column_names({p.symbol: p.count for p in made.parameters})
         self._wanted = _columns(wanted, self._control)
-        given = self.options.pop("events", None)
-        self._given = (
-            [] if given is None else [*check_events(given, now.definition.places["states"])]
-        )
+        events = self.options.pop("events", None)
+        self._given = check_events(events, now.definition.places["states"])
         definition, kept = now.definition, self.contacts._now(self._given)[1]
         self.outputs = kept.outputs
         self.events = (*kept.transitions, *(event.name for event in self._given))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -72,7 +72,7 @@ class Run:
         solver: Solver,
         now: Snapshot,
         times: np.ndarray,
-        events: list[Any],
+        events: Sequence[Any],
         options: dict[str, Any],
         carried: Any = None,  # Transitions
     ) -> None:
