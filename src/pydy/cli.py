@@ -109,34 +109,36 @@ def _parser() -> argparse.ArgumentParser:
     pendulum = models.add_parser(
         "pendulum", help="links on a sliding cart, released 0.5 rad from upright"
     )
-    pendulum.add_argument("--links", dest="size", type=_count, default=2, metavar="N")
+    pendulum.add_argument("--links", dest="size", type=_whole(1, 1000), default=2, metavar="N")
     pendulum.set_defaults(model=_pendulum)
     springs = models.add_parser(
         "springs", help="masses on springs, released with all springs unstretched"
     )
-    springs.add_argument("--masses", dest="size", type=_count, default=2, metavar="N")
+    springs.add_argument("--masses", dest="size", type=_whole(1, 1000), default=2, metavar="N")
     springs.set_defaults(model=_springs)
     for model in (pendulum, springs):
         model.add_argument(
             "--duration", type=_seconds, default=5.0, metavar="T", help="in s (default: 5)"
         )
         model.add_argument(
-            "--points", type=_points, default=11, metavar="N", help="rows to print (default: 11)"
+            "--points",
+            type=_whole(2, 10**6),
+            default=11,
+            metavar="N",
+            help="rows to print (default: 11)",
         )
         model.set_defaults(command=_run)
     return parser
 
 
-def _count(text: str) -> int:
-    if not text.isdecimal() or not 1 <= int(text[:9]) <= 1000:
-        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1000, got {text!r}")
-    return int(text)
+def _whole(least: int, most: int) -> Callable[[str], int]:
+    def read(text: str) -> int:
+        if not text.isdecimal() or not least <= int(text[:9]) <= most:
+            must = f"must be a whole number from {least} to {most}"
+            raise argparse.ArgumentTypeError(f"{must}, got {text!r}")
+        return int(text)
 
-
-def _points(text: str) -> int:
-    if not text.isdecimal() or not 2 <= int(text[:9]) <= 10**6:
-        raise argparse.ArgumentTypeError(f"must be a whole number from 2 to 1000000, got {text!r}")
-    return int(text)
+    return read
 
 
 def _seconds(text: str) -> float:
