@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import accumulate
 
 from pydy._backends.c.source import c_functions
 from pydy.export.model import Model, Variable, plain_text
@@ -42,6 +43,10 @@ def with_c_names(model: Model) -> Model:
     return replace(model, constants=tuple(constants))
 
 
+# What a model has names of, in the singular.
+_KINDS = ("state", "input", "constant", "output")
+
+
 def functions_of(model: Model) -> tuple[str, ...]:
     """Return which functions a model has in C."""
     return tuple(_DESCRIPTIONS) if model.events else ("rates", "outputs", "jacobian")
@@ -57,15 +62,8 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     yield c_comment(head)
     yield f"#ifndef PYDY_{guard}_H\n#define PYDY_{guard}_H\n\n#include <stdint.h>\n"
     yield '#ifdef __cplusplus\nextern "C" {\n#endif\n'
-    prepared = sum(len(model.program(f).carried) for f in functions_of(model))
-    sizes = {
-        "STATES": len(model.states),
-        "INPUTS": len(model.inputs),
-        "CONSTANTS": len(model.constants),
-        "OUTPUTS": len(model.outputs),
-        "EVENTS": len(model.events),
-        "PREPARED": max(prepared, 1),
-    }
+    sizes = {f"{kind.upper()}S": len(getattr(model, f"{kind}s")) for kind in (*_KINDS, "event")}
+    sizes["PREPARED"] = max(sum(len(model.program(f).carried) for f in functions_of(model)), 1)
     yield "enum {"
     yield ",\n".join(f"    {guard}_{what} = {size}" for what, size in sizes.items())
     yield "};\n"
@@ -78,10 +76,8 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     yield f"extern const {name}_constants {name}_defaults;"
     yield f"extern const double {name}_initial[]; /* states at the start */"
     yield f"extern const double {name}_inputs[]; /* inputs at the start */"
-    for what in ("state", "input", "constant", "output"):
-        yield f"extern const char *const {name}_{what}_names[];"
-    if model.events:
-        yield f"extern const char *const {name}_event_names[];"
+    for kind in (*_KINDS, "event") if model.events else _KINDS:
+        yield f"extern const char *const {name}_{kind}_names[];"
     yield ""
     yield "/* Compute what all calls with the same constants share: an array of so many numbers. */"
     yield f"void {name}_prepare(const {name}_constants *constants, double *prepared);"
@@ -112,29 +108,22 @@ def _source(model: Model) -> Iterator[str]:
     yield f"const {name}_constants {name}_defaults = {{{values}}};"
     yield _numbers(f"{name}_initial", model.states)
     yield _numbers(f"{name}_inputs", model.inputs)
-    for what, variables in (
-        ("state", model.states),
-        ("input", model.inputs),
-        ("constant", model.constants),
-        ("output", model.outputs),
-    ):
-        yield _strings(f"{name}_{what}_names", [v.name for v in variables])
+    for kind in _KINDS:
+        yield _strings(f"{name}_{kind}_names", [v.name for v in getattr(model, f"{kind}s")])
     if model.events:
         yield _strings(f"{name}_event_names", model.events.names)
     yield f"\nvoid {name}_prepare(const {name}_constants *constants, double *prepared)\n{{"
     fields = ", ".join(f"constants->{v.identifier}" for v in model.constants) or "0.0"
     yield f"    const double p[] = {{{fields}}};"
     yield "    (void)constants;"
-    offset = 0
-    for what in functions_of(model):
-        yield f"    {name}_{what}_prepare(p, prepared + {offset});"
-        offset += len(model.program(what).carried)
+    functions = functions_of(model)
+    starts = [0, *accumulate(len(model.program(what).carried) for what in functions)]
+    for what, start in zip(functions, starts, strict=False):
+        yield f"    {name}_{what}_prepare(p, prepared + {start});"
     yield "}"
-    offset = 0
-    for what in functions_of(model):
+    for what, start in zip(functions, starts, strict=False):
         yield f"\n{_signature(name, what)}\n{{"
-        yield f"    return {name}_{what}_kernel(&t, x, r, prepared + {offset}, out);\n}}"
-        offset += len(model.program(what).carried)
+        yield f"    return {name}_{what}_kernel(&t, x, r, prepared + {start}, out);\n}}"
     yield ""
 
 
