@@ -67,19 +67,12 @@ class Columns:
         all_kinds = [kind for kind in KINDS for _ in self.kinds[kind]]
         return tuple(n for n, k in zip(self.names, all_kinds, strict=True) if k in kinds)
 
-    def latex(self, key: Any) -> str:
-        """Return the LaTeX of a quantity's symbol."""
+    def latex(self, key: Any, rate: bool = False) -> str:
+        """Return the LaTeX of a quantity's symbol, or of its `rate`, the derivative by time."""
         k = self.find(key)
-        if self.names[k] not in self.latex_by_name:
-            self.latex_by_name[self.names[k]] = latex_of(self.symbols[k])
-        return self.latex_by_name[self.names[k]]
-
-    def latex_of_rate(self, key: Any) -> str:
-        """Return the LaTeX of a quantity's derivative by time."""
-        k = self.find(key)
-        name = f"{self.names[k]}'"
+        name = self.names[k] + "'" * rate
         if name not in self.latex_by_name:
-            self.latex_by_name[name] = latex_of_rate(self.symbols[k])
+            self.latex_by_name[name] = (latex_of_rate if rate else latex_of)(self.symbols[k])
         return self.latex_by_name[name]
 
     def find(self, key: Any) -> int:
@@ -428,7 +421,7 @@ class Trajectory:
 
     def latex_of_rate(self, key: Any) -> str:
         """Return the LaTeX of a quantity's time derivative, without dollar signs."""
-        return self._columns.latex_of_rate(key)
+        return self._columns.latex(key, rate=True)
 
     def __getitem__(self, key: Any) -> np.ndarray:
         """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
