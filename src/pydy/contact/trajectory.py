@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
@@ -71,18 +70,8 @@ class Pieces(_Several):
 
     def __init__(self, pieces: Sequence[Piece], base: Any) -> None:
         super().__init__(pieces)
-        self._base = base
         self.specifieds, self.energy, self.scene = base.specifieds, base.energy, base.scene
         self.jumps = base.jumps
-
-    def states(self, times: np.ndarray) -> np.ndarray:
-        """Return the states between the solver's steps."""
-        return self.whole(times)[:, : len(self._base.x)]
-
-    def whole(self, times: np.ndarray) -> np.ndarray:
-        """Return the states between the solver's steps, and the sensitivities after them."""
-        times = np.asarray(times, dtype=float)
-        return self._each(times, lambda piece, own: piece.dense(times[own]))  # type: ignore[misc]
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
@@ -95,22 +84,21 @@ class Pieces(_Several):
         )
 
 
-class _Dense:
+class _Dense(_Several):
     """The continuous extension of all pieces; like theirs, it becomes None elsewhere."""
-
-    def __init__(self, pieces: Pieces) -> None:
-        self._pieces = pieces
 
     @property
     def starts(self) -> np.ndarray:
         """The times at which the solver's steps begin."""
-        return np.concatenate([piece.dense.starts for piece in self._pieces.pieces])  # type: ignore
+        return np.concatenate([piece.dense.starts for piece in self.pieces])  # type: ignore
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
-        return self._pieces.whole(times)
+        """Return the states, and the sensitivities after them."""
+        times = np.asarray(times, dtype=float)
+        return self._each(times, lambda piece, own: piece.dense(times[own]))  # type: ignore[misc]
 
     def __deepcopy__(self, memo: Any) -> _Dense:
-        return _Dense(deepcopy(self._pieces, memo))
+        return self
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(None), ()
@@ -163,7 +151,9 @@ class ContactTrajectory(Trajectory):
         **options: Any,
     ) -> None:
         kept = all(piece.dense is not None for piece in pieces.pieces)
-        super().__init__(*args, model=pieces, dense=_Dense(pieces) if kept else None, **options)
+        super().__init__(
+            *args, model=pieces, dense=_Dense(pieces.pieces) if kept else None, **options
+        )
         self._pieces, self._names = pieces, tuple(names)
         self.modes = [
             (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces
@@ -205,7 +195,8 @@ class ContactTrajectory(Trajectory):
         if powers and len(nodes) > 1:
             half, middle = np.diff(nodes) / 2, (nodes[1:] + nodes[:-1]) / 2
             times = (middle[:, None] + half[:, None] * _POINTS).ravel()
-            outputs = self._pieces.outputs(times, self._pieces.states(times))
+            dense: Any = self._dense
+            outputs = self._pieces.outputs(times, dense(times)[:, : self.states.shape[1]])
             power = outputs[:, powers].sum(axis=1).reshape(len(half), -1)
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
         for time, lost in self._lost:
