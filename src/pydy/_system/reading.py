@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from html import escape
 from itertools import chain, count
 from typing import Any
@@ -263,8 +263,6 @@ class Reading(Setup):
         made = equations_to_read(self._equations, tuple(self._forces))
         if flag(short, "`short`"):
             return made
-        out = made.written_out
-        return EquationsOfMotion(
-            made.coordinates, made.speeds, out(made.mass_matrix), out(made.forcing),
-            out(made.kinematics), out(made.constraint_jacobian),
-        )  # fmt: skip
+        parts = ("mass_matrix", "forcing", "kinematics", "constraint_jacobian")
+        full = {name: made.written_out(getattr(made, name)) for name in parts}
+        return replace(made, **full, names={})
