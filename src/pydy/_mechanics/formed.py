@@ -298,7 +298,7 @@ def classify(equations: Equations) -> Equations:
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
-    others = [k for k in range(len(motion)) if k not in chosen]
+    others = [k for k in range(len(motion)) if redundant and k not in chosen]
     pool = [*zip(redundant, values["redundant"], strict=True)]
     pool += [(equations.velocity[k], motion[k]) for k in others]
     held = rows[list(enforced)]
