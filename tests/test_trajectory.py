@@ -1,6 +1,7 @@
 """The labelled result of a simulation."""
 
 import pickle
+import re
 import subprocess
 import sys
 
@@ -442,6 +443,18 @@ def test_a_file_of_something_else_is_refused(tmp_path):
     xarray.Dataset({"a": ("time", [1.0])}).to_netcdf(tmp_path / "a.nc", engine="scipy")
     with pytest.raises(ValueError, match=r"must be a file that Trajectory\.save wrote"):
         Trajectory.load(tmp_path / "a.nc")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "written_by"),
+    [(".csv", "trajectory.to_dataframe().to_csv(path)"), (".ZARR", "to_zarr"), (".npz", "savez")],
+)
+def test_a_suffix_of_another_format_is_refused_with_what_writes_it(tmp_path, suffix, written_by):
+    pytest.importorskip("xarray")
+    path = tmp_path / f"run{suffix}"
+    with pytest.raises(ValueError, match=rf"`path` must be .*NetCDF .*{re.escape(written_by)}"):
+        simulated("bare")[1].save(path)
+    assert not path.exists()
 
 
 def test_a_file_cut_short_anywhere_is_a_named_error(tmp_path):

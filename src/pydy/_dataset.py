@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import file_of
+from pydy._checks import file_of, shown
 from pydy._files import replacing
 
 # Kinds of quantities, in the order of their names.
@@ -47,6 +47,24 @@ class Parts:
 SENSITIVITY = "sensitivity"
 _CONSTANT = " (constant)"
 _CHECKSUM = "pydy_checksum"
+# Suffixes that promise another format than NetCDF, and what writes that.
+_OTHER_FORMATS = {
+    **{
+        suffix: f"`trajectory.to_dataframe().{method}(path)`"
+        for suffix, method in {
+            ".csv": "to_csv", ".txt": "to_csv", ".tsv": "to_csv", ".json": "to_json",
+            ".xlsx": "to_excel", ".parquet": "to_parquet", ".feather": "to_feather",
+        }.items()
+    },
+    ".zarr": "`trajectory.to_xarray().to_zarr(path)`",
+    ".h5": "`trajectory.to_dataframe().to_hdf(path, key='run')`",
+    ".hdf5": "`trajectory.to_dataframe().to_hdf(path, key='run')`",
+    ".npy": "`numpy.save(path, trajectory.states)`",
+    ".npz": "`numpy.savez(path, times=trajectory.times, states=trajectory.states)`",
+    ".mat": "`scipy.io.savemat(path, {'times': trajectory.times, 'states': trajectory.states})`",
+    ".pkl": "`pickle.dump(trajectory, file)`",
+    ".pickle": "`pickle.dump(trajectory, file)`",
+}  # fmt: skip
 
 
 def to_dataset(
@@ -120,6 +138,12 @@ def write_netcdf(
 ) -> None:
     """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
     path = file_of(_checked(path), "`path`")
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix in _OTHER_FORMATS:
+        raise ValueError(
+            f"`path` must be the name of a NetCDF file, such as 'run.nc', got {shown(path)}. "
+            f"Write {suffix} with {_OTHER_FORMATS[suffix]}."
+        )
     dataset = dataset.copy()
     plain: dict[str, str] = {}
     for name, variable in dataset.variables.items():

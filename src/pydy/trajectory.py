@@ -731,6 +731,8 @@ class Trajectory:
             xarray is not installed.
         TypeError
             `path` is no path.
+        ValueError
+            Its suffix is that of another format, such as ``.csv``: the message says what writes it.
         """
         dataset = self.to_xarray(
             derivatives=self._model is not None or self._derivatives is not None,
