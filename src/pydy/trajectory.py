@@ -716,10 +716,9 @@ class Trajectory:
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
 
-        The format is NetCDF 3, which every NetCDF library reads, with a checksum that `load`
-        compares. Derivatives are also written, those on both sides of events too, and energies if
-        they are known, so that a loaded trajectory can be interpolated and plotted; the solver's
-        dense output is not, nor is it pickled.
+        NetCDF 3, which every NetCDF library reads, with a checksum that `load` compares, with
+        derivatives (also on both sides of events) and known energies, so that a loaded
+        trajectory can be interpolated and plotted, but without the solver's dense output.
 
         Parameters
         ----------
@@ -729,10 +728,8 @@ class Trajectory:
         ------
         ImportError
             xarray is not installed.
-        TypeError
-            `path` is no path.
-        ValueError
-            Its suffix is that of another format, such as ``.csv``: the message says what writes it.
+        TypeError, ValueError
+            `path` is no path, or has the suffix of another format, such as ``.csv``.
         """
         dataset = self.to_xarray(
             derivatives=self._model is not None or self._derivatives is not None,

@@ -1,5 +1,7 @@
 """Outputs: the four kinds, their order, and what they do to states and the generated function."""
 
+import re
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -91,6 +93,16 @@ def test_rates_of_coordinates_go_through_the_kinematic_equations(name):
 
 
 # order, copies, residuals
+
+
+def test_a_second_derivative_is_refused_with_what_to_write():
+    kane = zoo.chain().kane
+    q, u = kane.q[0], kane.u[0]
+    remedy = f"`{q.diff(T)}` is the speed `{u}`: write `{u.diff(T)}`."
+    with pytest.raises(ValueError, match=re.escape(remedy)):
+        chain_system({A: 2 * q.diff(T, 2)})
+    with pytest.raises(ValueError, match=r"first derivatives are available\. Rewrite it in terms"):
+        chain_system({A: u.diff(T, 2)})
 
 
 @pytest.mark.parametrize("generator", GENERATORS)

@@ -290,3 +290,22 @@ def test_an_array_over_time_is_refused_with_the_way_to_give_it():
     system = n_link_pendulum_on_cart(1)
     with pytest.raises(ValueError, match=r"F.t. must be a real number, .*\(11,\).*SampledInput"):
         system.specifieds = {"F": np.zeros(11)}
+    with pytest.raises(ValueError, match=r"F.t. must be a real number, .*\(3,\).*SampledInput"):
+        system.specifieds = {"F": _Table()}
+
+
+class _Table:
+    """Converts to an array, as tables of pandas do."""
+
+    def __array__(self, dtype=None, copy=None):
+        return np.zeros(3)
+
+
+@pytest.mark.parametrize("value", ["sin(t)", None, 2.0 + 0.0j])
+def test_what_is_no_number_is_refused_with_what_else_is_taken(value):
+    from pydy.models import n_link_pendulum_on_cart
+
+    system = n_link_pendulum_on_cart(1)
+    message = r"F.t. must be a real number, .* functions g\(x, t\), SymPy expressions and Sampled"
+    with pytest.raises(ValueError, match=message):
+        system.specifieds = {"F": value}

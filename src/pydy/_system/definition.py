@@ -351,11 +351,7 @@ def sort_out(
             continue
         function = symbol.expr if isinstance(symbol, sm.Derivative) else symbol
         if function in states or function in equations.auxiliary_speeds:
-            raise ValueError(
-                f"The term `{_term_with(symbol, expressions)}` holds `{symbol}`, but of the "
-                "coordinates and speeds only the first derivatives are available. Rewrite it in "
-                "terms of the speeds and their first derivatives."
-            )
+            raise _too_often(symbol, function, _term_with(symbol, expressions), equations)
         variables = symbol.variables if isinstance(symbol, sm.Derivative) else ()
         if (
             not isinstance(function, AppliedUndef)
@@ -375,6 +371,19 @@ def sort_out(
             )
         specifieds.append(symbol)
     return sort_symbols(constants), sort_symbols(specifieds)
+
+
+def _too_often(symbol: Any, function: Any, term: Any, equations: Equations) -> ValueError:
+    """Return an error for a second derivative of a coordinate or speed, with what to write."""
+    rates = dict(zip(equations.coordinates, equations.coordinate_derivatives, strict=True))
+    speed, t = rates.get(function), equations.time
+    remedy = "Rewrite it in terms of the speeds and their first derivatives."
+    if speed in equations.speeds and symbol == function.diff(t, 2):
+        remedy = f"`{function.diff(t)}` is the speed `{speed}`: write `{speed.diff(t)}`."
+    return ValueError(
+        f"The term `{term}` holds the derivative `{symbol}`. Of the coordinates and speeds only "
+        f"the first derivatives are available. {remedy}"
+    )
 
 
 def _term_with(symbol: Any, expressions: Iterable[Any]) -> Any:

@@ -282,13 +282,18 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
-            if isinstance(value, np.ndarray) and value.size > 1 and not several:
+            if hasattr(value, "__array__") and np.size(value) > 1 and not several:
                 raise ValueError(
-                    f"{label} must be a real number, got an array of the shape {value.shape}. For "
-                    "values over time pass pydy.inputs.SampledInput(times, values)."
+                    f"{label} must be a real number, got an array of the shape {np.shape(value)}. "
+                    "For values over time pass pydy.inputs.SampledInput(times, values)."
                 )
-            # One number for several symbols holds for each.
-            given = real_array(value, label) if several else number(value, label)
+            try:  # one number for several symbols holds for each
+                given = real_array(value, label) if several else number(value, label)
+            except ValueError as error:
+                raise ValueError(
+                    f"{error} Other than numbers, values may be functions g(x, t), SymPy "
+                    "expressions and SampledInputs."
+                ) from None
             one = not several or np.ndim(given) == 0
             self.values[columns] = given if one else vector(given, len(names), label)
             return
