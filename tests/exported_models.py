@@ -6,6 +6,7 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
@@ -72,3 +73,14 @@ def spring_of(*names):
     kane = me.KanesMethod(N, [x], [v], kd_eqs=[v - x.diff()])
     kane.kanes_equations([me.Particle("mass", P, 1)], [(P, -stiffness * x * N.x)])
     return System(kane, initial_conditions={x: 1.0}, times=TIMES)
+
+
+def pulled_by_error_functions():
+    """Two masses of 1 kg at x and y, with the forces erf(x) and erfc(y)."""
+    x, y = me.dynamicsymbols("x y")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    points = [O.locatenew(f"P{k}", q * N.x) for k, q in enumerate((x, y))]
+    masses = [me.Particle(f"mass {k}", P, 1) for k, P in enumerate(points)]
+    loads = [(points[0], sm.erf(x) * N.x), (points[1], sm.erfc(y) * N.x)]
+    return System(Definition(N, [x, y], bodies=masses, loads=loads))

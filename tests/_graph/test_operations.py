@@ -1,5 +1,7 @@
 """The table of operations: one row is all that an operation needs."""
 
+import math
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -86,6 +88,27 @@ def test_an_odd_function_of_a_table_lets_signs_out():
     assert back == graph.neg(forth)
     assert graph.value(graph.call("cbrt", graph.const(-8.0))) == -2.0
     assert len(set(signatures(graph, [forth, graph.call("cbrt", a)]))) == 2
+
+
+@pytest.mark.in_parts
+@pytest.mark.parametrize(
+    "backend", [NumPyBackend, LLVMBackend, lambda: LLVMBackend(lanes=4), CythonBackend]
+)
+def test_error_functions_are_those_of_the_c_library(backend):
+    x = sm.Symbol("x")
+    graph = Graph()
+    node = graph.input("x", 0)
+    read = SymPyReader(graph, {x: node})
+    roots = [read(sm.erf(x)), read(sm.erfc(x)), read(sm.erf(-x))]
+    slopes = [row[0] for row in jacobian(graph, roots[:2], [node])]
+    kernel = backend().compile(on_tape(graph, [*roots, *slopes], (1, 0, 0)))
+    points = np.array([-6.5, -1.0, -1e-9, 0.0, 0.3, 0.84, 2.0, 3.0, 26.0])
+    times, none = np.zeros(len(points)), np.empty((len(points), 0))
+    values, _ = kernel.evaluate(times, points[:, None], none, np.empty(0))
+    bell = 2.0 / np.sqrt(np.pi) * np.exp(-(points**2))
+    columns = [[f(v) for v in points] for f in (math.erf, math.erfc, lambda v: -math.erf(v))]
+    expected = np.transpose([*columns, bell, -bell])
+    np.testing.assert_allclose(values, expected, rtol=2e-15, atol=0.0)
 
 
 def test_every_row_has_what_back_ends_need():

@@ -1,13 +1,14 @@
 """The exported module, run by Chromium: values and trajectories are those of the System."""
 
 import json
+import math
 
 import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from exported_models import TIMES, ball, pendulum, spring_of
+from exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
 from pydy.mechanics import Definition, Implicit
@@ -53,6 +54,14 @@ def test_rates_are_as_accurate_as_numpys(tmp_path, loaded, monkeypatch, longest)
     assert not failed
     expected = system.evaluate_ode(x, t=0.3)
     assert found == pytest.approx(expected, rel=1e-11, abs=1e-12 * abs(expected).max())
+
+
+def test_error_functions_are_those_of_the_c_library(tmp_path, loaded):
+    page = loaded(pulled_by_error_functions().export(tmp_path / "model.js").path)
+    for x in (-6.5, -2.5, -1e-9, 0.0, 0.84, 2.0, 2.001, 2.999, 3.0, 5.5, 26.0):
+        failed, found = rates(page, [x, x, 0.0, 0.0])
+        assert not failed
+        assert found[2:] == pytest.approx([math.erf(x), math.erfc(x)], rel=1e-13, abs=0.0)
 
 
 def test_weak_pivots_are_solved_by_pivoting_and_singular_matrices_told(tmp_path, loaded):

@@ -1,6 +1,7 @@
 """The Python of a model runs where there is no pydy."""
 
 import json
+import math
 import subprocess
 import sys
 
@@ -10,7 +11,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from _mechanics.test_nearly_singular import truss
-from exported_models import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum, pulled_by_error_functions
 from pydy import System
 
 ALONE = """
@@ -53,6 +54,21 @@ def test_numpys_functions_run_without_pydy(tmp_path):
     assert found["outputs"] == pytest.approx(system.evaluate_outputs(x, t=0.3, **changed))
     by_states = system.evaluate_jacobian(x, t=0.3, **changed)
     assert np.array(found["jacobian"])[:6, :6] == pytest.approx(by_states, rel=1e-10, abs=1e-10)
+
+
+@pytest.mark.parametrize("target", ["numpy", "jax", "casadi"])
+def test_error_functions_need_no_scipy(tmp_path, target):
+    if target != "numpy":
+        pytest.importorskip(target)
+    names = {}
+    path = pulled_by_error_functions().export(tmp_path / "model.py", target=target).path
+    text = path.read_text(encoding="utf-8")
+    assert "scipy" not in text.replace("jax.scipy", "")
+    exec(text, names)
+    accuracy = 1e-6 if target == "jax" else 1e-15  # JAX has single precision by itself
+    for x in (0.3, -4.0):
+        found = np.ravel(np.array(names["rates"](0.0, [x, x, 0.0, 0.0], [], [])))
+        assert found[2:] == pytest.approx([math.erf(x), math.erfc(x)], rel=accuracy)
 
 
 def test_names_are_strings_that_nothing_ends(tmp_path):

@@ -340,7 +340,9 @@ class SymPyReader:
         return (
             f"{self.what} hold the function `{expr.func.__name__}` in `{text}`, which cannot be "
             "translated to numerical code. Rewrite it with elementary functions "
-            "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign."
+            "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign, or "
+            "interpolate it over the range that occurs: `sympy.interpolating_spline(3, x, points, "
+            "values)`. What depends on constants alone may be a constant of its own."
         )
 
 

@@ -7,6 +7,7 @@ coefficients, powers, linear solves) is in a second table, which says where the 
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -141,6 +142,11 @@ def _root_of(g: Any, x: int, sign: float, c0: float) -> int:
     return int(g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), sign)], c0)), -1))
 
 
+def _bell(g: Any, x: int) -> int:
+    """Return the derivative of the error function."""
+    return int(g.product([(g.call("exp", g.neg(g.powi(x, 2))), 1)], 2.0 / math.sqrt(math.pi)))
+
+
 def _pow(g: Any, n: int, a: int, b: int) -> Nodes:
     by_base = g.mul(b, g.call("pow", a, g.sum([(b, 1.0)], -1.0)))
     # log(0) · 0 at a zero base would be NaN where the derivative is 0.
@@ -172,6 +178,16 @@ def _function(
     """Register a function of one operand."""
     c = more.pop("c", name)
     register(Operation(name, 1, numpy, f"{c}({{0}})", llvm, partials, **more))
+
+
+def _of_scipy(name: str) -> Callable[..., Any]:
+    """Return a function of `scipy.special`, which takes long to load and is rarely called."""
+
+    def function(x: Any) -> Any:
+        return getattr(importlib.import_module("scipy.special"), name)(x)
+
+    function.__name__ = name
+    return function
 
 
 def _infix(name: str, numpy: Callable[..., Any], c: str, llvm: str, **more: Any) -> None:
@@ -235,6 +251,12 @@ _function(
     "atanh", np.arctanh, "libm atanh",
     lambda g, n, x: (g.powi(g.sum([(g.powi(x, 2), -1.0)], 1.0), -1),), parity=-1, sympy="atanh",
 )  # fmt: skip
+_function(
+    "erf", _of_scipy("erf"), "libm erf", lambda g, n, x: (_bell(g, x),), parity=-1, sympy="erf"
+)
+_function(
+    "erfc", _of_scipy("erfc"), "libm erfc", lambda g, n, x: (g.neg(_bell(g, x)),), sympy="erfc"
+)
 _function(
     "abs", np.abs, "intrinsic fabs", lambda g, n, x: (g.call("sign", x),),
     parity=1, c="fabs", sympy="Abs",

@@ -30,6 +30,26 @@ const { sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh
   floor, ceil, pow, atan2, sign } = Math;
 const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINITY = Infinity;
 
+// Error functions: a series of positive terms, and a continued fraction where x is large
+// (Abramowitz and Stegun, 7.1.6 and 7.1.14).
+function erf(x) {
+  const square = x * x;
+  if (!(square < 9)) return x > 0 ? 1 - erfc(x) : x < 0 ? erfc(-x) - 1 : x;
+  let term = x, sum = x;
+  for (let k = 1; fabs(term) > 1e-17 * fabs(sum); k += 1) {
+    term *= 2 * square / (2 * k + 1);
+    sum += term;
+  }
+  return 2 / sqrt(Math.PI) * exp(-square) * sum;
+}
+
+function erfc(x) {
+  if (!(x > 2)) return 1 - erf(x);
+  let tail = x;
+  for (let k = 60; k > 0; k -= 1) tail = x + k / 2 / tail;
+  return exp(-x * x) / (sqrt(Math.PI) * tail);
+}
+
 """
 # What C has beside JavaScript in linear algebra: types, and macros for lanes and compilers.
 _OF_C = (

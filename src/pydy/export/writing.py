@@ -27,6 +27,13 @@ from pydy.export.model import PARTS, Exported, Model, Variable, plain_text, reso
 # -- A model as Python functions that need NumPy, JAX or CasADi, but not pydy ----------------------
 
 
+_SPECIAL = {
+    "erf": {"numpy": "np.vectorize(math.erf, otypes=[float])", "jax": "jax.scipy.special.erf"},
+    "erfc": {"numpy": "np.vectorize(math.erfc, otypes=[float])", "jax": "jax.scipy.special.erfc"},
+}
+"""Functions that NumPy does not have, and what they are in modules for `_ALIASES`."""
+
+
 def _dialect(module: str) -> Dialect:
     """Return the language of NumPy, or of a module with the same functions."""
 
@@ -34,7 +41,8 @@ def _dialect(module: str) -> Dialect:
         if re.fullmatch(r"\{0\} (\+|-|\*|/|<|<=|==|!=) \{1\}|-\{0\}", row.c):
             return row.c
         places = ", ".join(f"{{{k}}}" for k in range(row.arity))
-        return f"{module}.{row.numpy.__name__}({places})"
+        name = row.numpy.__name__
+        return f"{name if name in _SPECIAL else f'{module}.{name}'}({places})"
 
     guarded = "{n}, {sound}, [{entries}], [{column}], [{fast}])"
     return Dialect(
@@ -59,7 +67,7 @@ def _dialect(module: str) -> Dialect:
 _OF_CASADI = {
     **{"abs": "fabs({0})", "min": "fmin({0}, {1})", "max": "fmax({0}, {1})"},
     **{"and": "logic_and({0}, {1})", "or": "logic_or({0}, {1})", "not": "logic_not({0})"},
-    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}"},
+    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}", "erfc": "1 - erf({0})"},
 }
 _CASADI = Dialect(
     operation=lambda row: re.sub(r"\b(?=[a-z]\w*\()", "ca.", _OF_CASADI.get(row.name, row.c)),
@@ -162,6 +170,9 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
             for n in names
         ),
     }
+    called = [name for name in _SPECIAL if re.search(rf"\b{name}\(", parts["FUNCTIONS"])]
+    imports = "import math\n\n" if called and target == "numpy" else "\n" if called else ""
+    parts["SPECIAL"] = imports + "".join(f"{n} = {_SPECIAL[n].get(target)}\n" for n in called)
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
         text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
