@@ -53,6 +53,8 @@ OF_ONE = {
     sm.acoth: (sm.acoth(x), [-30.0, -1.5, 1.5, 30.0]),
     sm.asech: (sm.asech(x), [1e-3, 0.5, 1.0]),
     sm.acsch: (sm.acsch(x), NONZERO),
+    sm.erf: (sm.erf(x), [*LINE, 0.0]),
+    sm.erfc: (sm.erfc(x), [*LINE, 0.0]),
     sm.Abs: (sm.Abs(x), STEPS),
     sm.sign: (sm.sign(x), STEPS),
     sm.floor: (sm.floor(x), STEPS),
@@ -345,9 +347,31 @@ def test_a_derivative_that_cannot_be_taken_is_named(expression):
 # -- what cannot be read --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.zoo, sm.nan], ids=str)
+@pytest.mark.parametrize(
+    ("expression", "real"),
+    [
+        (sm.exp(sm.I * x) + sm.exp(-sm.I * x), lambda x, y: 2.0 * np.cos(x)),
+        ((sm.exp(sm.I * x) - sm.exp(-sm.I * x)) / (2 * sm.I), lambda x, y: np.sin(x)),
+        ((x + sm.I * y) * (x - sm.I * y), lambda x, y: x**2 + y**2),
+        (sm.Abs(x + sm.I * y), np.hypot),
+    ],
+    ids=str,
+)
+def test_a_real_expression_may_be_written_with_the_imaginary_unit(expression, real):
+    points = np.random.default_rng(0).uniform(-2.0, 2.0, (5, 2))
+    found = [evaluate(expression, a, b) for a, b in points]
+    np.testing.assert_allclose(found, real(*points.T), rtol=1e-14)
+
+
+@pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.log(-1) * x], ids=str)
+def test_what_may_not_be_real_is_refused_with_the_remedy(number):
+    with pytest.raises(ValueError, match=r"hold the imaginary unit .* Give its real part"):
+        nodes_of([number])
+
+
+@pytest.mark.parametrize("number", [sm.zoo, sm.nan], ids=str)
 def test_a_number_that_is_not_real_is_refused(number):
-    with pytest.raises(ValueError, match=r"hold `(I|zoo|nan)`, which is not a real number.* `oo`"):
+    with pytest.raises(ValueError, match=r"hold `(zoo|nan)`, which is not a real number.* `oo`"):
         nodes_of([sm.sympify(number)])
 
 

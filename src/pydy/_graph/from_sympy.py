@@ -261,6 +261,12 @@ class SymPyReader:
     def __call__(self, expression: Any) -> int:
         """Return the node of one expression, or say which part of it has none."""
         root = expression if isinstance(expression, sm.Basic) else sm.sympify(expression)
+        try:
+            return self._read(root)
+        except _ImaginaryUnitError:
+            return self._read(real_part(root, self.what))
+
+    def _read(self, root: sm.Basic) -> int:
         graph, seen, alive = self.graph, self._seen, self._alive
         stack: list[tuple[Any, Handler | None]] = [(root, None)]
         while stack:
@@ -316,6 +322,8 @@ class SymPyReader:
                 "the coordinates, speeds, constants or specifieds. Add it to one of them: where a "
                 "System's motion does not depend on it, by name in its `constants_symbols`."
             )
+        if expr is sm.I:
+            raise _ImaginaryUnitError
         if expr.is_number:
             raise ValueError(
                 f"{self.what} hold `{expr}`, which is not a real number. Simplify the expression "
@@ -334,16 +342,40 @@ class SymPyReader:
         return written
 
     def _unsupported(self, expr: Any) -> str:
-        text = str(expr)
-        if len(text) > 120:
-            text = text[:117] + "..."
         return (
-            f"{self.what} hold the function `{expr.func.__name__}` in `{text}`, which cannot be "
-            "translated to numerical code. Rewrite it with elementary functions "
+            f"{self.what} hold the function `{expr.func.__name__}` in `{_brief(expr)}`, which "
+            "cannot be translated to numerical code. Rewrite it with elementary functions "
             "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign, or "
             "interpolate it over the range that occurs: `sympy.interpolating_spline(3, x, points, "
             "values)`. What depends on constants alone may be a constant of its own."
         )
+
+
+def _brief(expr: Any) -> str:
+    text = str(expr)
+    return text if len(text) <= 120 else text[:117] + "..."
+
+
+class _ImaginaryUnitError(Exception):
+    """An expression holds the imaginary unit."""
+
+
+def real_part(expr: Any, what: str) -> Any:
+    """Return an expression that holds `I` without it, as exp(I x) + exp(-I x); x is real here."""
+    named = {
+        s: sm.Dummy(s.name if s.is_Symbol else str(s), real=True)
+        for s in expr.atoms(sm.Symbol, AppliedUndef, sm.Derivative)
+    }
+    whole = expr.xreplace(named)
+    if isinstance(whole, sm.Expr):
+        real, imaginary = whole.as_real_imag()
+        if sm.expand(imaginary) == 0 or sm.simplify(imaginary) == 0:
+            return real.xreplace({dummy: symbol for symbol, dummy in named.items()})
+    raise ValueError(
+        f"{what} hold the imaginary unit in `{_brief(expr)}`, which is not known to be real for "
+        "real symbols. Give its real part without `I`: `expand_complex(re(expr))` of symbols that "
+        "are real, or other solutions of the equation it comes from."
+    )
 
 
 # -- derivatives that SymPy leaves unevaluated ----------------------------------------------------
