@@ -376,7 +376,8 @@ def sort_out(
 def _too_often(symbol: Any, function: Any, term: Any, equations: Equations) -> ValueError:
     """Return an error for a second derivative of a coordinate or speed, with what to write."""
     rates = dict(zip(equations.coordinates, equations.coordinate_derivatives, strict=True))
-    speed, t = rates.get(function), equations.time
+    speed: Any = rates.get(function)
+    t = equations.time
     remedy = "Rewrite it in terms of the speeds and their first derivatives."
     if speed in equations.speeds and symbol == function.diff(t, 2):
         remedy = f"`{function.diff(t)}` is the speed `{speed}`: write `{speed.diff(t)}`."
