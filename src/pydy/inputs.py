@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -204,6 +205,17 @@ class SampledInput:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (SampledInput, (self.breaks, self._values, self.interpolation))
+
+
+def jumps_of(sampled: Sequence[tuple[Any, SampledInput]]) -> np.ndarray:
+    """Return the times at which sampled inputs jump, each with the last number before it."""
+    found = [np.zeros(0)]
+    for _, samples in sampled:
+        if samples.interpolation == "previous":
+            changes = np.diff(samples.values.reshape(len(samples.breaks), -1), axis=0)
+            found.append(samples.breaks[1:][changes.any(axis=1)])
+    times = np.unique(np.concatenate(found))
+    return np.stack([times, np.nextafter(times, -np.inf)], axis=1)
 
 
 def _frozen(array: np.ndarray) -> np.ndarray:

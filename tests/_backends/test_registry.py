@@ -23,7 +23,11 @@ with warnings.catch_warnings(record=True) as caught:
     system.linearize()
 system.ode_solver = "dop853"
 errors = []
-for attempt in (system.integrate, lambda: system.integrate_ensemble(constants={"k0": [1.0, 2.0]})):
+for attempt in (
+    system.integrate,
+    lambda: system.integrate_ensemble(constants={"k0": [1.0, 2.0]}),
+    lambda: system.adjoint_gradient("constants", final="x0"),
+):
     try:
         attempt()
     except ModuleNotFoundError as error:
@@ -45,5 +49,8 @@ def test_numpy_and_scipy_stand_in_for_llvm_and_say_so_once():
     np.testing.assert_allclose(energy, known.energy, rtol=0, atol=1e-12)
     assert len(warned) == 1
     assert warned[0].startswith("llvmlite is not installed: NumPy evaluates the equations")
-    assert len(errors) == 2  # a native solver, and an ensemble
-    assert all("ode_solver = 'DOP853'" in error for error in errors)
+    assert len(errors) == 3
+    for error in errors:
+        assert "`pip install llvmlite`" in error
+        assert "adjoint gradients" in error
+        assert "ode_solver = 'DOP853'" in error

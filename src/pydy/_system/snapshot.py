@@ -23,8 +23,8 @@ from pydy._names import name_of
 from pydy._system.definition import check_times
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.inputs import jumps_of
 from pydy.solvers.run.constraints import satisfied
-from pydy.solvers.run.problem import jumps_of
 from pydy.trajectory import Columns, Trajectory
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
@@ -318,8 +318,7 @@ class Snapshot:
 
     def jumps(self) -> np.ndarray:
         """Return the times at which sampled inputs jump."""
-        found: np.ndarray = jumps_of(self.plan.sampled)[:, 0]
-        return found
+        return jumps_of(self.plan.sampled)[:, 0]
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""

@@ -4,7 +4,9 @@ from importlib.util import find_spec
 
 if find_spec("llvmlite") is None:
     raise ModuleNotFoundError(
-        "Compiled code needs llvmlite, which is not installed. NumPy and SciPy work without it: "
-        "leave `generator` out, and choose a solver of SciPy's, as system.ode_solver = 'DOP853'.",
+        "Compiled code needs llvmlite, which is not installed: `pip install llvmlite`. Without it "
+        "the equations are evaluated with NumPy and integrated with SciPy (leave `generator` out, "
+        "and set system.ode_solver = 'DOP853'). Native solvers, and with them events, projection, "
+        "ensembles, adjoint gradients, periodic orbits and optimal control, do not work without.",
         name="llvmlite",
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._kernel import Kernel
+from pydy.inputs import jumps_of
 from pydy.solvers.events import stretches
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
@@ -26,7 +27,7 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
-from pydy.solvers.run.problem import NO_JUMPS, jumps_of, lined_up, tables_of
+from pydy.solvers.run.problem import NO_JUMPS, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import (
     NO_CONSTRAINTS,

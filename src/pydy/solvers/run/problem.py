@@ -16,6 +16,7 @@ from pydy._checks import vector
 from pydy._forks import once
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
+from pydy.inputs import jumps_of
 from pydy.solvers.run.layout import Problem
 from pydy.solvers.tuning import BLOCK
 
@@ -89,17 +90,6 @@ def tables_of(
     if not tables:
         return _NO_TABLES
     return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
-
-
-def jumps_of(sampled: Sequence[tuple[np.ndarray, Any]]) -> np.ndarray:
-    """Return the times at which sampled inputs jump, each with the last number before it."""
-    found = [np.zeros(0)]
-    for _, samples in sampled:
-        if samples.interpolation == "previous":
-            changes = np.diff(samples.values.reshape(len(samples.breaks), -1), axis=0)
-            found.append(samples.breaks[1:][changes.any(axis=1)])
-    times = np.unique(np.concatenate(found))
-    return np.stack([times, np.nextafter(times, -np.inf)], axis=1)
 
 
 # -- Python functions ------------------------------------------------------------------------------
