@@ -81,7 +81,7 @@ def test_branches_that_cross_are_followed():
     A = np.zeros((201, 4, 4))
     A[:, 0, 1] = A[:, 2, 3] = 1.0
     A[:, 1, 0], A[:, 3, 2] = -(a**2), -(b**2)
-    spectra, active = pydy.analysis.sweeps.spectra_of(A)
+    spectra, active, _ = pydy.analysis.sweeps.spectra_of(A)
     assert len(active) == 4
     ends = np.sort(np.abs(np.diff(np.abs(spectra), axis=0)).max(axis=0))
     np.testing.assert_allclose(ends, np.sort([0.005, 0.005, 0.0075, 0.0075]), rtol=1e-6)
@@ -424,3 +424,121 @@ def test_a_branch_that_rests_on_the_axis_is_left_where_it_becomes_unstable(count
     assert (gained.value, lost.value) == pytest.approx((0.0, 1.0), abs=1e-11)
     assert (gained.oscillatory, gained.stabilizing) == (True, True)
     assert (lost.oscillatory, lost.stabilizing) == (False, False)
+
+
+def rolling_disc(radius, second):
+    """A uniform disc that rolls without slip, upright; and its rate of spin, and the critical one.
+
+    It is stable from m g r A = C (C + m r²) Ω² on, A = C/2 = m r²/4: Ω² = g/(3 r).
+    """
+    x, y, yaw, lean, spin = me.dynamicsymbols("x y yaw lean spin")
+    frame, origin = inertial_frame()
+    heading = frame.orientnew("Y", "Axis", (yaw, frame.z))
+    leaning = heading.orientnew("L", "Axis", (lean, heading.x))
+    disc = leaning.orientnew("D", "Axis", (spin, leaning.y))
+    centre = origin.locatenew("G", x * frame.x + y * frame.y + radius * leaning.z)
+    centre.set_vel(frame, centre.pos_from(origin).dt(frame))
+    contact = centre.vel(frame) - me.cross(disc.ang_vel_in(frame), radius * leaning.z)
+    g = 9.81 / second**2
+    quarter = radius**2 / 4
+    body = me.RigidBody(
+        "disc", centre, disc, 1.0, (me.inertia(leaning, quarter, 2 * quarter, quarter), centre)
+    )
+    definition = Definition(
+        frame,
+        [x, y, yaw, lean, spin],
+        bodies=[body],
+        loads=[(centre, -g * frame.z)],
+        nonholonomic_constraints=[contact.dot(heading.x), contact.dot(heading.y)],
+    )
+    return System(definition), [x, y, spin], spin.diff(), np.sqrt(g / (3.0 * radius))
+
+
+@pytest.mark.parametrize("count", [31, 32])  # with the critical rate among them, and without
+@pytest.mark.parametrize(("radius", "second"), [(0.3, 1.0), (3e-9, 1e-6), (3e8, 3.15e7)])
+def test_a_rolling_disc_is_stable_from_the_rate_of_spin_that_is_known(radius, second, count):
+    """What is conserved is an eigenvalue of zero, which the disc's was taken for: 1.3 % off."""
+    system, moving, rate, critical = rolling_disc(radius, second)
+    rates = critical * np.linspace(0.5, 2.0, count)
+    (crossing,) = system.eigenvalues({rate: rates}, moving=moving).crossings()
+    assert crossing.value == pytest.approx(critical, rel=1e-8)
+    assert (crossing.oscillatory, crossing.stabilizing) == (False, True)
+
+
+def pushed_cart(damping, extra, push, more):
+    """A cart with a push, and coordinates with equations of their own."""
+    x, v = me.dynamicsymbols("x v")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x)
+    return System(
+        Definition(
+            frame,
+            [x, *extra],
+            [v],
+            bodies=[me.Particle("cart", place, 1)],
+            loads=[(place, (damping * v + push(x, v)) * frame.x)],
+            kinematic_equations=[x.diff() - v, *more(v)],
+        )
+    )
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 11, 41])
+@pytest.mark.parametrize(
+    ("damping", "root"),
+    [
+        (lambda p: sm.exp(5 * p) - 2, np.log(2.0) / 5.0),
+        (lambda p: p**3 - sm.Rational(1, 27), 1.0 / 3.0),
+        (lambda p: 4 * p**2 - 1, 0.5),
+        (lambda p: sm.exp(-9 * p) - sm.Rational(1, 50), np.log(50.0) / 9.0),
+    ],
+)
+def test_a_crossing_beside_an_eigenvalue_that_is_always_zero_is_exact(damping, root, count):
+    p, held = sm.Symbol("p"), me.dynamicsymbols("held")
+    system = pushed_cart(damping(p), [held], lambda x, v: held, lambda v: [held.diff()])
+    over = {p: np.linspace(0.0, 1.0, count)}
+    (crossing,) = system.eigenvalues(over, at=[0.0, 0.0, 0.0]).crossings()
+    assert crossing.value == pytest.approx(root, abs=1e-12)
+
+
+def test_branches_that_are_mixed_up_between_far_values_make_no_crossing():
+    """One decays to zero past a constant one; where it crosses is found by counting."""
+    values = np.linspace(0.0, 1.0, 3)
+
+    def models(at, _=None):
+        return np.array([np.diag([np.exp(-9.0 * p) - 0.02, -0.03]) for p in at])
+
+    sweep = pydy.analysis.sweeps.EigenvalueSweep(
+        "p", values, models(values), ("a", "b"), np.zeros((3, 2)), models
+    )
+    assert [c.value for c in sweep.crossings()] == pytest.approx([np.log(50.0) / 9.0], abs=1e-10)
+
+
+@pytest.mark.parametrize("fast", [1e2, 1e5, 1e7])
+def test_slow_instability_is_seen_beside_fast_motions(fast):
+    """An oscillator with negative damping drives a motor with a resistance: s² − p s + 1 becomes
+
+    (s + R) (s² − p s + 1) + K² s, on the axis where R p² − (1 + K² + R²) p + R K² = 0 (Routh). All
+    was stable that grew more slowly than a millionth of the current decays.
+    """
+    p, current = sm.Symbol("p"), me.dynamicsymbols("current")
+    torque = np.sqrt(0.3 * fast)
+    system = pushed_cart(
+        p,
+        [current],
+        lambda x, v: torque * current - x,
+        lambda v: [current.diff() + fast * current + torque * v],
+    )
+    b = 1.0 + torque**2 + fast**2
+    root = 2.0 * fast * torque**2 / (b + np.sqrt(b**2 - 4.0 * fast**2 * torque**2))
+    values = np.linspace(0.0, 1.0, 12)
+    sweep = system.eigenvalues({p: values}, at=[0.0, 0.0, 0.0])
+    (crossing,) = sweep.crossings()
+    assert crossing.value == pytest.approx(root, rel=1e-15 * fast + 1e-12)
+    assert (crossing.oscillatory, crossing.stabilizing) == (True, False)
+    assert crossing.eigenvalue.imag == pytest.approx(1.0, rel=2.0 / fast)
+    np.testing.assert_array_equal(sweep.stable, values < root)
+    branch = system.follow_equilibria({p: [0.0, 1.0]})
+    (point,) = branch.special
+    assert point.kind == "Hopf"
+    assert point.value == pytest.approx(root, abs=1e-11 * fast)
+    np.testing.assert_array_equal(branch.stable, branch.values < root)

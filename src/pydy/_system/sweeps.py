@@ -19,7 +19,7 @@ from pydy._system.snapshot import Snapshot, samples
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding
-from pydy.analysis.tuning import AT_ONCE, CROSSED
+from pydy.analysis.tuning import AT_ONCE
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -361,7 +361,7 @@ class Sweeps(Setup):
         start = family.alone(np.append(balance.start[:-1], values[0]))
         most = whole(most, "`most`", 2)
         with progress_of(flag(progress, "`progress`"), " points") as told:
-            points, spectra, special, ended, stop = trace(
+            z, stable, special, ended, stop = trace(
                 family.functions(start),
                 family.names,
                 start,
@@ -370,15 +370,13 @@ class Sweeps(Setup):
                 most,
                 lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
             )
-        z = np.array(points)
-        limit = CROSSED * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
         branch = EquilibriumBranch(
             parameter=family.names[-1],
             values=z[:, -1].copy(),
             unknowns=family.names[:-1],
             solutions=z[:, :-1].copy(),
             states=balance.at(z).x,
-            stable=np.array([s.real.max(initial=-np.inf) <= limit for s in spectra]),
+            stable=stable,
             special=tuple(special),
             ended=ended,
         )

@@ -22,6 +22,7 @@ from pydy._optional import require
 from pydy._rank import DEPENDENT, HALF, ROUNDED, or_one, rank_of, unrounded
 from pydy.analysis.equilibria import Sizes
 from pydy.analysis.tuning import (
+    ASTRAY,
     CROSSED,
     ON_BRANCH,
     STEEPEST_TURN,
@@ -141,9 +142,13 @@ class _Point:
     spectrum: np.ndarray
     rounding: np.ndarray  # of the spectrum
 
-    def pairs(self, limit: float, above: float | np.ndarray) -> np.ndarray:
+    def zero(self, most: float) -> np.ndarray:
+        """The parts of each eigenvalue that are zero, at most as large as that."""
+        return np.minimum(most, ASTRAY * self.rounding)
+
+    def pairs(self, zero: np.ndarray, above: np.ndarray) -> np.ndarray:
         """The upper ones of the conjugate pairs with a real part above a level."""
-        return self.spectrum[(self.spectrum.imag > limit) & (self.spectrum.real > above)]
+        return self.spectrum[(self.spectrum.imag > zero) & (self.spectrum.real > above)]
 
 
 class _Curve:
@@ -244,7 +249,7 @@ class _Curve:
 
     @cached_property
     def limit(self) -> float:
-        """The real part of an eigenvalue that is zero."""
+        """The largest real part of an eigenvalue that is zero."""
         return CROSSED * float(np.abs(self.spectrum(self.origin)[0]).max(initial=0.0))
 
     def point(self, z: np.ndarray, before: np.ndarray) -> _Point:
@@ -264,8 +269,8 @@ def trace(
     step: float,
     most: int,
     told: Callable[[float], None],
-) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str, BaseException | None]:
-    """Follow F(z) = 0 from a solution; also say how it ended.
+) -> tuple[np.ndarray, np.ndarray, list[SpecialPoint], str, BaseException | None]:
+    """Follow F(z) = 0 from a solution; also say which points are stable, and how it ended.
 
     If Ctrl-C or the end of memory stopped it, that is returned last.
 
@@ -286,7 +291,9 @@ def trace(
         ended = _followed(curve, points, special, bounds, step, most, told)
     except (KeyboardInterrupt, MemoryError) as stop:
         ended, stopped = "interrupted", stop
-    return [p.z for p in points], [p.spectrum for p in points], special, ended, stopped
+    limit = CROSSED * max(float(np.abs(p.spectrum).max(initial=0.0)) for p in points)
+    stable = np.array([(p.spectrum.real <= p.zero(limit)).all() for p in points])
+    return np.array([p.z for p in points]), stable, special, ended, stopped
 
 
 def _followed(
@@ -360,7 +367,7 @@ def _between(curve: _Curve, a: _Point, b: _Point, length: float, place: int) -> 
         if point is None:
             continue
         if kind == "Hopf":
-            pairs = point.spectrum[point.spectrum.imag > curve.limit].imag
+            pairs = point.spectrum[point.spectrum.imag > point.zero(curve.limit)].imag
             frequency = float(pairs[np.abs(pairs - frequency).argmin()])
         values = dict(zip(curve.names[:-1], point.z[:-1].tolist(), strict=True))
         result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, place))
@@ -373,15 +380,19 @@ def _oscillation(curve: _Curve, a: _Point, b: _Point, length: float) -> tuple[fl
     Without damping real parts are zero up to rounding until two frequencies meet. Those that a
     little damping leaves are told from rounding by its bounds.
     """
-    limit = curve.limit
-    before, after = len(a.pairs(limit, limit)), len(b.pairs(limit, limit))
-    unstable = [int((p.spectrum.real > limit).sum()) for p in (a, b)]
+    zero = [p.zero(curve.limit) for p in (a, b)]
+    before, after = (len(p.pairs(limit, limit)) for p, limit in zip((a, b), zero, strict=True))
+    unstable = [int((p.spectrum.real > limit).sum()) for p, limit in zip((a, b), zero, strict=True)]
     if before == after or abs(unstable[1] - unstable[0] - 2 * (after - before)) > 1:
         return None  # or a pair became real
-    told = all(len(p.pairs(limit, p.rounding)) == n for p, n in ((a, before), (b, after)))
+    told = all(
+        len(p.pairs(limit, p.rounding)) == n
+        for p, limit, n in zip((a, b), zero, (before, after), strict=True)
+    )
     middle = 0.5 * (before + after)
 
     def new(p: _Point) -> np.ndarray:
+        limit = p.zero(curve.limit)
         return p.pairs(limit, p.rounding if told else limit)
 
     ends = _bisected(curve, a, length, lambda p: len(new(p)) - middle)

@@ -14,7 +14,7 @@ import scipy
 from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy.analysis.linear import complex_plane
-from pydy.analysis.tuning import AT_ONCE, CROSSED
+from pydy.analysis.tuning import ASTRAY, AT_ONCE, CROSSED, LEFT_AXIS, LOOKED_AT
 from pydy.plot import axes_of, with_unit
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -67,7 +67,7 @@ class EigenvalueSweep:
     _models: Models = field(repr=False)
 
     @cached_property
-    def _spectra(self) -> tuple[np.ndarray, np.ndarray]:
+    def _spectra(self) -> tuple[np.ndarray, np.ndarray, int]:
         return spectra_of(self.A)
 
     @property
@@ -75,13 +75,18 @@ class EigenvalueSweep:
         """Eigenvalues in 1/s, shape (m, k), complex.
 
         A column is a branch, followed from value to value; at the first value the largest real part
-        comes first. Zeros of `neutral` states come last.
+        comes first. What is zero at all values comes last.
         """
         return self._spectra[0]
 
     @property
     def _active(self) -> np.ndarray:
         return self._spectra[1]
+
+    @property
+    def _branches(self) -> int:
+        """How many branches are not zero at all values."""
+        return len(self._active) - self._spectra[2]
 
     def __str__(self) -> str:
         return (
@@ -94,17 +99,25 @@ class EigenvalueSweep:
     @property
     def stable(self) -> np.ndarray:
         """Whether no real part is positive, shape (m,); rounding errors of zero are ignored."""
-        largest: np.ndarray = self.eigenvalues.real.max(axis=1)
-        return largest <= self._nothing
+        return np.asarray((self.eigenvalues.real <= self._nothing).all(axis=1))
 
     @property
     def neutral(self) -> tuple[str, ...]:
         """States on which no other state depends: each has an eigenvalue of zero."""
         return tuple(name for k, name in enumerate(self.states) if k not in self._active)
 
-    @property
-    def _nothing(self) -> float:
-        return CROSSED * float(np.abs(self.eigenvalues).max(initial=0.0))
+    @cached_property
+    def _nothing(self) -> np.ndarray:
+        """Real parts that are zero, for each eigenvalue."""
+        found = self.eigenvalues
+        most = CROSSED * float(np.abs(found).max(initial=0.0))
+        limits = np.full(found.shape, most)
+        doubtful = ((found.real != 0.0) & (np.abs(found.real) <= most)).any(axis=1)
+        for k in np.flatnonzero(doubtful):
+            spectrum, rounding = self._spectrum(self.A[k])
+            nearest = np.abs(found[k, : len(spectrum), None] - spectrum).argmin(axis=1)
+            limits[k, : len(spectrum)] = np.minimum(most, ASTRAY * rounding[nearest])
+        return limits
 
     def crossings(self) -> tuple[Crossing, ...]:
         """Return where branches cross the imaginary axis, ascending in the parameter.
@@ -113,25 +126,27 @@ class EigenvalueSweep:
         Only one of a conjugate pair is listed. Without damping, branches lie on the axis until they
         meet and one becomes unstable: these points are listed too.
         """
-        real, limit = self.eigenvalues.real, self._nothing
         found = []
-        for branch in range(len(self._active)):
-            seen = np.flatnonzero(np.abs(real[:, branch]) > limit)
-            signs = np.sign(real[seen, branch])
+        for branch in range(self._branches):
+            real, limit = self.eigenvalues[:, branch].real, self._nothing[:, branch]
+            seen = np.flatnonzero(np.abs(real) > limit)
+            signs = np.sign(real[seen])
             for k in np.flatnonzero(signs[1:] != signs[:-1]):
-                first, last = seen[k], seen[k + 1]
+                first, last = int(seen[k]), int(seen[k + 1])
                 middle = self.eigenvalues[first : last + 1, branch].imag
-                if middle.mean() > -limit and not self._rests(branch, int(first), int(last)):
-                    found.append(self._refined(branch, int(first), int(last)))
+                lower = middle.mean() <= -max(limit[first], limit[last])
+                if not lower and not self._rests(branch, first, last):
+                    found.append(self._refined(branch, first, last))
             for inside, out in self._departures(branch):
-                if self.eigenvalues[out, branch].imag > -limit:
+                if self.eigenvalues[out, branch].imag > -limit[out]:
                     found.append(self._departed(branch, inside, out))
-        return tuple(sorted(found, key=lambda crossing: crossing.value))
+        real_ones = (crossing for crossing in found if crossing is not None)
+        return tuple(sorted(real_ones, key=lambda crossing: crossing.value))
 
     def _departures(self, branch: int) -> list[tuple[int, int]]:
         """Return the position on the axis next to an unstable part of a branch."""
-        real, limit = self.eigenvalues[:, branch].real, self._nothing
-        seen = np.flatnonzero(np.abs(real) > limit)
+        real = self.eigenvalues[:, branch].real
+        seen = np.flatnonzero(np.abs(real) > self._nothing[:, branch])
         found = []
         for k, place in enumerate(seen):
             if real[place] < 0.0:
@@ -165,27 +180,31 @@ class EigenvalueSweep:
 
     def _nearest(self, branch: int, a: int, b: int, share: float) -> tuple[complex, float]:
         """Return the eigenvalue of a branch at a share of the way between values, its rounding."""
-        value, start, expected = (
-            of[a] + share * (of[b] - of[a])
-            for of in (self.values, self.equilibria, self.eigenvalues[:, branch])
-        )
-        spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
-        k = np.abs(spectrum - expected).argmin()
+        first, last = self.eigenvalues[[a, b], branch]
+        spectrum, rounding = self._between(a, b, share)
+        k = np.abs(spectrum - (first + share * (last - first))).argmin()
         return complex(spectrum[k]), float(rounding[k])
 
     def _spectrum(self, A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return with_rounding(A[np.ix_(self._active, self._active)])
 
-    def _departed(self, branch: int, inside: int, out: int) -> Crossing:
-        """Return the point between two values at which a branch leaves the axis."""
-        low, high = 0.0, 1.0
-        while high - low > ROUNDED:
-            middle = 0.5 * (low + high)
-            found, rounding = self._nearest(branch, inside, out, middle)
-            low, high = (low, middle) if found.real > rounding else (middle, high)
-        return self._crossing(branch, inside, out, high, inside > out)
+    def _between(self, a: int, b: int, share: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return the eigenvalues between two values, without those that are always zero."""
+        value, start = (of[a] + share * (of[b] - of[a]) for of in (self.values, self.equilibria))
+        spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
+        order = np.argsort(-np.abs(spectrum))[: self._branches]
+        return spectrum[order], rounding[order]
 
-    def _refined(self, branch: int, first: int, last: int) -> Crossing:
+    def _departed(self, branch: int, inside: int, out: int) -> Crossing | None:
+        """Return the point between two values at which a branch leaves the axis."""
+
+        def left(share: float) -> bool:
+            found, rounding = self._nearest(branch, inside, out, share)
+            return found.real > rounding
+
+        return self._found(branch, (inside, out), _bisected(left), LEFT_AXIS, inside > out)
+
+    def _refined(self, branch: int, first: int, last: int) -> Crossing | None:
         """Return the point between two values at which a branch passes the axis."""
         share = scipy.optimize.brentq(
             lambda share: self._nearest(branch, first, last, share)[0].real,
@@ -195,15 +214,50 @@ class EigenvalueSweep:
             rtol=4 * np.finfo(float).eps,
         )
         stabilizing = bool(self.eigenvalues[last, branch].real < 0.0)
-        return self._crossing(branch, first, last, share, stabilizing)
+        return self._found(branch, (first, last), share, CROSSED, stabilizing)
 
-    def _crossing(self, branch: int, a: int, b: int, share: float, stabilizing: bool) -> Crossing:
-        frequency = self._nearest(branch, a, b, share)[0].imag
+    def _found(
+        self, branch: int, ends: tuple[int, int], share: float, near: float, stabilizing: bool
+    ) -> Crossing | None:
+        """Return a crossing, if the branch is on the axis there: another may be taken for it."""
+        found, rounding = self._nearest(branch, *ends, share)
+        size = float(np.abs(self.eigenvalues[list(ends), branch]).max())
+        if abs(found.real) > max(near * size, ASTRAY * rounding):
+            return self._counted(branch, *ends, stabilizing)
+        return self._crossing(branch, ends, share, found.imag, stabilizing)
+
+    def _counted(self, branch: int, a: int, b: int, stabilizing: bool) -> Crossing | None:
+        """Return where the number of unstable eigenvalues changes between two values, if it does.
+
+        This needs no branches, but takes several crossings between the values for one.
+        """
+
+        def unstable(share: float) -> int:
+            spectrum, rounding = self._between(a, b, share)
+            return int((spectrum.real > rounding).sum())
+
+        before = unstable(0.0)
+        if unstable(1.0) == before:
+            return None
+        share = _bisected(lambda share: unstable(share) != before)
+        spectrum = self._between(a, b, share)[0]
+        frequency = abs(complex(spectrum[np.abs(spectrum.real).argmin()]).imag)
+        return self._crossing(branch, (a, b), share, frequency, stabilizing)
+
+    def _crossing(
+        self,
+        branch: int,
+        ends: tuple[int, int],
+        share: float,
+        frequency: float,
+        stabilizing: bool,
+    ) -> Crossing:
+        a, b = ends
         return Crossing(
             value=float(self.values[a] + share * (self.values[b] - self.values[a])),
             eigenvalue=complex(0.0, frequency),
             branch=branch,
-            oscillatory=abs(frequency) > self._nothing,
+            oscillatory=abs(frequency) > float(self._nothing[[a, b], branch].max()),
             stabilizing=stabilizing,
         )
 
@@ -244,11 +298,23 @@ class EigenvalueSweep:
         return ax
 
 
-def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _bisected(beyond: Callable[[float], bool]) -> float:
+    """Return the first share of the way, up to rounding, from which a condition holds at 1."""
+    low, high = 0.0, 1.0
+    while high - low > ROUNDED:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if beyond(middle) else (middle, high)
+    return high
+
+
+def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     """Return the eigenvalues of state matrices in branches, and the states that matter to others.
 
     A column of zeros, such as that of a vehicle's position, is an eigenvalue of zero. Left in, it
-    would join others to one multiple eigenvalue, of which only half the digits can be had.
+    would join others to one multiple eigenvalue, of which only half the digits can be had. What is
+    conserved otherwise is an eigenvalue of zero too, which a branch that passes zero must not be
+    taken for: how many of the states that matter have one is returned last. Their columns are
+    behind the branches.
     """
     m, k = A.shape[:2]
     # Parts of some milliseconds, between which a Ctrl-C is heard; no copy of all.
@@ -273,10 +339,29 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             break
         active = left
     found = np.zeros((m, k), dtype=complex)
+    zeros = 0
     if active.size:
-        spectra = [np.linalg.eigvals(part[:, active[:, None], active]) for part in parts]
-        found[:, : len(active)] = _followed(np.concatenate(spectra).astype(complex))
-    return found, active
+        computed = [np.linalg.eigvals(part[:, active[:, None], active]) for part in parts]
+        spectra = np.concatenate(computed).astype(complex)
+        zeros = _always_zero(A, active, spectra)
+        order = np.argsort(-np.abs(spectra), axis=1, kind="stable")
+        spectra = np.take_along_axis(spectra, order, axis=1)
+        count = len(active) - zeros
+        found[:, :count] = _followed(spectra[:, :count])
+        found[:, count : len(active)] = spectra[:, count:]
+    return found, active, zeros
+
+
+def _always_zero(A: np.ndarray, active: np.ndarray, spectra: np.ndarray) -> int:
+    """Return how many eigenvalues are zero, up to rounding, in each of some matrices."""
+    most = CROSSED * float(np.abs(spectra).max(initial=0.0))
+    count = int((np.abs(spectra) <= most).sum(axis=1).min())
+    for k in np.unique(np.linspace(0, len(A) - 1, LOOKED_AT, dtype=int)):
+        if count == 0:
+            break
+        found, rounding = with_rounding(A[k][np.ix_(active, active)])
+        count = min(count, int((np.abs(found) <= np.minimum(most, ASTRAY * rounding)).sum()))
+    return count
 
 
 def with_rounding(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

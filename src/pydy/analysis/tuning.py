@@ -24,6 +24,18 @@ CROSSED = 1e-6
 the square root of a rounding, 1e-8, and at more where equilibria are found one by one: those of
 coordinates that may be anywhere. A Bode plot is not drawn down to such."""
 
+ASTRAY = 4096.0
+"""How much further from zero than by rounding of its matrix an eigenvalue of zero may be: matrices
+at equilibria that are found are good to 1e-11, not to 1e-15. For simple eigenvalues this is far
+below CROSSED: slow motions are told from none beside much faster ones."""
+
+LEFT_AXIS = 1e-3
+"""The real part, as a share of that at the next value, of a branch that just left the axis: it
+grows as a root of the distance, a cubic one where three meet."""
+
+LOOKED_AT = 32
+"""Values of a sweep at which an eigenvalue is zero that is taken as zero at all of them."""
+
 # -- periodic orbits -------------------------------------------------------------------------------
 
 ORBIT_CLOSED = 1e-9
