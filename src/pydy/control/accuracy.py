@@ -14,7 +14,14 @@ The multipliers are not: where a control jumps inside an interval, they are off 
 change in it. Its polynomial may leave the bounds between the points, and equations may be missed
 there, with which the objective is too small; elsewhere in the interval other controls would do
 better, and the multipliers let one make up for the other exactly. What counts is the larger of the
-two, with the sign of their sum: their difference is no more certain than that.
+two, with the sign of their sum: their difference is no more certain than that. The constant
+controls of the midpoint rule miss and gain nearly as much everywhere: where controls are free, or
+at their bounds, all along an interval, their difference counts.
+
+The multipliers at the points of the midpoint rule and of Hermite–Simpson are as wrong as h², as
+stages of an adjoint method, and the controls with them, which is all of the error of the objective.
+The costates at the nodes have the order of the method: Λ follows from cubics through these, with
+the slopes of the adjoint equation.
 
 References
 ----------
@@ -25,15 +32,17 @@ element methods, Acta Numerica 10 (2001) 1–102, §2 (residuals weighted by the
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
 from pydy._errors import warn_user
 from pydy._rank import or_one
+from pydy.control.costates import costates_of
 from pydy.control.ipopt import Solution
 from pydy.control.nlp import Nlp
-from pydy.control.schemes import derivatives, lagrange, radau_points
+from pydy.control.schemes import Slots, derivatives, lagrange, radau_points
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import JUMPS, ONE_DIGIT, SECANTS, STEP, TOLERANCE
 
@@ -52,18 +61,26 @@ def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.nd
     s, w, k = np.repeat((1.0 + s) / 2, M), w / 2, np.tile(np.arange(M), len(s))
     h = np.diff(made.mesh)
     point = _Between(made, nlp, solution, k, s)
+    if scheme.name != "radau":
+        with suppress(np.linalg.LinAlgError):  # a singular mass matrix
+            point.multipliers[: made.problem.states] = _by_costates(made, nlp, solution, point, s)
+    given = point.given()
 
     def integral(density: np.ndarray) -> np.ndarray:
         found: np.ndarray = h * (w @ density.reshape(len(w), M))
         return found
 
-    missed = integral(point.given + _passed_bounds(made, solution, k, s))
-    missed -= _quadrature(made, nlp, z)
-    change = point.least() - point.given
+    beside = _beside_bounds(made, solution, k, s)
+    missed = integral(given + beside) - _quadrature(made, nlp, z)
+    change = point.least() - given
     raised = np.maximum(missed, 0.0) + integral(np.maximum(change, 0.0))
     lowered = np.minimum(missed, 0.0) + integral(np.minimum(change, 0.0))
-    larger: np.ndarray = np.where(raised + lowered > 0.0, raised, lowered)
-    return larger
+    total = raised + lowered
+    larger: np.ndarray = np.where(total > 0.0, raised, lowered)
+    if scheme.name != "midpoint":
+        return larger
+    slack = integral(np.abs(beside) + point.slack())
+    return np.where(point.steady & (slack <= ONE_DIGIT * np.abs(total)), total, larger)
 
 
 def relative_errors(found: Any, tolerance: float, objective: float) -> np.ndarray:
@@ -153,7 +170,8 @@ class _Between:
         z, p, scheme = solution.z, made.problem, made.scheme
         states, controls, _, T = made.split(z)
         M, length = made.intervals, np.diff(made.mesh)[k]
-        self.fractions, h = made.mesh[k] + s * length, length * T
+        self.fractions, self.h = made.mesh[k] + s * length, length * T
+        h = self.h
         basis, powers = scheme.states.basis(s)
         # The derivatives of the basis, from its values at the nodes of polynomials of that degree.
         nodes = np.append(0.0, radau_points(max(scheme.order, 3)))
@@ -175,11 +193,9 @@ class _Between:
         self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
         self.multipliers = self._multipliers(nlp, solution, k, s)
         self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))
-        # With the polynomials, which may leave the bounds; then with controls within them.
-        own, of_polynomials = slice(self.first, self.first + len(p.controls)), self.lagrangian()
-        self.X[own] = made.controls_in(z, k, s).T
-        finite = np.isfinite(of_polynomials)
-        self.given = np.where(finite, of_polynomials, self.lagrangian())
+        # Whether all controls are either free or at their bounds, all along each interval.
+        self.steady = np.ones(M, dtype=bool)
+        self.within = made.controls_in(z, k, s).T
 
     def _multipliers(
         self, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
@@ -204,6 +220,32 @@ class _Between:
         # Those of inequalities have a sign, which a polynomial need not keep.
         found[self.piece.high == np.inf] = np.minimum(found[self.piece.high == np.inf], 0.0)
         found[self.piece.low == -np.inf] = np.maximum(found[self.piece.low == -np.inf], 0.0)
+        return found
+
+    def given(self) -> np.ndarray:
+        """Return L + Λ · r of the polynomials, which may leave the bounds; set controls within."""
+        of_polynomials = self.lagrangian()
+        self.X[self.first : self.first + len(self.within)] = self.within
+        finite = np.isfinite(of_polynomials)
+        found: np.ndarray = np.where(finite, of_polynomials, self.lagrangian())
+        return found
+
+    def by_states(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return derivatives of rows, the last one the objective, by states and by their rates."""
+        f, n, P = self.piece.functions, self.made.problem.states, self.piece.constants
+        found = np.zeros((self.piece.rows + 1, len(self.X), self.X.shape[1]))
+        found[tuple(f.jacobian_at.T)] = f("jacobian", self.X, self.R, P)
+        found[-1, f.gradient_at] = f("gradient", self.X, self.R, P)
+        first, second = found[:, :n], found[:, n : 2 * n]
+        if self.made.scheme.name == "midpoint":  # whose slots are the nodes
+            return first + second, (second - first) * self.h / 2
+        return first, second
+
+    def slack(self) -> np.ndarray:
+        """Return by how much inequalities of the path differ from zero, times their multipliers."""
+        rows = self.piece.functions("rows", self.X, self.R, self.piece.constants)
+        open_ = self.piece.low < self.piece.high
+        found: np.ndarray = np.abs(self.multipliers * rows)[open_].sum(axis=0)
         return found
 
     def lagrangian(self) -> np.ndarray:
@@ -258,14 +300,56 @@ class _Between:
                 b, other = np.where(left, b, m), np.where(left, other, between)
             flat = np.where(np.abs(slope) < np.abs(other), a, b)
             self.X[self.first + i] = np.where(falls, end, flat)
+            kinds = falls & (np.abs(end - self.within[i]) <= STEP * size), ~falls & (bend > 0.0)
+            self.steady &= np.any(
+                [kind.reshape(-1, self.made.intervals).all(axis=0) for kind in kinds], axis=0
+            )
         found: np.ndarray = np.fmin(before, self.lagrangian())
         return found
 
 
-def _passed_bounds(
+def _by_costates(
+    made: Transcription, nlp: Nlp, solution: Solution, point: _Between, s: np.ndarray
+) -> np.ndarray:
+    """Return the multipliers of the equations by cubics through the costates at the nodes.
+
+    With q = (∂r/∂x')ᵀ Λ / T, the negative costate, dq/dτ = ∂L/∂x + Λ · ∂r/∂x + ν. Of the multiplier
+    of a bound at a node, the intervals on both sides have a share each.
+    """
+    M, n, T = made.intervals, made.problem.states, made.split(solution.z)[3]
+    h, k = np.diff(made.mesh), np.arange(made.intervals)
+    jump = _of_bounds(made, solution)[:, :, : M + 1]
+    share = (jump[1] - jump[0]) / (np.append(h, 0.0) + np.append(0.0, h))
+    first, last = costates_of(made, nlp, solution)
+    q = np.concatenate([-first - h * share[:, :M], h * share[:, 1:] - last], axis=1)
+    ends = _Between(made, nlp, solution, np.tile(k, 2), np.repeat([0.0, 1.0], M))
+    x, rates = ends.by_states()
+    ends.multipliers[:n] = _solved(rates[:n], T * q)
+    slopes = x[-1] + np.einsum("rp,rvp->vp", ends.multipliers, x[:-1])
+    slopes += np.concatenate([share[:, :M], share[:, 1:]], axis=1)
+    basis, at = Slots(2).basis(s)[0], np.tile(k, len(s) // M)
+    both = (q[:, at], q[:, M + at], h[at] * slopes[:, at], h[at] * slopes[:, M + at])
+    own = sum(b * values for b, values in zip(basis, both, strict=True))
+    return _solved(point.by_states()[1][:n], T * own)
+
+
+def _solved(rates: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """Return Λ of (∂r/∂x')ᵀ Λ = q at each point."""
+    found: np.ndarray = np.linalg.solve(rates.transpose(2, 1, 0), q.T[..., None])[..., 0].T
+    return found
+
+
+def _of_bounds(made: Transcription, solution: Solution) -> np.ndarray:
+    """Return the multipliers of low and high bounds of the states' slots, shape (2, n, slots)."""
+    found = np.array([made.split(side)[0] for side in (solution.below, solution.above)])
+    found[:, :, [0, made.intervals]] = 0.0  # `start` and `end` are no bounds of the motion
+    return found
+
+
+def _beside_bounds(
     made: Transcription, solution: Solution, k: np.ndarray, s: np.ndarray
 ) -> np.ndarray:
-    """Return ν · (x − b) where states pass their bounds between the points."""
+    """Return ν · (x − b): states pass their bounds between the points, or are within."""
     scheme, M, h = made.scheme, made.intervals, np.diff(made.mesh)
     x = made.states_at(solution.z, (made.mesh[k] + s * h[k]) * made.split(solution.z)[3]).T
     if scheme.name == "radau" and scheme.order > 1:
@@ -277,13 +361,16 @@ def _passed_bounds(
         weights = np.array([around[:-1], around[1:]]) / 2
     basis = lagrange(nodes, s)
     fractions, found = made.mesh[k] + s * h[k], np.zeros(len(k))
-    for side, (sign, values) in enumerate(((-1.0, solution.below), (1.0, solution.above))):
-        values = made.split(values)[0].copy()
-        values[:, [0, M]] = 0.0  # `start` and `end` are no bounds of the motion
+    for side, (sign, values) in enumerate(
+        zip((-1.0, 1.0), _of_bounds(made, solution), strict=True)
+    ):
         for row, own, bounds in zip(x, values, made.problem.state_bounds, strict=True):
             if np.isfinite(bound := bounds[side](fractions)).all():
                 nu = ((own[slots] / weights)[:, k] * basis).sum(axis=0)
-                found += np.maximum(nu, 0.0) * np.maximum(sign * (row - bound), 0.0)
+                beyond = sign * (row - bound)
+                if scheme.name == "radau":  # whose points inside of intervals are within
+                    beyond = np.maximum(beyond, 0.0)
+                found += np.maximum(nu, 0.0) * beyond
     return found
 
 

@@ -27,6 +27,7 @@ from pydy.control.refine import (
     carried_errors,
     checked_mesh,
     interval_errors,
+    refined,
     refuse_singular,
     refuse_unsolvable,
 )
@@ -77,6 +78,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         Constants that are found. The search begins at the system's values.
     mesh : int or array_like, optional
         The number of equal intervals, or ascending nodes, which are scaled to the duration.
+        Instants of `objective` and `boundary` inside the motion become nodes too.
     method : {'radau', 'hermite-simpson', 'midpoint', 'backward-euler'}, optional
         Radau has `order` points an interval, and converges with the order 2 `order` − 1 in the
         length of the intervals; the others have the orders 4, 2 and 1.
@@ -175,6 +177,9 @@ class OptimalControl(Search[OptimalTrajectory]):
         known = {*definition.constants, *last}
         reader = Reader(equations.time, definition.states, self._controls, known, duration)
         self._problem = self._read(reader, objective, boundary, path, hessian)
+        # Costates jump at instants inside the motion, which no polynomial follows.
+        within = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
+        self._mesh = refined(self._mesh, 0.0 * self._mesh[1:], 1.0, 1, within)
 
     def _read(
         self, reader: Reader, objective: Any, boundary: Any, path: Any, hessian: Any

@@ -14,6 +14,7 @@ from pydy._names import unique_names
 from pydy._optional import require
 from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.accuracy import objective_errors
+from pydy.control.costates import costates_of
 from pydy.control.ipopt import (
     INFEASIBLE,
     STATUS,
@@ -133,8 +134,8 @@ class OptimalTrajectory(Trajectory):
         An estimate of what a finer mesh would gain or lose, to second order: what the equations
         miss between the collocation points, and what controls within their bounds would gain
         there, each by the multipliers. The larger of the two counts, since one need not make up for
-        the other: where controls jump inside intervals, as at the ends of singular arcs, it is a
-        bound rather than an estimate. NaN for systems with constraints under 'midpoint' and
+        the other: where controls jump or states meet bounds inside intervals, it is a bound rather
+        than an estimate. NaN for systems with constraints under 'midpoint' and
         'hermite-simpson'.
         """
         return objective_errors(self._transcription, self._nlp, self.solution)
@@ -153,31 +154,14 @@ class OptimalTrajectory(Trajectory):
             The system has constraints and the method is 'hermite-simpson', whose constraints at
             nodes belong to two intervals.
         """
-        made, nlp, z = self._transcription, self._nlp, self.solution.z
-        if made.scheme.name == "hermite-simpson":
-            if made.problem.equations.constraints:
-                raise NotImplementedError(
-                    "The method 'hermite-simpson' has no costates of systems with constraints: "
-                    "these belong, at nodes, to the intervals on both sides. Use 'radau'."
-                )
-            return dict(zip(self._states, _simpson_costates(made, nlp, self.solution), strict=True))
-        slots, M, n = len(made.places[0]), made.intervals, made.problem.states
-        found = np.zeros((n, M + 1))
-        nodes = np.arange(n)[:, None] * slots
-        for piece, weights in nlp.by_piece(self.solution.multipliers)[: len(made.points)]:
-            own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
-            f = piece.functions
-            slopes = [*zip(f.gradient_at, piece.evaluate("gradient", z), strict=True)]
-            for (i, j), row in zip(f.jacobian_at, piece.evaluate("jacobian", z), strict=True):
-                slopes.append((j, weights[i] * row))
-            for variable, values in slopes:
-                state, slot = np.divmod(piece.at[variable], slots)
-                for node, sign in ((own, 1.0), (np.full_like(own, M), -1.0)):
-                    # What an interval adds by its first node; of the last one also by its last.
-                    there = (piece.at[variable] < nodes[-1, 0] + slots) & (slot == node)
-                    there &= (own == node) | ((node == M) & (own == M - 1))
-                    np.add.at(found, (state[there], node[there]), sign * values[there])
-        return dict(zip(self._states, found, strict=True))
+        made = self._transcription
+        if made.scheme.name == "hermite-simpson" and made.problem.equations.constraints:
+            raise NotImplementedError(
+                "The method 'hermite-simpson' has no costates of systems with constraints: "
+                "these belong, at nodes, to the intervals on both sides. Use 'radau'."
+            )
+        first, last = costates_of(made, self._nlp, self.solution)
+        return dict(zip(self._states, np.append(first, last[:, -1:], axis=1), strict=True))
 
     def plot_controls(self, axes: Any = None) -> Any:
         """Plot the controls over time, dashed their bounds, and the nodes; return the Axes.
@@ -333,37 +317,6 @@ def _multipliers(
         order = np.argsort(np.concatenate(when[name]), kind="stable")
         found[name] = np.concatenate(rows)[order]
     return found, np.sort(np.concatenate(fractions)) * duration
-
-
-def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
-    """Return the derivatives of the objective, from each node on, by the states there, (n, M + 1).
-
-    The equations of a node serve the intervals on both sides, which have a share each in their
-    multipliers: the Lagrangian of either side alone is stationary in the slope at the node.
-    """
-    n, M = made.problem.states, made.intervals
-    found = []
-    # At nodes, and in the middle of intervals.
-    for piece, multipliers in nlp.by_piece(solution.multipliers)[:2]:
-        f = piece.functions
-        slopes = np.zeros((piece.rows + 1, len(piece.at), piece.points))
-        # Rows with their derivatives by the variables, the last one that of the objective.
-        slopes[tuple(f.jacobian_at.T)] = piece.evaluate("jacobian", solution.z)
-        slopes[piece.rows, f.gradient_at] = piece.evaluate("gradient", solution.z)
-        found.append((np.vstack([multipliers, np.ones(piece.points)]), slopes))
-    (own, rows), (middle, inner) = found
-    x0, x1, v0 = np.einsum("rm,rvm->vm", middle, inner)[: 3 * n].reshape(3, n, M)
-    h = np.diff(made.mesh)
-    shares = np.concatenate([[1.0], h[1:] / (h[1:] + h[:-1]), [0.0]])
-    x, v = np.einsum("rm,rvm->vm", own[n:], rows[n:])[: 2 * n].reshape(2, n, M + 1) * shares
-    x[:, :M] += x0
-    v[:, :M] += v0
-    by_slope = rows[:n, n : 2 * n].transpose(2, 1, 0)
-    after = -np.linalg.solve(by_slope, v.T[..., None])[..., 0].T
-    costates: np.ndarray = x + np.einsum("rm,rvm->vm", after, rows[:n, :n])
-    # After the last node there is nothing: the derivative by what is before, its sign changed.
-    costates[:, M] = -x1[:, -1] - np.einsum("r,rv->v", own[:, M], rows[:, :n, M])
-    return costates
 
 
 def why_in_vain(
