@@ -14,11 +14,11 @@ from pydy._rank import ROUNDED
 _STATES = 3
 
 
-def dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
-    """Return the sum of the products of entries."""
+def dot(graph: Graph, a: Sequence[int], b: Sequence[int], *more: tuple[int, float]) -> int:
+    """Return the sum of the products of entries, and of `more` nodes with their factors."""
     zero = graph.zero
     both = [(x, y) for x, y in zip(a, b, strict=True) if x != zero != y]
-    return graph.sum([(graph.mul(x, y), 1.0) for x, y in both])
+    return graph.sum([*more, *((graph.mul(x, y), 1.0) for x, y in both)])
 
 
 def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:

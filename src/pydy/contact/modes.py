@@ -13,6 +13,7 @@ from pydy._forks import cached_property
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
+from pydy._mechanics.components import dot
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
 from pydy._names import name_of
@@ -104,14 +105,8 @@ class Mode:
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
         self._solve(g, held, every)
-        accelerations = [
-            g.sum([(a, 1.0), *(
-                (g.mul(moved[k], force), 1.0)
-                for moved, force in zip(rows.moves, self.forces, strict=True)
-            )])
-            for k, a in enumerate(rows.free)
-        ]  # fmt: skip
-        forcing = [rows.dot(g, line, accelerations) for line in formed.matrix]
+        accelerations = rows.rates(g, self.forces)
+        forcing = [dot(g, line, accelerations) for line in formed.matrix]
         gaps = [
             c.unilateral.gap
             for c, n in zip(rows.contacts, rows.normal, strict=True)
@@ -160,23 +155,15 @@ class Mode:
             if mode == STICKS:
                 unknown += [{row: g.one} for row in tangent]
         known = [g.sum(part) for part in forces]
-        base = [
-            g.sum([(a, 1.0), *(
-                (g.mul(moved[k], f), 1.0) for moved, f in zip(rows.moves, known, strict=True)
-            )])
-            for k, a in enumerate(rows.free)
-        ]  # fmt: skip
+        base = rows.rates(g, known)
         columns = [
-            [
-                g.sum([(g.mul(rows.moves[r][k], share), 1.0) for r, share in part.items()])
-                for k in range(len(base))
-            ]
-            for part in unknown
+            [dot(g, [rows.moves[r][k] for r in p], [*p.values()]) for k in range(len(base))]
+            for p in unknown
         ]
         right = [g.neg(rows.acceleration(g, k, base)) for k in held]
-        matrix = [[rows.dot(g, rows.jacobian[k], column) for column in columns] for k in held]
+        matrix = [[dot(g, rows.jacobian[k], column) for column in columns] for k in held]
         self.pivots = {  # J M⁻¹ of the force that a sliding contact's normal force brings with it
-            i: rows.dot(g, rows.jacobian[normal], columns[place])
+            i: dot(g, rows.jacobian[normal], columns[place])
             for i, (normal, place) in sliding.items()
         }
         if not held:
@@ -195,16 +182,11 @@ class Mode:
         self, g: Graph, matrix: list[list[int]], right: list[int], bias: list[int]
     ) -> list[int]:
         """Return the solution of fewer equations than unknowns that is next to the biases."""
-        dot = self.rows.dot
         left = [g.sub(one, dot(g, line, bias)) for one, line in zip(right, matrix, strict=True)]
         square = [[dot(g, a, b) for b in matrix] for a in matrix]
         shares = g.solve(square, [left], "lu")[0]
-        return [
-            g.sum([(own, 1.0), *(
-                (g.mul(line[k], s), 1.0) for line, s in zip(matrix, shares, strict=True)
-            )])
-            for k, own in enumerate(bias)
-        ]  # fmt: skip
+        lines = zip(*matrix, strict=True)
+        return [dot(g, own, shares, (b, 1.0)) for own, b in zip(lines, bias, strict=True)]
 
     def _direction(self, i: int, mode: str) -> list[int]:
         """Return the direction in which a contact slides.
@@ -221,9 +203,9 @@ class Mode:
             g.add(rows.speeds[k], g.mul(least, own))
             for k, own in zip(rows.tangent[i], reference, strict=True)
         ]
-        ahead = g.call("lt", g.zero, rows.dot(g, speeds, reference))
+        ahead = g.call("lt", g.zero, dot(g, speeds, reference))
         sign = g.one if mode == STARTING else g.call("select", ahead, g.one, g.const(-1.0))
-        size = g.call("sqrt", rows.dot(g, speeds, speeds))
+        size = g.call("sqrt", dot(g, speeds, speeds))
         return [g.div(g.mul(sign, speed), size) for speed in speeds]
 
     def _reference(self, i: int) -> list[int]:
@@ -246,7 +228,7 @@ class Mode:
             nodes = {
                 "gap": rows.gaps[i],
                 "normal": rows.pressed[i] if normal is None else self.forces[normal],
-                "power": rows.dot(g, forces, speeds),
+                "power": dot(g, forces, speeds),
             }
             for what, parts in (("friction", forces), ("sliding", speeds)):
                 nodes |= dict(zip(_names(what, len(tangent)), parts, strict=True))
@@ -255,7 +237,7 @@ class Mode:
                     found[symbol] = self._expression(nodes[what], str(symbol))
             if self.modes[i] == STICKS:
                 most = g.powi(g.mul(rows.static[i], nodes["normal"]), 2)
-                margin = g.sub(most, rows.dot(g, forces, forces))
+                margin = g.sub(most, dot(g, forces, forces))
                 found[margin_symbol(rows.contacts[i])] = self._expression(margin, "margin")
         return found
 
@@ -300,13 +282,13 @@ class Mode:
             forces, speeds = ([part[k] for k in tangent] for part in (self.forces, rows.speeds))
             most = g.mul(rows.static[i], press)
             if mode == STICKS and len(tangent) == 2:
-                watch(g.sub(g.powi(most, 2), rows.dot(g, forces, forces)), "slips", i)
+                watch(g.sub(g.powi(most, 2), dot(g, forces, forces)), "slips", i)
             elif mode == STICKS:
                 watch(g.sub(most, forces[0]), "slips", i)
                 watch(g.add(most, forces[0]), "slips", i)
             if mode in (SLIDING, STARTING):
                 *reference, _, clear = self._reference(i)
-                ahead, square = (rows.dot(g, speeds, other) for other in (reference, speeds))
+                ahead, square = (dot(g, speeds, other) for other in (reference, speeds))
                 watch(ahead, "stops", i)
                 if mode == STARTING:
                     watch(g.sub(g.powi(clear, 2), square), "clears", i)

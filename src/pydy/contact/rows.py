@@ -27,6 +27,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._kernel import Kernel
+from pydy._mechanics.components import dot
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
@@ -243,14 +244,9 @@ class ContactRows:
             held = [list(row[p:]) for row in matrix[p:]]
             shares = g.solve(held, [[g.neg(row[i]) for row in matrix[p:]] for i in range(p)], "lu")
             columns = [
-                [
-                    g.sum([(row[i], 1.0)] + [
-                        (g.mul(a, b), 1.0) for a, b in zip(shares[i], row[p:], strict=True)
-                    ])
-                    for i in range(p)
-                ] + [g.zero] * d
+                [dot(g, shares[i], row[p:], (row[i], 1.0)) for i in range(p)] + [g.zero] * d
                 for row in columns
-            ]  # fmt: skip
+            ]
         kind = "ldl" if e.positive_definite and not d else "lu"
         return g.solve([list(row) for row in matrix], columns, kind)
 
@@ -267,7 +263,7 @@ class ContactRows:
             shares = g.solve(turned, [list(row) for row in self.jacobian], "lu")
         forces = sizes_of_terms(g, self.formed.forcing)
         return [
-            g.add(self.dot(g, [g.call("abs", n) for n in share], forces), drift)
+            g.add(dot(g, [g.call("abs", n) for n in share], forces), drift)
             for share, drift in zip(shares, sizes_of_terms(g, self.drift), strict=True)
         ]
 
@@ -277,7 +273,7 @@ class ContactRows:
         g, e = self.graph, self.equations
         q, u, k, c = (len(s) for s in (e.coordinates, e.speeds, self.speeds, self.contacts))
         by_q, by_u = ([g.input("x", j) for j in own] for own in (range(q), range(q, q + u)))
-        square = [self.dot(g, row, moved) for row in self.jacobian for moved in self.moves]
+        square = [dot(g, row, moved) for row in self.jacobian for moved in self.moves]
         return {
             "gap": ((c,), self.gaps),
             "near": ((c,), rounding_bounds(g, self.gaps)),
@@ -387,14 +383,14 @@ class ContactRows:
         owners = {n: i for i, n in enumerate(self.normal) if n is not None}
         return {n: owners[n] for n in held if n in owners}
 
-    @staticmethod
-    def dot(g: Graph, a: Sequence[int], b: Sequence[int]) -> int:
-        """Return the product of two rows of nodes."""
-        return g.sum([(g.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
+    def rates(self, g: Graph, forces: Sequence[int]) -> list[int]:
+        """Return u' with some forces of the rows."""
+        moves = zip(*self.moves, strict=True)
+        return [dot(g, own, forces, (a, 1.0)) for a, own in zip(self.free, moves, strict=True)]
 
     def acceleration(self, g: Graph, row: int, rates: Sequence[int]) -> int:
         """Return J u' + b of a row."""
-        return g.add(self.dot(g, self.jacobian[row], rates), self.drift[row])
+        return g.add(dot(g, self.jacobian[row], rates), self.drift[row])
 
 
 def by_name(parts: Parts, found: np.ndarray) -> dict[str, np.ndarray]:
