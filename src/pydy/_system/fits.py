@@ -578,11 +578,6 @@ def _bounds(work: _Fit, bounds: Any, size: int) -> tuple[np.ndarray, np.ndarray]
     return low, high
 
 
-def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
-    pairs = _pairs(work, priors, "priors", _prior)
-    return [(place, *pair) for places, pair in pairs for place in places]
-
-
 def _prior(value: Any, what: str) -> tuple[float, float]:
     numbers = real_array(value, what)
     if numbers.shape != (2,) or not np.isfinite(numbers).all() or not numbers[1] > 0.0:
@@ -733,7 +728,8 @@ class Fitting(Setup):
         z = work.guess()
         work.limits = _bounds(work, bounds, len(z))
         z = np.clip(z, *work.limits)
-        work.priors = _priors(work, priors)
+        pairs = _pairs(work, priors, "priors", _prior)
+        work.priors = [(place, *pair) for places, pair in pairs for place in places]
         if work.priors and work.own_noise:
             # Without it a residual would count as one in its unit, metre or millimetre, does.
             raise ValueError(

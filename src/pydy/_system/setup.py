@@ -164,7 +164,7 @@ class Setup:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
         definition, constants, solver = self._define.latest, self._constants, self.ode_solver
-        equations = definition.equations
+        equations, t = definition.equations, self._times
         inside = {n for s in definition.constants for n in (s, name_of(s))}
         of_events = self._define.of_events
         more = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
@@ -178,7 +178,7 @@ class Setup:
             ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
             ("constraints", _counts(equations)),
             ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
-            ("times", _span(self._times)),
+            ("times", f"{t[0]:g} to {t[-1]:g}, {len(t)} of them" if len(t) else "none"),
             ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
         ]  # fmt: skip
         if any(" = (" in text for _, text in lines):
@@ -604,14 +604,5 @@ def _short(value: Any) -> str:
 
 
 def _counts(equations: Any) -> str:
-    counts = {
-        "holonomic": len(equations.holonomic),
-        "nonholonomic": len(equations.nonholonomic),
-    }
+    counts = {kind: len(getattr(equations, kind)) for kind in ("holonomic", "nonholonomic")}
     return ", ".join(f"{number} {kind}" for kind, number in counts.items() if number)
-
-
-def _span(times: np.ndarray) -> str:
-    if not len(times):
-        return "none"
-    return f"{times[0]:g} to {times[-1]:g}, {len(times)} of them"

@@ -257,7 +257,8 @@ class Search(Generic[Found]):
             z = problem._guess(one, guess, lower, upper)
             sizes, states = sizes_of(one, z, lower, upper)
             if one.problem.equations.constraints:
-                one = one.with_metric(_metric(guess, states))
+                metric = _metric(guess, states)
+                one = replace(one, problem=replace(one.problem, metric=metric))
                 sizes = sizes_of(one, z, lower, upper)[0]
             made.append(one)
             starts.append(z)

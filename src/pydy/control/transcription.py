@@ -7,7 +7,7 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal, TypeVar
 
 import numpy as np
@@ -113,10 +113,6 @@ class Problem:
         rates = tuple(f"rate of {name} at the start" for name in self.labels[first:])
         further = {"all": self.labels[first:], "motion": (), "start": rates}
         return (*self.labels[:first], *further[points.rows])
-
-    def path_at(self, points: Points) -> tuple[Condition, ...]:
-        """Return the path conditions that hold at collocation points."""
-        return () if points.rows == "constraints" else self.path
 
     def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
         """Return the code that is compiled once for all meshes and numbers."""
@@ -364,10 +360,6 @@ class Transcription:
 
     # -- the program ------------------------------------------------------------------------------
 
-    def with_metric(self, metric: np.ndarray) -> Transcription:
-        """Return the same with another metric of the problem."""
-        return replace(self, problem=replace(self.problem, metric=metric))
-
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the nonlinear program, given bounds and sizes of the unknowns."""
         return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
@@ -402,7 +394,7 @@ class Transcription:
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         signals = p.signals_at(times)
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
-        labels, path = p.labels_at(points), p.path_at(points)
+        labels, path = p.labels_at(points), () if points.rows == "constraints" else p.path
         return Piece(
             p.at_points(points),
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
