@@ -94,11 +94,11 @@ class Reader:
             found.append((factor, residual))
         return tuple(found)
 
-    def conditions(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
+    def boundary(self, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations between instants as conditions."""
+        found = self.path("boundary", relations)
         return tuple(
-            replace(c, expression=self.at_instants(c.expression, f"`{argument}`"))
-            for c in self.path(argument, relations)
+            replace(c, expression=self.at_instants(c.expression, "`boundary`")) for c in found
         )
 
     def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:

@@ -164,7 +164,7 @@ def _probe(lib: Any) -> bool:
     """
 
     def put(address: int, value: float, kind: Any = c_double) -> bool:
-        _view(address, 1, kind)[0] = value
+        _view(address, kind)[0] = value
         return True
 
     def bend(*given: Any) -> bool:
@@ -172,8 +172,8 @@ def _probe(lib: Any) -> bool:
         return put(out, 2.0 * weight) if out else put(i, 0, c_int) and put(j, 0, c_int)
 
     functions = {
-        "cost": lambda _n, y, _new, out, _: put(out, (_view(y, 1)[0] - 3.0) ** 2),
-        "gradient": lambda _n, y, _new, out, _: put(out, 2.0 * (_view(y, 1)[0] - 3.0)),
+        "cost": lambda _n, y, _new, out, _: put(out, (_view(y)[0] - 3.0) ** 2),
+        "gradient": lambda _n, y, _new, out, _: put(out, 2.0 * (_view(y)[0] - 3.0)),
         "hessian": bend,
     }
     calls = {
@@ -261,9 +261,9 @@ def _kept(raised: list[BaseException], guard: Any) -> Iterator[None]:
         sys.unraisablehook = before
 
 
-def _view(address: int, size: int, kind: Any = c_double) -> np.ndarray:
-    """Return the solver's memory as an array."""
-    return np.frombuffer((kind * size).from_address(address), kind) if size else np.empty(0)
+def _view(address: int, kind: Any = c_double) -> Any:
+    """Return an array of the solver's, of one number."""
+    return (kind * 1).from_address(address)
 
 
 def program_bounds(nlp: Any) -> list[np.ndarray]:

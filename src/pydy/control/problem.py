@@ -197,7 +197,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "`hessian` is 'gauss-newton', but `objective` has no squares. Use 'exact', or "
                 "'lbfgs'."
             )
-        conditions = reader.conditions("boundary", listed("boundary", boundary, "relations"))
+        conditions = reader.boundary(listed("boundary", boundary, "relations"))
         path = listed("path", () if path is None else path, "relations")
         if equations.velocity and equations.constraint_forces is None:
             raise NotImplementedError(

@@ -292,9 +292,9 @@ def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
     return table, found
 
 
-def knot(radius: float, count: int = 96) -> np.ndarray:
+def knot(radius: float) -> np.ndarray:
     """Return the points of a closed trefoil: twice around the z axis, three times through."""
-    angle = np.linspace(0.0, 4 * np.pi, count, endpoint=False)
+    angle = np.linspace(0.0, 4 * np.pi, 96, endpoint=False)
     away = radius * (2 + np.cos(1.5 * angle)) / 2
     height = radius * np.sin(1.5 * angle) / 2
     return np.stack([away * np.cos(angle), away * np.sin(angle), height], 1)
