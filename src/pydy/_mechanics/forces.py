@@ -35,7 +35,15 @@ from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.inertia import euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multipliers import multipliers_of
-from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
+from pydy._mechanics.reader import (
+    Multibody,
+    distances,
+    given_velocity,
+    is_rigid,
+    oriented,
+    places,
+    steps_to,
+)
 from pydy._rank import ROUNDED, is_zero
 
 
@@ -260,10 +268,10 @@ class ConstraintForces:
     def _slip(self, body: Any, point: Any) -> list[Vec]:
         """Return vectors whose sum is zero if a point moves as a point of the body would."""
         k, g = self._kinematics, self._kinematics.graph
-        steps = _steps_between(body.masscenter, point)
-        if steps is None:
+        away = distances(body.masscenter, places)
+        if point not in away:
             return [[g.one] * 3]
-        ways = [k.vector(step, k.inertial) for step in steps]
+        ways = [k.vector(step, k.inertial) for step in steps_to(point, away)]
         if not is_rigid(body):
             return ways
         ours, theirs = (
@@ -323,18 +331,6 @@ class ConstraintForces:
         if node == g.zero:
             return sm.S.Zero
         return NodeExpression.of(g, node, self._kinematics.symbols(), name)
-
-
-def _steps_between(start: Any, end: Any) -> list[Any] | None:
-    """Return the vectors on the way from one point to another, None if there is no way."""
-    away, steps = distances(start, places), []
-    if end not in away:
-        return None
-    while end is not start:
-        before = next(p for p in places(end) if away[p] < away[end])
-        steps.append(places(end)[before])
-        end = before
-    return steps
 
 
 def _balance(

@@ -42,6 +42,7 @@ from pydy._mechanics.reader import (
     distances,
     is_rigid,
     places,
+    steps_to,
 )
 
 
@@ -392,11 +393,9 @@ def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
 def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
     """Return the way from a point to another, in the axes of the inertial frame."""
     kinematics = moving(body, in_bodies=True)
-    away, total = distances(origin, places), [kinematics.graph.zero] * 3
-    while point is not origin:
-        before = next(p for p in places(point) if away[p] < away[point])
-        total = kinematics.plus(total, kinematics.vector(places(point)[before], body.frame))
-        point = before
+    total = [kinematics.graph.zero] * 3
+    for step in steps_to(point, distances(origin, places)):
+        total = kinematics.plus(total, kinematics.vector(step, body.frame))
     return known.found(kinematics, total)
 
 

@@ -294,11 +294,8 @@ def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
     moving = [c for c, velocity in zip(centres, given, strict=True) if getattr(velocity, "args", 1)]
     ways = [way for centre in moving for way in places(centre).values()]
     reached = distances(centres[0], places) if centres else {}
-    for point in centres:
-        while reached.get(point, 0) > 0:  # towards the first of them
-            before = _nearer(point, places(point), reached)
-            ways.append(places(point)[before])
-            point = before
+    for point in reached.keys() & centres:  # from the first of them
+        ways += steps_to(point, reached)
     axes |= {along for way in ways for _, along in way.args}
     waiting, seen, found = [*centres], {*centres}, set()
     while waiting:
@@ -500,27 +497,35 @@ class Tree:
 
 def distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
     """Return all that can be reached from a root, and in how many steps."""
-    found, todo = {root: 0}, deque([root])
-    while todo:
-        item = todo.popleft()
-        for other in neighbours(item):
-            if other not in found:
-                found[other] = found[item] + 1
-                todo.append(other)
+    found: dict[Any, int] = {}
+    for item, before in breadth_first_from([root], neighbours).items():
+        found[item] = 0 if before is None else found[before] + 1
     return found
 
 
-def _nearer(item: Any, neighbours: Iterable[Any], away: dict[Any, int]) -> Any:
+def steps_to(point: Any, away: Mapping[Any, int]) -> list[Any]:
+    """Return the vectors on the way to a point from where `away` counts from, the last first."""
+    steps = []
+    for _ in range(away[point]):
+        before = _nearer(point, places(point), away)
+        steps.append(places(point)[before])
+        point = before
+    return steps
+
+
+def _nearer(item: Any, neighbours: Iterable[Any], away: Mapping[Any, int]) -> Any:
     """Return the first neighbour nearer to the root, as SymPy does, None for the root itself."""
     return next((n for n in neighbours if away[n] < away[item]), None)
 
 
-def breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
-    """Return points and all that are placed from them, the nearest first, each with its parent."""
+def breadth_first_from(
+    roots: Sequence[Any], neighbours: Callable[[Any], Iterable[Any]] = places
+) -> dict[Any, Any]:
+    """Return roots and all that can be reached from them, the nearest first, with their parents."""
     parent, todo = dict.fromkeys(roots), deque(roots)
     while todo:
         item = todo.popleft()
-        for other in places(item):
+        for other in neighbours(item):
             if other not in parent:
                 parent[other] = item
                 todo.append(other)
