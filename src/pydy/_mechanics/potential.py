@@ -2,11 +2,10 @@
 
 Only what follows from the form of a load is taken: a force that is constant in the inertial frame,
 equal and opposite forces between two points that depend on their distance alone, forces of floors
-by the height of a point, and loads whose work is a closed form: with polynomial coefficients, such
-as those of linear springs along a coordinate, or with others that SymPy integrates, such as
--K sin 2q or a Piecewise force of a contact; all together, one by one, or as opposite torques on
-two frames. What depends on speeds, time or specifieds has no potential. What depends on the
-configuration in another way may have one or not: it is named rather than left out.
+by the height of a point, and loads whose work SymPy integrates, such as that of linear springs
+along a coordinate, -K sin 2q or a Piecewise force of a contact; all together, one by one, or as
+opposite torques on two frames. What depends on speeds, time or specifieds has no potential. What
+depends on the configuration in another way may have one or not: it is named rather than left out.
 
 Whether an energy is that of some loads is decided by numbers: at generic states that keep the
 constraints its rate is minus their power. A force that acts on one side only, as that of a floor,
@@ -376,16 +375,14 @@ class _Search:
 
     def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
         """Take integrable loads; return those without a position, and all that are unknown."""
-        rest = self._integrable(terms, self._integrate)
+        rest = self._integrable(terms)
         # A constant force may lack a place that would tell its potential.
         constant = [t for t in rest if isinstance(t.where, Point) and self._is_constant(t.size)]
         lost = [term for term in constant if not self.fixed(term.where)]
         others = [term for term in rest if term not in lost]
-        return lost, [*lost, *self._integrable(others, self._antiderivative)]
+        return lost, [*lost, *(self._integrable(others) if len(others) < len(terms) else others)]
 
-    def _integrable(
-        self, terms: list[_Term], integrate: Callable[[Sequence[Any]], Any]
-    ) -> list[_Term]:
+    def _integrable(self, terms: list[_Term]) -> list[_Term]:
         """Take loads whose work can be integrated; return the others.
 
         All of them together, as a spring between two bodies needs; else each alone.
@@ -393,13 +390,13 @@ class _Search:
         if not terms:
             return []
         powers = [self._power(t.where, t.vector) for t in terms]
-        energy = integrate(powers)
+        energy = self._antiderivative(powers)
         if energy is not None:
             self.taken.append((energy, sm.Add(*powers)))
             return []
         rest = []
         for term, power in zip(terms, powers, strict=True):
-            if (energy := integrate([power])) is None:
+            if (energy := self._antiderivative([power])) is None:
                 rest.append(term)
             else:
                 self.taken.append((energy, power))
@@ -444,30 +441,6 @@ class _Search:
             return is_potential_of(self.equations, energy, powers)
         except UnsupportedFunctionError:
             return False
-
-    def _integrate(self, powers: Sequence[Any]) -> Any:
-        """Return minus the integral of the work, along straight lines from q = 0, or None."""
-        q = list(self.equations.coordinates)
-        power, speed = self._by_rates(powers)
-        try:
-            poly = sm.Poly(power, *q, *speed)
-        except sm.PolynomialError:
-            return None
-        work: dict[Any, Any] = {}
-        for monomial, size in poly.terms():
-            moved = [s for s, power in zip(speed, monomial[len(q) :], strict=True) if power]
-            if sum(monomial[len(q) :]) != 1 or not self._is_constant(size):
-                return None
-            place = sm.Mul(*(c**p for c, p in zip(q, monomial[: len(q)], strict=True)))
-            work.setdefault(speed[moved[0]], []).append((size * place, sum(monomial[: len(q)])))
-        force = {c: sm.Add(*(part for part, _ in parts)) for c, parts in work.items()}
-        for a in q:
-            for b in q:
-                if sm.expand(sm.diff(force.get(a, 0), b) - sm.diff(force.get(b, 0), a)) != 0:
-                    return None
-        return sm.Add(
-            *(-part * c / (degree + 1) for c, parts in work.items() for part, degree in parts)
-        )
 
     def _by_rates(self, powers: Sequence[Any]) -> tuple[Any, dict[Any, Any]]:
         """Return the power in symbols for the rates of coordinates, and the coordinate of each.
@@ -531,8 +504,9 @@ class _Search:
                 return None
             energy -= part
             done.add(x)
+        exact = energy.is_polynomial(*done) and done >= energy.free_symbols & {*real.values()}
         energy = replace_symbols(energy, {x: c for c, x in real.items()})
-        return energy if self._is_sound(energy, powers) else None
+        return energy if exact or self._is_sound(energy, powers) else None
 
 
 def _primitive(force: Any, x: Any) -> Any:
