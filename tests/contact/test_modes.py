@@ -33,6 +33,19 @@ def test_a_linear_model_of_one_mode():
     assert abs(stands.evaluate_ode()).max() == 0.0
 
 
+def test_constants_that_are_replaced_leave_those_of_the_contacts_at_zero():
+    system, feet = falling_body([(-1.0, -1.0), (1.0, -1.0)], mu=mu)
+    system.constants[J], system.initial_conditions = 0.3, {y: 1.0}
+    stands = Contacts(system, feet, {mu: 0.5}).in_modes({"foot0": "sticks", "foot1": "sticks"})
+    names = {str(symbol) for symbol in stands.constants}
+    assert not any("bias" in name or "rising" in name for name in names)
+    definite = stands.evaluate_outputs()
+    bias = next(s for s in stands.constants_symbols if str(s) == "foot0_bias_1")
+    assert abs(stands.evaluate_outputs(p={bias: 1.0}) - definite).max() > 0.1  # frictions squeeze
+    stands.constants = dict(stands.constants)
+    np.testing.assert_array_equal(stands.evaluate_outputs(), definite)
+
+
 def test_modes_that_a_contact_does_not_have_are_named():
     system, P = block(slope)
     ground = Unilateral(y, name="ground")

@@ -131,6 +131,7 @@ class Setup:
         self._options: dict[str, Any] = {}
         self._generated: list[Generated] = []  # the latest first
         self._constants: dict[Any, Any] = {}
+        self._implied: dict[Any, float] = {}  # constants that are not the user's: of contacts
         self._specifieds: dict[Any, Any] = {}
         self._initial_conditions: dict[Any, Any] = {}
         self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
@@ -163,7 +164,8 @@ class Setup:
     def _facts(self) -> list[tuple[str, str]]:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
-        definition, constants, solver = self._define.latest, self._constants, self.ode_solver
+        definition, solver = self._define.latest, self.ode_solver
+        constants = {**self._implied, **self._constants}
         equations, t = definition.equations, self._times
         inside = {n for s in definition.constants for n in (s, name_of(s))}
         of_events = self._define.of_events
@@ -220,7 +222,7 @@ class Setup:
             definition = self._define.widened(definition, found) if found else definition
         made = self._compiled(definition)
         user = {
-            "constants": dict(self._constants),
+            "constants": {**self._implied, **self._constants},
             "specifieds": dict(self._specifieds),
             "initial_conditions": dict(self._initial_conditions),
         }

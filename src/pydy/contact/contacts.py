@@ -258,7 +258,8 @@ class Contacts:
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
         system: System = copy(kept.mode(tuple(found), held, every)[1])
-        system.constants = {**now.constants, **dict.fromkeys(kept.rows.hidden, 0.0)}
+        system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
+        system.constants = dict(now.constants)
         system.specifieds = dict(self.system.specifieds)
         system.ode_solver, system.times = self.system.ode_solver, self.system.times
         system.initial_conditions = dict(self.system.initial_conditions)
