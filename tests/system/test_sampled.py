@@ -1,5 +1,7 @@
 """Sampled data as specifieds of a System, in evaluations and in every solver."""
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -9,6 +11,7 @@ from scipy.integrate import quad
 import zoo
 from cases import Recorder, close, system_of
 from oracle import oracle
+from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 
@@ -229,3 +232,28 @@ def test_samples_of_the_wrong_width_are_refused_by_name():
         system_of(zoo.pendulum(), specifieds={(F, T1, T2): sampled()})
     with pytest.raises(ValueError, match=r"specifieds\['values'\].*of 3 values.*\(4, 2\)"):
         system_of(zoo.pendulum(), specifieds={"symbols": (F, T1, T2), "values": sampled()})
+
+
+PULSE = {None: "hmax", "DOP853": "max_step", "BDF": "max_step"}
+
+
+@pytest.mark.parametrize("solver", PULSE)
+@pytest.mark.parametrize("force", [100.0, 1e-8])
+def test_a_pulse_between_two_evaluations_of_scipys_solvers_is_told(solver, force):
+    # An undamped oscillator at rest: the impulse leaves a difference of cosines.
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (F,) = system.specifieds_symbols
+    system.specifieds = {F: SampledInput([0.0, 5.0, 5.01, 10.0], [0, force, 0, 0], "previous")}
+    system.constants, system.times = {"c0": 0.0}, [0.0, 10.0]
+    expected = force * (np.cos(5.0 - 0.01) - np.cos(5.0))
+    tight = {"rtol": 1e-9, "atol": 1e-9}
+    message = r"evaluated nothing from t = 5 to 5\.01, .* v0\(t\) by 1\. Set `.*`hmax=` of odeint"
+    system.ode_solver = solver
+    with pytest.warns(PyDyUserWarning, match=message) if force > 1.0 else nullcontext():
+        missed = system.integrate(**tight)[-1, 0]
+    assert abs(missed - expected) == pytest.approx(abs(expected))
+    limited = {PULSE[solver]: 5e-3, **({} if solver else {"mxstep": 50000})}
+    found = system.integrate(**tight, **limited)
+    assert found[-1, 0] == pytest.approx(expected, abs=1e-7)
+    system.ode_solver = "dop853"
+    assert system.integrate(**tight)[-1, 0] == pytest.approx(expected, abs=1e-8)

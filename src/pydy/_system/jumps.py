@@ -20,6 +20,8 @@ from pydy._rank import HALF, ROUNDING
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
 
+_MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
+
 
 def _switched(
     assembly: Assembly,
@@ -236,3 +238,48 @@ def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
                     "smooth expression."
                 )
                 return
+
+
+class Asked:
+    """A right-hand side that keeps the times at which a solver evaluated it."""
+
+    def __init__(self, f: Callable[..., Any]) -> None:
+        self._f = f
+        self.times: list[float] = []
+
+    def __call__(self, x: Any, t: Any, *args: Any) -> Any:
+        self.times.append(t)
+        return self._f(x, t, *args)
+
+
+def warn_of_pulses(
+    now: Snapshot, asked: Sequence[float], states: np.ndarray, tolerances: Sequence[Any]
+) -> None:
+    """Warn where a solver stepped across samples, between two jumps, that move the states.
+
+    Solvers that are not told of jumps find them by error control, which sees what they evaluate.
+    """
+    jumps, (start, end) = now.jumps(), now.times[[0, -1]]
+    jumps = jumps[(jumps > start) & (jumps < end)]
+    until, evaluated = np.append(jumps[1:], np.inf), np.append(np.sort(asked), np.inf)
+    missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, jumps)] >= until)
+    missed = missed[np.isfinite(until[missed])]
+    if not missed.size or not np.isfinite(states).all():
+        return
+    first, last = jumps[missed], until[missed]
+    n = len(now.x)
+    x = states[np.searchsorted(now.times, first), :n]
+    step = now.derivatives(first, x) - now.derivatives(np.nextafter(first, -np.inf), x)
+    moved = np.abs(step) * (last - first)[:, None]
+    rtol, atol = (np.atleast_1d(given)[:n] for given in tolerances)
+    excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
+    k, state = np.unravel_index(excess.argmax(), excess.shape)
+    if excess[k, state] > 1.0:
+        warn_user(
+            f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "
+            "does not know the 'previous' samples there: they change "
+            f"{now.definition.states[state]} by {moved[k, state]:.3g}. Set "
+            "`system.ode_solver = 'dop853'`, which ends a step at each jump, or limit the step: "
+            "`hmax=` of odeint, `max_step=` of "
+            "solve_ivp."
+        )

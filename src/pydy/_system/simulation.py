@@ -22,7 +22,7 @@ from pydy._system.dependents import (
     given_values,
     solve_dependents,
 )
-from pydy._system.jumps import warn_of_impulses, warn_of_jumps
+from pydy._system.jumps import Asked, warn_of_impulses, warn_of_jumps, warn_of_pulses
 from pydy._system.kept import Motion, check_kept, check_resets, check_start
 from pydy._system.scipy_solvers import (
     SolveIvp,
@@ -199,6 +199,10 @@ def _solve(
             if wanted is not None:
                 f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
             args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
+            asked = None
+            of_scipy = isinstance(solver, SolveIvp) or is_odeint(solver)
+            if of_scipy and now.plan.sampled and now.jumps().size:
+                f = asked = Asked(f)
             if checked and is_odeint(solver):
                 result = call_odeint(f, x0, times, args, now.definition.states, options)
             elif watched:
@@ -206,6 +210,9 @@ def _solve(
                 result = solver(f, x0, times, args=args, **whole)
             else:
                 result, pair = solver(f, x0, times, args=args, **options), False
+            if asked is not None and (motion := _motion(now, solver, times, result, options, True)):
+                tolerances = motion.ran.rtol, motion.ran.atol
+                warn_of_pulses(now, asked.times, motion.states, tolerances)
         if ready.constrained:
             if native:
                 states, info = result
