@@ -90,6 +90,17 @@ def test_a_method_without_bodies_has_no_energy():
         System(kane).kinetic_energy
 
 
+def test_a_lagrangian_without_bodies_has_no_potential_energy_of_zero():
+    x, g = me.dynamicsymbols("x"), sm.Symbol("g")
+    lagrange = me.LagrangesMethod(x.diff() ** 2 / 2 - g * x, [x])
+    lagrange.form_lagranges_equations()
+    system = System(lagrange)
+    with pytest.raises(ValueError, match=r"has no bodies, .* bodies=\[…\], frame=N"):
+        system.potential_energy
+    system.potential_energy = g * x
+    assert system.potential_energy == g * x
+
+
 def test_the_hessian_holds_specifieds_that_are_expressions():
     """The pivot's rate, driven by the speed, moves the bob but is no speed itself."""
     model = zoo.shaken()

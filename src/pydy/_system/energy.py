@@ -19,6 +19,11 @@ from pydy._mechanics.reader import distances, oriented, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy.codegen.arguments import checked_expression
 
+_NO_BODIES = (
+    "Cannot compute the system's energy: its `eom_method` has no bodies, or no frame in which "
+    "their velocities are known. Give it both, as in LagrangesMethod(…, bodies=[…], frame=N)."
+)
+
 
 class Energy(NamedTuple):
     """Energies at one state, or along a trajectory.
@@ -45,10 +50,7 @@ class EnergyModel:
         """The kinetic energy, or an error where the method knows no bodies."""
         energy = self.equations.kinetic_energy
         if energy is None:
-            raise ValueError(
-                "Cannot compute the system's energy: its `eom_method` has no bodies, or no frame "
-                "in which their velocities are known."
-            )
+            raise ValueError(_NO_BODIES)
         return energy
 
     @cached_property
@@ -56,6 +58,8 @@ class EnergyModel:
         """The potential energy, or an error that names the loads that have an unknown one."""
         if self.given is not None:
             return self.given
+        if self.equations.mechanism is None:
+            raise ValueError(_NO_BODIES)
         found = find_potential(self.equations)
         if found.unknown:
             raise ValueError(
