@@ -11,7 +11,7 @@ from scipy.optimize import brentq, fsolve
 
 import optima
 from optima import TF, T
-from pydy.control import OptimalControl
+from pydy.control import OptimalControl, search
 from pydy.errors import PyDyUserWarning
 
 NEEDLE = r"too coarse: the objective of \d\.\d+ may be wrong by .* from t = .* or pass `mesh_tol`"
@@ -269,20 +269,20 @@ def test_controls_that_jump_do_not_chatter(method):
     fuel(method=method, mesh=7).solve()
 
 
-@pytest.mark.parametrize("start", [3.0, 3.5, 3.9])
-def test_fine_intervals_around_a_jump_do_not_chatter(start):
-    # x'' = u − x to rest in the least time: the state turns about u = ±1 in circles, at last about
-    # 1 from a radius of one, before that half a turn about −1 (Pontryagin et al., 1962, §5).
+def pulled_back(start):
+    """x'' = u − x to rest in the least time."""
     x, v, u = me.dynamicsymbols("x v u")
     system = optima.first_order([x], v, u - x)
-    found = system.optimize_trajectory(
-        TF,
-        TF,
-        start={x: start},
-        end={x: 0.0, v: 0.0},
-        bounds={u: (-1.0, 1.0), TF: (1.0, 20.0)},
-        mesh_tol=1e-6,
-    )
+    bounds = {u: (-1.0, 1.0), TF: (1.0, 20.0)}
+    ends = {"start": {x: start}, "end": {x: 0.0, v: 0.0}}
+    return OptimalControl(system, TF, TF, bounds=bounds, **ends)
+
+
+@pytest.mark.parametrize("start", [3.0, 3.5, 3.9])
+def test_fine_intervals_around_a_jump_do_not_chatter(start):
+    # The state turns about u = ±1 in circles, at last about
+    # 1 from a radius of one, before that half a turn about −1 (Pontryagin et al., 1962, §5).
+    found = pulled_back(start).solve(mesh_tol=1e-6)
 
     def passed(angles):
         z = complex(start, 0.0)
@@ -303,3 +303,23 @@ def test_one_or_two_points_of_a_control_are_no_arc(method, mesh):
         cost, 1.0, end={v: 1.0}, bounds=bounds, method=method, mesh=mesh
     )
     assert found.objective == pytest.approx(1.0, rel=1e-6)
+
+
+def test_an_infinite_slope_of_the_objective_is_told(monkeypatch):
+    # From x = 2 half a turn about 1, in π, ends at rest. A little farther, the second turn begins
+    # with an angle as the root of the distance.
+    monkeypatch.setattr(search, "MOST_REFINEMENTS", 4)
+    told = r"What the search leaves of the equations changes the objective by \de-0"
+    with pytest.warns(PyDyUserWarning, match=told) as warned:
+        found = pulled_back(2.0).solve(mesh_tol=1e-8)
+    assert len(warned) == 1
+    assert found.duration == pytest.approx(np.pi, rel=1e-3)
+
+
+def test_where_a_finer_mesh_has_no_solution_that_of_the_one_before_is_returned():
+    problem = pulled_back(3.0)
+    coarse = problem.solve()
+    told = r"After 0 refinements the mesh of 20 intervals has .* next one, of \d+, the search found"
+    with pytest.warns(PyDyUserWarning, match=told):
+        found = problem.solve(coarse, mesh_tol=1e-6, options={"max_iter": 9})
+    assert found.duration == pytest.approx(coarse.duration, rel=1e-7)

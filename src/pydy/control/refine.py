@@ -271,9 +271,12 @@ def checked_mesh(mesh: Any) -> np.ndarray:
     return fractions
 
 
-def warn_of_refinements(count: int, phases: Sequence[Any], tolerance: float) -> None:
-    """Say that meshes have been refined in vain."""
+def warn_of_refinements(
+    count: int, phases: Sequence[Any], tolerance: float, failed: int = 0
+) -> None:
+    """Say that meshes have been refined in vain; on the last one, of some intervals, it failed."""
     errors = np.concatenate([phase.error for phase in phases])
+    total = sum(phase.objective for phase in phases)
     if (errors > tolerance).any():
         what = (
             f"an error of {errors.max():.2g}, and {int((errors > tolerance).sum())} above "
@@ -281,14 +284,33 @@ def warn_of_refinements(count: int, phases: Sequence[Any], tolerance: float) -> 
         )
     else:
         off = sum(float(np.abs(phase.objective_error).sum()) for phase in phases)
-        total = sum(phase.objective for phase in phases)
         what = (
             f"an objective of {total:.3g} ± {off:.1g}, which is not as accurate as "
             f"`mesh_tol` = {tolerance:g} of it"
         )
-    warn_user(
-        f"After {count} refinements the mesh of {len(errors)} intervals has {what}. Where controls "
-        "jump, nodes of `mesh` near the jumps help; where they decide nothing, as on singular "
-        "arcs, a small multiple of the integral of their squares in the objective; so does a "
-        "larger `mesh_tol`."
+    if failed:
+        what += f". On the next one, of {failed}, the search found no solution"
+    advice = (
+        "Where controls jump, nodes of `mesh` near the jumps help; where they decide nothing, as "
+        "on singular arcs, a small multiple of the integral of their squares in the objective; so "
+        "does a larger `mesh_tol`"
     )
+    left = sum(_left_by_search(phase) for phase in phases)
+    if left > tolerance * abs(total):
+        advice = (
+            f"What the search leaves of the equations changes the objective by {left:.1g}: its "
+            "slope by the ends is so large, as at the edge of what can be reached, that finer "
+            "meshes are in vain. Move `start` or `end`, or pass a larger `mesh_tol`"
+        )
+    warn_user(
+        f"After {count} refinements the mesh of {len(errors)} intervals has {what}. {advice}."
+    )
+
+
+def _left_by_search(phase: Any) -> float:
+    """Return how much the equations that a solution does not satisfy change its objective."""
+    nlp, solution = phase._nlp, phase.solution
+    values = nlp.native("rows", solution.z / nlp.sizes)[0]
+    low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
+    violated = np.maximum(np.maximum(low - values, values - high), 0.0) * nlp.row_sizes
+    return float(np.abs(solution.multipliers) @ violated)

@@ -101,7 +101,8 @@ class Search(Generic[Found]):
         Raises
         ------
         OptimizationError
-            The search did not converge; the error holds the motion where it ended.
+            The search did not converge; the error holds the motion where it ended. On a refined
+            mesh that is a warning, and the solution that of the mesh before.
         AnalysisInterrupted
             The user interrupted it; the error holds the motion of the latest iteration. So does a
             MemoryError.
@@ -124,9 +125,13 @@ class Search(Generic[Found]):
                 try:
                     found, phases = self._solved(meshes, guesses, search, watch)
                 except OptimizationError:
-                    if met is None:
+                    if count == 1:
                         raise
-                    found, phases = met
+                    if met is None:
+                        intervals = sum(len(mesh) - 1 for mesh in meshes)
+                        warn_of_refinements(count - 2, phases, tolerance, intervals)
+                    else:
+                        found, phases = met
                     break
                 if tolerance is None:
                     warn_where_coarse(phases, found.objective)
@@ -148,6 +153,7 @@ class Search(Generic[Found]):
                 ]
                 finer = [*map(refined, meshes, errors, repeat(tolerance), orders, nodes)]
                 if count == MOST_REFINEMENTS or sum(map(len, finer)) > most:
+                    nodes = sum(map(len, meshes))
                     if met is None:
                         warn_of_refinements(count - 1, phases, tolerance)
                     else:
