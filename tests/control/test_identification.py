@@ -1,5 +1,7 @@
 """Fits by collocation against other estimators, and where simulations fail."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -319,3 +321,25 @@ def test_process_noise_needs_the_noise_of_samples_and_is_positive():
     system.specifieds = {F: lambda x, t: 1.0}
     with pytest.raises(ValueError, match="Python function"):
         system.fit(m, trial, method="collocation")
+
+
+@pytest.mark.parametrize("begin", [0.0, 1.7e9])
+@pytest.mark.parametrize("kind", ["previous", "linear"])
+def test_inputs_that_jump_or_bend_get_nodes_there(kind, begin):
+    """x' = b r − k x, exactly from sample to sample of r; 26 jumps were 12 meshes and a warning."""
+    y, x, r = me.dynamicsymbols("y x r")
+    k, b = sm.symbols("k b")
+    system = optima.first_order([y], x, b * r - k * x)
+    grid, values = np.linspace(0.0, 5.0, num=26), np.random.default_rng(3).normal(size=26)
+    states = [1.0]
+    for first, last in pairwise(values):
+        slope = (last - first) / 0.2 if kind == "linear" else 0.0
+        steady = 2.0 * (first / 0.8 - slope / 0.8**2)  # to which the motion is drawn
+        states.append((states[-1] - steady) * np.exp(-0.8 * 0.2) + steady + 2.0 * slope / 0.8 * 0.2)
+    times = begin + grid
+    system.constants, system.initial_conditions = {k: 0.5, b: 1.0}, {x: 1.0}
+    system.specifieds = {r: SampledInput(times, values, kind)}
+    trial = Trial(times, {x: states}, noise=1e-3)
+    found = system.fit([k, b], trial, method="collocation")
+    # Times around 1.7e9 are rounded to 2.4e-7.
+    np.testing.assert_allclose(found.estimates, [0.8, 2.0], rtol=1e-5 if begin else 1e-7)

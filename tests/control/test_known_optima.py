@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import optima
 from optima import TF, T
 from pydy.control import OptimalControl
 from pydy.errors import PyDyUserWarning
+from pydy.inputs import SampledInput
 
 METHODS = [("radau", 3), ("hermite-simpson", 1), ("midpoint", 1), ("backward-euler", 1)]
 
@@ -177,3 +179,19 @@ def test_the_robot_arm_of_cops_takes_9_1409_s():
 def test_the_cart_pole_of_kelly_swings_up(method):
     problem, _ = optima.kelly(mesh=40, method=method)
     assert problem.solve().objective == pytest.approx(58.80766746, rel=1e-5)
+
+
+@pytest.mark.parametrize(("mesh", "tolerance"), [(20, None), (7, 1e-8)])
+def test_a_known_input_that_jumps_gets_a_node_there(mesh, tolerance):
+    # x'' = F + r, r = 2 before t = 0.3, then −1: the least ∫ F² with ∫ F (1 − t) = 1 − ∫ r (1 − t)
+    # and ∫ F = −∫ r. At t = 0.3, a node of 20 intervals, each side has its own value.
+    x, v, F, r = me.dynamicsymbols("x v F r")
+    system = optima.first_order([x], v, F + r)
+    system.specifieds = {r: SampledInput([0.0, 0.3, 1.0], [2.0, -1.0, -1.0], "previous")}
+    problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=mesh)
+    found = problem.solve(mesh_tol=tolerance)
+    asked = np.array([1.0 - (0.51 - 0.245), 0.7 - 0.6])
+    least = asked @ np.linalg.solve([[1 / 3, 1 / 2], [1 / 2, 1.0]], asked)
+    assert found.objective == pytest.approx(least, rel=1e-8)
+    assert found.error.max() < 1e-9
+    assert len(found.mesh) < 30

@@ -55,7 +55,7 @@ from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import labels_of
-from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
+from pydy.control.refine import Moved, checked_mesh, interval_errors, knots, refined
 from pydy.control.schemes import Scheme, scheme_of
 from pydy.control.transcription import Problem, Transcription, metric_of, sizes_of
 from pydy.control.tuning import (
@@ -231,8 +231,8 @@ class Identification:
             if all(e.max() <= limit for e, limit in zip(errors, limits, strict=True)):
                 return found
             meshes = [
-                refined(m, e, limit, self.scheme.convergence)
-                for m, e, limit in zip(meshes, errors, limits, strict=True)
+                refined(made.mesh, e, limit, self.scheme.convergence, knots(made, e, limit))
+                for made, e, limit in zip(joined.made, errors, limits, strict=True)
             ]
         worst = max(float(error.max()) for error in errors)
         warn_user(

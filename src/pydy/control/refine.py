@@ -17,7 +17,7 @@ from pydy._checks import ascending, real_array, shown, whole
 from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Kernel
 from pydy._rank import ROUNDING, or_one
-from pydy.control.transcription import Transcription
+from pydy.control.transcription import Transcription, inside
 from pydy.control.tuning import (
     CARRIED,
     LARGEST_ORDER,
@@ -124,6 +124,10 @@ def _integrated(
     times = left + s[:, None] * lengths
     known = moved.signals.rows(np.empty((times.size, x.shape[1])), times.ravel())
     r = np.array(np.broadcast_to(known, (times.size, known.shape[1])))
+    middles = np.broadcast_to(left + lengths / 2, times.shape).ravel()
+    for columns, samples in problem.signals:
+        if samples.interpolation == "previous":  # which may jump at nodes
+            r[:, columns] = samples.rows(inside(times.ravel(), middles))
     numbers = [k - len(p) for k in problem.free if k >= len(p)]
     r[:, numbers] = found[numbers]
     controls = list(problem.controls)
@@ -173,7 +177,7 @@ def refined(
 
 
 def jumps(made: Transcription, z: np.ndarray, error: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return where controls seem to jump, as fractions of the motion, between known intervals.
+    """Return where controls seem to jump, and known inputs do, as fractions of the motion.
 
     In intervals that follow each other and have too large an error, the integral of a control tells
     where it jumps from its value before them to that after them.
@@ -185,7 +189,7 @@ def jumps(made: Transcription, z: np.ndarray, error: np.ndarray, tolerance: floa
     first, last, *between = np.einsum("cym,ys->scm", values, basis)
     integrals = np.tensordot(w / 2, between, 1) * np.diff(t)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], error > tolerance, [0]])))
-    found: list[np.ndarray] = [t[:0]]
+    found = [knots(made, error, tolerance)]
     for a, b in zip(edges[::2], edges[1::2], strict=True):
         if a > 0 and b < M:
             before, after, length = last[:, a - 1], first[:, b], t[b] - t[a]
@@ -193,6 +197,24 @@ def jumps(made: Transcription, z: np.ndarray, error: np.ndarray, tolerance: floa
                 part = (integrals[:, a:b].sum(axis=1) - after * length) / (before - after)
             found.append(t[a] + part[(part > 0.0) & (part < length)])
     return np.concatenate(found)
+
+
+def knots(made: Transcription, error: np.ndarray, tolerance: float) -> np.ndarray:
+    """Return where known inputs have knots, at which they jump or bend, as fractions of the motion.
+
+    They are those in intervals that have too large an error, and few knots: others are divided
+    first. If the duration is unknown there are none, as knots move with it.
+    """
+    p, M = made.problem, made.intervals
+    times = np.concatenate([np.empty(0), *(samples.breaks for _, samples in p.signals)])
+    if p.duration is None or not len(times):
+        return np.empty(0)
+    fractions = np.unique((times - p.begin) / p.duration)
+    fractions = fractions[(fractions > 0.0) & (fractions < 1.0)]
+    k = np.searchsorted(made.mesh, fractions) - 1
+    few = np.bincount(k, minlength=M) <= MOST_PARTS
+    found: np.ndarray = fractions[(few & (error > tolerance))[k]]
+    return found
 
 
 def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:

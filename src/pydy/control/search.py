@@ -125,7 +125,7 @@ class Search(Generic[Found]):
                 try:
                     found, phases = self._solved(meshes, guesses, search, watch)
                 except OptimizationError:
-                    if count == 1:
+                    if count == 1 or tolerance is None:
                         raise
                     if met is None:
                         intervals = sum(len(mesh) - 1 for mesh in meshes)
@@ -153,7 +153,6 @@ class Search(Generic[Found]):
                 ]
                 finer = [*map(refined, meshes, errors, repeat(tolerance), orders, nodes)]
                 if count == MOST_REFINEMENTS or sum(map(len, finer)) > most:
-                    nodes = sum(map(len, meshes))
                     if met is None:
                         warn_of_refinements(count - 1, phases, tolerance)
                     else:

@@ -18,7 +18,7 @@ from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece, pieces_at
 from pydy.control.schemes import Points, Scheme, Slots
-from pydy.control.tuning import TOLERANCE, WIDE
+from pydy.control.tuning import JUMP, TOLERANCE, WIDE
 
 Compiled = TypeVar("Compiled")
 
@@ -194,11 +194,16 @@ class Problem:
             value = g.add(coefficient, g.mul(since, value))
         return value
 
-    def signals_at(self, times: np.ndarray) -> list[np.ndarray]:
-        """Return the data of known signals, which move with a duration that is unknown."""
+    def signals_at(self, times: np.ndarray, middles: np.ndarray | None = None) -> list[np.ndarray]:
+        """Return the data of known signals, which move with a duration that is unknown.
+
+        With the `middles` of intervals, what jumps at a node has the value on their side.
+        """
         if self.duration is None:
             return pieces_at(self.signals, times)
-        return [row for _, samples in self.signals for row in samples.rows(times).T]
+        within = times if middles is None else inside(times, middles)
+        rows = [s.rows(within if s.interpolation == "previous" else times) for _, s in self.signals]
+        return [column for row in rows for column in row.T]
 
     def at_start(self, count: int) -> Functions:
         """Return the last `count` of the constraints at the start."""
@@ -392,7 +397,12 @@ class Transcription:
         first = self.sizes[0]
         controls = [first + k * own + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
-        signals = p.signals_at(times)
+        middles = None
+        if self.scheme.name == "radau":  # whose points at the ends belong to one interval
+            centre = (self.mesh[:-1] + self.mesh[1:]) / 2
+            centre = np.tile(centre, self.scheme.order)
+            middles = p.begin + centre * (1.0 if p.duration is None else p.duration)
+        signals = p.signals_at(times, middles)
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
         labels, path = p.labels_at(points), () if points.rows == "constraints" else p.path
         return Piece(
@@ -542,6 +552,13 @@ class Transcription:
     ) -> tuple[np.ndarray, np.ndarray]:
         k = np.clip(np.searchsorted(self.mesh, fractions, side) - 1, 0, self.intervals - 1)
         return k, (fractions - self.mesh[k]) / np.diff(self.mesh)[k]
+
+
+def inside(times: np.ndarray, middles: np.ndarray) -> np.ndarray:
+    """Return times moved towards the middles of their intervals, by more than rounding."""
+    shift = np.maximum(JUMP * np.abs(middles - times), 4 * np.spacing(np.abs(times)))
+    found: np.ndarray = times + np.sign(middles - times) * shift
+    return found
 
 
 def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray, np.ndarray]:
