@@ -50,6 +50,39 @@ def test_a_masked_array_without_masked_entries_is_an_array():
     assert real_array(np.ma.array([1.0, 2.0]), "`x`").tolist() == [1.0, 2.0]
 
 
+class Scalar:
+    """A number with a unit, as pint has them: NumPy takes its number alone."""
+
+    def __init__(self, magnitude, units="gram"):
+        self._magnitude, self._units = magnitude, units
+
+    magnitude = property(lambda self: self._magnitude)
+    units = property(lambda self: self._units)
+
+    def __array__(self, dtype=None, copy=None):
+        return np.asarray(self._magnitude, dtype)
+
+    def __repr__(self):
+        return f"<{self._magnitude} {self._units}>"
+
+
+class Array(np.ndarray):
+    """An array with a unit, as those of astropy."""
+
+    unit = "mm"
+
+
+@pytest.mark.parametrize("value", [Scalar(500.0), [Scalar(500.0)], np.ones(1).view(Array)])
+@pytest.mark.parametrize("check", [number, real_array])
+def test_units_are_refused_and_not_dropped(check, value):
+    with pytest.raises(ValueError, match=r"(?s)`x` must be without units, got .*to_base_units"):
+        check(value, "`x`")
+
+
+def test_a_quantity_without_units_is_a_number():
+    assert number(Scalar(2.0, "dimensionless"), "`x`") == 2.0
+
+
 def test_infinity_of_sympy_stays_infinity():
     assert number(sm.oo, "`x`") == np.inf
 

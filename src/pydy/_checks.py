@@ -81,7 +81,8 @@ def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
 
 def number(value: Any, what: str, *, finite: bool = False) -> float:
     """Return a value as a float, or raise an error that shows it."""
-    _refuse_masked(value, what)
+    if type(value) not in _PLAIN:
+        _refuse_dropped(value, what)
     try:
         array = np.asarray(value)
         if array.dtype == object or array.size != 1 or array.dtype.kind not in "biuf":
@@ -112,9 +113,9 @@ def limits(value: Any, what: str) -> tuple[float, float]:
 
 
 def real_array(value: Any, what: str) -> np.ndarray:
-    """Return a value as a C-contiguous float array; text, None and masks are refused."""
+    """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
     if type(value) is not np.ndarray:
-        _refuse_masked(value, what)
+        _refuse_dropped(value, what)
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":
@@ -169,17 +170,33 @@ def _as_float(value: Any) -> float:
     return result
 
 
-def _refuse_masked(value: Any, what: str) -> None:
-    """Refuse arrays with masked entries: the numbers under a mask are arbitrary."""
+def _refuse_dropped(value: Any, what: str) -> None:
+    """Refuse what NumPy drops from arrays without a word: masks, and units of quantities."""
+    kind = type(value)
     if isinstance(value, (list, tuple)):
         if not {*map(type, value)} <= _PLAIN:
             for entry in value:
                 if entry is not value:  # a list may be in itself
-                    _refuse_masked(entry, what)
+                    _refuse_dropped(entry, what)
+    elif kind in _PLAIN or kind is np.ndarray:
+        return
+    elif hasattr(kind, "units") and (hasattr(kind, "magnitude") or isinstance(value, np.ndarray)):
+        _refuse_units(value, value.units, what)  # of pint, quantities, unyt
+    elif hasattr(kind, "unit") and isinstance(value, np.ndarray):
+        _refuse_units(value, value.unit, what)  # of astropy
     elif isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(
             f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
             "them with numbers: `array.filled(...)`."
+        )
+
+
+def _refuse_units(value: Any, units: Any, what: str) -> None:
+    if str(units) not in ("", "dimensionless", "1 dimensionless"):
+        raise ValueError(
+            f"{what} must be without units, got {shown(value)}. Convert all quantities to one "
+            "system of units, and give the numbers alone: with pint, "
+            "`value.to_base_units().magnitude`."
         )
 
 
