@@ -189,6 +189,12 @@ class Definer:
         symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
         taken = {*map(name_of, (definition.equations.time, *symbols))}
         every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
+        for s in every:
+            if s in definition.outputs_symbols:
+                raise ValueError(
+                    f"`events` hold `{s}`, the name of an output. Write the output's expression "
+                    "instead."
+                )
         found = [s for s in every if isinstance(s, sm.Symbol) and s.name not in taken]
         self._check_multipliers(found, definition.constants)
         self.of_events.update(dict.fromkeys(found))
