@@ -180,11 +180,10 @@ def _refuse_dropped(value: Any, what: str) -> None:
                     _refuse_dropped(entry, what)
     elif kind in _PLAIN or kind is np.ndarray:
         return
-    elif hasattr(kind, "units") and (hasattr(kind, "magnitude") or isinstance(value, np.ndarray)):
-        _refuse_units(value, value.units, what)  # of pint, quantities, unyt
-    elif hasattr(kind, "unit") and isinstance(value, np.ndarray):
-        _refuse_units(value, value.unit, what)  # of astropy
-    elif isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
+    elif hasattr(kind, "magnitude") or isinstance(value, np.ndarray):
+        # "units" of pint, quantities and unyt, "unit" of astropy
+        _refuse_units(value, getattr(value, "units", getattr(value, "unit", "")), what)
+    if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(
             f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
             "them with numbers: `array.filled(...)`."
