@@ -257,3 +257,22 @@ def test_a_pulse_between_two_evaluations_of_scipys_solvers_is_told(solver, force
     assert found[-1, 0] == pytest.approx(expected, abs=1e-7)
     system.ode_solver = "dop853"
     assert system.integrate(**tight)[-1, 0] == pytest.approx(expected, abs=1e-8)
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "rk4", "radau"])
+def test_native_solvers_end_steps_at_jumps_beside_functions_too(solver):
+    system = multi_mass_spring_damper(2, apply_external_forces=True)
+    system.ode_solver = solver
+    first, second = sorted(system.specifieds_symbols, key=str)
+    jumps = SampledInput([0.0, 5.0, 5.001, 7.3, 10.0], [0.0, 1000.0, 0.0, -1.0, -1.0], "previous")
+    system.times = [0.0, 2.5, 10.0]
+    options = {"step": 0.02} if solver == "rk4" else {"rtol": 1e-9, "atol": 1e-9}
+    system.specifieds = {first: jumps, second: sm.sin(T)}
+    expected, known = system.integrate(full_output=True, **options)
+    system.specifieds = {first: jumps, second: lambda x, t: np.sin(t)}
+    called, info = system.integrate(full_output=True, **options)
+    close(called, expected, 1e-13)
+    assert [info[k] for k in ("steps", "evaluations")] == [known["steps"], known["evaluations"]]
+    system.specifieds = {first: jumps, second: sm.sin(T)}
+    system.generate_ode_function(generator="lambdify")
+    close(system.integrate(**options), expected, 1e-13)

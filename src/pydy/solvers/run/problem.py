@@ -105,7 +105,8 @@ class Callback:
 
     The `function` of a state and time returns so many `outputs`, called `what` in messages;
     interrupts are looked at before each call. The `place` has the address of the native function,
-    whose constants are c.
+    whose constants are c. Where a step ends at a jump of sampled inputs, the function gets the last
+    number before, `until`.
     """
 
     def __init__(
@@ -122,6 +123,7 @@ class Callback:
         self._what = what
         self._interrupts = interrupts
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
+        self.until = np.array([np.inf])
         self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
         self.place = address(_python_cell())
         self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
@@ -129,7 +131,7 @@ class Callback:
     def __call__(self) -> None:
         """Compute the values in the buffer from the time and the state there."""
         self._interrupts.check()
-        found = self._function(self._x.copy(), float(self._buffer[0]))
+        found = self._function(self._x.copy(), min(float(self._buffer[0]), float(self.until[0])))
         # Assigning would broadcast what is too short, read text, and drop imaginary parts.
         if type(found) is not np.ndarray or found.dtype != float or found.shape != self._shape:
             found = vector(found, self._outputs, self._what)
@@ -142,9 +144,10 @@ def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Pro
     r, jumps = np.zeros(1), NO_JUMPS
     if call is not None and call.inputs is None:
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
-        # A Python function computes its inputs itself, and knows no time from the left.
-        if sampled and isinstance(called, Bound):
-            jumps = jumps_of(sampled)
+    if call is not None and call.sampled:
+        jumps = jumps_of(call.sampled)
     words = np.array([called.place, n, blocks(n), n, blocks(n)])
     until = np.array([np.inf])
+    if isinstance(called, Callback):
+        called.until = until
     return Problem(words, np.zeros(1), r, called.c, *tables_of(sampled), jumps, until)
