@@ -47,6 +47,13 @@ def test_the_work_of_contacts_is_pickled():
     np.testing.assert_array_equal(again.contact_work, motion.contact_work)
 
 
+def test_the_work_of_contacts_is_known_after_more_steps_than_are_kept(monkeypatch):
+    motion = billiard_ball().simulate()
+    monkeypatch.setattr("pydy.solvers.run.workspace.STEPS_MEMORY", 0)
+    again = pickle.loads(pickle.dumps(billiard_ball().simulate(max_step=1e-4)))
+    assert again.contact_work == pytest.approx(motion.contact_work, abs=1e-9)
+
+
 def test_a_copied_motion_has_the_same_extension():
     motion = bounces()
     np.testing.assert_array_equal(copy.deepcopy(motion).at(TIMES).states, motion.at(TIMES).states)

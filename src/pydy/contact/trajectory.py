@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
+from pydy._interpolation import between
 from pydy._system.snapshot import Snapshot
 from pydy.trajectory import EventRecord, Trajectory
 
@@ -181,7 +182,8 @@ class ContactTrajectory(Trajectory):
         """Work that friction and impacts have done since the first time, shape (m,).
 
         It is what the total energy has changed by where nothing else does work. That of friction is
-        the integral of its power over the solver's steps, by Gauss's rule with 8 points.
+        the integral of its power over the solver's steps, by Gauss's rule with 8 points. Without
+        the steps, which are kept up to 128 MB, the states are interpolated between `times`.
         """
         own = {f"{name}_power" for name in self._names}
         powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in own]
@@ -195,8 +197,7 @@ class ContactTrajectory(Trajectory):
         if powers and len(nodes) > 1:
             half, middle = np.diff(nodes) / 2, (nodes[1:] + nodes[:-1]) / 2
             times = (middle[:, None] + half[:, None] * _POINTS).ravel()
-            dense: Any = self._dense
-            outputs = self._pieces.outputs(times, dense(times)[:, : self.states.shape[1]])
+            outputs = self._pieces.outputs(times, between(self, times)[0])
             power = outputs[:, powers].sum(axis=1).reshape(len(half), -1)
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
         for time, lost in self._lost:
