@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.contact.decide import STARTING, STICKS, Problem, chosen
+from pydy.contact.decide import SLIDING, STARTING, STICKS, Problem, chosen
 from pydy.mechanics import Definition
 from touching import TIGHT, N, O, g, m, mu, slope
 
@@ -129,6 +129,24 @@ def test_sliding_begins_along_the_acceleration_whatever_the_mobility():
     rate = found.rates[1:]
     assert found.forces[1:] == pytest.approx(-0.1 * found.forces[0] * rate / np.linalg.norm(rate))
     assert found.rates[0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_many_bodies_begin_to_slide_beside_one_that_slides_already():
+    # 2^30 combinations: forces tell which, and count on the friction of the one that slides.
+    number, mu = 31, np.full(31, 0.3)
+    free = np.tile([-9.81, 7.0, 0.0], number)
+    rows = [[k, k + 1, k + 2] for k in range(0, 3 * number, 3)]
+    problem = Problem(
+        free, np.eye(len(free)) + 0.01, [row[0] for row in rows], [row[1:] for row in rows], mu, mu,
+        np.zeros(number), frozenset(range(1, number)), frozenset(), {0: np.array([0.0, 1.0])},
+    )  # fmt: skip
+    found = chosen(problem, [[SLIDING], *[[STICKS, STARTING]] * (number - 1)])
+    assert found.modes == (SLIDING, *[STARTING] * (number - 1))
+    forces, rates = (np.reshape(part, (number, 3)) for part in (found.forces, found.rates))
+    assert rates[:, 0] == pytest.approx(0.0, abs=1e-12)
+    assert forces[0, 1:] == pytest.approx([0.0, -0.3 * forces[0, 0]], abs=1e-12)
+    along = rates[1:, 1:] / np.linalg.norm(rates[1:, 1:], axis=1)[:, None]
+    assert forces[1:, 1:] == pytest.approx(-0.3 * forces[1:, :1] * along)
 
 
 def test_a_particle_that_is_thrown_on_the_ice_sticks_or_slides_by_the_cone():
