@@ -444,17 +444,18 @@ def _collocated(
 
     with progress_of(progress, " iterations") as told:
         found = fit.solve(z, mesh, search, watch)
-    if found.solution.interrupted:
+    ended = found.solution
+    if ended.interrupted:
         values = dict(zip(work.names, found.z.tolist(), strict=True))
-        if isinstance(stop := found.solution.interrupted, MemoryError):
+        if isinstance(stop := ended.interrupted, MemoryError):
             note_finished(stop, "The latest estimates are", values=values)
             raise stop
         raise FitInterrupted(
             "The fit was interrupted. Its latest estimates are in `values`.", values
         )
-    if not found.success:
+    if not ended.solved:
         warn_user(
-            f"The fit did not converge in {found.iterations} iterations: {found.message}. "
+            f"The fit did not converge in {ended.iterations} iterations: {ended.message}. "
             "The estimates are the last ones. Start closer to the solution, set `bounds` or raise "
             "`most`."
         )
@@ -464,8 +465,8 @@ def _collocated(
         table = np.where(np.isfinite(d.values), -missed * d.noise, np.nan)
         tables.append(dict(zip(d.names, table.T, strict=True)))
     missed, J = work.with_priors(found.values, found.jacobian, found.z)
-    ended = found.success, found.message, found.iterations
-    return _result(work, found.z, missed, J, tables, len(found.followed), ended)
+    end = ended.solved, ended.message, ended.iterations
+    return _result(work, found.z, missed, J, tables, len(found.followed), end)
 
 
 def _disturbances(work: _Fit, given: Any) -> dict[int, float]:

@@ -51,7 +51,7 @@ import scipy.sparse
 from pydy._assembly.specifieds import driven
 from pydy._errors import warn_user
 from pydy.control.guess import Limit
-from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
+from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import labels_of
@@ -97,22 +97,7 @@ class Identified:
     jacobian: np.ndarray
     followed: np.ndarray  # (n, k)
     largest: np.ndarray  # (n,), how large each state becomes
-    solution: Solution
-
-    @property
-    def iterations(self) -> int:
-        """Iterations of the last search."""
-        return len(self.solution.history) - 1
-
-    @property
-    def success(self) -> bool:
-        """Whether the search converged."""
-        return self.solution.status in SOLVED
-
-    @property
-    def message(self) -> str:
-        """Why it ended."""
-        return STATUS.get(self.solution.status, f"IPOPT: status {self.solution.status}")
+    solution: Solution  # of the last search
 
 
 class Identification:
@@ -206,7 +191,7 @@ class Identification:
                 nlp, residuals, start = joined.program(z, motions, slope)
                 solution = search(nlp, start, watch=watch)
                 found = self._found(joined, nlp, residuals, solution)
-                if not found.success or solution.interrupted:
+                if not solution.solved or solution.interrupted:
                     return found
                 z, parts = found.z, [solution.z[own] for own in joined.own]
                 motions = list(zip(joined.made, parts, strict=True))

@@ -54,7 +54,7 @@ STATUS = {
     -13: "the equations or their derivatives are not finite",
     -102: "there is not enough memory",
 }
-SOLVED, INFEASIBLE = (0, 1), 2
+INFEASIBLE = 2
 _WARM = {
     "warm_start_init_point": "yes",
     "mu_init": WARM_BARRIER,
@@ -99,6 +99,21 @@ class Solution:
     status: int  # a key of `STATUS`
     history: tuple[Iteration, ...]
     interrupted: BaseException | None  # what stopped it: Ctrl-C, or the end of memory
+
+    @property
+    def solved(self) -> bool:
+        """Whether the search converged."""
+        return self.status in (0, 1)
+
+    @property
+    def message(self) -> str:
+        """Why it ended."""
+        return STATUS.get(self.status, f"IPOPT ended with status {self.status}")
+
+    @property
+    def iterations(self) -> int:
+        """How many iterations it took; the first row of the history is before them."""
+        return max(len(self.history) - 1, 0)
 
     def seeds(self, nlp: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the multipliers of rows and lower and upper bounds in a program's own units."""

@@ -18,7 +18,7 @@ from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
-from pydy.control.ipopt import SOLVED, Solution
+from pydy.control.ipopt import Solution
 from pydy.control.kernel import Equations, violated
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
@@ -521,7 +521,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         now, duration = self._now, made.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
-                f"The search ended at a duration of zero after {len(solution.history) - 1} "
+                f"The search ended at a duration of zero after {solution.iterations} "
                 f"iterations: the objective favours a motion of no length. Give "
                 f"`bounds[{self._symbol}]` a positive lower limit.",
                 None,
@@ -529,7 +529,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         moved = Moved(now.driven.compiled("rates"), now.plan)
         limits = {s: self._bounds_at(s) for s in self._free}
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
-        if solution.status in SOLVED:
+        if solution.solved:
             refuse_unsolvable(moved, made, solution.z, now.definition.constants)
         error = interval_errors(moved, made, solution.z, told)
         found = OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)

@@ -15,12 +15,7 @@ from pydy._optional import require
 from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
-from pydy.control.ipopt import (
-    INFEASIBLE,
-    STATUS,
-    Iteration,
-    Solution,
-)
+from pydy.control.ipopt import INFEASIBLE, Iteration, Solution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
@@ -105,7 +100,7 @@ class OptimalTrajectory(Trajectory):
             outputs=moved.outputs(times, states),
             specifieds=moved.specifieds(times, states),
             constants=moved.constants,
-            statistics={"iterations": len(solution.history) - 1},
+            statistics={"iterations": solution.iterations},
             model=moved,
             dense=partial(transcription.states_at, z),
         )
@@ -327,15 +322,14 @@ def why_in_vain(
     To first order it cannot tell where to move those that change no equation where it begins, but
     would elsewhere, as from u = 0 where u² is a force. That is no contradiction.
     """
-    told = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
     found = [f"`{symbol}`" for part in parts for symbol in _stationary(*part)]
     if not found or solution.status not in _STUCK:
-        return told
+        return solution.message
     reason = (
         f"at the guess all derivatives of the equations by {', '.join(found)} are zero, so that "
         "the search cannot tell which way to change it. Give a `guess` where they are not"
     )
-    return reason if solution.status == INFEASIBLE else f"{told}; {reason}"
+    return reason if solution.status == INFEASIBLE else f"{solution.message}; {reason}"
 
 
 def _stationary(

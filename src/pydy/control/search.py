@@ -14,7 +14,7 @@ from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
 from pydy.control.accuracy import relative_errors, warn_of_chatter, warn_where_coarse
-from pydy.control.ipopt import SOLVED, Iteration, Solution
+from pydy.control.ipopt import Iteration, Solution
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import (
     jumps,
@@ -333,7 +333,7 @@ class Search(Generic[Found]):
         if isinstance(last, OptimalTrajectory) and last.is_on(parts[0].made):
             warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
         solution: Solution = search(nlp, start, watch=watch, warm=warm)
-        if solution.status in SOLVED:
+        if solution.solved:
             solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
         phases, first = [], 0
         for problem, (one, program, at, told) in zip(self._problems, parts, strict=True):
@@ -357,7 +357,7 @@ class Search(Generic[Found]):
                 "the attribute `results` of this error.",
                 found,
             ) from None
-        if solution.status not in SOLVED:
+        if not solution.solved:
             begun = [
                 (one, program, start[at], problem._controls)
                 for problem, (one, program, at, _) in zip(self._problems, parts, strict=True)
@@ -365,8 +365,7 @@ class Search(Generic[Found]):
             raise OptimizationError(
                 "The search for an optimal trajectory"
                 f"{f' in {len(parts)} phases' if several else ''} ended after "
-                f"{max(len(solution.history) - 1, 0)} iterations: "
-                f"{why_in_vain(solution, begun)}. "
+                f"{solution.iterations} iterations: {why_in_vain(solution, begun)}. "
                 f"{worst_rows(nlp, solution, np.nan if several else found.duration)}"
                 + next((one._bends for one in self._problems if one._bends), ""),
                 found,
