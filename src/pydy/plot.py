@@ -374,27 +374,14 @@ def plot_states(
     kinds = [kind for kind in STATES if all(names_in(run, (kind,)) for run in runs)]
     if not kinds:
         raise nothing_to_plot("states", runs[0])
-    if axes is None:
-        plt = require("matplotlib.pyplot", "plot", "pydy.plot")
-        size = (6.4, 1.0 + 2.2 * len(kinds))
-        _, axes = plt.subplots(
-            len(kinds), sharex=True, squeeze=False, figsize=size, layout="constrained"
-        )
-    rows = axes.ravel() if isinstance(axes, np.ndarray) else axes
-    given = listed("axes", rows, "Matplotlib Axes")
-    flat = np.empty(len(given), dtype=object)
-    flat[:] = given
-    if len(flat) != len(kinds):
-        raise ValueError(
-            f"`axes` must be {len(kinds)}, one for each of {', '.join(kinds)}, got {len(flat)}."
-        )
-    for ax, kind in zip(flat, kinds, strict=True):
-        if ax is None:
-            raise TypeError("`axes` must be Matplotlib Axes, got None among them.")
+    size = (6.4, 1.0 + 2.2 * len(kinds))
+    each = f"of {', '.join(kinds)}"
+    _, rows = rows_of_axes(axes, len(kinds), each, "pydy.plot", figsize=size)
+    for ax, kind in zip(rows, kinds, strict=True):
         _plot(result, (kind,), titles[kind], None, ax, units, time_unit)
-    for ax in flat[:-1]:
+    for ax in rows[:-1]:
         ax.set_xlabel("")
-    return flat
+    return np.array(rows)
 
 
 def plot_constraints(
@@ -576,3 +563,23 @@ def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax
+
+
+def rows_of_axes(
+    axes: Any, count: int, each: str, what: str = "a plot", **figure: Any
+) -> tuple[Any, list[Any]]:
+    """Return the given Axes, or those of a new figure, one below the other; and a list of them."""
+    if axes is None:
+        options = {"sharex": True, "squeeze": False, "layout": "constrained", **figure}
+        axes = require("matplotlib.pyplot", "plot", what).subplots(count, **options)[1][:, 0]
+    flat = axes.ravel() if isinstance(axes, np.ndarray) else axes
+    rows = [axes] if hasattr(axes, "set_xlabel") else [*listed("axes", flat, "Matplotlib Axes")]
+    if len(rows) != count:
+        raise ValueError(
+            f"`axes` must be {count}, one for each {each}, got {len(rows)}. Pass "
+            f"plt.subplots({count})[1], or leave it out."
+        )
+    for ax in rows:
+        if not hasattr(ax, "set_xlabel"):
+            raise TypeError(f"`axes` must be Matplotlib Axes, got {shown(ax)} among them.")
+    return axes, rows

@@ -995,6 +995,8 @@ def test_controls_errors_and_sparsity_are_plotted():
     (ax,) = found.plot_controls()
     assert (ax.get_ylabel(), len(ax.lines)) == ("F", 4)  # itself, its bounds, the nodes
     assert found.plot_controls(ax) is ax
+    with pytest.raises(ValueError, match="`axes` must be 1, one for each of F, got 2"):
+        found.plot_controls([ax, ax])
     ax = found.plot_error()
     assert ax.patches[0].get_data().values.tolist() == found.error.tolist()
     ax = found.plot_sparsity()

@@ -359,7 +359,7 @@ def test_residuals_are_plotted(oscillator):
     result = oscillator.fit(["k0", "c0"], [let_go(swing()), let_go(swing(x0=0.5), x0=0.5)])
     axes = result.plot_residuals()
     assert [ax.get_ylabel() for ax in axes] == ["measured minus model"] * 2
-    with pytest.raises(ValueError, match="one Axes for each trial, 2 of them, got the shape"):
+    with pytest.raises(ValueError, match="must be 2, one for each trial, got 3"):
         result.plot_residuals(plt.subplots(3)[1])
     plt.close("all")
     assert str(result).startswith("Fit of k0 = 4 +-")

@@ -175,6 +175,8 @@ def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
     plt.close("all")
     with pytest.raises(ValueError, match="`output` must be"):
         model.plot_bode("f0", "v0")
+    with pytest.raises(TypeError, match="`axes` must be Matplotlib Axes, got None among them"):
+        model.plot_bode("f0", "x0", axes=[None, None])
 
 
 @pytest.mark.parametrize(

@@ -17,11 +17,10 @@ import scipy
 from pydy._checks import number
 from pydy._errors import FitInterrupted, note_finished, warn_user
 from pydy._names import few, place_of, some
-from pydy._optional import require
 from pydy._rank import HALF
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import FITTED, NAMED_IN_FIT
-from pydy.plot import axes_of
+from pydy.plot import rows_of_axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,17 +150,9 @@ class FitResult:
 
     def plot_residuals(self, axes: Any = None) -> Any:
         """Plot the residuals of each trial over time; return the Axes."""
-        if axes is None:
-            plt = require("matplotlib.pyplot", "plot", "a plot")
-            axes = plt.subplots(len(self.times), squeeze=False, layout="constrained")[1][:, 0]
-        given = np.atleast_1d(axes)
-        if given.shape != (len(self.times),):
-            raise ValueError(
-                f"`axes` must have one Axes for each trial, {len(self.times)} of them, got the "
-                f"shape {given.shape}. Pass plt.subplots({len(self.times)})[1], or leave it out."
-            )
-        for ax, times, columns in zip(given, self.times, self.residuals, strict=True):
-            axes_of(ax, "a plot").axhline(0.0, color="0.7", linewidth=0.8)
+        axes, rows = rows_of_axes(axes, len(self.times), "trial", sharex=False)
+        for ax, times, columns in zip(rows, self.times, self.residuals, strict=True):
+            ax.axhline(0.0, color="0.7", linewidth=0.8)
             for name, column in columns.items():
                 ax.plot(times, column, ".", markersize=3, label=name)
             ax.set_xlabel("time")

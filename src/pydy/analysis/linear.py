@@ -21,7 +21,7 @@ from pydy._names import some
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED
-from pydy.plot import axes_of
+from pydy.plot import axes_of, rows_of_axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,10 +161,7 @@ class LinearModel:
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
         response = self.frequency_response(frequencies)[:, i, j]
-        if axes is None:
-            plt = require("matplotlib.pyplot", "plot", "a plot")
-            _, axes = plt.subplots(2, sharex=True, layout="constrained")
-        magnitude, phase = (axes_of(ax, "a plot") for ax in axes)
+        axes, (magnitude, phase) = rows_of_axes(axes, 2, "of magnitude and phase")
         title = f"{input} → {output}"
         with np.errstate(divide="ignore"):
             magnitude.semilogx(frequencies, 20.0 * np.log10(np.abs(response)), label=title)

@@ -11,7 +11,6 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._names import unique_names
-from pydy._optional import require
 from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
@@ -20,7 +19,7 @@ from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
 from pydy.inputs import SampledInput
-from pydy.plot import axes_of
+from pydy.plot import axes_of, rows_of_axes
 from pydy.trajectory import Columns, Trajectory
 
 _STUCK = (INFEASIBLE, 3, -1, -2, -3)  # the statuses of a search that moved as far as it could
@@ -199,13 +198,10 @@ class OptimalTrajectory(Trajectory):
 
     def _plotted(self, axes: Any, symbols: Sequence[Any], curves: Sequence[Any]) -> Any:
         """Plot times and values with their limits, each in its Axes."""
-        if axes is None:
-            plt = require("matplotlib.pyplot", "plot", "a plot")
-            size = {"squeeze": False, "sharex": True, "layout": "constrained"}
-            axes = plt.subplots(len(symbols), **size)[1][:, 0]
-        parts = zip(np.atleast_1d(axes), unique_names(symbols), curves, strict=True)
-        for ax, name, (times, values, limits) in parts:
-            axes_of(ax, "a plot").plot(times, values)
+        names = unique_names(symbols)
+        axes, rows = rows_of_axes(axes, len(names), f"of {', '.join(names)}")
+        for ax, name, (times, values, limits) in zip(rows, names, curves, strict=True):
+            ax.plot(times, values)
             for at, limit in limits:
                 if len(limit) and np.isfinite(limit).all():
                     ax.plot(at, limit, "--", color="0.5", linewidth=0.8)
