@@ -22,9 +22,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
+from pydy._graph.solve.ldl import elimination_order
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
@@ -53,7 +56,7 @@ def accelerations_of_held(
     """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
     first, heavy = held.rows[: held.rank], graph.boolean(True)
     eliminated = _Elimination(graph, matrix)
-    if eliminated.work <= sum(map(_work_of_pivot, range(GUARDED_UP_TO))):
+    if eliminated.is_short:
         free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
         for k, pivot in enumerate(eliminated.pivots):
             heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
@@ -233,8 +236,9 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
 class _Elimination:
     """L D Lᵀ of a symmetric matrix, written out where cells are not zero; `pivots` are D.
 
-    Beyond what is written out of dense matrices too, the row with the fewest cells goes first: what
-    is coupled as the windows of a chain of loops then costs no more than its length.
+    It `is_short` if it takes no more than that of a dense matrix that is written out. Beyond such
+    sizes the order is one with little fill: what is coupled as the windows of a chain of loops then
+    costs no more than its length.
     """
 
     def __init__(self, graph: Graph, square: Sequence[list[int]]) -> None:
@@ -248,7 +252,10 @@ class _Elimination:
                 if c != graph.zero:
                     cells[i][k] = cells[k][i] = c
         self._cells = cells
-        self._order, self.work = _order_of(cells)
+        filled = np.array([k in row for row in cells for k in range(n)], dtype=bool).reshape(n, n)
+        order, work = elimination_order(filled)
+        self._order = list(range(n)) if n <= GUARDED_UP_TO else order
+        self.is_short = work <= elimination_order(np.ones((GUARDED_UP_TO,) * 2, dtype=bool))[1]
 
     @cached_property
     def _lower(self) -> dict[int, dict[int, int]]:
@@ -279,26 +286,6 @@ class _Elimination:
             for i, share in self._lower[j].items():
                 found[j] = graph.sub(found[j], graph.mul(share, found[i]))
         return found
-
-
-def _order_of(cells: Sequence[dict[int, int]]) -> tuple[list[int], int]:
-    """Return in which order a symmetric matrix is eliminated, and the multiplications."""
-    n, work, order = len(cells), 0, []
-    beside = [{k for k in row if k != i} for i, row in enumerate(cells)]
-    left = set(range(n))
-    while left:
-        j = min(left) if n <= GUARDED_UP_TO else min(left, key=lambda k: (len(beside[k]), k))
-        left.remove(j)
-        order.append(j)
-        work += _work_of_pivot(len(beside[j]))
-        for i in beside[j]:
-            beside[i] |= beside[j]
-            beside[i] -= {i, j}
-    return order, work
-
-
-def _work_of_pivot(beside: int) -> int:
-    return beside * (beside + 3) // 2
 
 
 def solved_soundly(

@@ -23,7 +23,7 @@ def unrolled(tape: Tape, n: int, entries: list[int]) -> UnrolledLDL | None:
     return None if long else UnrolledLDL(tape, n, entries, order)
 
 
-def elimination_order(filled: np.ndarray, fixed: np.ndarray) -> tuple[list[int], int]:
+def elimination_order(filled: np.ndarray, fixed: np.ndarray | bool = True) -> tuple[list[int], int]:
     """Return an order of elimination with little fill, and the multiply-adds of LDLᵀ and one solve.
 
     It is found by minimum degree, if that beats the given order (George & Liu, The evolution of the
@@ -41,7 +41,7 @@ def elimination_order(filled: np.ndarray, fixed: np.ndarray) -> tuple[list[int],
     left = np.ones(n, dtype=bool)
     order = []
     for _ in range(n):
-        degree = np.where(left, 2 * pattern.sum(axis=1) + ~fixed, 2 * n + 2)
+        degree = np.where(left, 2 * pattern.sum(axis=1) + np.logical_not(fixed), 2 * n + 2)
         k = int(degree.argmin())
         order.append(k)
         neighbours = pattern[k] & left
