@@ -140,3 +140,68 @@ def test_other_events_and_unconstrained_systems_are_not_looked_at():
         warnings.simplefilter("error")
         run = system.simulate(events=[Event(x + 0.5, name="passage")])
     assert len(run.events) >= 1
+
+
+def cradle(gap):
+    """Three equal balls on long strings, the first one drawn aside, which hit each other."""
+    frame, origin = inertial_frame()
+    x, v = me.dynamicsymbols("x1:4"), me.dynamicsymbols("v1:4")
+    w = sm.Symbol("w")
+    places = [origin.locatenew(f"P{k}", x[k] * frame.x) for k in range(3)]
+    definition = Definition(
+        frame,
+        x,
+        v,
+        bodies=[me.Particle(f"ball{k}", place, 1) for k, place in enumerate(places)],
+        loads=[(place, -(w**2) * x[k] * frame.x) for k, place in enumerate(places)],
+    )
+    system = System(definition, {w: 2 * np.pi}, ode_solver="dop853", times=np.linspace(0, 1, 101))
+    system.initial_conditions = {x[0]: -1.0}
+    hits = [
+        Event(x[k + 1] - x[k] + k * gap, -1, reset={v[k]: v[k + 1], v[k + 1]: v[k]}, name=f"hit{k}")
+        for k in (0, 1)
+    ]
+    return system, hits
+
+
+@pytest.mark.parametrize("many", [False, True])
+def test_an_event_at_zero_that_a_reset_sets_going_is_told_of(many):
+    """The third ball touches the second, which went through it without a word."""
+    system, hits = cradle(0.0)
+    run = system.integrate_ensemble if many else system.simulate
+    more = {"constants": {"w": [2 * np.pi] * 9}} if many else {}
+    with pytest.warns(PyDyUserWarning, match=r"At t = 0.25 .*`hit1` was zero .*`hit0` sent it bel"):
+        run(events=hits, **more)
+
+
+def test_balls_with_a_small_gap_hand_the_blow_on():
+    system, hits = cradle(1e-9)
+    motion = system.simulate(events=hits, rtol=1e-12, atol=1e-14)
+    swing = np.sin(2 * np.pi * (system.times - 0.25))
+    late = system.times > 0.25
+    np.testing.assert_allclose(motion["x1"][~late], swing[~late], atol=1e-8)
+    until = late & (system.times < 0.75)
+    np.testing.assert_allclose(motion["x3"][until], swing[until], atol=1e-8)
+    np.testing.assert_allclose(motion["x2"], 0.0, atol=1e-8)
+
+
+def test_an_event_at_zero_that_a_reset_sends_the_other_way_is_not_told_of(recwarn):
+    """A ball at rest on the floor is kicked upwards, and comes down after a second."""
+    frame, origin = inertial_frame()
+    y, v, clock = me.dynamicsymbols("y v clock")
+    place = origin.locatenew("P", y * frame.y)
+    definition = Definition(
+        frame,
+        [y, clock],
+        [v],
+        bodies=[me.Particle("ball", place, 1)],
+        loads=[(place, sm.Piecewise((-10.0, y > 0), (0, True)) * frame.y)],
+        kinematic_equations=[y.diff() - v, clock.diff() - 1],
+    )
+    system = System(definition, ode_solver="dop853", times=np.linspace(0.0, 3.0, 4))
+    kick = Event(clock - 0.5, reset={v: 5.0}, name="kick")
+    landing = Event(y, direction=-1, terminal=True, name="landing")
+    motion = system.simulate(events=[kick, landing])
+    assert motion.events[-1].name == "landing"
+    assert motion.events[-1].time == pytest.approx(1.5, abs=1e-6)
+    assert not recwarn

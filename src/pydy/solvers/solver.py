@@ -313,7 +313,7 @@ class Prepared:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         states = self._run(x0)
         events = self._integration.options.events
-        if events is not None and any(events.may_rest):
+        if events is not None and (any(events.may_rest) or self._integration.set_off):
             for told in self._integration.stretches():
                 warn_user(told)
         if self._integration.code == EVENTS_ACCUMULATE:

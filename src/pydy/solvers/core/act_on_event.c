@@ -7,8 +7,8 @@ INLINE int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0
 /* Change the state at the event that has just ended a step: ACTED, or EVENTS_ACCUMULATE where it has
    followed itself ever faster, or LEFT.
 
-   Python has to see to what is not as simple: several events at once, and errors. Then nothing has
-   changed. */
+   Python has to see to what is not as simple: several events at once, those that this one sets going
+   from zero, and errors. Then nothing has changed. */
 int64_t act_on_event(const Run *run)
 {
     const Watch *w = &run->watch;
@@ -39,9 +39,16 @@ int64_t act_on_event(const Run *run)
     for (int64_t i = 0; i < n; i++)
         if (!is_finite(row[i]))
             return LEFT;
-    for (int64_t k = 0; k < number; k++)
-        if (k != event && w->sides.at[k] != 0 && values[k] != values[k])
+    for (int64_t k = 0; k < number; k++) {
+        if (k == event)
+            continue;
+        if (w->sides.at[k] != 0 && values[k] != values[k])
             return LEFT;
+        /* zero, and perhaps set going by this reset */
+        if (w->acting.at[k] == 1 && values[k] == was[k] && rates[k] * (double)w->directions.at[k] >= 0.0
+            && rates[k] != 0.0 && absolute(values[k]) <= 8.0 * ROUNDING * bounds[k])
+            return LEFT;
+    }
     /* whether the reset leads away from zero, or the rate tells the side */
     const double value = values[event], bound = 8.0 * ROUNDING * bounds[event];
     const int left = value != was[event] && absolute(value) > bound;

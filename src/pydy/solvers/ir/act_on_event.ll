@@ -1,4 +1,4 @@
-; sources a831be2bb14a9b189ddb7584ab42aa77c9ed1cdeb3651ad0f1b88e2e85e87a48
+; sources be16e44795e56fabdd9fcb78b36d86d97d6aed45d066ec3418b7c7bde6a8e7af
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -54,7 +54,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 46:                                               ; preds = %40
   %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %261, label %48
+  br i1 %47, label %291, label %48
 
 48:                                               ; preds = %46, %40
   %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
@@ -65,7 +65,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 52:                                               ; preds = %48, %1
   %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
   %54 = icmp slt i64 %53, 0
-  br i1 %54, label %261, label %55
+  br i1 %54, label %291, label %55
 
 55:                                               ; preds = %52
   %56 = getelementptr inbounds i8, ptr %0, i64 864
@@ -74,7 +74,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %59 = load i64, ptr %58, align 8
   %60 = and i64 %59, 4
   %61 = icmp eq i64 %60, 0
-  br i1 %61, label %261, label %62
+  br i1 %61, label %291, label %62
 
 62:                                               ; preds = %55
   %63 = add nsw i64 %23, 1
@@ -83,7 +83,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %66 = getelementptr inbounds i8, ptr %0, i64 1064
   %67 = load i64, ptr %66, align 8
   %68 = icmp sgt i64 %64, %67
-  br i1 %68, label %261, label %69
+  br i1 %68, label %291, label %69
 
 69:                                               ; preds = %62
   %70 = mul nsw i64 %53, %19
@@ -114,7 +114,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %89 = load ptr, ptr %88, align 8
   %90 = tail call i32 %89(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
   %91 = icmp eq i32 %90, 0
-  br i1 %91, label %92, label %261
+  br i1 %91, label %92, label %291
 
 92:                                               ; preds = %78
   %93 = load ptr, ptr %2, align 8
@@ -127,7 +127,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %100 = load ptr, ptr %99, align 8
   %101 = tail call i32 %100(ptr noundef %95, ptr noundef %25, ptr noundef %96, ptr noundef %98, ptr noundef %31) #4
   %102 = icmp eq i32 %101, 0
-  br i1 %102, label %103, label %261
+  br i1 %102, label %103, label %291
 
 103:                                              ; preds = %92
   %104 = load ptr, ptr %2, align 8
@@ -139,7 +139,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %110 = load ptr, ptr %109, align 8
   %111 = tail call i32 %110(ptr noundef %106, ptr noundef %71, ptr noundef %107, ptr noundef %108, ptr noundef %32) #4
   %112 = icmp eq i32 %111, 0
-  br i1 %112, label %113, label %261
+  br i1 %112, label %113, label %291
 
 113:                                              ; preds = %103
   %114 = load ptr, ptr %2, align 8
@@ -154,204 +154,242 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %123 = load ptr, ptr %122, align 8
   %124 = tail call i32 %123(ptr noundef %117, ptr noundef %71, ptr noundef %118, ptr noundef %120, ptr noundef %121) #4
   %125 = icmp eq i32 %124, 0
-  br i1 %125, label %126, label %261
+  br i1 %125, label %126, label %291
 
 126:                                              ; preds = %113
   %127 = icmp sgt i64 %19, 0
-  br i1 %127, label %135, label %131
+  br i1 %127, label %137, label %131
 
-128:                                              ; preds = %135
-  %129 = add nuw nsw i64 %136, 1
+128:                                              ; preds = %137
+  %129 = add nuw nsw i64 %138, 1
   %130 = icmp eq i64 %129, %19
-  br i1 %130, label %131, label %135, !llvm.loop !6
+  br i1 %130, label %131, label %137, !llvm.loop !6
 
 131:                                              ; preds = %128, %126
   %132 = icmp sgt i64 %16, 0
-  br i1 %132, label %133, label %156
+  br i1 %132, label %133, label %186
 
 133:                                              ; preds = %131
   %134 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %141
+  %135 = getelementptr inbounds i8, ptr %0, i64 840
+  %136 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %143
 
-135:                                              ; preds = %126, %128
-  %136 = phi i64 [ %129, %128 ], [ 0, %126 ]
-  %137 = getelementptr inbounds double, ptr %71, i64 %136
-  %138 = load double, ptr %137, align 8
-  %139 = tail call double @llvm.fabs.f64(double %138)
-  %140 = fcmp ueq double %139, 0x7FF0000000000000
-  br i1 %140, label %261, label %128
+137:                                              ; preds = %126, %128
+  %138 = phi i64 [ %129, %128 ], [ 0, %126 ]
+  %139 = getelementptr inbounds double, ptr %71, i64 %138
+  %140 = load double, ptr %139, align 8
+  %141 = tail call double @llvm.fabs.f64(double %140)
+  %142 = fcmp ueq double %141, 0x7FF0000000000000
+  br i1 %142, label %291, label %128
 
-141:                                              ; preds = %133, %153
-  %142 = phi i64 [ 0, %133 ], [ %154, %153 ]
-  %143 = icmp eq i64 %142, %53
-  br i1 %143, label %153, label %144
+143:                                              ; preds = %133, %183
+  %144 = phi i64 [ 0, %133 ], [ %184, %183 ]
+  %145 = icmp eq i64 %144, %53
+  br i1 %145, label %183, label %146
 
-144:                                              ; preds = %141
-  %145 = load ptr, ptr %134, align 8
-  %146 = getelementptr inbounds i64, ptr %145, i64 %142
-  %147 = load i64, ptr %146, align 8
-  %148 = icmp eq i64 %147, 0
-  br i1 %148, label %153, label %149
+146:                                              ; preds = %143
+  %147 = load ptr, ptr %134, align 8
+  %148 = getelementptr inbounds i64, ptr %147, i64 %144
+  %149 = load i64, ptr %148, align 8
+  %150 = icmp eq i64 %149, 0
+  br i1 %150, label %155, label %151
 
-149:                                              ; preds = %144
-  %150 = getelementptr inbounds double, ptr %32, i64 %142
-  %151 = load double, ptr %150, align 8
-  %152 = fcmp uno double %151, 0.000000e+00
-  br i1 %152, label %261, label %153
+151:                                              ; preds = %146
+  %152 = getelementptr inbounds double, ptr %32, i64 %144
+  %153 = load double, ptr %152, align 8
+  %154 = fcmp uno double %153, 0.000000e+00
+  br i1 %154, label %291, label %155
 
-153:                                              ; preds = %141, %144, %149
-  %154 = add nuw nsw i64 %142, 1
-  %155 = icmp eq i64 %154, %16
-  br i1 %155, label %156, label %141, !llvm.loop !7
+155:                                              ; preds = %151, %146
+  %156 = load ptr, ptr %135, align 8
+  %157 = getelementptr inbounds i64, ptr %156, i64 %144
+  %158 = load i64, ptr %157, align 8
+  %159 = icmp eq i64 %158, 1
+  br i1 %159, label %160, label %183
 
-156:                                              ; preds = %153, %131
-  %157 = getelementptr inbounds double, ptr %32, i64 %53
-  %158 = load double, ptr %157, align 8
-  %159 = getelementptr inbounds double, ptr %31, i64 %53
-  %160 = load double, ptr %159, align 8
-  %161 = fcmp une double %158, %160
-  br i1 %161, label %162, label %168
-
-162:                                              ; preds = %156
-  %163 = getelementptr inbounds double, ptr %35, i64 %53
+160:                                              ; preds = %155
+  %161 = getelementptr inbounds double, ptr %32, i64 %144
+  %162 = load double, ptr %161, align 8
+  %163 = getelementptr inbounds double, ptr %31, i64 %144
   %164 = load double, ptr %163, align 8
-  %165 = fmul double %164, 0x3CE0000000000000
-  %166 = tail call double @llvm.fabs.f64(double %158)
-  %167 = fcmp ule double %166, %165
-  br label %168
+  %165 = fcmp oeq double %162, %164
+  br i1 %165, label %166, label %183
 
-168:                                              ; preds = %162, %156
-  %169 = phi i1 [ true, %156 ], [ %167, %162 ]
-  %170 = icmp sgt i64 %16, 0
-  br i1 %170, label %171, label %173
+166:                                              ; preds = %160
+  %167 = getelementptr inbounds double, ptr %34, i64 %144
+  %168 = load double, ptr %167, align 8
+  %169 = load ptr, ptr %136, align 8
+  %170 = getelementptr inbounds i64, ptr %169, i64 %144
+  %171 = load i64, ptr %170, align 8
+  %172 = sitofp i64 %171 to double
+  %173 = fmul double %168, %172
+  %174 = fcmp oge double %173, 0.000000e+00
+  %175 = fcmp une double %168, 0.000000e+00
+  %176 = and i1 %175, %174
+  br i1 %176, label %177, label %183
 
-171:                                              ; preds = %168
-  %172 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %184
+177:                                              ; preds = %166
+  %178 = tail call double @llvm.fabs.f64(double %162)
+  %179 = getelementptr inbounds double, ptr %35, i64 %144
+  %180 = load double, ptr %179, align 8
+  %181 = fmul double %180, 0x3CE0000000000000
+  %182 = fcmp ugt double %178, %181
+  br i1 %182, label %183, label %291
 
-173:                                              ; preds = %184, %168
-  %174 = load ptr, ptr %65, align 8
-  %175 = getelementptr inbounds double, ptr %174, i64 %23
-  store double %29, ptr %175, align 8
-  %176 = getelementptr inbounds i8, ptr %0, i64 1080
-  %177 = load ptr, ptr %176, align 8
-  %178 = getelementptr inbounds i64, ptr %177, i64 %23
-  store i64 %53, ptr %178, align 8
-  %179 = icmp sgt i64 %19, 0
-  br i1 %179, label %180, label %206
+183:                                              ; preds = %155, %160, %166, %177, %143
+  %184 = add nuw nsw i64 %144, 1
+  %185 = icmp eq i64 %184, %16
+  br i1 %185, label %186, label %143, !llvm.loop !7
 
-180:                                              ; preds = %173
-  %181 = getelementptr inbounds i8, ptr %0, i64 1104
-  %182 = mul nsw i64 %23, %19
-  %183 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %213
+186:                                              ; preds = %183, %131
+  %187 = getelementptr inbounds double, ptr %32, i64 %53
+  %188 = load double, ptr %187, align 8
+  %189 = getelementptr inbounds double, ptr %31, i64 %53
+  %190 = load double, ptr %189, align 8
+  %191 = fcmp une double %188, %190
+  br i1 %191, label %192, label %198
 
-184:                                              ; preds = %171, %184
-  %185 = phi i64 [ 0, %171 ], [ %204, %184 ]
-  %186 = getelementptr inbounds double, ptr %32, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = fcmp oeq double %187, 0.000000e+00
-  %189 = icmp eq i64 %185, %53
-  %190 = select i1 %189, i1 %169, i1 false
-  %191 = select i1 %188, i1 true, i1 %190
-  %192 = getelementptr inbounds double, ptr %34, i64 %185
-  %193 = select i1 %191, ptr %192, ptr %186
+192:                                              ; preds = %186
+  %193 = getelementptr inbounds double, ptr %35, i64 %53
   %194 = load double, ptr %193, align 8
-  %195 = tail call double @llvm.fabs.f64(double %194)
-  %196 = fcmp ueq double %195, 0x7FF0000000000000
-  %197 = fcmp ogt double %194, 0.000000e+00
-  %198 = fcmp olt double %194, 0.000000e+00
-  %199 = sext i1 %198 to i64
-  %200 = select i1 %197, i64 1, i64 %199
-  %201 = select i1 %196, i64 0, i64 %200
-  %202 = load ptr, ptr %172, align 8
-  %203 = getelementptr inbounds i64, ptr %202, i64 %185
-  store i64 %201, ptr %203, align 8
-  %204 = add nuw nsw i64 %185, 1
-  %205 = icmp eq i64 %204, %16
-  br i1 %205, label %173, label %184, !llvm.loop !8
+  %195 = fmul double %194, 0x3CE0000000000000
+  %196 = tail call double @llvm.fabs.f64(double %188)
+  %197 = fcmp ule double %196, %195
+  br label %198
 
-206:                                              ; preds = %213, %173
-  %207 = load ptr, ptr %20, align 8
-  %208 = getelementptr inbounds i8, ptr %207, i64 80
-  store i64 %63, ptr %208, align 8
-  %209 = load ptr, ptr %0, align 8
-  %210 = getelementptr inbounds i8, ptr %209, i64 8
-  %211 = load i64, ptr %210, align 8
-  %212 = icmp eq i64 %211, 0
-  br i1 %212, label %226, label %232
+198:                                              ; preds = %192, %186
+  %199 = phi i1 [ true, %186 ], [ %197, %192 ]
+  %200 = icmp sgt i64 %16, 0
+  br i1 %200, label %201, label %203
 
-213:                                              ; preds = %180, %213
-  %214 = phi i64 [ 0, %180 ], [ %224, %213 ]
-  %215 = getelementptr inbounds double, ptr %25, i64 %214
-  %216 = load double, ptr %215, align 8
-  %217 = load ptr, ptr %181, align 8
-  %218 = add nsw i64 %214, %182
-  %219 = getelementptr inbounds double, ptr %217, i64 %218
-  store double %216, ptr %219, align 8
-  %220 = getelementptr inbounds double, ptr %71, i64 %214
-  %221 = load double, ptr %220, align 8
-  store double %221, ptr %215, align 8
-  %222 = load ptr, ptr %183, align 8
-  %223 = getelementptr inbounds double, ptr %222, i64 %218
-  store double %221, ptr %223, align 8
-  %224 = add nuw nsw i64 %214, 1
-  %225 = icmp eq i64 %224, %19
-  br i1 %225, label %206, label %213, !llvm.loop !9
+201:                                              ; preds = %198
+  %202 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %214
 
-226:                                              ; preds = %206
-  %227 = getelementptr inbounds i8, ptr %0, i64 1272
-  %228 = load ptr, ptr %227, align 8
-  %229 = getelementptr inbounds i8, ptr %228, i64 8
-  %230 = load double, ptr %229, align 8
-  %231 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %230, ptr %231, align 8
-  br label %232
+203:                                              ; preds = %214, %198
+  %204 = load ptr, ptr %65, align 8
+  %205 = getelementptr inbounds double, ptr %204, i64 %23
+  store double %29, ptr %205, align 8
+  %206 = getelementptr inbounds i8, ptr %0, i64 1080
+  %207 = load ptr, ptr %206, align 8
+  %208 = getelementptr inbounds i64, ptr %207, i64 %23
+  store i64 %53, ptr %208, align 8
+  %209 = icmp sgt i64 %19, 0
+  br i1 %209, label %210, label %236
 
-232:                                              ; preds = %226, %206
-  %233 = getelementptr inbounds i8, ptr %0, i64 1248
-  %234 = load ptr, ptr %233, align 8
-  %235 = mul i64 %53, 800
-  %236 = getelementptr inbounds i8, ptr %234, i64 %235
-  %237 = load double, ptr %236, align 8
-  %238 = fsub double %29, %237
-  %239 = tail call double @llvm.fabs.f64(double %29)
-  %240 = fcmp ogt double %239, %13
-  %241 = select i1 %240, double %239, double %13
-  %242 = fmul double %241, 0x3CF0000000000000
-  %243 = fcmp ugt double %238, %242
-  br i1 %243, label %244, label %251
+210:                                              ; preds = %203
+  %211 = getelementptr inbounds i8, ptr %0, i64 1104
+  %212 = mul nsw i64 %23, %19
+  %213 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %243
 
-244:                                              ; preds = %232
-  %245 = getelementptr inbounds i8, ptr %236, i64 784
+214:                                              ; preds = %201, %214
+  %215 = phi i64 [ 0, %201 ], [ %234, %214 ]
+  %216 = getelementptr inbounds double, ptr %32, i64 %215
+  %217 = load double, ptr %216, align 8
+  %218 = fcmp oeq double %217, 0.000000e+00
+  %219 = icmp eq i64 %215, %53
+  %220 = select i1 %219, i1 %199, i1 false
+  %221 = select i1 %218, i1 true, i1 %220
+  %222 = getelementptr inbounds double, ptr %34, i64 %215
+  %223 = select i1 %221, ptr %222, ptr %216
+  %224 = load double, ptr %223, align 8
+  %225 = tail call double @llvm.fabs.f64(double %224)
+  %226 = fcmp ueq double %225, 0x7FF0000000000000
+  %227 = fcmp ogt double %224, 0.000000e+00
+  %228 = fcmp olt double %224, 0.000000e+00
+  %229 = sext i1 %228 to i64
+  %230 = select i1 %227, i64 1, i64 %229
+  %231 = select i1 %226, i64 0, i64 %230
+  %232 = load ptr, ptr %202, align 8
+  %233 = getelementptr inbounds i64, ptr %232, i64 %215
+  store i64 %231, ptr %233, align 8
+  %234 = add nuw nsw i64 %215, 1
+  %235 = icmp eq i64 %234, %16
+  br i1 %235, label %203, label %214, !llvm.loop !8
+
+236:                                              ; preds = %243, %203
+  %237 = load ptr, ptr %20, align 8
+  %238 = getelementptr inbounds i8, ptr %237, i64 80
+  store i64 %63, ptr %238, align 8
+  %239 = load ptr, ptr %0, align 8
+  %240 = getelementptr inbounds i8, ptr %239, i64 8
+  %241 = load i64, ptr %240, align 8
+  %242 = icmp eq i64 %241, 0
+  br i1 %242, label %256, label %262
+
+243:                                              ; preds = %210, %243
+  %244 = phi i64 [ 0, %210 ], [ %254, %243 ]
+  %245 = getelementptr inbounds double, ptr %25, i64 %244
   %246 = load double, ptr %245, align 8
-  %247 = fsub double %29, %246
-  %248 = fmul double %13, 1.000000e-09
-  %249 = fcmp olt double %247, %248
-  %250 = select i1 %249, i64 8, i64 1
-  br label %251
+  %247 = load ptr, ptr %211, align 8
+  %248 = add nsw i64 %244, %212
+  %249 = getelementptr inbounds double, ptr %247, i64 %248
+  store double %246, ptr %249, align 8
+  %250 = getelementptr inbounds double, ptr %71, i64 %244
+  %251 = load double, ptr %250, align 8
+  store double %251, ptr %245, align 8
+  %252 = load ptr, ptr %213, align 8
+  %253 = getelementptr inbounds double, ptr %252, i64 %248
+  store double %251, ptr %253, align 8
+  %254 = add nuw nsw i64 %244, 1
+  %255 = icmp eq i64 %254, %19
+  br i1 %255, label %236, label %243, !llvm.loop !9
 
-251:                                              ; preds = %244, %232
-  %252 = phi i64 [ 8, %232 ], [ %250, %244 ]
-  br label %254
+256:                                              ; preds = %236
+  %257 = getelementptr inbounds i8, ptr %0, i64 1272
+  %258 = load ptr, ptr %257, align 8
+  %259 = getelementptr inbounds i8, ptr %258, i64 8
+  %260 = load double, ptr %259, align 8
+  %261 = getelementptr inbounds i8, ptr %26, i64 8
+  store double %260, ptr %261, align 8
+  br label %262
 
-253:                                              ; preds = %254
-  store double %29, ptr %236, align 8
-  br label %261
+262:                                              ; preds = %256, %236
+  %263 = getelementptr inbounds i8, ptr %0, i64 1248
+  %264 = load ptr, ptr %263, align 8
+  %265 = mul i64 %53, 800
+  %266 = getelementptr inbounds i8, ptr %264, i64 %265
+  %267 = load double, ptr %266, align 8
+  %268 = fsub double %29, %267
+  %269 = tail call double @llvm.fabs.f64(double %29)
+  %270 = fcmp ogt double %269, %13
+  %271 = select i1 %270, double %269, double %13
+  %272 = fmul double %271, 0x3CF0000000000000
+  %273 = fcmp ugt double %268, %272
+  br i1 %273, label %274, label %281
 
-254:                                              ; preds = %251, %254
-  %255 = phi i64 [ 99, %251 ], [ %259, %254 ]
-  %256 = getelementptr double, ptr %236, i64 %255
-  %257 = getelementptr i8, ptr %256, i64 -8
-  %258 = load double, ptr %257, align 8
-  store double %258, ptr %256, align 8
-  %259 = add nsw i64 %255, -1
-  %260 = icmp ugt i64 %255, 1
-  br i1 %260, label %254, label %253, !llvm.loop !10
+274:                                              ; preds = %262
+  %275 = getelementptr inbounds i8, ptr %266, i64 784
+  %276 = load double, ptr %275, align 8
+  %277 = fsub double %29, %276
+  %278 = fmul double %13, 1.000000e-09
+  %279 = fcmp olt double %277, %278
+  %280 = select i1 %279, i64 8, i64 1
+  br label %281
 
-261:                                              ; preds = %46, %135, %149, %253, %113, %103, %92, %78, %52, %55, %62
-  %262 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %252, %253 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ 0, %149 ], [ 0, %135 ], [ 0, %46 ]
-  ret i64 %262
+281:                                              ; preds = %274, %262
+  %282 = phi i64 [ 8, %262 ], [ %280, %274 ]
+  br label %284
+
+283:                                              ; preds = %284
+  store double %29, ptr %266, align 8
+  br label %291
+
+284:                                              ; preds = %281, %284
+  %285 = phi i64 [ 99, %281 ], [ %289, %284 ]
+  %286 = getelementptr double, ptr %266, i64 %285
+  %287 = getelementptr i8, ptr %286, i64 -8
+  %288 = load double, ptr %287, align 8
+  store double %288, ptr %286, align 8
+  %289 = add nsw i64 %285, -1
+  %290 = icmp ugt i64 %285, 1
+  br i1 %290, label %284, label %283, !llvm.loop !10
+
+291:                                              ; preds = %46, %137, %151, %177, %283, %113, %103, %92, %78, %52, %55, %62
+  %292 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %282, %283 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ 0, %177 ], [ 0, %151 ], [ 0, %137 ], [ 0, %46 ]
+  ret i64 %292
 }
 
 declare double @llvm.fabs.f64(double) #1

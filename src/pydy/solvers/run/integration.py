@@ -161,6 +161,7 @@ class Integration(Workspace):
             self.states = options.recorded
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
+        self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         wanted = options.constraints is not None or options.progress
@@ -197,7 +198,7 @@ class Integration(Workspace):
         self._rows = np.empty(self._room)
         self._rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
-        self.records = []
+        self.records, self.set_off = [], {}
         if self.keeps:
             self.forget_steps()
         if self.options.events is not None:
@@ -443,6 +444,7 @@ class Integration(Workspace):
                 self._project(following, held, RESET_OFF_CONSTRAINTS, event=wanted.names[k])
             if wanted.resetting[k]:
                 zero -= self._left(before, after[:n], following)
+                self._note_set_off(k, fired, before, following, t)
             self.records.append(self._record(t, k, before, following, acting=True))
             before = following
             if (moved := self.records[-1].sensitivity_after) is not None and beside is not None:
@@ -485,10 +487,38 @@ class Integration(Workspace):
         off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
         return {*np.flatnonzero(off).tolist()}
 
+    def _note_set_off(
+        self, event: int, fired: tuple[int, ...], before: np.ndarray, after: np.ndarray, t: float
+    ) -> None:
+        """Note an event at zero that a reset sets going: as it had no sign, it crosses nothing."""
+        wanted, call = self.options.events, self.call
+        assert wanted is not None
+        assert call is not None
+        was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
+        (sides_before, _), (sides, bounds) = (
+            np.split(call.evaluate(wanted.rates, x, t)[: 2 * len(values)], 2)
+            for x in (before, after)
+        )
+        still = (values == was) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
+        turned = (sides != 0.0) & (np.sign(sides_before) != np.sign(sides))
+        asked = np.sign(sides) * np.array(wanted.directions) >= 0.0
+        for k in np.flatnonzero(still & turned & asked & (self.watch.acting == 1)).tolist():
+            if k not in fired:
+                way = "above" if sides[k] > 0.0 else "below"
+                self.set_off.setdefault(
+                    (event, k),
+                    f"At t = {t:.6g} the expression of the event `{wanted.names[k]}` was zero when "
+                    f"the reset of `{wanted.names[event]}` sent it {way}: that is no change of "
+                    "sign, so this event did nothing there. If bodies touch, let them start with "
+                    "a small gap, do both in one reset, or use `pydy.contact.Contacts`.",
+                )
+
     def stretches(self) -> list[str]:
-        """Return the events whose expressions stayed at zero, without a change of sign."""
+        """Return what to say of events that were zero, without a change of sign."""
         wanted = self.options.events
-        return [] if wanted is None else stretches(wanted, self.watch.rests, self.span)
+        if wanted is None:
+            return []
+        return [*self.set_off.values(), *stretches(wanted, self.watch.rests, self.span)]
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
