@@ -65,6 +65,18 @@ def test_a_motion_that_runs_away_in_finite_time_stops_there(solver):
     assert error.state[0] > 1e6
 
 
+def test_times_far_from_zero_are_told_of_where_steps_become_as_small_as_their_digits():
+    """Mathieu's equation at the seconds since 1970, of which floats have seven decimals."""
+    times = np.array([0.0, 4.0])
+
+    def f(x, t):
+        return np.array([x[1], -(1.0 - 6.0 * np.cos(2.0 * t)) * x[0]])
+
+    assert np.isfinite(dop853(f, [1.0, 0.0], times, rtol=1e-12, atol=1e-12)).all()
+    error = failure(dop853, f, [1.0, 0.0], 1.7e9 + times, rtol=1e-12, atol=1e-12)
+    assert "floats tell times apart by 2.4e-07: let `times` start nearer to zero" in str(error)
+
+
 def test_fixed_steps_stop_where_the_state_is_not_finite_any_more():
     def f(x, t):
         with np.errstate(over="ignore"):

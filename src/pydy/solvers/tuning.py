@@ -40,6 +40,9 @@ CROWD, CROWDED = 100, 1e-9
 NO_LATER = 16.0
 """An event that happens again within so many roundings of the time has followed itself at once."""
 
+FAR_ORIGIN = 1e3
+"""Times this many spans from zero leave steps so few digits that these may be what ends a run."""
+
 NEARLY_SINGULAR = 1e-5
 """How near to losing rank the rows of velocity constraints no longer tell the way on.
 

@@ -60,6 +60,7 @@ from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
     CROWDED,
+    FAR_ORIGIN,
     LEAST_TOLERANCE,
     NEARLY_SINGULAR,
     NO_LATER,
@@ -633,12 +634,18 @@ class Integration(Workspace):
             code = int(self.progress.counts[at.FAILURE])
         if code == NOT_FINITE:
             self._check_scales()
+        t = float(self.progress.state[at.TIME])
+        size = f" with a step size of {step:.3g}" if np.isfinite(step) and step else ""
+        if code == STEP_UNDERFLOW and abs(t) > FAR_ORIGIN * self.span:
+            size += (
+                f", where floats tell times apart by {np.spacing(t):.2g}: let `times` start nearer "
+                "to zero, or loosen the tolerances,"
+            )
         details: dict[str, Any] = {
             "max_steps": self.options.max_steps,
             "step": step,
-            "size": f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
+            "size": size,
         }
-        t = float(self.progress.state[at.TIME])
         nearness, rows, determinacy = self._combined(self.memory.x[: self.n].copy(), t)
         what = OUTCOMES[code].text.format(**details)
         if nearness < NEARLY_SINGULAR:
