@@ -17,13 +17,14 @@ import tempfile
 import zipfile
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
 from pydy._backends.c.source import HELPERS
 from pydy._errors import GeneratorError
-from pydy._files import replacing, temporary_folder
+from pydy._files import temporary_folder
 from pydy._names import untaken
 from pydy._processes import output_of, started
 from pydy._version import __version__
@@ -36,8 +37,8 @@ from pydy.solvers.tableaus import method_arrays
 _METHOD = "dop853"
 
 
-def write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -> tuple[Path, ...]:
-    """Write the unit; raise a GeneratorError where there is no C compiler, or it fails."""
+def fmu_archive(model: Model, fmi: str = "3.0", binary: bool = True) -> bytes:
+    """Return the unit; raise a GeneratorError where there is no C compiler, or it fails."""
     # Names of ours, which meet none in the hand-written sources.
     constants = [replace(v, identifier=f"p_{k}") for k, v in enumerate(model.constants)]
     sources = _sources(replace(model, name="pydy_model", constants=tuple(constants)), fmi)
@@ -54,14 +55,12 @@ def write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -
     if binary:
         folder, suffix = _platform(fmi)
         entries[f"binaries/{folder}/{model.name}{suffix}"] = _library(sources, suffix)
-    with (
-        replacing(path) as (place,),
-        zipfile.ZipFile(place, "w", zipfile.ZIP_DEFLATED) as archive,
-    ):
+    file = BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in entries.items():
             # The same model gives the same file.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data)
-    return (path,)
+    return file.getvalue()
 
 
 # -- sources --------------------------------------------------------------------------------------

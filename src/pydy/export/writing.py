@@ -20,7 +20,7 @@ from pydy._graph.tuning import numbered
 from pydy._names import nearest
 from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names
-from pydy.export.fmu import write_fmu
+from pydy.export.fmu import fmu_archive
 from pydy.export.javascript import javascript_module
 from pydy.export.model import PARTS, Exported, Model, Variable, plain_text, resource
 
@@ -290,8 +290,9 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     check_options(path, options)
     kind = path.suffix.lower()
     model = with_c_names(model) if kind == ".c" else model
-    files = FORMATS[kind].write(model, path, **options)
-    return Exported(path, files, model.renamed)
+    files = FORMATS[kind].files(model, path, **options)
+    write_files(files)
+    return Exported(path, tuple(files), model.renamed)
 
 
 def check_options(path: Path, options: dict[str, Any]) -> None:
@@ -318,33 +319,28 @@ def _head(model: Model) -> list[str]:
     return lines
 
 
-def _write_c(model: Model, path: Path) -> tuple[Path, ...]:
-    header = path.with_suffix(".h")
+def _c_files(model: Model, path: Path) -> dict[Path, str]:
     head = _head(model)
-    write_files({path: c_model_source(model, head), header: c_header(model, head)})
-    return path, header
+    return {path: c_model_source(model, head), path.with_suffix(".h"): c_header(model, head)}
 
 
-def _write_js(model: Model, path: Path) -> tuple[Path, ...]:
-    write_files({path: javascript_module(model, _head(model))})
-    return (path,)
-
-
-def _write_py(model: Model, path: Path, target: str = "numpy") -> tuple[Path, ...]:
-    write_files({path: python_source(model, target, _head(model))})
-    return (path,)
+def _py_files(model: Model, path: Path, target: str = "numpy") -> dict[Path, str]:
+    return {path: python_source(model, target, _head(model))}
 
 
 class Format(NamedTuple):
-    """The format of a suffix: the functions that write its files and check its options."""
+    """The format of a suffix: the functions that return its files and check its options."""
 
-    write: Callable[..., tuple[Path, ...]]
+    files: Callable[..., dict[Path, Any]]
     options: Mapping[str, Check] = MappingProxyType({})
 
 
 FORMATS = {
-    ".c": Format(_write_c),
-    ".fmu": Format(write_fmu, {"fmi": one_of("3.0", "2.0"), "binary": flag}),
-    ".js": Format(_write_js),
-    ".py": Format(_write_py, {"target": one_of(*DIALECTS)}),
+    ".c": Format(_c_files),
+    ".fmu": Format(
+        lambda model, path, **options: {path: fmu_archive(model, **options)},
+        {"fmi": one_of("3.0", "2.0"), "binary": flag},
+    ),
+    ".js": Format(lambda model, path: {path: javascript_module(model, _head(model))}),
+    ".py": Format(_py_files, {"target": one_of(*DIALECTS)}),
 }
