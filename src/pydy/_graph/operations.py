@@ -7,7 +7,6 @@ coefficients, powers, linear solves) is in a second table, which says where the 
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -172,22 +171,16 @@ def _chosen(first: Callable[[Any, int, int], int]) -> Callable[..., Nodes]:
 # -- the table ------------------------------------------------------------------------------------
 
 
+# NumPy has none, and those of SciPy lose digits in the tails.
+_ERF, _ERFC = (np.vectorize(f, otypes=[float]) for f in (math.erf, math.erfc))
+
+
 def _function(
     name: str, numpy: Callable[..., Any], llvm: str, partials: Any = None, **more: Any
 ) -> None:
     """Register a function of one operand."""
     c = more.pop("c", name)
     register(Operation(name, 1, numpy, f"{c}({{0}})", llvm, partials, **more))
-
-
-def _of_scipy(name: str) -> Callable[..., Any]:
-    """Return a function of `scipy.special`, which takes long to load and is rarely called."""
-
-    def function(x: Any) -> Any:
-        return getattr(importlib.import_module("scipy.special"), name)(x)
-
-    function.__name__ = name
-    return function
 
 
 def _infix(name: str, numpy: Callable[..., Any], c: str, llvm: str, **more: Any) -> None:
@@ -251,12 +244,8 @@ _function(
     "atanh", np.arctanh, "libm atanh",
     lambda g, n, x: (g.powi(g.sum([(g.powi(x, 2), -1.0)], 1.0), -1),), parity=-1, sympy="atanh",
 )  # fmt: skip
-_function(
-    "erf", _of_scipy("erf"), "libm erf", lambda g, n, x: (_bell(g, x),), parity=-1, sympy="erf"
-)
-_function(
-    "erfc", _of_scipy("erfc"), "libm erfc", lambda g, n, x: (g.neg(_bell(g, x)),), sympy="erfc"
-)
+_function("erf", _ERF, "libm erf", lambda g, n, x: (_bell(g, x),), parity=-1, sympy="erf")
+_function("erfc", _ERFC, "libm erfc", lambda g, n, x: (g.neg(_bell(g, x)),), sympy="erfc")
 _function(
     "abs", np.abs, "intrinsic fabs", lambda g, n, x: (g.call("sign", x),),
     parity=1, c="fabs", sympy="Abs",

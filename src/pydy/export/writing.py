@@ -41,8 +41,8 @@ def _dialect(module: str) -> Dialect:
         if re.fullmatch(r"\{0\} (\+|-|\*|/|<|<=|==|!=) \{1\}|-\{0\}", row.c):
             return row.c
         places = ", ".join(f"{{{k}}}" for k in range(row.arity))
-        name = row.numpy.__name__
-        return f"{name if name in _SPECIAL else f'{module}.{name}'}({places})"
+        name = row.name if row.name in _SPECIAL else f"{module}.{row.numpy.__name__}"
+        return f"{name}({places})"
 
     guarded = "{n}, {sound}, [{entries}], [{column}], [{fast}])"
     return Dialect(
