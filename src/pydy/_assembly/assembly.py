@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import hessian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
@@ -20,6 +20,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
+from pydy._mechanics.components import flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 
@@ -103,14 +104,10 @@ class Assembly:
         mechanism = None if self.equations is None else self.equations.mechanism
         if mechanism is None or not mechanism.bodies:
             return []
-        energy = [mechanism.energy]
-        g, n = self.graph, len(self.speeds)
-        reader = self._reader("the kinetic energy", energy)
-        momenta = jacobian(g, reader.all(energy), self.speeds)[0]
-        rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
-        # One triangle for both, so that the matrix is symmetric to the last bit.
-        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
-        return substitute(g, cells, self.given)
+        energy = mechanism.energy
+        node = self._reader("the kinetic energy", [energy])(energy)
+        cells = flat(hessian(self.graph, node, self.speeds)[1])
+        return substitute(self.graph, cells, self.given)
 
     def fork(self) -> Assembly:
         """Return a copy with its own graph: reading into it does not change this one."""

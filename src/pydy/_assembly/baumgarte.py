@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph.derivative import dense, dense_jacobian, directional
+from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian_rows
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics.generic import evaluator_of, generic_inputs
@@ -40,16 +40,15 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
     forcing = list(assembly.forcing)
     massive = matrix and all(matrix[k][k] != graph.zero for k in range(n))
     if massive or (matrix and len(velocity) > count):
-        table = dense_jacobian(graph, velocity, speeds)
-        rows = [table[i * n : (i + 1) * n] for i in range(len(velocity))]
+        rows = jacobian_rows(graph, velocity, speeds)
         motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
         motion[graph.input("t", 0)] = {0: graph.one}
 
         def dt(nodes: list[int]) -> list[int]:
             return dense(graph, directional(graph, nodes, motion), 1)
 
-        along = dense_jacobian(graph, dt(holonomic), speeds)
-        places = [(node, along[i * n : (i + 1) * n]) for i, node in enumerate(holonomic)]
+        along = jacobian_rows(graph, dt(holonomic), speeds)
+        places = list(zip(holonomic, along, strict=True))
         held = Constraints(rows, pull, count, [dt(row) for row in rows], velocity, places)
         nothing = [graph.zero] * n
         if massive:

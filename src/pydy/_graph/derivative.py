@@ -52,6 +52,13 @@ def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> l
     return [row.get(k, graph.zero) for row in rows for k in places]
 
 
+def hessian(graph: Graph, node: int, by: Sequence[int]) -> tuple[list[int], list[list[int]]]:
+    """Return the first and second derivatives of a node, these symmetric to the last bit."""
+    first, n = dense_jacobian(graph, [node], by), range(len(by))
+    rows = jacobian_rows(graph, first, by)
+    return first, [[rows[max(i, j)][min(i, j)] for j in n] for i in n]
+
+
 def dense(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[int]:
     """Return derivatives with their zeros, row by row."""
     return [node for row in dense_rows(graph, rows, width) for node in row]

@@ -17,7 +17,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian, jacobian_rows
+from pydy._graph.derivative import hessian, jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures, vanish
 from pydy._graph.node import Graph, input_nodes, input_symbols
@@ -335,7 +335,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
     """Return M and F for all speeds, dependent or not."""
     body = kinematics.body
     inertias, loads = loads_and_inertias(kinematics)
-    g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
+    g, speeds = kinematics.graph, kinematics.speeds
     _, forces = composite(kinematics, inertias, loads)
     node = kinematics.read(body.lagrangian)
     if _depends_on_accelerations(kinematics, [node]):
@@ -343,15 +343,11 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
             "The Lagrangian holds second derivatives of coordinates. Leave out what is a "
             "derivative by time: it does not change the equations."
         )
-    (by_speed,) = jacobian(g, [node], speeds)
-    momenta = [by_speed.get(k, g.zero) for k in range(n)]
+    momenta, matrix = hessian(g, node, speeds)
     # Coordinates in the order of the speeds, which are their derivatives.
     order = {rate: k for k, rate in enumerate(body.coordinate_rates)}
     coordinates = [g.input("x", order[u]) for u in body.speeds]
     (by_coordinate,) = jacobian(g, [node], coordinates)
-    rows = jacobian(g, momenta, speeds)
-    # One triangle for both, so that the matrix is symmetric to the last bit.
-    matrix = [[rows[max(i, j)].get(min(i, j), g.zero) for j in range(n)] for i in range(n)]
     forcing = [
         g.sum([(by_coordinate.get(k, g.zero), 1.0), (rate, -1.0), (forces[k], 1.0)])
         for k, rate in enumerate(kinematics.dt(momenta))

@@ -442,17 +442,12 @@ class _Search:
         except UnsupportedFunctionError:
             return False
 
-    def _by_rates(self, powers: Sequence[Any]) -> tuple[Any, dict[Any, Any]]:
-        """Return the power in symbols for the rates of coordinates, and the coordinate of each.
+    @cached_property
+    def _in_rates(self) -> tuple[dict[Any, Any], dict[Any, Any]]:
+        """The speeds in symbols for the rates of coordinates, and the coordinate of each.
 
         Those are the speeds themselves, or Dummies where rates are constant combinations of them.
         """
-        in_rates, coordinates = self._in_rates
-        return replace_symbols(sm.Add(*powers), in_rates), coordinates
-
-    @cached_property
-    def _in_rates(self) -> tuple[dict[Any, Any], dict[Any, Any]]:
-        """The speeds in symbols for the rates of coordinates, and the coordinate of each."""
         speeds, q_dot = self.equations.speeds, self.equations.coordinate_derivatives
         rates = dict(zip(self.equations.coordinates, q_dot, strict=True))
         plain = {rate: c for c, rate in rates.items() if rate in speeds}
@@ -484,7 +479,8 @@ class _Search:
         """Return minus the integral of the work, one coordinate after the other, or None."""
         q = self.equations.coordinates
         real = {c: sm.Dummy(c.func.__name__, real=True) for c in q}
-        power, speed = self._by_rates(powers)
+        in_rates, speed = self._in_rates
+        power = replace_symbols(sm.Add(*powers), in_rates)
         if not speed:
             return None
         try:
