@@ -159,6 +159,18 @@ def test_what_is_not_linear_or_not_whole_is_told():
     assert n_link_pendulum_on_cart(1).inertial_parameters(p={"m0": 4.0})["m of Pa0"] == 4.0
 
 
+@pytest.mark.parametrize("what", ["regressor", "inertial_parameters"])
+def test_masses_that_change_are_refused(what):
+    """The rope of a chain that is paid out: m' v was missing, without a word."""
+    x, t = me.dynamicsymbols("x"), me.dynamicsymbols._t
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x)
+    for mass in (2.0 * x, 3.0 - t, me.dynamicsymbols("mu")):
+        system = System(Definition(frame, [x], bodies=[me.Particle("end", place, mass)]))
+        with pytest.raises(ValueError, match=r"mass of end, .*, may change with time"):
+            getattr(system, what)()
+
+
 def towed():
     """A bob on which a constant force acts that its mass is not in, beside one without."""
     x, y = me.dynamicsymbols("x y")

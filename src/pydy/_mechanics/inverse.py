@@ -192,6 +192,7 @@ def regressor(body: Multibody, known: Known) -> Found | None:
     fall = None if body.lagrangian is not None else _common_pull(kinematics)
     if fall is None:
         return None
+    _refuse_varying_masses(kinematics)
     g, columns = kinematics.graph, []
     units = [[g.one if j == i else g.zero for j in range(3)] for i in range(3)]
     for item in body.bodies:
@@ -244,12 +245,25 @@ def parameters(body: Multibody, known: Known) -> Found:
     its mass alone.
     """
     kinematics, found = moving(body, in_bodies=True), []
+    _refuse_varying_masses(kinematics)
     for item in body.bodies:
         found.append(kinematics.read(item.mass))
         if is_rigid(item):
             tensor = kinematics.tensor(tuple(item.central_inertia.args), item.frame)
             found += [*[kinematics.graph.zero] * 3, *(tensor[i][j] for i, j in _ENTRIES)]
     return known.found(kinematics, found)
+
+
+def _refuse_varying_masses(kinematics: Kinematics) -> None:
+    """Raise an error if a mass is no constant: forces have a part m' v, which is none of m."""
+    g = kinematics.graph
+    for body in kinematics.body.bodies:
+        if any(not g.constant[n] for n in g.inputs([kinematics.read(body.mass)])):
+            raise ValueError(
+                f"The mass of {body.name}, {body.mass}, may change with time: forces are not "
+                "linear in it then. Regressors and inertial parameters need masses that are "
+                "numbers or constants; `inverse_dynamics` has no such limit."
+            )
 
 
 def _common_pull(kinematics: Kinematics) -> Vec | None:
