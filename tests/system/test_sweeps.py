@@ -158,6 +158,22 @@ def test_results_go_into_xarray_and_pictures(over_speed):
         over_speed.plot(ax=3)
 
 
+def test_a_frequency_without_a_steady_response_is_named():
+    """An undamped oscillator of 1 rad/s has none there; beside it, it has 1/(1 - w²)."""
+    x, f = me.dynamicsymbols("x f")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x)
+    oscillator = Definition(
+        frame, [x], bodies=[me.Particle("mass", place, 1)], loads=[(place, (f - x) * frame.x)]
+    )
+    model = System(oscillator).linearize(inputs=["f"], outputs=["x"])
+    with pytest.raises(np.linalg.LinAlgError, match=r"has 1 rad/s at index 1, .*Leave this freq"):
+        model.frequency_response([0.5, 1.0, 2.0])
+    np.testing.assert_allclose(
+        model.frequency_response([0.5, 2.0])[:, 0, 0], [4.0 / 3.0, -1.0 / 3.0], rtol=1e-14
+    )
+
+
 def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
     import matplotlib.pyplot as plt
 

@@ -129,13 +129,25 @@ class LinearModel:
         -------
         ndarray of complex, shape (f, o, s)
             ``C (iω − A)⁻¹ B + D``.
+
+        Raises
+        ------
+        numpy.linalg.LinAlgError
+            A frequency is that of an undamped eigenvalue, or 0 where there is one of zero.
         """
         omega = real_array(frequencies, "`frequencies`")
         if omega.ndim != 1 or not np.isfinite(omega).all():
             raise ValueError("`frequencies` must be a list of finite numbers, in rad/s.")
         A, B, C, D = self._one("frequency_response")
         resolvent = 1j * omega[:, None, None] * np.eye(len(A)) - A
-        response: np.ndarray = C @ np.linalg.solve(resolvent, B.astype(complex)[None]) + D
+        try:
+            response: np.ndarray = C @ np.linalg.solve(resolvent, B.astype(complex)[None]) + D
+        except np.linalg.LinAlgError:
+            k = int(np.linalg.svd(resolvent, compute_uv=False)[:, -1].argmin())
+            raise np.linalg.LinAlgError(
+                f"`frequencies` has {omega[k]:.10g} rad/s at index {k}, where {omega[k]:.10g}i is "
+                "an eigenvalue of A: there is no steady response. Leave this frequency out."
+            ) from None
         return response
 
     def plot_bode(self, input: str, output: str, frequencies: Any = None, axes: Any = None) -> Any:
