@@ -398,7 +398,8 @@ class Transcription:
         controls = [first + k * own + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         middles = None
-        if self.scheme.name == "radau":  # whose points at the ends belong to one interval
+        # Radau's points at the ends belong to one interval; those of `held_at` are of none.
+        if self.scheme.name == "radau" and points.rows != "constraints":
             centre = (self.mesh[:-1] + self.mesh[1:]) / 2
             centre = np.tile(centre, self.scheme.order)
             middles = p.begin + centre * (1.0 if p.duration is None else p.duration)
