@@ -40,7 +40,7 @@ def sources() -> dict[str, Path]:
 
 ENTRIES = [*sources()]
 # What entries may call: of libm, where LLVM does not write it in line, and gates of Python.
-LIBRARY = {"hypot", "sqrt"}
+LIBRARY = {"sqrt"}
 PYTHON = {
     *("PyErr_Occurred", "PyEval_RestoreThread", "PyEval_SaveThread", "PyLong_FromLongLong"),
     *("PyObject_CallNoArgs", "Py_DecRef", "memcmp"),

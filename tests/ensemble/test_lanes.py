@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
+import scipy.linalg
 import scipy.special
 import sympy as sm
 import sympy.physics.mechanics as me
@@ -59,6 +60,8 @@ def stacked(system, dataset):
         ("vern9", {"rtol": 1e-8, "atol": 1e-8}),
         ("rk4", {"step": 0.01}),
         ("dop853", {"rtol": 1e-6, "max_step": 0.1, "first_step": 0.01}),
+        ("radau", {"rtol": 1e-8, "atol": 1e-8}),
+        ("radau", {"rtol": 1e-3, "atol": 1e-3, "max_step": 0.5, "first_step": 0.4}),
     ],
 )
 @pytest.mark.parametrize("links", [1, 5])  # vectors of one block, and of several
@@ -200,6 +203,98 @@ def test_equal_times_and_a_start_before_the_first_output_are_written():
     assert same_bits(q[:, 0], [0.1, 0.2])
 
 
+# -- implicit steps --------------------------------------------------------------------------------
+
+
+def spring(force=lambda x, v: 0):
+    """A mass on a spring with a damper, under a force of x and v; the constants are 1."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (push,), (x, v) = system.specifieds_symbols, system.states
+    system.specifieds = {push: force(x, v)}
+    system.times = np.linspace(0.0, 2.0, num=9)
+    system.constants = dict.fromkeys(["k0", "c0", "m0"], 1.0)
+    return system, x, v
+
+
+def test_stiff_springs_in_lanes_follow_the_matrix_exponential():
+    """Pivots differ from lane to lane: stiffness against three over the step size."""
+    system, x, v = spring()
+    k, c = np.geomspace(1.0, 1e10, num=21), np.geomspace(1.0, 1e6, num=21)[::-1]
+    values = {"initial_conditions": {x: 1.0, v: 0.0}, "constants": {"k0": k, "c0": c}}
+    options = {"ode_solver": "radau", "rtol": 1e-6, "atol": 1e-8, "reduce": None}
+    many = told(lambda: system.integrate_ensemble(**values, **options))
+    assert (many.status == 0).all()
+    fast = k > 1e6  # of oscillations that are damped in the steps themselves
+    for j, (stiffness, damping) in enumerate(zip(k, c, strict=True)):
+        matrix = np.array([[0.0, 1.0], [-stiffness, -damping]])
+        exact = [scipy.linalg.expm(matrix * t)[0, 0] for t in system.times]
+        if damping > 2.0 * np.sqrt(stiffness) or not fast[j]:
+            np.testing.assert_allclose(many[x.name][j], exact, rtol=0.0, atol=2e-4)
+    assert float(many.steps.max()) > 5.0 * float(many.steps.min())
+
+
+def test_van_der_pols_oscillators_jump_when_they_should():
+    """The period of relaxation oscillations: A. A. Dorodnitsyn's expansion up to 1 / mu."""
+    mu = sm.Symbol("mu")
+    system, x, v = spring(lambda x, v: mu * (1 - x**2) * v)
+    system.constants = {"k0": 1.0, "c0": 0.0, "m0": 1.0}
+    rates = np.linspace(60.0, 240.0, num=11)
+    system.times = np.linspace(0.0, 1000.0, num=2)
+    up = Event(x, direction=1, name="up")
+    values = {"initial_conditions": {x: 2.0, v: 0.0}, "constants": {mu: rates}}
+    options = {"ode_solver": "radau", "rtol": 1e-8, "atol": 1e-8}
+    many = watched(system, [up], values, reduce=["final", ("events", 12)], **options)
+    times = many["up_times"].values
+    zero = scipy.special.ai_zeros(1)[0][0]
+    period = (3.0 - 2.0 * np.log(2.0)) * rates - 3.0 * zero / np.cbrt(rates)
+    period -= 2.0 / 3.0 * np.log(rates) / rates
+    assert (np.abs(times[:, 1] - times[:, 0] - period) < 2.0 / rates).all()
+    assert (times[:, 1] > 95.0).all()
+
+
+def test_samples_that_fail_with_radau_are_told_of_and_alone():
+    system, _x, v, mass = runaway()
+    masses = np.array([1.0, 1.0, 0.0, 2.0, 1e-310, 1.0, 3.0, 1.0, 1.0, 1.0])
+    speeds = np.array([0.1, 1.0, 0.2, 0.3, 0.1, 1e200, 0.05, 0.4, 0.15, 0.35])
+    values = {"initial_conditions": {v: speeds}, "constants": {mass: masses}}
+    for more in ({}, {"max_steps": 20}, {"rtol": 1e-3, "first_step": 1.5}):
+        options = {"ode_solver": "radau", **more}
+        many = told(lambda options=options: system.integrate_ensemble(**values, **options))
+        assert (many.status.values[[1, 2, 4, 5]] > 0).all()
+    sound = (many.status == 0).values
+    assert sound.sum() == 6
+    few = {kind: {s: a[sound] for s, a in given.items()} for kind, given in values.items()}
+    alone = system.integrate_ensemble(**few, **options)
+    for name in alone.data_vars:
+        assert same_bits(alone[name], many[name][sound]), name
+
+
+def test_infinite_slopes_are_forgotten_in_their_lanes_alone():
+    system, _x, v = spring(lambda _, v: 10 - sm.sqrt(v))
+    system.constants = {"k0": 0.0, "c0": 0.0, "m0": 1.0}
+    starts = {
+        "initial_conditions": {v: np.array([0.0, 1.0, 1e-300, 4.0, 0.0, -0.1, 9.0, 1e-9, 0.0])}
+    }
+    options = {"ode_solver": "radau", "rtol": 1e-10, "atol": 1e-10}
+    many = told(lambda: system.integrate_ensemble(**starts, **options))
+    assert many.status.values[[0, 2, 4, 8]].tolist() == [0] * 4
+    np.testing.assert_allclose(many[v.name][[0, 2, 4, 8], -1], 14.682934, rtol=1e-7)
+    assert many.status.values[5] > 0  # the root of a negative number
+
+
+@pytest.mark.parametrize("kind", ["previous", "linear", "pchip"])
+def test_radaus_lanes_see_sampled_inputs_at_their_own_times(kind):
+    t = np.linspace(0.0, 3.0, num=9)
+    push = SampledInput(t, 4.0 * np.cos(3.0 * t), interpolation=kind)
+    system, x, _v = spring(lambda *_: push)
+    values = {"initial_conditions": {x: np.linspace(-1.0, 1.0, num=11)}}
+    values["constants"] = {"c0": np.geomspace(0.1, 1e4, num=11)}
+    options = {"rtol": 1e-8, "atol": 1e-8}
+    many = told(lambda: system.integrate_ensemble(**values, ode_solver="radau", **options))
+    other = system.integrate_ensemble(**values, ode_solver="dop853", **options)
+    np.testing.assert_allclose(many[x.name], other[x.name], rtol=0.0, atol=2e-5)
+
+
 # -- on constraints --------------------------------------------------------------------------------
 
 
@@ -245,6 +340,8 @@ HELD = [
     ("vern9", {"rtol": 1.0, "atol": 1.0, "first_step": 0.7}),  # far off, or not at all
     ("tsit5", {"rtol": 100.0, "atol": 100.0, "first_step": 0.7, "max_steps": 200}),
     ("rk4", {"step": 0.05}),
+    ("radau", {"rtol": 1e-6, "atol": 1e-6}),
+    ("radau", {"rtol": 100.0, "atol": 100.0, "first_step": 0.7, "max_steps": 200}),
 ]
 
 
@@ -377,6 +474,7 @@ METHODS = [
     ("tsit5", {"rtol": 1e-6, "atol": 1e-6, "first_step": 0.01}),
     ("vern9", {"rtol": 1e-8, "max_step": 0.1}),
     ("rk4", {"step": 0.02}),
+    ("radau", {"rtol": 1e-6, "atol": 1e-6}),
 ]
 
 
@@ -438,13 +536,14 @@ def test_samples_that_fail_after_events_are_alone():
     assert found["kick_count"].values.tolist() == [1, 1, 1, 0, 1]
 
 
+@pytest.mark.parametrize("method", ["dop853", "radau"])
 @pytest.mark.parametrize("events", [False, True])
-def test_tolerances_that_are_too_small_for_a_sample_are_told_of_it(events):
+def test_tolerances_that_are_too_small_for_a_sample_are_told_of_it(events, method):
     system = pendulum(2)
     values = random_values(system, 11)
     q = system.coordinates[0]
     options = {"events": [Event(q - 0.3)], "reduce": "events"} if events else {}
-    options |= {"ode_solver": "dop853", "rtol": 0.0, "atol": 1e-12}
+    options |= {"ode_solver": method, "rtol": 0.0, "atol": 1e-12}
     plain = told(lambda: system.integrate_ensemble(**values, **options))
     assert (plain.status == 0).all()
     values["initial_conditions"][q][4] = 1e5  # a rounding of which is larger than `atol`

@@ -129,10 +129,15 @@ def test_a_python_function_is_called_for_each_sample():
     assert slow.attrs["lanes"] == 1
 
 
-def test_radau_serves_one_by_one(oscillator):
-    x, _ = oscillator.states
-    results = oscillator.integrate_ensemble(initial_conditions={x: [1.0, 2.0]}, ode_solver="radau")
-    np.testing.assert_allclose(results.x0[1], 2.0 * np.cos(results.time), atol=1e-5)
+def test_radau_serves_in_lanes_and_one_by_one_where_states_are_many(oscillator, monkeypatch):
+    (x, _), found = oscillator.states, []
+    for most in (2, 1):
+        monkeypatch.setattr("pydy.ensemble.model.LARGEST_IN_LANES", most)
+        values = {"initial_conditions": {x: [1.0, 2.0]}, "ode_solver": "radau"}
+        found.append(oscillator.integrate_ensemble(**values))
+        assert found[-1].attrs["lanes"] == (8 if most == 2 else 1)
+    np.testing.assert_allclose(found[0].x0[1], 2.0 * np.cos(found[0].time), atol=1e-5)
+    assert found[0].x0.identical(found[1].x0)
 
 
 # -- reductions -----------------------------------------------------------------------------------

@@ -258,17 +258,18 @@ class CompiledModel:
 
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
-        in_parts, assembly = getattr(self.backend, "tangents", False), self.assembly
-        for group, size in () if isinstance(by, str) else zip("xrp", assembly.sizes, strict=True):
+        in_parts, sizes = getattr(self.backend, "tangents", False), self.assembly.sizes
+        for group, size in () if isinstance(by, str) else zip("xrp", sizes, strict=True):
             by = group if by == every_input(group, size) else by
+        build = self.jacobian_in_parts if in_parts else self.jacobian_program
+        return self.compiled_by((block, "by", by), lambda: build(block, by))
 
-        def build() -> Program | Tangent:
-            if not in_parts:
-                return self.jacobian_program(block, by)
-            what = f"{block} by {by}, in parts"
-            return stored_program(assembly, what, lambda: assembly.jacobian_in_parts(block, by))
-
-        return self.compiled_by((block, "by", by), build)
+    def jacobian_in_parts(
+        self, block: str, by: str | tuple[tuple[str, int], ...]
+    ) -> Program | Tangent:
+        """Return a Jacobian; see `Assembly.jacobian_in_parts`."""
+        assembly, what = self.assembly, f"{block} by {by}, in parts"
+        return stored_program(assembly, what, lambda: assembly.jacobian_in_parts(block, by))
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.lowered`."""

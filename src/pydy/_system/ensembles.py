@@ -544,7 +544,7 @@ class Ensembles(Setup):
             times=times,
             sampled=plan.sampled,
             functions=tuple((columns, function) for columns, function, _ in plan.functions),
-            jacobian=integrated.jacobian_program("rates", "x") if solver.name == "radau" else None,
+            jacobian=integrated.jacobian_in_parts("rates", "x") if solver.name == "radau" else None,
             sensitivities=beside,
             kept=kept,
             motions=motions,

@@ -20,7 +20,7 @@ from pydy.analysis.jumps import Passed, Watched
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
-from pydy.solvers.tuning import LANES, ROUNDING
+from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, ROUNDING
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
@@ -177,7 +177,7 @@ class Model:
     # (columns, function): the entries of r given by Python functions ``g(x, t)``, which are
     # called at each evaluation
     functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
-    jacobian: Program | None = None  # ∂f/∂x, for an implicit method
+    jacobian: Program | Tangent | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
     kept: Kept | None = None  # what motions with constraints are judged by
     motions: Motions | None = None  # in place of `rates` and `outputs`
@@ -190,7 +190,9 @@ class Model:
         watched = self.options.events is not None
         asks = self.motions is not None or (watched and not self._watched_in_lanes)
         asks = asks or (beside is not None and (held or beside.sized is not None))
-        return self.method != "radau" and not self.functions and not asks
+        large = beside is not None or len(self.states) > LARGEST_IN_LANES
+        asks = asks or (self.jacobian is not None and large)
+        return not self.functions and not asks
 
     @property
     def _watched_in_lanes(self) -> bool:
@@ -358,6 +360,7 @@ class Batch:
         counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
             times, model.options, states, self.stopped, controlled, beside,
+            None if model.jacobian is None else _kernel(model.jacobian, LANES),
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})

@@ -8,6 +8,10 @@ BLOCK = 8
 LANES = BLOCK
 """Trajectories of an ensemble that are integrated side by side, on every processor."""
 
+LARGEST_IN_LANES = 128
+"""The most states of an implicit step in lanes. All lanes factorise where one needs to, thrice as
+often as by themselves, and larger factors of eight come from memory: at 240 they gain a tenth."""
+
 ROUNDING = _rank.ROUNDING
 """The distance from 1.0 to the next float."""
 

@@ -1,4 +1,4 @@
-; sources 74c5ba145d2f09ede668da8e6d7babbc0e6b40627901639150e0309dcebf13a5
+; sources 140504d60a10d1d0b1c9c0666123ed028c4c2cc234f9760ccbd2f029a2be3c41
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }

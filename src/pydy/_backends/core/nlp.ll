@@ -1,4 +1,4 @@
-; sources af9eff5d25ab146178d6e6a525be3ebfda4c7be50f6b3dc730789f151f3cca18
+; sources 53f9befe4c2e206d7fca6d3a68da5f25dd67f9323f4ea06d1a19a4ca73c1a7f8
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr, i64, ptr }

@@ -1,4 +1,4 @@
-; sources 3db2b101ef6ff494736be5a5a1a675f94973555a26a32a1f73205ca583cef542
+; sources 2ff356453599e10b19d9e38c92ccb0d1b2bd4effd8c96daa3db7a8872ecb1326
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 4) i32 @pydy_lu_2(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

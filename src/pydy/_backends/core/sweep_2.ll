@@ -1,4 +1,4 @@
-; sources c01d29bfe696ff0fe8f1718950b85ba3d5cd3b217479d653a74f9ce391fe7300
+; sources a3ce23e22cc003fb14ce706602f8366da0a2da2715013b7f8c1741c692eb78bd
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -1,4 +1,4 @@
-; sources 8924854ad12e39eefe56d0e4ba46df439ea088c71dac1e244844d58378076099
+; sources e8d7a1125c48361b7534912e1be4e681a87454e7c6a127e9a3c5b1dd757eba07
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -21,8 +21,8 @@ from pydy.solvers.tableaus import radau
 
 FOLDER = Path(__file__).parent
 
-_ARRAYS = {np.int64: "Words", np.float64: "Numbers", np.complex128: "Pairs"}
-_ITEMS = {"Words": "int64_t", "Numbers": "double", "Pairs": "double _Complex"}
+_ARRAYS = {np.int64: "Words", np.float64: "Numbers"}
+_ITEMS = {"Words": "int64_t", "Numbers": "double"}
 _TABLES: dict[str, Sequence[Any]] = {
     "Run": run.RUN,
     "LaneRun": run.STEPPING,

@@ -7,6 +7,8 @@
 #include "equations.h"
 #include "sums.h"
 
+#define SOME(which, value) where(which, (Real)(value), (Real)(0.0))
+
 /* A step is looked at in parts. Their ends have irrational ratios: no oscillation looks slow at all. */
 static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0};
 

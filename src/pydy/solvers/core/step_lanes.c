@@ -1,4 +1,4 @@
-/* The loop around explicit Runge-Kutta steps of W trajectories at once.
+/* The loop around steps of W trajectories at once: explicit ones, or IMPLICIT ones by Radau IIA.
 
    Each lane has its own time, step size and outputs. A lane that has come to its end takes the next
    sample from the queue at once; when there are no more, it repeats a neighbour's state, step size
@@ -7,7 +7,12 @@
 
 #include "lanes.h"
 
+#ifdef IMPLICIT
+#include "newton.h"
+#define step_lanes step_lanes_implicit
+#else
 #include "step.h"
+#endif
 
 /* For each lane among some bits. */
 #define FOR_LANES(which) \
@@ -17,7 +22,12 @@
 #define OF(field) item(l->field.at, 0)
 #define SET(field, which, value) put(l->field.at, 0, where(which, (Real)(value), OF(field)))
 #define ADD(field, value) put(l->field.at, 0, OF(field) + (value))
-#define SOME(which, value) where(which, (Real)(value), (Real)(0.0))
+
+/* A step that all lanes try, and what came of it. */
+typedef struct {
+    Real t, size, after, goal;
+    int64_t working, missed, unresolved; /* who tries, misses constraints, and is too long for events */
+} Trial;
 
 /* -- what each lane does alone ---------------------------------------------------------------- */
 
@@ -198,6 +208,83 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
     return fresh;
 }
 
+/* -- the two kinds of steps -------------------------------------------------------------------- */
+
+#ifdef IMPLICIT
+
+INLINE Implicit implicit_in(const LaneRun *run)
+{
+    return implicit_of(&run->lane_problem, &run->memory, &run->newton);
+}
+
+INLINE int is_adaptive(const LaneRun *run)
+{
+    (void)run;
+    return 1;
+}
+
+/* Begin in some lanes, whose first steps are set where they are not `guessed`; return the bits of those
+   that needed a further evaluation. */
+INLINE int64_t begin_steps(const LaneRun *run, const Stepper *s, Real t, int64_t which, int64_t guessed)
+{
+    const Lanes *l = &run->lanes;
+    const double largest = run->queue.numbers.at[LANES_LARGEST];
+    Real slope;
+    const Real trial = first_trial(s->memory, s->equations->words.at[STATES], largest, &slope);
+    SET(size, flags(guessed), bounded_first_size(trial, t, largest));
+    begin_newton(&run->newton, which);
+    return 0;
+}
+
+INLINE Attempt attempt(const LaneRun *run, const Stepper *s, const Trial *trial)
+{
+    const Lanes *l = &run->lanes;
+    const Implicit method = implicit_in(run);
+    const Attempt a = try_step(&method, trial->t, OF(size), trial->size, trial->after, trial->working);
+    put(s->memory->step.at, 0, trial->size);
+    ADD(evaluations, a.evaluations);
+    return a;
+}
+
+/* Accept the steps of some lanes, which keep their constraints; return the bits of those. */
+INLINE int64_t complete(const LaneRun *run, const Stepper *s, const Trial *trial, int64_t good, Attempt *a)
+{
+    const Implicit method = implicit_in(run);
+    (void)s;
+    accept(&method, trial->size, good, a);
+    return good;
+}
+
+/* Prepare for states within the step; return the bits of the lanes that failed. */
+INLINE int64_t open_step(const LaneRun *run, const Stepper *s, const Trial *trial, int64_t within)
+{
+    (void)run, (void)s, (void)trial, (void)within;
+    return 0;
+}
+
+/* Set the sizes of the next steps of all lanes, of which some were `good`, and say of the others why. */
+INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t good, const Attempt *a)
+{
+    const Lanes *l = &run->lanes;
+    const int64_t bad = trial->working & ~good, undone = bad & (trial->missed | trial->unresolved);
+    const Flags off = flags(trial->missed), some = flags(undone);
+    Real h = where(flags(good) & (trial->after == trial->goal), maximum(OF(size), a->next), a->next);
+    h = where(some, AFTER_FAILURE * trial->size, h);
+    const Real reason = where(some, where(off, (Real)(CONSTRAINTS_NOT_MET), (Real)(STEP_UNDERFLOW)), a->reason);
+    SET(reason, flags(bad), reason);
+    undo(&run->newton, undone);
+    put(l->size.at, 0, h);
+}
+
+#else
+
+typedef struct {
+    int64_t good, failed; /* whose steps are accepted so far, and whose right-hand side failed */
+    Real error;
+} Attempt;
+
+INLINE int is_adaptive(const LaneRun *run) { return run->method.shape.at[ESTIMATES] > 0; }
+
 /* Guess the first step, with one further evaluation. */
 INLINE Real guess_first_size(const Stepper *s, Real t, double largest)
 {
@@ -212,6 +299,94 @@ INLINE Real guess_first_size(const Stepper *s, Real t, double largest)
     const Real size = first_size(m, exponent, controlled, t, largest, trial, slope);
     return where(flags(failed), SLIVER * trial, size);
 }
+
+/* Begin in some lanes, whose first steps are set where they are not `guessed`; return the bits of those
+   that needed a further evaluation. */
+INLINE int64_t begin_steps(const LaneRun *run, const Stepper *s, Real t, int64_t which, int64_t guessed)
+{
+    const Lanes *l = &run->lanes;
+    SET(last_error, flags(which), FIRST_ERROR);
+    SET(growth, flags(which), s->method->control.at[GROW]);
+    if (guessed != 0)
+        SET(size, flags(guessed), guess_first_size(s, t, run->queue.numbers.at[LANES_LARGEST]));
+    return guessed;
+}
+
+INLINE Attempt attempt(const LaneRun *run, const Stepper *s, const Trial *trial)
+{
+    const Lanes *l = &run->lanes;
+    const Memory *m = s->memory;
+    const int64_t *shape = s->method->shape.at, n = s->equations->words.at[STATES];
+    const int reuse = shape[END_IN_ESTIMATE] == 1;
+    int64_t calls = 0;
+    Attempt a = {.failed = take_step(s, trial->t, trial->size, &calls), .error = (Real)(0.0)};
+    if (reuse)
+        a.failed |= rates(s->equations, trial->after, m->new.at, m->stages.at + shape[STAGES] * m->x.size);
+    if (is_adaptive(run))
+        a.error = error_of_step(s);
+    else
+        for (int64_t i = 0; i < n; i++)
+            a.error = a.error + 0.0 * item(m->new.at, i); /* NaN where the state is not finite */
+    a.good = trial->working & bits(a.error < 1.0) & ~a.failed;
+    ADD(evaluations, (double)(shape[STAGES] - 1 + reuse));
+    return a;
+}
+
+/* Evaluate the derivatives where the steps of some lanes end, which keep their constraints; return the
+   bits of those that did not fail. */
+INLINE int64_t complete(const LaneRun *run, const Stepper *s, const Trial *trial, int64_t good, Attempt *a)
+{
+    const Lanes *l = &run->lanes;
+    const Memory *m = s->memory;
+    const int64_t *shape = s->method->shape.at;
+    if (good == 0 || (shape[END_IN_ESTIMATE] == 1 && run->constraints.words.at[ACTIVE] != 1))
+        return good;
+    a->failed |= rates(s->equations, trial->after, m->new.at, m->stages.at + shape[STAGES] * m->x.size);
+    ADD(evaluations, SOME(flags(good), 1.0));
+    return good & ~a->failed;
+}
+
+/* Prepare for states within the step; return the bits of the lanes that failed. */
+INLINE int64_t open_step(const LaneRun *run, const Stepper *s, const Trial *trial, int64_t within)
+{
+    const Lanes *l = &run->lanes;
+    int64_t calls = 0;
+    ADD(evaluations, SOME(flags(within), s->method->shape.at[DENSE_STAGES]));
+    return prepare_interpolant(s, trial->t, trial->size, &calls) & within;
+}
+
+/* Set the sizes of the next steps of all lanes, of which some were `good`, and say of the others why. */
+INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t which, const Attempt *a)
+{
+    const Lanes *l = &run->lanes;
+    const double *control = run->method.control.at;
+    const int adaptive = is_adaptive(run);
+    const Flags good = flags(which), bad = flags(trial->working & ~which);
+    Real h = OF(size);
+    if (adaptive) {
+        h = next_size(control, trial->size, a->error, OF(last_error), OF(growth));
+        /* shortened to end there */
+        h = where(trial->after == trial->goal, maximum(OF(size), h), h);
+        SET(last_error, good, maximum(a->error, (Real)(FIRST_ERROR)));
+        put(l->growth.at, 0, where(bad, (Real)(1.0), (Real)(control[GROW])));
+    }
+    if (bits(bad) != 0) {
+        const Flags singular = flags(a->failed), off = flags(trial->missed), far = flags(trial->unresolved);
+        const Flags measured = (absolute(a->error) < INF) & ~singular & ~off & ~far;
+        /* a step of fixed size that fails cannot be helped */
+        const Real shorter =
+            adaptive ? shorter_size(control, trial->size, a->error, measured) : (Real)(0.0);
+        const Real reason = where(measured | far, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
+        h = where(bad, shorter, h);
+        SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
+        SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
+    }
+    put(l->size.at, 0, h);
+}
+
+#endif
+
+/* -- samples begin ------------------------------------------------------------------------------ */
 
 /* Hold the inputs of all lanes, as one trajectory's; set the times of their next jumps. */
 APART void hold_all(const LaneRun *run, double *jumps)
@@ -233,19 +408,15 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t af
     const int64_t failed = rates(s->equations, t, m->x.at, m->trial.at) & (fresh | after);
     for (int64_t i = 0; i < s->equations->words.at[STATES]; i++)
         put(m->stages.at, i, where(begin, item(m->trial.at, i), item(m->stages.at, i)));
-    const double first = q->numbers.at[LANES_FIRST], largest = q->numbers.at[LANES_LARGEST];
+    const double first = q->numbers.at[LANES_FIRST];
     /* what the user asked for is the first step alone, or all */
-    int64_t guessed = first == 0.0 ? fresh | after : s->method->shape.at[ESTIMATES] > 0 ? after : 0;
-    Real size = (Real)(first);
-    if (guessed != 0)
-        size = where(flags(guessed), guess_first_size(s, t, largest), size);
-    SET(size, begin, size);
-    SET(last_error, begin, FIRST_ERROR);
-    SET(growth, begin, s->method->control.at[GROW]);
+    int64_t guessed = first == 0.0 ? fresh | after : is_adaptive(run) ? after : 0;
+    SET(size, begin, first);
+    guessed = begin_steps(run, s, t, fresh | after, guessed);
     SET(steps, new, 0.0);
     SET(rejected, new, 0.0);
     SET(evaluations, new, 0.0);
-    SET(reason, begin, where(usable(size), (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE)));
+    SET(reason, begin, where(usable(OF(size)), (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE)));
     FOR_LANES(fresh) {
         const int64_t before = l->samples.at[lane] * (q->times.size - 1);
         l->next.at[lane] = 0.0, l->due.at[lane] = q->times.at[0];
@@ -261,7 +432,7 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh, int64_t af
     retire(run, finished, FINISHED);
 }
 
-/* Evaluate the derivatives of some lanes anew, after their inputs have jumped; return the bits of those
+/* Evaluate the derivatives of some lanes anew, as after their inputs have jumped; return the bits of those
    that failed, and retire them. */
 APART int64_t start_again(const LaneRun *run, const Stepper *s, int64_t which)
 {
@@ -293,8 +464,13 @@ APART int64_t clear_lanes(const LaneRun *run)
     for (int64_t j = 0; j < w->moving.size; j++) {
         const int64_t i = w->moving.at[j];
         Real far = sizes(item(m->new.at, i) - item(m->x.at, i));
+#ifdef IMPLICIT
+        for (int64_t stage = 0; stage < 3; stage++)
+            far = larger(far, sizes(item(run->newton.stages.at, stage * run->lane_problem.words.at[STATES] + i)));
+#else
         for (int64_t stage = 0; stage <= run->method.shape.at[STAGES]; stage++)
             far = larger(far, h * sizes(item(m->stages.at + stage * m->x.size, i)));
+#endif
         put(w->reach.at, words[MOVES] + i, CLEAR * far);
     }
     put(w->reach.at, words[MOVES] + words[MOVING], h);
@@ -553,14 +729,13 @@ int64_t step_lanes(const LaneRun *run)
     const Memory *m = &run->memory;
     const Lanes *l = &run->lanes;
     const Queue *q = &run->queue;
-    const int64_t n = run->lane_problem.words.at[STATES], *shape = run->method.shape.at;
+    const int64_t n = run->lane_problem.words.at[STATES];
     const double last = q->times.at[q->times.size - 2], largest = q->numbers.at[LANES_LARGEST];
-    const double limit = (double)q->state.at[LANES_LIMIT], *control = run->method.control.at;
-    const int adaptive = shape[ESTIMATES] > 0, reuse = shape[END_IN_ESTIMATE] == 1;
-    const int held = run->constraints.words.at[ACTIVE] == 1, again = held || !reuse;
+    const double limit = (double)q->state.at[LANES_LIMIT];
+    const int adaptive = is_adaptive(run), held = run->constraints.words.at[ACTIVE] == 1;
     const int watched = run->lane_watch.words.at[EVENTS] > 0;
-    double *slopes = m->stages.at + shape[STAGES] * m->x.size, reached[W], theta[W], jumps[W];
-    int64_t working = 0, acted = 0, stopped = 0, calls = 0, codes[W];
+    double reached[W], theta[W], jumps[W];
+    int64_t working = 0, acted = 0, stopped = 0, codes[W];
     for (int64_t lane = 0; lane < W; lane++)
         working |= (int64_t)(l->samples.at[lane] >= 0) << lane;
     for (int vacant = 1;;) {
@@ -585,8 +760,7 @@ int64_t step_lanes(const LaneRun *run)
         hold_all(run, jumps);
         /* whole steps between outputs */
         const Real goal = minimum(adaptive ? (Real)(last) : OF(due), item(jumps, 0));
-        Real h = OF(size), after;
-        Real size = adaptive ? minimum(h, (Real)(largest)) : whole_steps(t, h, goal);
+        Real size = adaptive ? minimum(OF(size), (Real)(largest)) : whole_steps(t, OF(size), goal), after;
         limit_step(t, goal, &size, &after);
         size = where(active, size, (Real)(0.0));
         const Flags tired = OF(steps) + OF(rejected) >= limit;
@@ -598,34 +772,19 @@ int64_t step_lanes(const LaneRun *run)
             continue;
         }
 
-        int64_t failed = take_step(s, t, size, &calls);
-        if (reuse)
-            failed |= rates(s->equations, after, m->new.at, slopes);
-        Real error = (Real)(0.0);
-        if (adaptive)
-            error = error_of_step(s);
-        else
-            for (int64_t i = 0; i < n; i++)
-                error = error + 0.0 * item(m->new.at, i); /* NaN where the state is not finite */
-        Flags good = active & (error < 1.0) & ~flags(failed);
-        int64_t missed = 0;
-        if (held && bits(good) != 0) {
+        Trial trial = {t, size, after, goal, working, 0, 0};
+        Attempt made = attempt(run, s, &trial);
+        int64_t well = made.good;
+        if (held && well != 0) {
             put(reached, 0, after);
-            missed = hold_lanes(run, reached, m->new.at, bits(good), adaptive);
-            good = good & ~flags(missed);
+            trial.missed = hold_lanes(run, reached, m->new.at, well, adaptive);
         }
-        const Flags tried = good;
-        if (again && bits(good) != 0) {
-            failed |= rates(s->equations, after, m->new.at, slopes);
-            good = good & ~flags(failed);
-        }
-        ADD(evaluations, (double)(shape[STAGES] - 1 + reuse) + SOME(tried, again));
+        well = complete(run, s, &trial, well & ~trial.missed, &made);
 
-        int64_t look = watched && bits(good) != 0 ? bits(good) & ~clear_lanes(run) : 0, unresolved = 0;
-        int64_t within = bits(good & (OF(due) < after)) | look;
+        int64_t look = watched && well != 0 ? well & ~clear_lanes(run) : 0, unresolved = 0;
+        int64_t within = (well & bits(OF(due) < after)) | look;
         if (within != 0) {
-            const int64_t broken = prepare_interpolant(s, t, size, &calls) & within;
-            ADD(evaluations, SOME(flags(within), shape[DENSE_STAGES]));
+            const int64_t broken = open_step(run, s, &trial, within);
             if (broken != 0) {
                 retire(run, broken, SINGULAR);
                 working &= ~broken;
@@ -645,54 +804,46 @@ int64_t step_lanes(const LaneRun *run)
                 working &= ~off, stopped &= ~off;
                 vacant = 1;
             }
-            missed |= off;
-            good = good & flags(~(broken | unresolved | missed));
+            trial.missed |= off, trial.unresolved = unresolved, trial.after = after;
+            well &= ~(broken | unresolved | off);
         }
-        for (int64_t at_end = bits(good & (OF(due) == after)); at_end != 0;) {
+        for (int64_t at_end = well & bits(OF(due) == after); at_end != 0;) {
             write_outputs(run, m->new.at, at_end);
             at_end &= bits(OF(due) == after);
         }
 
-        const Flags bad = active & ~good;
+        Flags good = flags(well);
         ADD(steps, SOME(good, 1.0));
-        if (adaptive) {
-            const Real before = OF(last_error);
-            h = next_size(control, size, error, before, OF(growth));
-            h = where(after == goal, maximum(OF(size), h), h); /* shortened to end there */
-            SET(last_error, good, maximum(error, (Real)(FIRST_ERROR)));
-            put(l->growth.at, 0, where(bad, (Real)(1.0), (Real)(control[GROW])));
-        }
-        if (bits(bad) != 0) {
-            const Flags singular = flags(failed), off = flags(missed), far = flags(unresolved);
-            const Flags measured = (absolute(error) < INF) & ~singular & ~off & ~far;
-            /* a step of fixed size that fails cannot be helped */
-            const Real shorter =
-                adaptive ? shorter_size(control, size, error, measured) : (Real)(0.0);
-            const Real reason = where(measured | far, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
-            h = where(bad, shorter, h);
-            SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
-            SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
-            ADD(rejected, SOME(bad, 1.0));
-        }
-        put(l->size.at, 0, h);
+        ADD(rejected, SOME(active & ~good, 1.0));
+        set_sizes(run, &trial, well, &made);
         put(l->time.at, 0, where(good, after, t));
-        for (int64_t i = 0; i < n; i++) {
+        for (int64_t i = 0; i < n; i++)
             put(m->x.at, i, where(good, item(m->new.at, i), item(m->x.at, i)));
+#ifndef IMPLICIT
+        const double *slopes = m->stages.at + s->method->shape.at[STAGES] * m->x.size;
+        for (int64_t i = 0; i < n; i++)
             put(m->stages.at, i, where(good, item(slopes, i), item(m->stages.at, i)));
-        }
+#endif
         if (stopped != 0) {
             acted = act_in_lanes(run, stopped, codes);
             vacant = vacant || acted != stopped;
             good = good & ~flags(stopped);
             stopped = 0;
         }
+#ifdef IMPLICIT
+        const int64_t wrong = bits(good) == 0 ? 0 : start_again(run, s, bits(good));
+        vacant = vacant || wrong != 0;
+        good = good & ~flags(wrong);
+#endif
         const int64_t finished = bits(good & (OF(due) == INF));
         if (finished != 0) {
             retire(run, finished, FINISHED);
             vacant = 1;
         }
+#ifndef IMPLICIT
         const int64_t jumped = bits(good & (after == item(jumps, 0))) & ~finished;
         if (jumped != 0 && start_again(run, s, jumped) != 0)
             vacant = 1;
+#endif
     }
 }

@@ -1,4 +1,4 @@
-; sources be16e44795e56fabdd9fcb78b36d86d97d6aed45d066ec3418b7c7bde6a8e7af
+; sources 6675a1223a6b0fec0aeeb21543df1d926f0d1151dda84f05f01ffb1b9da18fff
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

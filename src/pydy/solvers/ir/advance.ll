@@ -1,4 +1,4 @@
-; sources bf3f31a91f421ba52c2b9c36aa0d376e9b68c2b2ddba695cbd05418bd85ab197
+; sources b2b17f14bf27f8971eb33d0358b6fde33ee1ca7702eea35e136e03bee9996f34
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

@@ -1,4 +1,4 @@
-; sources 38afb954eb76a9ea3c1ac323227e50dc8d09c9b9f03292ba09a385e9a49319be
+; sources 18d00e69af0619d988ae98b8a1ebed03cc0edb6eee9e0604525ed412a5e1726f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

@@ -1,4 +1,4 @@
-; sources 29f2426556aea4c10a7bf5d35c880d0ad856d8d3224fc877725c2d79ca538a61
+; sources a9615df568051d044eb5c7a902e92e6ccaec727537c7d7831fb794b5ad981a5a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

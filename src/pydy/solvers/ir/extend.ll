@@ -1,4 +1,4 @@
-; sources 0e27b46da3e0dc9aed92be4531c465af1f78f07568ec4fb809e462a554739f2a
+; sources aa04c80c0f8c52b93d5658847aa552989fc82eec3441b7d3b55ee3b1d3b67199
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

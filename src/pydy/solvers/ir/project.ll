@@ -1,4 +1,4 @@
-; sources 3d44ec6262c84f179ef04a9dbd246080aa6d6affc3205842ed4a952468d6463c
+; sources ea3bcda5c0dc2a8adadba7c1a99fa32dfaa3ef2512f42b147e4bdf0b39e81f02
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 2bb14a0790c0dd9c7a12efed2ee0b2febd80baac325b600b6f767b0783d2a5f5
+; sources 11b49d58143b378aed3a010002d754afd7aa1aa11a9fd9f180f6136b3f90f977
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

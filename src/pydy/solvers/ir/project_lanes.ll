@@ -1,4 +1,4 @@
-; sources 5f21de2eae9f50929f52f2e49a29755aeef2a5b52e582049a8b04e256bb0ae72
+; sources be3b467160f45cf8666a74c3f308bda46ec376ab16c4d1a59327d42d620ffbf4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

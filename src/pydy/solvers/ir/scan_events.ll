@@ -1,4 +1,4 @@
-; sources 938197d250f65551dfae2c13e48d91af0c8562470d721e147df4b08fa6f8b7ce
+; sources dfd8f314568b824e08181b1389aed84da3e82d5413107bed81f64cc6d9363030
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

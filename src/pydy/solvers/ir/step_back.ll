@@ -1,4 +1,4 @@
-; sources dcdda4402f0d30e210238e7db4a90b3e9af36a65042ed545608a115011621ab4
+; sources be9c341e3431d8515dc9da03167b66113a00d6df6da93ad6f823dc986473a2dc
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

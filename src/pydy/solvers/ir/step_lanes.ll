@@ -1,4 +1,4 @@
-; sources 5635305cc9b32b9636d46eba76c3026f713d44cf7df4051c2e470caeb924e1e6
+; sources efa8efbb78b5f8c06a1a5f5ed66d389e441ec821d63ca1f2c067bba36cb0d3c5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -24,1389 +24,1402 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %14 = load ptr, ptr %10, align 8
   %15 = getelementptr inbounds i8, ptr %14, i64 8
   %16 = load i64, ptr %15, align 8
-  %17 = load ptr, ptr %0, align 8
-  %18 = getelementptr inbounds i8, ptr %0, i64 1032
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %0, i64 1040
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr double, ptr %19, i64 %21
-  %23 = getelementptr i8, ptr %22, i64 -16
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr inbounds i8, ptr %0, i64 1008
-  %26 = load ptr, ptr %25, align 8
-  %27 = load double, ptr %26, align 8
-  %28 = load ptr, ptr %13, align 8
-  %29 = getelementptr inbounds i8, ptr %28, i64 16
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr inbounds i8, ptr %0, i64 120
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr inbounds i8, ptr %17, i64 8
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp sgt i64 %34, 0
-  %36 = getelementptr inbounds i8, ptr %17, i64 32
-  %37 = load i64, ptr %36, align 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 1656
-  %39 = load ptr, ptr %38, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 1032
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 1040
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr double, ptr %18, i64 %20
+  %22 = getelementptr i8, ptr %21, i64 -16
+  %23 = load double, ptr %22, align 8
+  %24 = getelementptr inbounds i8, ptr %0, i64 1008
+  %25 = load ptr, ptr %24, align 8
+  %26 = load double, ptr %25, align 8
+  %27 = load ptr, ptr %13, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 16
+  %29 = load i64, ptr %28, align 8
+  %30 = load ptr, ptr %0, align 8
+  %31 = getelementptr inbounds i8, ptr %30, i64 8
+  %32 = load i64, ptr %31, align 8
+  %33 = icmp sgt i64 %32, 0
+  %34 = getelementptr inbounds i8, ptr %0, i64 1656
+  %35 = load ptr, ptr %34, align 8
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr inbounds i8, ptr %0, i64 1248
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %38, i64 8
   %40 = load i64, ptr %39, align 8
-  %41 = icmp eq i64 %40, 1
-  %42 = getelementptr inbounds i8, ptr %0, i64 1248
-  %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %43, i64 8
-  %45 = load i64, ptr %44, align 8
-  %46 = getelementptr inbounds i8, ptr %0, i64 600
-  %47 = load ptr, ptr %46, align 8
-  %48 = load i64, ptr %17, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 440
-  %50 = load i64, ptr %49, align 8
-  %51 = mul nsw i64 %50, %48
   store i64 0, ptr %6, align 8
-  %52 = getelementptr inbounds i8, ptr %0, i64 936
-  %53 = load ptr, ptr %52, align 8
-  br label %140
+  %41 = getelementptr inbounds i8, ptr %0, i64 936
+  %42 = load ptr, ptr %41, align 8
+  br label %118
 
-54:                                               ; preds = %140
-  %55 = getelementptr inbounds i8, ptr %0, i64 696
-  %56 = sitofp i64 %30 to double
-  %57 = zext i1 %35 to i32
-  %58 = icmp ne i64 %37, 1
-  %59 = select i1 %41, i1 true, i1 %58
-  %60 = icmp sgt i64 %45, 0
-  %61 = getelementptr inbounds double, ptr %47, i64 %51
-  store i64 %148, ptr %6, align 8
-  %62 = getelementptr inbounds i8, ptr %0, i64 936
-  %63 = getelementptr inbounds i8, ptr %0, i64 1568
-  %64 = getelementptr inbounds i8, ptr %0, i64 1200
-  %65 = getelementptr inbounds i8, ptr %0, i64 816
-  %66 = insertelement <8 x double> poison, double %24, i64 0
-  %67 = shufflevector <8 x double> %66, <8 x double> poison, <8 x i32> zeroinitializer
-  %68 = getelementptr inbounds i8, ptr %0, i64 720
-  %69 = insertelement <8 x double> poison, double %27, i64 0
-  %70 = shufflevector <8 x double> %69, <8 x double> poison, <8 x i32> zeroinitializer
-  %71 = getelementptr inbounds i8, ptr %0, i64 840
-  %72 = getelementptr inbounds i8, ptr %0, i64 864
-  %73 = insertelement <8 x double> poison, double %56, i64 0
-  %74 = shufflevector <8 x double> %73, <8 x double> poison, <8 x i32> zeroinitializer
-  %75 = getelementptr inbounds i8, ptr %0, i64 504
-  %76 = getelementptr inbounds i8, ptr %0, i64 480
-  %77 = getelementptr inbounds i8, ptr %0, i64 24
-  %78 = getelementptr inbounds i8, ptr %0, i64 600
-  %79 = getelementptr inbounds i8, ptr %0, i64 48
-  %80 = getelementptr inbounds i8, ptr %0, i64 72
-  %81 = getelementptr inbounds i8, ptr %0, i64 440
-  %82 = getelementptr inbounds i8, ptr %0, i64 96
-  %83 = getelementptr inbounds i8, ptr %0, i64 168
-  %84 = getelementptr inbounds i8, ptr %0, i64 296
-  %85 = getelementptr inbounds i8, ptr %0, i64 192
-  %86 = getelementptr inbounds i8, ptr %0, i64 240
-  %87 = getelementptr inbounds i8, ptr %0, i64 456
-  %88 = getelementptr inbounds i8, ptr %0, i64 24
-  %89 = getelementptr inbounds i8, ptr %0, i64 600
-  %90 = getelementptr inbounds i8, ptr %0, i64 48
-  %91 = getelementptr inbounds i8, ptr %0, i64 72
-  %92 = getelementptr inbounds i8, ptr %0, i64 456
+43:                                               ; preds = %118
+  %44 = getelementptr inbounds i8, ptr %0, i64 696
+  %45 = sitofp i64 %29 to double
+  %46 = zext i1 %33 to i32
+  %47 = icmp eq i64 %36, 1
+  %48 = icmp sgt i64 %40, 0
+  store i64 %126, ptr %6, align 8
+  %49 = getelementptr inbounds i8, ptr %0, i64 936
+  %50 = getelementptr inbounds i8, ptr %0, i64 1568
+  %51 = getelementptr inbounds i8, ptr %0, i64 1200
+  %52 = getelementptr inbounds i8, ptr %0, i64 816
+  %53 = insertelement <8 x double> poison, double %23, i64 0
+  %54 = shufflevector <8 x double> %53, <8 x double> poison, <8 x i32> zeroinitializer
+  %55 = getelementptr inbounds i8, ptr %0, i64 720
+  %56 = getelementptr inbounds i8, ptr %0, i64 720
+  %57 = insertelement <8 x double> poison, double %26, i64 0
+  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
+  %59 = getelementptr inbounds i8, ptr %0, i64 840
+  %60 = getelementptr inbounds i8, ptr %0, i64 864
+  %61 = insertelement <8 x double> poison, double %45, i64 0
+  %62 = shufflevector <8 x double> %61, <8 x double> poison, <8 x i32> zeroinitializer
+  %63 = getelementptr inbounds i8, ptr %0, i64 504
+  %64 = getelementptr inbounds i8, ptr %0, i64 480
+  %65 = getelementptr inbounds i8, ptr %0, i64 24
+  %66 = getelementptr inbounds i8, ptr %0, i64 600
+  %67 = getelementptr inbounds i8, ptr %0, i64 48
+  %68 = getelementptr inbounds i8, ptr %0, i64 72
+  %69 = getelementptr inbounds i8, ptr %0, i64 440
+  %70 = getelementptr inbounds i8, ptr %0, i64 96
+  %71 = getelementptr inbounds i8, ptr %0, i64 168
+  %72 = getelementptr inbounds i8, ptr %0, i64 296
+  %73 = getelementptr inbounds i8, ptr %0, i64 192
+  %74 = getelementptr inbounds i8, ptr %0, i64 240
+  %75 = getelementptr inbounds i8, ptr %0, i64 456
+  %76 = getelementptr inbounds i8, ptr %0, i64 24
+  %77 = getelementptr inbounds i8, ptr %0, i64 600
+  %78 = getelementptr inbounds i8, ptr %0, i64 48
+  %79 = getelementptr inbounds i8, ptr %0, i64 72
+  %80 = getelementptr inbounds i8, ptr %0, i64 440
+  %81 = getelementptr inbounds i8, ptr %0, i64 168
+  %82 = getelementptr inbounds i8, ptr %0, i64 296
+  %83 = getelementptr inbounds i8, ptr %0, i64 192
+  %84 = getelementptr inbounds i8, ptr %0, i64 240
+  %85 = getelementptr inbounds i8, ptr %0, i64 576
+  %86 = getelementptr inbounds i8, ptr %0, i64 440
+  %87 = getelementptr inbounds i8, ptr %0, i64 552
+  %88 = getelementptr inbounds i8, ptr %0, i64 672
+  %89 = getelementptr inbounds i8, ptr %0, i64 648
+  %90 = getelementptr inbounds i8, ptr %0, i64 888
+  %91 = getelementptr inbounds i8, ptr %0, i64 456
+  %92 = getelementptr inbounds i8, ptr %0, i64 440
   %93 = getelementptr inbounds i8, ptr %0, i64 168
   %94 = getelementptr inbounds i8, ptr %0, i64 296
   %95 = getelementptr inbounds i8, ptr %0, i64 192
   %96 = getelementptr inbounds i8, ptr %0, i64 240
-  %97 = icmp sgt i64 %16, 0
-  %98 = getelementptr inbounds i8, ptr %0, i64 456
-  %99 = getelementptr inbounds i8, ptr %0, i64 576
-  %100 = getelementptr inbounds i8, ptr %0, i64 440
-  %101 = getelementptr inbounds i8, ptr %0, i64 552
-  %102 = getelementptr inbounds i8, ptr %0, i64 672
-  %103 = getelementptr inbounds i8, ptr %0, i64 648
-  %104 = getelementptr inbounds i8, ptr %0, i64 456
-  %105 = getelementptr inbounds i8, ptr %0, i64 456
-  %106 = getelementptr inbounds i8, ptr %0, i64 168
-  %107 = getelementptr inbounds i8, ptr %0, i64 296
-  %108 = getelementptr inbounds i8, ptr %0, i64 192
-  %109 = getelementptr inbounds i8, ptr %0, i64 240
-  %110 = getelementptr inbounds i8, ptr %0, i64 888
-  %111 = sext i1 %58 to i64
-  %112 = uitofp i1 %59 to double
-  %113 = insertelement <8 x double> poison, double %112, i64 0
-  %114 = bitcast <8 x double> %113 to <8 x i64>
-  %115 = shufflevector <8 x i64> %114, <8 x i64> poison, <8 x i32> zeroinitializer
-  %116 = getelementptr inbounds i8, ptr %0, i64 816
-  %117 = getelementptr inbounds i8, ptr %0, i64 440
-  %118 = getelementptr inbounds i8, ptr %0, i64 624
-  %119 = getelementptr inbounds i8, ptr %0, i64 480
-  %120 = getelementptr inbounds i8, ptr %0, i64 96
-  %121 = getelementptr inbounds i8, ptr %0, i64 168
-  %122 = getelementptr inbounds i8, ptr %0, i64 296
-  %123 = getelementptr inbounds i8, ptr %0, i64 192
-  %124 = getelementptr inbounds i8, ptr %0, i64 240
-  %125 = getelementptr inbounds i8, ptr %0, i64 552
-  %126 = getelementptr inbounds i8, ptr %17, i64 16
-  %127 = getelementptr inbounds i8, ptr %0, i64 456
-  %128 = getelementptr inbounds i8, ptr %0, i64 744
-  %129 = getelementptr inbounds i8, ptr %0, i64 768
-  %130 = getelementptr inbounds i8, ptr %32, i64 24
-  %131 = getelementptr inbounds i8, ptr %32, i64 8
-  %132 = getelementptr inbounds i8, ptr %32, i64 16
-  %133 = getelementptr inbounds i8, ptr %32, i64 32
-  %134 = getelementptr inbounds i8, ptr %32, i64 40
-  %135 = getelementptr inbounds i8, ptr %32, i64 24
-  %136 = getelementptr inbounds i8, ptr %32, i64 32
-  %137 = getelementptr inbounds i8, ptr %0, i64 912
-  %138 = icmp sgt i64 %16, 0
-  %139 = getelementptr inbounds i8, ptr %0, i64 456
-  br label %151
+  %97 = getelementptr inbounds i8, ptr %0, i64 816
+  %98 = getelementptr inbounds i8, ptr %0, i64 440
+  %99 = getelementptr inbounds i8, ptr %0, i64 624
+  %100 = getelementptr inbounds i8, ptr %0, i64 480
+  %101 = getelementptr inbounds i8, ptr %0, i64 96
+  %102 = getelementptr inbounds i8, ptr %0, i64 168
+  %103 = getelementptr inbounds i8, ptr %0, i64 296
+  %104 = getelementptr inbounds i8, ptr %0, i64 192
+  %105 = getelementptr inbounds i8, ptr %0, i64 240
+  %106 = getelementptr inbounds i8, ptr %0, i64 552
+  %107 = getelementptr inbounds i8, ptr %0, i64 456
+  %108 = getelementptr inbounds i8, ptr %0, i64 120
+  %109 = getelementptr inbounds i8, ptr %0, i64 720
+  %110 = getelementptr inbounds i8, ptr %0, i64 744
+  %111 = getelementptr inbounds i8, ptr %0, i64 768
+  %112 = getelementptr inbounds i8, ptr %0, i64 912
+  %113 = icmp sgt i64 %16, 0
+  %114 = getelementptr inbounds i8, ptr %0, i64 456
+  %115 = getelementptr inbounds i8, ptr %0, i64 600
+  %116 = getelementptr inbounds i8, ptr %0, i64 440
+  %117 = icmp sgt i64 %16, 0
+  br label %129
 
-140:                                              ; preds = %1, %140
-  %141 = phi i64 [ 0, %1 ], [ %149, %140 ]
-  %142 = phi i64 [ 0, %1 ], [ %148, %140 ]
-  %143 = getelementptr inbounds i64, ptr %53, i64 %141
-  %144 = load i64, ptr %143, align 8
-  %145 = icmp sgt i64 %144, -1
-  %146 = zext i1 %145 to i64
-  %147 = shl nuw nsw i64 %146, %141
-  %148 = or i64 %147, %142
-  %149 = add nuw nsw i64 %141, 1
-  %150 = icmp eq i64 %149, 8
-  br i1 %150, label %54, label %140, !llvm.loop !3
+118:                                              ; preds = %1, %118
+  %119 = phi i64 [ 0, %1 ], [ %127, %118 ]
+  %120 = phi i64 [ 0, %1 ], [ %126, %118 ]
+  %121 = getelementptr inbounds i64, ptr %42, i64 %119
+  %122 = load i64, ptr %121, align 8
+  %123 = icmp sgt i64 %122, -1
+  %124 = zext i1 %123 to i64
+  %125 = shl nuw nsw i64 %124, %119
+  %126 = or i64 %125, %120
+  %127 = add nuw nsw i64 %119, 1
+  %128 = icmp eq i64 %127, 8
+  br i1 %128, label %43, label %118, !llvm.loop !3
 
-151:                                              ; preds = %186, %54
-  %152 = phi i32 [ 1, %54 ], [ %187, %186 ]
-  %153 = phi i64 [ 0, %54 ], [ %188, %186 ]
-  %154 = icmp ne i32 %152, 0
-  %155 = icmp ne i64 %153, 0
-  %156 = select i1 %154, i1 true, i1 %155
-  br i1 %156, label %157, label %189
+129:                                              ; preds = %164, %43
+  %130 = phi i32 [ 1, %43 ], [ %165, %164 ]
+  %131 = phi i64 [ 0, %43 ], [ %166, %164 ]
+  %132 = icmp ne i32 %130, 0
+  %133 = icmp ne i64 %131, 0
+  %134 = select i1 %132, i1 true, i1 %133
+  br i1 %134, label %135, label %167
 
-157:                                              ; preds = %151
-  br i1 %154, label %158, label %160
+135:                                              ; preds = %129
+  br i1 %132, label %136, label %138
 
-158:                                              ; preds = %157
-  %159 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %6) #10
-  br label %160
+136:                                              ; preds = %135
+  %137 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %6) #10
+  br label %138
 
-160:                                              ; preds = %157, %158
-  %161 = phi i64 [ %159, %158 ], [ 0, %157 ]
-  %162 = load i64, ptr %6, align 8
-  %163 = icmp eq i64 %162, 0
-  br i1 %163, label %182, label %164
+138:                                              ; preds = %135, %136
+  %139 = phi i64 [ %137, %136 ], [ 0, %135 ]
+  %140 = load i64, ptr %6, align 8
+  %141 = icmp eq i64 %140, 0
+  br i1 %141, label %160, label %142
 
-164:                                              ; preds = %160
-  %165 = or i64 %161, %153
-  %166 = icmp eq i64 %165, 0
-  br i1 %166, label %182, label %167
+142:                                              ; preds = %138
+  %143 = or i64 %139, %131
+  %144 = icmp eq i64 %143, 0
+  br i1 %144, label %160, label %145
 
-167:                                              ; preds = %164
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %161, i64 noundef %153) #10
-  br label %168
+145:                                              ; preds = %142
+  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %139, i64 noundef %131) #10
+  br label %146
 
-168:                                              ; preds = %167, %177
-  %169 = phi i32 [ 0, %167 ], [ %179, %177 ]
-  %170 = phi i64 [ 0, %167 ], [ %180, %177 ]
-  %171 = icmp eq i32 %169, 0
-  br i1 %171, label %172, label %177
+146:                                              ; preds = %145, %155
+  %147 = phi i32 [ 0, %145 ], [ %157, %155 ]
+  %148 = phi i64 [ 0, %145 ], [ %158, %155 ]
+  %149 = icmp eq i32 %147, 0
+  br i1 %149, label %150, label %155
 
-172:                                              ; preds = %168
-  %173 = load ptr, ptr %62, align 8
-  %174 = getelementptr inbounds i64, ptr %173, i64 %170
-  %175 = load i64, ptr %174, align 8
-  %176 = icmp eq i64 %175, -1
-  br label %177
+150:                                              ; preds = %146
+  %151 = load ptr, ptr %49, align 8
+  %152 = getelementptr inbounds i64, ptr %151, i64 %148
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp eq i64 %153, -1
+  br label %155
 
-177:                                              ; preds = %172, %168
-  %178 = phi i1 [ true, %168 ], [ %176, %172 ]
-  %179 = zext i1 %178 to i32
-  %180 = add nuw nsw i64 %170, 1
-  %181 = icmp eq i64 %180, 8
-  br i1 %181, label %182, label %168, !llvm.loop !6
+155:                                              ; preds = %150, %146
+  %156 = phi i1 [ true, %146 ], [ %154, %150 ]
+  %157 = zext i1 %156 to i32
+  %158 = add nuw nsw i64 %148, 1
+  %159 = icmp eq i64 %158, 8
+  br i1 %159, label %160, label %146, !llvm.loop !6
 
-182:                                              ; preds = %177, %164, %160
-  %183 = phi i32 [ 1, %160 ], [ 8, %164 ], [ 0, %177 ]
-  %184 = phi i32 [ %152, %160 ], [ 0, %164 ], [ %179, %177 ]
-  %185 = phi i64 [ %153, %160 ], [ %153, %164 ], [ 0, %177 ]
-  switch i32 %183, label %1147 [
-    i32 0, label %186
-    i32 8, label %189
+160:                                              ; preds = %155, %142, %138
+  %161 = phi i32 [ 1, %138 ], [ 8, %142 ], [ 0, %155 ]
+  %162 = phi i32 [ %130, %138 ], [ 0, %142 ], [ %157, %155 ]
+  %163 = phi i64 [ %131, %138 ], [ %131, %142 ], [ 0, %155 ]
+  switch i32 %161, label %1159 [
+    i32 0, label %164
+    i32 8, label %167
   ]
 
-186:                                              ; preds = %182, %1145, %267
-  %187 = phi i32 [ %184, %182 ], [ %1146, %1145 ], [ 1, %267 ]
-  %188 = phi i64 [ %185, %182 ], [ %1121, %1145 ], [ %191, %267 ]
-  br label %151, !llvm.loop !7
+164:                                              ; preds = %160, %1157, %247
+  %165 = phi i32 [ %162, %160 ], [ %1158, %1157 ], [ 1, %247 ]
+  %166 = phi i64 [ %163, %160 ], [ %1135, %1157 ], [ %169, %247 ]
+  br label %129, !llvm.loop !7
 
-189:                                              ; preds = %182, %151
-  %190 = phi i32 [ %184, %182 ], [ 0, %151 ]
-  %191 = phi i64 [ %185, %182 ], [ 0, %151 ]
-  %192 = load ptr, ptr %13, align 8
-  %193 = getelementptr inbounds i8, ptr %192, i64 8
-  %194 = load i64, ptr %193, align 8
-  %195 = icmp slt i64 %194, 1
-  br i1 %195, label %1147, label %196
+167:                                              ; preds = %160, %129
+  %168 = phi i32 [ %162, %160 ], [ 0, %129 ]
+  %169 = phi i64 [ %163, %160 ], [ 0, %129 ]
+  %170 = load ptr, ptr %13, align 8
+  %171 = getelementptr inbounds i8, ptr %170, i64 8
+  %172 = load i64, ptr %171, align 8
+  %173 = icmp slt i64 %172, 1
+  br i1 %173, label %1159, label %174
 
-196:                                              ; preds = %189
-  br i1 %60, label %197, label %217
+174:                                              ; preds = %167
+  br i1 %48, label %175, label %195
 
-197:                                              ; preds = %196
-  %198 = load i64, ptr %63, align 8
-  %199 = icmp sgt i64 %198, 0
-  br i1 %199, label %200, label %214
+175:                                              ; preds = %174
+  %176 = load i64, ptr %50, align 8
+  %177 = icmp sgt i64 %176, 0
+  br i1 %177, label %178, label %192
 
-200:                                              ; preds = %197
-  %201 = load ptr, ptr %42, align 8
-  %202 = getelementptr inbounds i8, ptr %201, i64 72
-  %203 = load i64, ptr %202, align 8
-  %204 = load ptr, ptr %64, align 8
-  %205 = load i64, ptr %204, align 8
-  %206 = inttoptr i64 %205 to ptr
-  %207 = getelementptr inbounds i8, ptr %206, i64 1064
-  %208 = load i64, ptr %207, align 8
-  %209 = shl i64 %208, 4
-  %210 = add i64 %203, 16
-  %211 = add i64 %210, %209
-  %212 = icmp sgt i64 %211, %198
-  %213 = zext i1 %212 to i32
-  br label %214
+178:                                              ; preds = %175
+  %179 = load ptr, ptr %37, align 8
+  %180 = getelementptr inbounds i8, ptr %179, i64 72
+  %181 = load i64, ptr %180, align 8
+  %182 = load ptr, ptr %51, align 8
+  %183 = load i64, ptr %182, align 8
+  %184 = inttoptr i64 %183 to ptr
+  %185 = getelementptr inbounds i8, ptr %184, i64 1064
+  %186 = load i64, ptr %185, align 8
+  %187 = shl i64 %186, 4
+  %188 = add i64 %181, 16
+  %189 = add i64 %188, %187
+  %190 = icmp sgt i64 %189, %176
+  %191 = zext i1 %190 to i32
+  br label %192
 
-214:                                              ; preds = %197, %200
-  %215 = phi i32 [ 0, %197 ], [ %213, %200 ]
-  %216 = icmp eq i32 %215, 0
-  br i1 %216, label %217, label %1147
+192:                                              ; preds = %175, %178
+  %193 = phi i32 [ 0, %175 ], [ %191, %178 ]
+  %194 = icmp eq i32 %193, 0
+  br i1 %194, label %195, label %1159
 
-217:                                              ; preds = %214, %196
-  %218 = add nsw i64 %194, -1
-  store i64 %218, ptr %193, align 8
-  %219 = load i64, ptr %6, align 8
-  %220 = trunc i64 %219 to i8
-  %221 = bitcast i8 %220 to <8 x i1>
-  %222 = load ptr, ptr %55, align 8
-  %223 = load <8 x double>, ptr %222, align 8
-  call fastcc void @hold_all(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
-  br i1 %35, label %227, label %224
+195:                                              ; preds = %192, %174
+  %196 = add nsw i64 %172, -1
+  store i64 %196, ptr %171, align 8
+  %197 = load i64, ptr %6, align 8
+  %198 = trunc i64 %197 to i8
+  %199 = bitcast i8 %198 to <8 x i1>
+  %200 = load ptr, ptr %44, align 8
+  %201 = load <8 x double>, ptr %200, align 8
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %5) #10
+  br i1 %33, label %205, label %202
 
-224:                                              ; preds = %217
-  %225 = load ptr, ptr %65, align 8
-  %226 = load <8 x double>, ptr %225, align 8
-  br label %227
+202:                                              ; preds = %195
+  %203 = load ptr, ptr %52, align 8
+  %204 = load <8 x double>, ptr %203, align 8
+  br label %205
 
-227:                                              ; preds = %217, %224
-  %228 = phi <8 x double> [ %226, %224 ], [ %67, %217 ]
-  %229 = load <8 x double>, ptr %5, align 16
-  %230 = fcmp olt <8 x double> %228, %229
-  %231 = select <8 x i1> %230, <8 x double> %228, <8 x double> %229
-  %232 = load ptr, ptr %68, align 8
+205:                                              ; preds = %195, %202
+  %206 = phi <8 x double> [ %204, %202 ], [ %54, %195 ]
+  %207 = load <8 x double>, ptr %5, align 16
+  %208 = fcmp olt <8 x double> %206, %207
+  %209 = select <8 x i1> %208, <8 x double> %206, <8 x double> %207
+  br i1 %33, label %210, label %215
+
+210:                                              ; preds = %205
+  %211 = load ptr, ptr %56, align 8
+  %212 = load <8 x double>, ptr %211, align 8
+  %213 = fcmp olt <8 x double> %212, %58
+  %214 = select <8 x i1> %213, <8 x double> %212, <8 x double> %58
+  br label %223
+
+215:                                              ; preds = %205
+  %216 = load ptr, ptr %55, align 8
+  %217 = load <8 x double>, ptr %216, align 8
+  %218 = fsub <8 x double> %209, %201
+  %219 = fdiv <8 x double> %218, %217
+  %220 = fmul <8 x double> %219, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %221 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %220)
+  %222 = fdiv <8 x double> %218, %221
+  br label %223
+
+223:                                              ; preds = %215, %210
+  %224 = phi <8 x double> [ %214, %210 ], [ %222, %215 ]
+  %225 = fadd <8 x double> %201, %224
+  %226 = fmul <8 x double> %224, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %227 = fsub <8 x double> %209, %226
+  %228 = fcmp ogt <8 x double> %225, %227
+  %229 = select <8 x i1> %228, <8 x double> %209, <8 x double> %225
+  %230 = fsub <8 x double> %229, %201
+  %231 = select <8 x i1> %199, <8 x double> %230, <8 x double> zeroinitializer
+  %232 = load ptr, ptr %59, align 8
   %233 = load <8 x double>, ptr %232, align 8
-  br i1 %35, label %234, label %237
+  %234 = load ptr, ptr %60, align 8
+  %235 = load <8 x double>, ptr %234, align 8
+  %236 = fadd <8 x double> %233, %235
+  %237 = fcmp oge <8 x double> %236, %62
+  %238 = fmul <8 x double> %231, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %239 = fadd <8 x double> %201, %238
+  %240 = fcmp ule <8 x double> %239, %201
+  %241 = fcmp une <8 x double> %229, %209
+  %242 = and <8 x i1> %240, %241
+  %243 = or <8 x i1> %242, %237
+  %244 = and <8 x i1> %243, %199
+  %245 = bitcast <8 x i1> %244 to i8
+  %246 = icmp eq i8 %245, 0
+  br i1 %246, label %254, label %247
 
-234:                                              ; preds = %227
-  %235 = fcmp olt <8 x double> %233, %70
-  %236 = select <8 x i1> %235, <8 x double> %233, <8 x double> %70
-  br label %243
+247:                                              ; preds = %223
+  %248 = zext i8 %245 to i64
+  %249 = bitcast <8 x i1> %237 to i8
+  %250 = zext i8 %249 to i64
+  %251 = and i64 %248, %250
+  call fastcc void @retire(ptr noundef %0, i64 noundef %251, i64 noundef 1) #10
+  %252 = xor i64 %250, -1
+  %253 = and i64 %248, %252
+  call fastcc void @retire(ptr noundef %0, i64 noundef %253, i64 noundef -1) #10
+  br label %164
 
-237:                                              ; preds = %227
-  %238 = fsub <8 x double> %231, %223
-  %239 = fdiv <8 x double> %238, %233
-  %240 = fmul <8 x double> %239, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %241 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %240)
-  %242 = fdiv <8 x double> %238, %241
-  br label %243
+254:                                              ; preds = %223
+  %255 = load ptr, ptr %0, align 8, !noalias !8
+  %256 = load ptr, ptr %10, align 8, !noalias !8
+  %257 = getelementptr inbounds i8, ptr %256, i64 8
+  %258 = load i64, ptr %257, align 8, !noalias !8
+  %259 = getelementptr inbounds i8, ptr %255, i64 32
+  %260 = load i64, ptr %259, align 8, !noalias !8
+  %261 = icmp ne i64 %260, 1
+  %262 = load i64, ptr %255, align 8, !noalias !8
+  %263 = load ptr, ptr %63, align 8, !noalias !8
+  store <8 x double> %231, ptr %263, align 8, !noalias !8
+  %264 = icmp sgt i64 %262, 1
+  br i1 %264, label %265, label %315
 
-243:                                              ; preds = %237, %234
-  %244 = phi <8 x double> [ %236, %234 ], [ %242, %237 ]
-  %245 = fadd <8 x double> %223, %244
-  %246 = fmul <8 x double> %244, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %247 = fsub <8 x double> %231, %246
-  %248 = fcmp ogt <8 x double> %245, %247
-  %249 = select <8 x i1> %248, <8 x double> %231, <8 x double> %245
-  %250 = fsub <8 x double> %249, %223
-  %251 = select <8 x i1> %221, <8 x double> %250, <8 x double> zeroinitializer
-  %252 = load ptr, ptr %71, align 8
-  %253 = load <8 x double>, ptr %252, align 8
-  %254 = load ptr, ptr %72, align 8
-  %255 = load <8 x double>, ptr %254, align 8
-  %256 = fadd <8 x double> %253, %255
-  %257 = fcmp oge <8 x double> %256, %74
-  %258 = fmul <8 x double> %251, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %259 = fadd <8 x double> %223, %258
-  %260 = fcmp ule <8 x double> %259, %223
-  %261 = fcmp une <8 x double> %249, %231
-  %262 = and <8 x i1> %260, %261
-  %263 = or <8 x i1> %262, %257
-  %264 = and <8 x i1> %263, %221
-  %265 = bitcast <8 x i1> %264 to i8
-  %266 = icmp eq i8 %265, 0
-  br i1 %266, label %274, label %267
+265:                                              ; preds = %254, %302
+  %266 = phi i64 [ %312, %302 ], [ 0, %254 ]
+  %267 = phi i64 [ %313, %302 ], [ 1, %254 ]
+  %268 = load ptr, ptr %64, align 8, !noalias !8
+  %269 = load ptr, ptr %12, align 8, !noalias !8
+  %270 = load ptr, ptr %10, align 8, !noalias !8
+  %271 = getelementptr inbounds i8, ptr %270, i64 16
+  %272 = load i64, ptr %271, align 8, !noalias !8
+  %273 = load ptr, ptr %65, align 8, !noalias !8
+  %274 = getelementptr inbounds i64, ptr %273, i64 %267
+  %275 = load i64, ptr %274, align 8, !noalias !8
+  %276 = getelementptr i8, ptr %274, i64 8
+  %277 = load i64, ptr %276, align 8, !noalias !8
+  %278 = xor i64 %275, -1
+  %279 = add i64 %277, %278
+  %280 = load ptr, ptr %63, align 8, !noalias !8
+  %281 = load ptr, ptr %66, align 8, !noalias !8
+  %282 = load ptr, ptr %67, align 8, !noalias !8
+  %283 = getelementptr inbounds i64, ptr %282, i64 %275
+  %284 = load ptr, ptr %68, align 8, !noalias !8
+  %285 = getelementptr inbounds double, ptr %284, i64 %275
+  call fastcc void @combine(ptr noundef %268, ptr noundef %269, ptr noundef %280, ptr noundef %281, ptr noundef %283, ptr noundef %285, i64 noundef %279, i64 noundef %272) #10
+  %286 = load ptr, ptr %66, align 8, !noalias !8
+  %287 = load i64, ptr %69, align 8, !noalias !8
+  %288 = mul nsw i64 %287, %267
+  %289 = getelementptr inbounds double, ptr %286, i64 %288
+  %290 = load ptr, ptr %70, align 8, !noalias !8
+  %291 = getelementptr inbounds double, ptr %290, i64 %267
+  %292 = load double, ptr %291, align 8, !noalias !8
+  %293 = insertelement <8 x double> poison, double %292, i64 0
+  %294 = shufflevector <8 x double> %293, <8 x double> poison, <8 x i32> zeroinitializer
+  %295 = fmul <8 x double> %231, %294
+  %296 = fadd <8 x double> %201, %295
+  %297 = load ptr, ptr %64, align 8, !noalias !8
+  %298 = load ptr, ptr %71, align 8, !noalias !8
+  store <8 x double> %296, ptr %298, align 8, !noalias !8
+  %299 = load i64, ptr %72, align 8, !noalias !8
+  %300 = icmp sgt i64 %299, 0
+  br i1 %300, label %301, label %302
 
-267:                                              ; preds = %243
-  %268 = zext i8 %265 to i64
-  %269 = bitcast <8 x i1> %257 to i8
-  %270 = zext i8 %269 to i64
-  %271 = and i64 %268, %270
-  call fastcc void @retire(ptr noundef %0, i64 noundef %271, i64 noundef 1) #10
-  %272 = xor i64 %270, -1
-  %273 = and i64 %268, %272
-  call fastcc void @retire(ptr noundef %0, i64 noundef %273, i64 noundef -1) #10
-  br label %186
+301:                                              ; preds = %265
+  call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
+  br label %302
 
-274:                                              ; preds = %243
-  %275 = load ptr, ptr %0, align 8
-  %276 = load i64, ptr %275, align 8
-  %277 = load ptr, ptr %75, align 8
-  store <8 x double> %251, ptr %277, align 8
-  %278 = icmp sgt i64 %276, 1
-  br i1 %278, label %279, label %329
+302:                                              ; preds = %301, %265
+  %303 = load ptr, ptr %10, align 8, !noalias !8
+  %304 = load i64, ptr %303, align 8, !noalias !8
+  %305 = load ptr, ptr %71, align 8, !noalias !8
+  %306 = load ptr, ptr %73, align 8, !noalias !8
+  %307 = load ptr, ptr %74, align 8, !noalias !8
+  %308 = inttoptr i64 %304 to ptr
+  %309 = load ptr, ptr %308, align 8, !noalias !8
+  %310 = call i32 %309(ptr noundef %305, ptr noundef %297, ptr noundef %306, ptr noundef %307, ptr noundef %289) #11, !noalias !8
+  %311 = zext i32 %310 to i64
+  %312 = or i64 %266, %311
+  %313 = add nuw nsw i64 %267, 1
+  %314 = icmp eq i64 %313, %262
+  br i1 %314, label %315, label %265, !llvm.loop !11
 
-279:                                              ; preds = %274, %316
-  %280 = phi i64 [ %326, %316 ], [ 0, %274 ]
-  %281 = phi i64 [ %327, %316 ], [ 1, %274 ]
-  %282 = load ptr, ptr %76, align 8
-  %283 = load ptr, ptr %12, align 8
-  %284 = load ptr, ptr %10, align 8
-  %285 = getelementptr inbounds i8, ptr %284, i64 16
-  %286 = load i64, ptr %285, align 8
-  %287 = load ptr, ptr %77, align 8
-  %288 = getelementptr inbounds i64, ptr %287, i64 %281
-  %289 = load i64, ptr %288, align 8
-  %290 = getelementptr i8, ptr %288, i64 8
-  %291 = load i64, ptr %290, align 8
-  %292 = xor i64 %289, -1
-  %293 = add i64 %291, %292
-  %294 = load ptr, ptr %75, align 8
-  %295 = load ptr, ptr %78, align 8
-  %296 = load ptr, ptr %79, align 8
-  %297 = getelementptr inbounds i64, ptr %296, i64 %289
-  %298 = load ptr, ptr %80, align 8
-  %299 = getelementptr inbounds double, ptr %298, i64 %289
-  call fastcc void @combine(ptr noundef %282, ptr noundef %283, ptr noundef %294, ptr noundef %295, ptr noundef %297, ptr noundef %299, i64 noundef %293, i64 noundef %286) #10
-  %300 = load ptr, ptr %78, align 8
-  %301 = load i64, ptr %81, align 8
-  %302 = mul nsw i64 %301, %281
-  %303 = getelementptr inbounds double, ptr %300, i64 %302
-  %304 = load ptr, ptr %82, align 8
-  %305 = getelementptr inbounds double, ptr %304, i64 %281
-  %306 = load double, ptr %305, align 8
-  %307 = insertelement <8 x double> poison, double %306, i64 0
-  %308 = shufflevector <8 x double> %307, <8 x double> poison, <8 x i32> zeroinitializer
-  %309 = fmul <8 x double> %251, %308
-  %310 = fadd <8 x double> %223, %309
-  %311 = load ptr, ptr %76, align 8
-  %312 = load ptr, ptr %83, align 8
-  store <8 x double> %310, ptr %312, align 8
-  %313 = load i64, ptr %84, align 8
-  %314 = icmp sgt i64 %313, 0
-  br i1 %314, label %315, label %316
+315:                                              ; preds = %302, %254
+  %316 = phi i64 [ 0, %254 ], [ %312, %302 ]
+  %317 = load ptr, ptr %75, align 8, !noalias !8
+  %318 = load ptr, ptr %12, align 8, !noalias !8
+  %319 = load ptr, ptr %10, align 8, !noalias !8
+  %320 = getelementptr inbounds i8, ptr %319, i64 16
+  %321 = load i64, ptr %320, align 8, !noalias !8
+  %322 = load ptr, ptr %76, align 8, !noalias !8
+  %323 = getelementptr inbounds i64, ptr %322, i64 %262
+  %324 = load i64, ptr %323, align 8, !noalias !8
+  %325 = getelementptr i8, ptr %323, i64 8
+  %326 = load i64, ptr %325, align 8, !noalias !8
+  %327 = xor i64 %324, -1
+  %328 = add i64 %326, %327
+  %329 = load ptr, ptr %63, align 8, !noalias !8
+  %330 = load ptr, ptr %77, align 8, !noalias !8
+  %331 = load ptr, ptr %78, align 8, !noalias !8
+  %332 = getelementptr inbounds i64, ptr %331, i64 %324
+  %333 = load ptr, ptr %79, align 8, !noalias !8
+  %334 = getelementptr inbounds double, ptr %333, i64 %324
+  call fastcc void @combine(ptr noundef %317, ptr noundef %318, ptr noundef %329, ptr noundef %330, ptr noundef %332, ptr noundef %334, i64 noundef %328, i64 noundef %321) #10
+  br i1 %261, label %357, label %335
 
-315:                                              ; preds = %279
-  call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %316
+335:                                              ; preds = %315
+  %336 = load ptr, ptr %75, align 8, !noalias !8
+  %337 = load ptr, ptr %77, align 8, !noalias !8
+  %338 = load i64, ptr %255, align 8, !noalias !8
+  %339 = load i64, ptr %80, align 8, !noalias !8
+  %340 = mul nsw i64 %339, %338
+  %341 = getelementptr inbounds double, ptr %337, i64 %340
+  %342 = load ptr, ptr %81, align 8, !noalias !8
+  store <8 x double> %229, ptr %342, align 8, !noalias !8
+  %343 = load i64, ptr %82, align 8, !noalias !8
+  %344 = icmp sgt i64 %343, 0
+  br i1 %344, label %345, label %346
 
-316:                                              ; preds = %279, %315
-  %317 = load ptr, ptr %10, align 8
-  %318 = load i64, ptr %317, align 8
-  %319 = load ptr, ptr %83, align 8
-  %320 = load ptr, ptr %85, align 8
-  %321 = load ptr, ptr %86, align 8
-  %322 = inttoptr i64 %318 to ptr
-  %323 = load ptr, ptr %322, align 8
-  %324 = call i32 %323(ptr noundef %319, ptr noundef %311, ptr noundef %320, ptr noundef %321, ptr noundef %303) #11
-  %325 = zext i32 %324 to i64
-  %326 = or i64 %280, %325
-  %327 = add nuw nsw i64 %281, 1
-  %328 = icmp eq i64 %327, %276
-  br i1 %328, label %329, label %279, !llvm.loop !8
+345:                                              ; preds = %335
+  call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
+  br label %346
 
-329:                                              ; preds = %316, %274
-  %330 = phi i64 [ 0, %274 ], [ %326, %316 ]
-  %331 = load ptr, ptr %87, align 8
-  %332 = load ptr, ptr %12, align 8
-  %333 = load ptr, ptr %10, align 8
-  %334 = getelementptr inbounds i8, ptr %333, i64 16
-  %335 = load i64, ptr %334, align 8
-  %336 = load ptr, ptr %88, align 8
-  %337 = getelementptr inbounds i64, ptr %336, i64 %276
-  %338 = load i64, ptr %337, align 8
-  %339 = getelementptr i8, ptr %337, i64 8
-  %340 = load i64, ptr %339, align 8
-  %341 = xor i64 %338, -1
-  %342 = add i64 %340, %341
-  %343 = load ptr, ptr %75, align 8
-  %344 = load ptr, ptr %89, align 8
-  %345 = load ptr, ptr %90, align 8
-  %346 = getelementptr inbounds i64, ptr %345, i64 %338
-  %347 = load ptr, ptr %91, align 8
-  %348 = getelementptr inbounds double, ptr %347, i64 %338
-  call fastcc void @combine(ptr noundef %331, ptr noundef %332, ptr noundef %343, ptr noundef %344, ptr noundef %346, ptr noundef %348, i64 noundef %342, i64 noundef %335) #10
-  br i1 %58, label %366, label %349
+346:                                              ; preds = %335, %345
+  %347 = load ptr, ptr %10, align 8, !noalias !8
+  %348 = load i64, ptr %347, align 8, !noalias !8
+  %349 = load ptr, ptr %81, align 8, !noalias !8
+  %350 = load ptr, ptr %83, align 8, !noalias !8
+  %351 = load ptr, ptr %84, align 8, !noalias !8
+  %352 = inttoptr i64 %348 to ptr
+  %353 = load ptr, ptr %352, align 8, !noalias !8
+  %354 = call i32 %353(ptr noundef %349, ptr noundef %336, ptr noundef %350, ptr noundef %351, ptr noundef %341) #11, !noalias !8
+  %355 = zext i32 %354 to i64
+  %356 = or i64 %316, %355
+  br label %357
 
-349:                                              ; preds = %329
-  %350 = load ptr, ptr %92, align 8
-  %351 = load ptr, ptr %93, align 8
-  store <8 x double> %249, ptr %351, align 8
-  %352 = load i64, ptr %94, align 8
-  %353 = icmp sgt i64 %352, 0
-  br i1 %353, label %354, label %355
+357:                                              ; preds = %346, %315
+  %358 = phi i64 [ %356, %346 ], [ %316, %315 ]
+  %359 = load ptr, ptr %0, align 8, !noalias !8
+  %360 = getelementptr inbounds i8, ptr %359, i64 8
+  %361 = load i64, ptr %360, align 8, !noalias !8
+  %362 = icmp slt i64 %361, 1
+  br i1 %362, label %363, label %367
 
-354:                                              ; preds = %349
-  call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %355
+363:                                              ; preds = %357
+  %364 = icmp sgt i64 %258, 0
+  br i1 %364, label %365, label %535
 
-355:                                              ; preds = %349, %354
-  %356 = load ptr, ptr %10, align 8
-  %357 = load i64, ptr %356, align 8
-  %358 = load ptr, ptr %93, align 8
-  %359 = load ptr, ptr %95, align 8
-  %360 = load ptr, ptr %96, align 8
-  %361 = inttoptr i64 %357 to ptr
-  %362 = load ptr, ptr %361, align 8
-  %363 = call i32 %362(ptr noundef %358, ptr noundef %350, ptr noundef %359, ptr noundef %360, ptr noundef %61) #11
-  %364 = zext i32 %363 to i64
-  %365 = or i64 %330, %364
-  br label %366
+365:                                              ; preds = %363
+  %366 = load ptr, ptr %75, align 8, !noalias !8
+  br label %525
 
-366:                                              ; preds = %355, %329
-  %367 = phi i64 [ %365, %355 ], [ %330, %329 ]
-  br i1 %35, label %371, label %368
+367:                                              ; preds = %357
+  %368 = load ptr, ptr %10, align 8, !noalias !8
+  %369 = getelementptr inbounds i8, ptr %368, i64 24
+  %370 = load i64, ptr %369, align 8, !noalias !8
+  %371 = load ptr, ptr %85, align 8, !noalias !8
+  %372 = load i64, ptr %86, align 8, !noalias !8
+  %373 = getelementptr inbounds i8, ptr %368, i64 32
+  br label %383
 
-368:                                              ; preds = %366
-  br i1 %97, label %369, label %544
+374:                                              ; preds = %383
+  %375 = getelementptr inbounds double, ptr %371, i64 %372
+  %376 = icmp sgt i64 %370, 0
+  br i1 %376, label %377, label %409
 
-369:                                              ; preds = %368
-  %370 = load ptr, ptr %98, align 8
-  br label %534
+377:                                              ; preds = %374
+  %378 = load ptr, ptr %12, align 8, !noalias !8
+  %379 = load ptr, ptr %75, align 8, !noalias !8
+  %380 = load ptr, ptr %88, align 8, !noalias !8
+  %381 = load ptr, ptr %89, align 8, !noalias !8
+  %382 = load ptr, ptr %85, align 8, !noalias !8
+  br label %472
 
-371:                                              ; preds = %366
-  %372 = load ptr, ptr %10, align 8
-  %373 = load ptr, ptr %0, align 8
-  %374 = getelementptr inbounds i8, ptr %372, i64 24
-  %375 = load i64, ptr %374, align 8
-  %376 = getelementptr inbounds i8, ptr %373, i64 8
-  %377 = load i64, ptr %376, align 8
-  %378 = load ptr, ptr %99, align 8
-  %379 = load i64, ptr %100, align 8
-  %380 = getelementptr inbounds double, ptr %378, i64 %379
-  %381 = icmp sgt i64 %377, 0
-  br i1 %381, label %382, label %384
+383:                                              ; preds = %367, %383
+  %384 = phi i64 [ 0, %367 ], [ %407, %383 ]
+  %385 = load i64, ptr %359, align 8, !noalias !8
+  %386 = load i64, ptr %373, align 8, !noalias !8
+  %387 = load ptr, ptr %85, align 8, !noalias !8
+  %388 = load i64, ptr %86, align 8, !noalias !8
+  %389 = mul nsw i64 %388, %384
+  %390 = getelementptr inbounds double, ptr %387, i64 %389
+  %391 = load ptr, ptr %87, align 8, !noalias !8
+  %392 = load ptr, ptr %76, align 8, !noalias !8
+  %393 = getelementptr i64, ptr %392, i64 %385
+  %394 = getelementptr i8, ptr %393, i64 8
+  %395 = getelementptr i64, ptr %394, i64 %384
+  %396 = load i64, ptr %395, align 8, !noalias !8
+  %397 = getelementptr i8, ptr %395, i64 8
+  %398 = load i64, ptr %397, align 8, !noalias !8
+  %399 = xor i64 %396, -1
+  %400 = add i64 %398, %399
+  %401 = load ptr, ptr %63, align 8, !noalias !8
+  %402 = load ptr, ptr %77, align 8, !noalias !8
+  %403 = load ptr, ptr %78, align 8, !noalias !8
+  %404 = getelementptr inbounds i64, ptr %403, i64 %396
+  %405 = load ptr, ptr %79, align 8, !noalias !8
+  %406 = getelementptr inbounds double, ptr %405, i64 %396
+  call fastcc void @combine(ptr noundef %390, ptr noundef %391, ptr noundef %401, ptr noundef %402, ptr noundef %404, ptr noundef %406, i64 noundef %400, i64 noundef %386) #10
+  %407 = add nuw nsw i64 %384, 1
+  %408 = icmp eq i64 %407, %361
+  br i1 %408, label %374, label %383, !llvm.loop !12
 
-382:                                              ; preds = %371
-  %383 = getelementptr inbounds i8, ptr %372, i64 32
-  br label %392
+409:                                              ; preds = %472, %374
+  %410 = phi <8 x double> [ zeroinitializer, %374 ], [ %505, %472 ]
+  %411 = phi <8 x double> [ zeroinitializer, %374 ], [ %503, %472 ]
+  %412 = load ptr, ptr %75, align 8, !noalias !8
+  %413 = getelementptr inbounds i8, ptr %368, i64 8
+  %414 = load i64, ptr %413, align 8, !noalias !8
+  %415 = add nsw i64 %414, -3
+  %416 = getelementptr i8, ptr %412, i64 64
+  %417 = getelementptr i8, ptr %412, i64 128
+  %418 = getelementptr i8, ptr %412, i64 192
+  %419 = icmp slt i64 %370, %415
+  br i1 %419, label %427, label %420
 
-384:                                              ; preds = %392, %371
-  %385 = icmp sgt i64 %375, 0
-  br i1 %385, label %386, label %418
+420:                                              ; preds = %427, %409
+  %421 = phi <8 x double> [ zeroinitializer, %409 ], [ %437, %427 ]
+  %422 = phi <8 x double> [ zeroinitializer, %409 ], [ %442, %427 ]
+  %423 = phi <8 x double> [ zeroinitializer, %409 ], [ %447, %427 ]
+  %424 = phi <8 x double> [ zeroinitializer, %409 ], [ %452, %427 ]
+  %425 = phi i64 [ %370, %409 ], [ %453, %427 ]
+  %426 = icmp slt i64 %425, %414
+  br i1 %426, label %455, label %465
 
-386:                                              ; preds = %384
-  %387 = load ptr, ptr %12, align 8
-  %388 = load ptr, ptr %87, align 8
-  %389 = load ptr, ptr %102, align 8
-  %390 = load ptr, ptr %103, align 8
-  %391 = load ptr, ptr %99, align 8
-  br label %481
+427:                                              ; preds = %409, %427
+  %428 = phi i64 [ %453, %427 ], [ %370, %409 ]
+  %429 = phi <8 x double> [ %452, %427 ], [ zeroinitializer, %409 ]
+  %430 = phi <8 x double> [ %447, %427 ], [ zeroinitializer, %409 ]
+  %431 = phi <8 x double> [ %442, %427 ], [ zeroinitializer, %409 ]
+  %432 = phi <8 x double> [ %437, %427 ], [ zeroinitializer, %409 ]
+  %433 = shl nsw i64 %428, 6
+  %434 = getelementptr inbounds i8, ptr %412, i64 %433
+  %435 = load <8 x double>, ptr %434, align 8, !noalias !8
+  %436 = fmul <8 x double> %435, zeroinitializer
+  %437 = fadd <8 x double> %432, %436
+  %438 = shl i64 %428, 6
+  %439 = getelementptr i8, ptr %416, i64 %438
+  %440 = load <8 x double>, ptr %439, align 8, !noalias !8
+  %441 = fmul <8 x double> %440, zeroinitializer
+  %442 = fadd <8 x double> %431, %441
+  %443 = shl i64 %428, 6
+  %444 = getelementptr i8, ptr %417, i64 %443
+  %445 = load <8 x double>, ptr %444, align 8, !noalias !8
+  %446 = fmul <8 x double> %445, zeroinitializer
+  %447 = fadd <8 x double> %430, %446
+  %448 = shl i64 %428, 6
+  %449 = getelementptr i8, ptr %418, i64 %448
+  %450 = load <8 x double>, ptr %449, align 8, !noalias !8
+  %451 = fmul <8 x double> %450, zeroinitializer
+  %452 = fadd <8 x double> %429, %451
+  %453 = add nsw i64 %428, 4
+  %454 = icmp slt i64 %453, %415
+  br i1 %454, label %427, label %420, !llvm.loop !13
 
-392:                                              ; preds = %382, %392
-  %393 = phi i64 [ 0, %382 ], [ %416, %392 ]
-  %394 = load i64, ptr %373, align 8
-  %395 = load i64, ptr %383, align 8
-  %396 = load ptr, ptr %99, align 8
-  %397 = load i64, ptr %100, align 8
-  %398 = mul nsw i64 %397, %393
-  %399 = getelementptr inbounds double, ptr %396, i64 %398
-  %400 = load ptr, ptr %101, align 8
-  %401 = load ptr, ptr %88, align 8
-  %402 = getelementptr i64, ptr %401, i64 %394
-  %403 = getelementptr i8, ptr %402, i64 8
-  %404 = getelementptr i64, ptr %403, i64 %393
-  %405 = load i64, ptr %404, align 8
-  %406 = getelementptr i8, ptr %404, i64 8
-  %407 = load i64, ptr %406, align 8
-  %408 = xor i64 %405, -1
-  %409 = add i64 %407, %408
-  %410 = load ptr, ptr %75, align 8
-  %411 = load ptr, ptr %89, align 8
-  %412 = load ptr, ptr %90, align 8
-  %413 = getelementptr inbounds i64, ptr %412, i64 %405
-  %414 = load ptr, ptr %91, align 8
-  %415 = getelementptr inbounds double, ptr %414, i64 %405
-  call fastcc void @combine(ptr noundef %399, ptr noundef %400, ptr noundef %410, ptr noundef %411, ptr noundef %413, ptr noundef %415, i64 noundef %409, i64 noundef %395) #10
-  %416 = add nuw nsw i64 %393, 1
-  %417 = icmp eq i64 %416, %377
-  br i1 %417, label %384, label %392, !llvm.loop !9
+455:                                              ; preds = %420, %455
+  %456 = phi i64 [ %463, %455 ], [ %425, %420 ]
+  %457 = phi <8 x double> [ %462, %455 ], [ %421, %420 ]
+  %458 = shl nsw i64 %456, 6
+  %459 = getelementptr inbounds i8, ptr %412, i64 %458
+  %460 = load <8 x double>, ptr %459, align 8, !noalias !8
+  %461 = fmul <8 x double> %460, zeroinitializer
+  %462 = fadd <8 x double> %457, %461
+  %463 = add nsw i64 %456, 1
+  %464 = icmp eq i64 %463, %414
+  br i1 %464, label %465, label %455, !llvm.loop !14
 
-418:                                              ; preds = %481, %384
-  %419 = phi <8 x double> [ zeroinitializer, %384 ], [ %514, %481 ]
-  %420 = phi <8 x double> [ zeroinitializer, %384 ], [ %512, %481 ]
-  %421 = load ptr, ptr %87, align 8
-  %422 = getelementptr inbounds i8, ptr %372, i64 8
-  %423 = load i64, ptr %422, align 8
-  %424 = add nsw i64 %423, -3
-  %425 = getelementptr i8, ptr %421, i64 64
-  %426 = getelementptr i8, ptr %421, i64 128
-  %427 = getelementptr i8, ptr %421, i64 192
-  %428 = icmp slt i64 %375, %424
-  br i1 %428, label %436, label %429
+465:                                              ; preds = %455, %420
+  %466 = phi <8 x double> [ %421, %420 ], [ %462, %455 ]
+  %467 = fadd <8 x double> %422, %466
+  %468 = fadd <8 x double> %423, %424
+  %469 = fadd <8 x double> %468, %467
+  %470 = fadd <8 x double> %411, %469
+  %471 = icmp eq i64 %361, 2
+  br i1 %471, label %508, label %519
 
-429:                                              ; preds = %436, %418
-  %430 = phi <8 x double> [ zeroinitializer, %418 ], [ %446, %436 ]
-  %431 = phi <8 x double> [ zeroinitializer, %418 ], [ %451, %436 ]
-  %432 = phi <8 x double> [ zeroinitializer, %418 ], [ %456, %436 ]
-  %433 = phi <8 x double> [ zeroinitializer, %418 ], [ %461, %436 ]
-  %434 = phi i64 [ %375, %418 ], [ %462, %436 ]
-  %435 = icmp slt i64 %434, %423
-  br i1 %435, label %464, label %474
+472:                                              ; preds = %377, %472
+  %473 = phi <8 x double> [ zeroinitializer, %377 ], [ %503, %472 ]
+  %474 = phi <8 x double> [ zeroinitializer, %377 ], [ %505, %472 ]
+  %475 = phi i64 [ 0, %377 ], [ %506, %472 ]
+  %476 = shl nsw i64 %475, 6
+  %477 = getelementptr inbounds i8, ptr %378, i64 %476
+  %478 = load <8 x double>, ptr %477, align 8, !noalias !8
+  %479 = getelementptr inbounds i8, ptr %379, i64 %476
+  %480 = load <8 x double>, ptr %479, align 8, !noalias !8
+  %481 = getelementptr inbounds double, ptr %380, i64 %475
+  %482 = load double, ptr %481, align 8, !noalias !8
+  %483 = insertelement <8 x double> poison, double %482, i64 0
+  %484 = shufflevector <8 x double> %483, <8 x double> poison, <8 x i32> zeroinitializer
+  %485 = getelementptr inbounds double, ptr %381, i64 %475
+  %486 = load double, ptr %485, align 8, !noalias !8
+  %487 = insertelement <8 x double> poison, double %486, i64 0
+  %488 = shufflevector <8 x double> %487, <8 x double> poison, <8 x i32> zeroinitializer
+  %489 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %478)
+  %490 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %480)
+  %491 = fcmp ogt <8 x double> %489, %490
+  %492 = select <8 x i1> %491, <8 x double> %489, <8 x double> %490
+  %493 = fmul <8 x double> %492, %488
+  %494 = fadd <8 x double> %484, %493
+  %495 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %494
+  %496 = getelementptr inbounds i8, ptr %382, i64 %476
+  %497 = load <8 x double>, ptr %496, align 8, !noalias !8
+  %498 = fmul <8 x double> %497, %495
+  %499 = getelementptr inbounds i8, ptr %375, i64 %476
+  %500 = load <8 x double>, ptr %499, align 8, !noalias !8
+  %501 = fmul <8 x double> %500, %495
+  %502 = fmul <8 x double> %498, %498
+  %503 = fadd <8 x double> %473, %502
+  %504 = fmul <8 x double> %501, %501
+  %505 = fadd <8 x double> %474, %504
+  %506 = add nuw nsw i64 %475, 1
+  %507 = icmp eq i64 %506, %370
+  br i1 %507, label %409, label %472, !llvm.loop !15
 
-436:                                              ; preds = %418, %436
-  %437 = phi i64 [ %462, %436 ], [ %375, %418 ]
-  %438 = phi <8 x double> [ %461, %436 ], [ zeroinitializer, %418 ]
-  %439 = phi <8 x double> [ %456, %436 ], [ zeroinitializer, %418 ]
-  %440 = phi <8 x double> [ %451, %436 ], [ zeroinitializer, %418 ]
-  %441 = phi <8 x double> [ %446, %436 ], [ zeroinitializer, %418 ]
-  %442 = shl nsw i64 %437, 6
-  %443 = getelementptr inbounds i8, ptr %421, i64 %442
-  %444 = load <8 x double>, ptr %443, align 8
-  %445 = fmul <8 x double> %444, zeroinitializer
-  %446 = fadd <8 x double> %441, %445
-  %447 = shl i64 %437, 6
-  %448 = getelementptr i8, ptr %425, i64 %447
-  %449 = load <8 x double>, ptr %448, align 8
-  %450 = fmul <8 x double> %449, zeroinitializer
-  %451 = fadd <8 x double> %440, %450
-  %452 = shl i64 %437, 6
-  %453 = getelementptr i8, ptr %426, i64 %452
-  %454 = load <8 x double>, ptr %453, align 8
-  %455 = fmul <8 x double> %454, zeroinitializer
-  %456 = fadd <8 x double> %439, %455
-  %457 = shl i64 %437, 6
-  %458 = getelementptr i8, ptr %427, i64 %457
-  %459 = load <8 x double>, ptr %458, align 8
-  %460 = fmul <8 x double> %459, zeroinitializer
-  %461 = fadd <8 x double> %438, %460
-  %462 = add nsw i64 %437, 4
-  %463 = icmp slt i64 %462, %424
-  br i1 %463, label %436, label %429, !llvm.loop !10
+508:                                              ; preds = %465
+  %509 = fmul <8 x double> %410, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %510 = fadd <8 x double> %509, %470
+  %511 = sitofp i64 %370 to double
+  %512 = insertelement <8 x double> poison, double %511, i64 0
+  %513 = shufflevector <8 x double> %512, <8 x double> poison, <8 x i32> zeroinitializer
+  %514 = fmul <8 x double> %513, %510
+  %515 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %514)
+  %516 = fdiv <8 x double> %470, %515
+  %517 = fcmp oeq <8 x double> %470, zeroinitializer
+  %518 = select <8 x i1> %517, <8 x double> zeroinitializer, <8 x double> %516
+  br label %535
 
-464:                                              ; preds = %429, %464
-  %465 = phi i64 [ %472, %464 ], [ %434, %429 ]
-  %466 = phi <8 x double> [ %471, %464 ], [ %430, %429 ]
-  %467 = shl nsw i64 %465, 6
-  %468 = getelementptr inbounds i8, ptr %421, i64 %467
-  %469 = load <8 x double>, ptr %468, align 8
-  %470 = fmul <8 x double> %469, zeroinitializer
-  %471 = fadd <8 x double> %466, %470
-  %472 = add nsw i64 %465, 1
-  %473 = icmp eq i64 %472, %423
-  br i1 %473, label %474, label %464, !llvm.loop !11
-
-474:                                              ; preds = %464, %429
-  %475 = phi <8 x double> [ %430, %429 ], [ %471, %464 ]
-  %476 = fadd <8 x double> %431, %475
-  %477 = fadd <8 x double> %432, %433
-  %478 = fadd <8 x double> %477, %476
-  %479 = fadd <8 x double> %420, %478
-  %480 = icmp eq i64 %377, 2
-  br i1 %480, label %517, label %528
-
-481:                                              ; preds = %386, %481
-  %482 = phi <8 x double> [ zeroinitializer, %386 ], [ %512, %481 ]
-  %483 = phi <8 x double> [ zeroinitializer, %386 ], [ %514, %481 ]
-  %484 = phi i64 [ 0, %386 ], [ %515, %481 ]
-  %485 = shl nsw i64 %484, 6
-  %486 = getelementptr inbounds i8, ptr %387, i64 %485
-  %487 = load <8 x double>, ptr %486, align 8
-  %488 = getelementptr inbounds i8, ptr %388, i64 %485
-  %489 = load <8 x double>, ptr %488, align 8
-  %490 = getelementptr inbounds double, ptr %389, i64 %484
-  %491 = load double, ptr %490, align 8
-  %492 = insertelement <8 x double> poison, double %491, i64 0
-  %493 = shufflevector <8 x double> %492, <8 x double> poison, <8 x i32> zeroinitializer
-  %494 = getelementptr inbounds double, ptr %390, i64 %484
-  %495 = load double, ptr %494, align 8
-  %496 = insertelement <8 x double> poison, double %495, i64 0
-  %497 = shufflevector <8 x double> %496, <8 x double> poison, <8 x i32> zeroinitializer
-  %498 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %487)
-  %499 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %489)
-  %500 = fcmp ogt <8 x double> %498, %499
-  %501 = select <8 x i1> %500, <8 x double> %498, <8 x double> %499
-  %502 = fmul <8 x double> %501, %497
-  %503 = fadd <8 x double> %493, %502
-  %504 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %503
-  %505 = getelementptr inbounds i8, ptr %391, i64 %485
-  %506 = load <8 x double>, ptr %505, align 8
-  %507 = fmul <8 x double> %506, %504
-  %508 = getelementptr inbounds i8, ptr %380, i64 %485
-  %509 = load <8 x double>, ptr %508, align 8
-  %510 = fmul <8 x double> %509, %504
-  %511 = fmul <8 x double> %507, %507
-  %512 = fadd <8 x double> %482, %511
-  %513 = fmul <8 x double> %510, %510
-  %514 = fadd <8 x double> %483, %513
-  %515 = add nuw nsw i64 %484, 1
-  %516 = icmp eq i64 %515, %375
-  br i1 %516, label %418, label %481, !llvm.loop !12
-
-517:                                              ; preds = %474
-  %518 = fmul <8 x double> %419, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %519 = fadd <8 x double> %518, %479
-  %520 = sitofp i64 %375 to double
+519:                                              ; preds = %465
+  %520 = sitofp i64 %370 to double
   %521 = insertelement <8 x double> poison, double %520, i64 0
   %522 = shufflevector <8 x double> %521, <8 x double> poison, <8 x i32> zeroinitializer
-  %523 = fmul <8 x double> %522, %519
+  %523 = fdiv <8 x double> %470, %522
   %524 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %523)
-  %525 = fdiv <8 x double> %479, %524
-  %526 = fcmp oeq <8 x double> %479, zeroinitializer
-  %527 = select <8 x i1> %526, <8 x double> zeroinitializer, <8 x double> %525
-  br label %544
+  br label %535
 
-528:                                              ; preds = %474
-  %529 = sitofp i64 %375 to double
-  %530 = insertelement <8 x double> poison, double %529, i64 0
-  %531 = shufflevector <8 x double> %530, <8 x double> poison, <8 x i32> zeroinitializer
-  %532 = fdiv <8 x double> %479, %531
-  %533 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %532)
-  br label %544
+525:                                              ; preds = %365, %525
+  %526 = phi i64 [ 0, %365 ], [ %533, %525 ]
+  %527 = phi <8 x double> [ zeroinitializer, %365 ], [ %532, %525 ]
+  %528 = shl nsw i64 %526, 6
+  %529 = getelementptr inbounds i8, ptr %366, i64 %528
+  %530 = load <8 x double>, ptr %529, align 8, !noalias !8
+  %531 = fmul <8 x double> %530, zeroinitializer
+  %532 = fadd <8 x double> %527, %531
+  %533 = add nuw nsw i64 %526, 1
+  %534 = icmp eq i64 %533, %258
+  br i1 %534, label %535, label %525, !llvm.loop !16
 
-534:                                              ; preds = %369, %534
-  %535 = phi <8 x double> [ zeroinitializer, %369 ], [ %541, %534 ]
-  %536 = phi i64 [ 0, %369 ], [ %542, %534 ]
-  %537 = shl nsw i64 %536, 6
-  %538 = getelementptr inbounds i8, ptr %370, i64 %537
-  %539 = load <8 x double>, ptr %538, align 8
-  %540 = fmul <8 x double> %539, zeroinitializer
-  %541 = fadd <8 x double> %535, %540
-  %542 = add nuw nsw i64 %536, 1
-  %543 = icmp eq i64 %542, %16
-  br i1 %543, label %544, label %534, !llvm.loop !13
+535:                                              ; preds = %525, %363, %519, %508
+  %536 = phi <8 x double> [ %518, %508 ], [ %524, %519 ], [ zeroinitializer, %363 ], [ %532, %525 ]
+  %537 = fcmp olt <8 x double> %536, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %538 = bitcast <8 x i1> %537 to i8
+  %539 = zext i8 %538 to i64
+  %540 = xor i64 %358, -1
+  %541 = and i64 %540, %539
+  %542 = and i64 %541, %197
+  %543 = load ptr, ptr %90, align 8, !noalias !8
+  %544 = load <8 x double>, ptr %543, align 8, !noalias !8
+  %545 = load i64, ptr %255, align 8, !noalias !8
+  %546 = sext i1 %261 to i64
+  %547 = add i64 %545, %546
+  %548 = sitofp i64 %547 to double
+  %549 = insertelement <8 x double> poison, double %548, i64 0
+  %550 = shufflevector <8 x double> %549, <8 x double> poison, <8 x i32> zeroinitializer
+  %551 = fadd <8 x double> %544, %550
+  store <8 x double> %551, ptr %543, align 8, !noalias !8
+  %552 = icmp ne i64 %542, 0
+  %553 = select i1 %47, i1 %552, i1 false
+  br i1 %553, label %554, label %557
 
-544:                                              ; preds = %534, %368, %528, %517
-  %545 = phi <8 x double> [ %527, %517 ], [ %533, %528 ], [ zeroinitializer, %368 ], [ %541, %534 ]
-  %546 = fcmp uge <8 x double> %545, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %547 = trunc i64 %367 to i8
-  %548 = bitcast i8 %547 to <8 x i1>
-  %549 = select <8 x i1> %548, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %546
-  %550 = xor <8 x i1> %549, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %551 = select <8 x i1> %550, <8 x i1> %221, <8 x i1> zeroinitializer
-  %552 = sext <8 x i1> %551 to <8 x i64>
-  br i1 %41, label %553, label %565
+554:                                              ; preds = %535
+  store <8 x double> %229, ptr %3, align 16
+  %555 = load ptr, ptr %91, align 8
+  %556 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %3, ptr noundef %555, i64 noundef %542, i32 noundef %46) #10
+  br label %557
 
-553:                                              ; preds = %544
-  %554 = xor <8 x i1> %549, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %555 = select <8 x i1> %554, <8 x i1> %221, <8 x i1> zeroinitializer
-  %556 = bitcast <8 x i1> %555 to i8
-  %557 = icmp eq i8 %556, 0
-  br i1 %557, label %565, label %558
+557:                                              ; preds = %554, %535
+  %558 = phi i64 [ %556, %554 ], [ 0, %535 ]
+  %559 = xor i64 %558, -1
+  %560 = and i64 %542, %559
+  %561 = load ptr, ptr %0, align 8
+  %562 = icmp eq i64 %560, 0
+  br i1 %562, label %601, label %563
 
-558:                                              ; preds = %553
-  %559 = zext i8 %556 to i64
-  store <8 x double> %249, ptr %3, align 16
-  %560 = load ptr, ptr %104, align 8
-  %561 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %3, ptr noundef %560, i64 noundef %559, i32 noundef %57) #10
-  %562 = trunc i64 %561 to i8
-  %563 = bitcast i8 %562 to <8 x i1>
-  %564 = select <8 x i1> %563, <8 x i64> zeroinitializer, <8 x i64> %552
-  br label %565
+563:                                              ; preds = %557
+  %564 = getelementptr inbounds i8, ptr %561, i64 32
+  %565 = load i64, ptr %564, align 8
+  %566 = icmp eq i64 %565, 1
+  br i1 %566, label %567, label %571
 
-565:                                              ; preds = %558, %553, %544
-  %566 = phi i64 [ %561, %558 ], [ 0, %553 ], [ 0, %544 ]
-  %567 = phi <8 x i64> [ %564, %558 ], [ %552, %553 ], [ %552, %544 ]
-  %568 = icmp ne <8 x i64> %567, zeroinitializer
-  %569 = bitcast <8 x i1> %568 to i8
-  %570 = icmp ne i8 %569, 0
-  %571 = select i1 %59, i1 %570, i1 false
-  br i1 %571, label %572, label %592
+567:                                              ; preds = %563
+  %568 = load ptr, ptr %34, align 8
+  %569 = load i64, ptr %568, align 8
+  %570 = icmp eq i64 %569, 1
+  br i1 %570, label %571, label %601
 
-572:                                              ; preds = %565
-  %573 = load ptr, ptr %105, align 8
-  %574 = load ptr, ptr %106, align 8
-  store <8 x double> %249, ptr %574, align 8
-  %575 = load i64, ptr %107, align 8
-  %576 = icmp sgt i64 %575, 0
-  br i1 %576, label %577, label %578
+571:                                              ; preds = %567, %563
+  %572 = load ptr, ptr %75, align 8
+  %573 = load ptr, ptr %77, align 8
+  %574 = load i64, ptr %561, align 8
+  %575 = load i64, ptr %92, align 8
+  %576 = mul nsw i64 %575, %574
+  %577 = getelementptr inbounds double, ptr %573, i64 %576
+  %578 = load ptr, ptr %93, align 8
+  store <8 x double> %229, ptr %578, align 8
+  %579 = load i64, ptr %94, align 8
+  %580 = icmp sgt i64 %579, 0
+  br i1 %580, label %581, label %582
 
-577:                                              ; preds = %572
+581:                                              ; preds = %571
   call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %578
+  br label %582
 
-578:                                              ; preds = %572, %577
-  %579 = load ptr, ptr %10, align 8
-  %580 = load i64, ptr %579, align 8
-  %581 = load ptr, ptr %106, align 8
-  %582 = load ptr, ptr %108, align 8
-  %583 = load ptr, ptr %109, align 8
-  %584 = inttoptr i64 %580 to ptr
-  %585 = load ptr, ptr %584, align 8
-  %586 = call i32 %585(ptr noundef %581, ptr noundef %573, ptr noundef %582, ptr noundef %583, ptr noundef %61) #11
-  %587 = zext i32 %586 to i64
-  %588 = or i64 %367, %587
-  %589 = trunc i64 %588 to i8
-  %590 = bitcast i8 %589 to <8 x i1>
-  %591 = select <8 x i1> %590, <8 x i64> zeroinitializer, <8 x i64> %567
-  br label %592
+582:                                              ; preds = %571, %581
+  %583 = load ptr, ptr %10, align 8
+  %584 = load i64, ptr %583, align 8
+  %585 = load ptr, ptr %93, align 8
+  %586 = load ptr, ptr %95, align 8
+  %587 = load ptr, ptr %96, align 8
+  %588 = inttoptr i64 %584 to ptr
+  %589 = load ptr, ptr %588, align 8
+  %590 = call i32 %589(ptr noundef %585, ptr noundef %572, ptr noundef %586, ptr noundef %587, ptr noundef %577) #11
+  %591 = zext i32 %590 to i64
+  %592 = or i64 %358, %591
+  %593 = load ptr, ptr %90, align 8
+  %594 = load <8 x double>, ptr %593, align 8
+  %595 = trunc nuw i64 %560 to i8
+  %596 = bitcast i8 %595 to <8 x i1>
+  %597 = select <8 x i1> %596, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %598 = fadd <8 x double> %597, %594
+  store <8 x double> %598, ptr %593, align 8
+  %599 = xor i64 %592, -1
+  %600 = and i64 %560, %599
+  br label %601
 
-592:                                              ; preds = %578, %565
-  %593 = phi <8 x i64> [ %591, %578 ], [ %567, %565 ]
-  %594 = phi i64 [ %588, %578 ], [ %367, %565 ]
-  %595 = load ptr, ptr %110, align 8
-  %596 = load <8 x double>, ptr %595, align 8
-  %597 = load i64, ptr %17, align 8
-  %598 = add i64 %597, %111
-  %599 = sitofp i64 %598 to double
-  %600 = insertelement <8 x double> poison, double %599, i64 0
-  %601 = shufflevector <8 x double> %600, <8 x double> poison, <8 x i32> zeroinitializer
-  %602 = icmp slt <8 x i64> %567, zeroinitializer
-  %603 = select <8 x i1> %602, <8 x i64> %115, <8 x i64> zeroinitializer
-  %604 = bitcast <8 x i64> %603 to <8 x double>
-  %605 = fadd <8 x double> %601, %604
-  %606 = fadd <8 x double> %596, %605
-  store <8 x double> %606, ptr %595, align 8
-  br i1 %60, label %607, label %616
+601:                                              ; preds = %557, %567, %582
+  %602 = phi i64 [ %358, %557 ], [ %592, %582 ], [ %358, %567 ]
+  %603 = phi i64 [ %560, %557 ], [ %600, %582 ], [ %560, %567 ]
+  %604 = icmp ne i64 %603, 0
+  %605 = select i1 %48, i1 %604, i1 false
+  br i1 %605, label %606, label %610
 
-607:                                              ; preds = %592
-  %608 = icmp ne <8 x i64> %593, zeroinitializer
-  %609 = bitcast <8 x i1> %608 to i8
-  %610 = icmp eq i8 %609, 0
-  br i1 %610, label %616, label %611
+606:                                              ; preds = %601
+  %607 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
+  %608 = xor i64 %607, -1
+  %609 = and i64 %603, %608
+  br label %610
 
-611:                                              ; preds = %607
-  %612 = zext i8 %609 to i64
-  %613 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
-  %614 = xor i64 %613, -1
-  %615 = and i64 %614, %612
-  br label %616
-
-616:                                              ; preds = %592, %607, %611
-  %617 = phi i64 [ %615, %611 ], [ 0, %607 ], [ 0, %592 ]
+610:                                              ; preds = %601, %606
+  %611 = phi i64 [ %609, %606 ], [ 0, %601 ]
   store i64 0, ptr %8, align 8
-  %618 = load ptr, ptr %116, align 8
-  %619 = load <8 x double>, ptr %618, align 8
-  %620 = fcmp olt <8 x double> %619, %249
-  %621 = icmp ne <8 x i64> %593, zeroinitializer
-  %622 = select <8 x i1> %620, <8 x i1> %621, <8 x i1> zeroinitializer
-  %623 = bitcast <8 x i1> %622 to i8
-  %624 = zext i8 %623 to i64
-  %625 = or i64 %617, %624
-  %626 = icmp eq i64 %625, 0
-  br i1 %626, label %822, label %627
+  %612 = load ptr, ptr %97, align 8
+  %613 = load <8 x double>, ptr %612, align 8
+  %614 = fcmp olt <8 x double> %613, %229
+  %615 = bitcast <8 x i1> %614 to i8
+  %616 = zext i8 %615 to i64
+  %617 = and i64 %603, %616
+  %618 = or i64 %617, %611
+  %619 = icmp eq i64 %618, 0
+  br i1 %619, label %814, label %620
 
-627:                                              ; preds = %616
-  %628 = load ptr, ptr %0, align 8
-  %629 = load ptr, ptr %10, align 8
-  %630 = getelementptr inbounds i8, ptr %629, i64 16
-  %631 = load i64, ptr %630, align 8
-  %632 = load i64, ptr %628, align 8
-  %633 = load i64, ptr %117, align 8
-  %634 = load ptr, ptr %89, align 8
-  %635 = mul nsw i64 %633, %632
-  %636 = getelementptr inbounds double, ptr %634, i64 %635
-  %637 = load ptr, ptr %118, align 8
-  %638 = add nsw i64 %632, 1
-  %639 = getelementptr inbounds i8, ptr %628, i64 16
-  %640 = load i64, ptr %639, align 8
-  %641 = icmp sgt i64 %640, 0
-  br i1 %641, label %642, label %644
+620:                                              ; preds = %610
+  %621 = load ptr, ptr %90, align 8
+  %622 = load <8 x double>, ptr %621, align 8
+  %623 = trunc nuw i64 %618 to i8
+  %624 = bitcast i8 %623 to <8 x i1>
+  %625 = load ptr, ptr %0, align 8
+  %626 = getelementptr inbounds i8, ptr %625, i64 16
+  %627 = load i64, ptr %626, align 8
+  %628 = sitofp i64 %627 to double
+  %629 = insertelement <8 x double> poison, double %628, i64 0
+  %630 = shufflevector <8 x double> %629, <8 x double> poison, <8 x i32> zeroinitializer
+  %631 = select <8 x i1> %624, <8 x double> %630, <8 x double> zeroinitializer
+  %632 = fadd <8 x double> %622, %631
+  store <8 x double> %632, ptr %621, align 8
+  %633 = load ptr, ptr %0, align 8
+  %634 = load ptr, ptr %10, align 8
+  %635 = getelementptr inbounds i8, ptr %634, i64 16
+  %636 = load i64, ptr %635, align 8
+  %637 = load i64, ptr %633, align 8
+  %638 = load i64, ptr %98, align 8
+  %639 = load ptr, ptr %77, align 8
+  %640 = mul nsw i64 %638, %637
+  %641 = getelementptr inbounds double, ptr %639, i64 %640
+  %642 = load ptr, ptr %99, align 8
+  %643 = add nsw i64 %637, 1
+  %644 = getelementptr inbounds i8, ptr %633, i64 16
+  %645 = load i64, ptr %644, align 8
+  %646 = icmp sgt i64 %645, 0
+  br i1 %646, label %647, label %649
 
-642:                                              ; preds = %627
-  %643 = getelementptr inbounds i8, ptr %628, i64 8
-  br label %655
+647:                                              ; preds = %620
+  %648 = getelementptr inbounds i8, ptr %633, i64 8
+  br label %660
 
-644:                                              ; preds = %690, %627
-  %645 = phi i64 [ 0, %627 ], [ %700, %690 ]
-  %646 = getelementptr inbounds i8, ptr %628, i64 16
-  %647 = load ptr, ptr %10, align 8
-  %648 = getelementptr inbounds i8, ptr %647, i64 8
-  %649 = load i64, ptr %648, align 8
-  %650 = icmp sgt i64 %649, 0
-  br i1 %650, label %651, label %705
+649:                                              ; preds = %695, %620
+  %650 = phi i64 [ 0, %620 ], [ %705, %695 ]
+  %651 = getelementptr inbounds i8, ptr %633, i64 16
+  %652 = load ptr, ptr %10, align 8
+  %653 = getelementptr inbounds i8, ptr %652, i64 8
+  %654 = load i64, ptr %653, align 8
+  %655 = icmp sgt i64 %654, 0
+  br i1 %655, label %656, label %710
 
-651:                                              ; preds = %644
-  %652 = getelementptr inbounds double, ptr %637, i64 %633
-  %653 = shl nsw i64 %633, 4
-  %654 = getelementptr inbounds i8, ptr %637, i64 %653
-  br label %712
+656:                                              ; preds = %649
+  %657 = getelementptr inbounds double, ptr %642, i64 %638
+  %658 = shl nsw i64 %638, 4
+  %659 = getelementptr inbounds i8, ptr %642, i64 %658
+  br label %717
 
-655:                                              ; preds = %642, %690
-  %656 = phi i64 [ 0, %642 ], [ %700, %690 ]
-  %657 = phi i64 [ %638, %642 ], [ %701, %690 ]
-  %658 = load i64, ptr %643, align 8
-  %659 = load ptr, ptr %119, align 8
-  %660 = load ptr, ptr %12, align 8
-  %661 = load ptr, ptr %88, align 8
-  %662 = getelementptr i64, ptr %661, i64 %657
-  %663 = getelementptr i64, ptr %662, i64 %658
-  %664 = load i64, ptr %663, align 8
-  %665 = getelementptr i8, ptr %663, i64 8
-  %666 = load i64, ptr %665, align 8
-  %667 = xor i64 %664, -1
-  %668 = add i64 %666, %667
-  %669 = load ptr, ptr %75, align 8
-  %670 = load ptr, ptr %89, align 8
-  %671 = load ptr, ptr %90, align 8
-  %672 = getelementptr inbounds i64, ptr %671, i64 %664
-  %673 = load ptr, ptr %91, align 8
-  %674 = getelementptr inbounds double, ptr %673, i64 %664
-  call fastcc void @combine(ptr noundef %659, ptr noundef %660, ptr noundef %669, ptr noundef %670, ptr noundef %672, ptr noundef %674, i64 noundef %668, i64 noundef %631) #10
-  %675 = load ptr, ptr %89, align 8
-  %676 = mul nsw i64 %657, %633
-  %677 = getelementptr inbounds double, ptr %675, i64 %676
-  %678 = load ptr, ptr %120, align 8
-  %679 = getelementptr inbounds double, ptr %678, i64 %657
-  %680 = load double, ptr %679, align 8
-  %681 = insertelement <8 x double> poison, double %680, i64 0
-  %682 = shufflevector <8 x double> %681, <8 x double> poison, <8 x i32> zeroinitializer
-  %683 = fmul <8 x double> %251, %682
-  %684 = fadd <8 x double> %223, %683
-  %685 = load ptr, ptr %119, align 8
-  %686 = load ptr, ptr %121, align 8
-  store <8 x double> %684, ptr %686, align 8
-  %687 = load i64, ptr %122, align 8
-  %688 = icmp sgt i64 %687, 0
-  br i1 %688, label %689, label %690
+660:                                              ; preds = %647, %695
+  %661 = phi i64 [ 0, %647 ], [ %705, %695 ]
+  %662 = phi i64 [ %643, %647 ], [ %706, %695 ]
+  %663 = load i64, ptr %648, align 8
+  %664 = load ptr, ptr %100, align 8
+  %665 = load ptr, ptr %12, align 8
+  %666 = load ptr, ptr %76, align 8
+  %667 = getelementptr i64, ptr %666, i64 %662
+  %668 = getelementptr i64, ptr %667, i64 %663
+  %669 = load i64, ptr %668, align 8
+  %670 = getelementptr i8, ptr %668, i64 8
+  %671 = load i64, ptr %670, align 8
+  %672 = xor i64 %669, -1
+  %673 = add i64 %671, %672
+  %674 = load ptr, ptr %63, align 8
+  %675 = load ptr, ptr %77, align 8
+  %676 = load ptr, ptr %78, align 8
+  %677 = getelementptr inbounds i64, ptr %676, i64 %669
+  %678 = load ptr, ptr %79, align 8
+  %679 = getelementptr inbounds double, ptr %678, i64 %669
+  call fastcc void @combine(ptr noundef %664, ptr noundef %665, ptr noundef %674, ptr noundef %675, ptr noundef %677, ptr noundef %679, i64 noundef %673, i64 noundef %636) #10
+  %680 = load ptr, ptr %77, align 8
+  %681 = mul nsw i64 %662, %638
+  %682 = getelementptr inbounds double, ptr %680, i64 %681
+  %683 = load ptr, ptr %101, align 8
+  %684 = getelementptr inbounds double, ptr %683, i64 %662
+  %685 = load double, ptr %684, align 8
+  %686 = insertelement <8 x double> poison, double %685, i64 0
+  %687 = shufflevector <8 x double> %686, <8 x double> poison, <8 x i32> zeroinitializer
+  %688 = fmul <8 x double> %231, %687
+  %689 = fadd <8 x double> %201, %688
+  %690 = load ptr, ptr %100, align 8
+  %691 = load ptr, ptr %102, align 8
+  store <8 x double> %689, ptr %691, align 8
+  %692 = load i64, ptr %103, align 8
+  %693 = icmp sgt i64 %692, 0
+  br i1 %693, label %694, label %695
 
-689:                                              ; preds = %655
+694:                                              ; preds = %660
   call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %690
+  br label %695
 
-690:                                              ; preds = %655, %689
-  %691 = load ptr, ptr %10, align 8
-  %692 = load i64, ptr %691, align 8
-  %693 = load ptr, ptr %121, align 8
-  %694 = load ptr, ptr %123, align 8
-  %695 = load ptr, ptr %124, align 8
-  %696 = inttoptr i64 %692 to ptr
-  %697 = load ptr, ptr %696, align 8
-  %698 = call i32 %697(ptr noundef %693, ptr noundef %685, ptr noundef %694, ptr noundef %695, ptr noundef %677) #11
-  %699 = sext i32 %698 to i64
-  %700 = or i64 %656, %699
-  %701 = add nsw i64 %657, 1
-  %702 = load i64, ptr %639, align 8
-  %703 = add nsw i64 %702, %638
-  %704 = icmp slt i64 %701, %703
-  br i1 %704, label %655, label %644, !llvm.loop !14
+695:                                              ; preds = %694, %660
+  %696 = load ptr, ptr %10, align 8
+  %697 = load i64, ptr %696, align 8
+  %698 = load ptr, ptr %102, align 8
+  %699 = load ptr, ptr %104, align 8
+  %700 = load ptr, ptr %105, align 8
+  %701 = inttoptr i64 %697 to ptr
+  %702 = load ptr, ptr %701, align 8
+  %703 = call i32 %702(ptr noundef %698, ptr noundef %690, ptr noundef %699, ptr noundef %700, ptr noundef %682) #11
+  %704 = sext i32 %703 to i64
+  %705 = or i64 %661, %704
+  %706 = add nsw i64 %662, 1
+  %707 = load i64, ptr %644, align 8
+  %708 = add nsw i64 %707, %643
+  %709 = icmp slt i64 %706, %708
+  br i1 %709, label %660, label %649, !llvm.loop !17
 
-705:                                              ; preds = %712, %644
-  %706 = getelementptr inbounds i8, ptr %628, i64 8
-  %707 = load i64, ptr %706, align 8
-  %708 = load i64, ptr %646, align 8
-  %709 = getelementptr inbounds i8, ptr %628, i64 24
-  %710 = load i64, ptr %709, align 8
-  %711 = icmp sgt i64 %710, 3
-  br i1 %711, label %740, label %765
+710:                                              ; preds = %717, %649
+  %711 = getelementptr inbounds i8, ptr %633, i64 8
+  %712 = load i64, ptr %711, align 8
+  %713 = load i64, ptr %651, align 8
+  %714 = getelementptr inbounds i8, ptr %633, i64 24
+  %715 = load i64, ptr %714, align 8
+  %716 = icmp sgt i64 %715, 3
+  br i1 %716, label %745, label %770
 
-712:                                              ; preds = %651, %712
-  %713 = phi i64 [ 0, %651 ], [ %735, %712 ]
-  %714 = load ptr, ptr %87, align 8
-  %715 = shl nsw i64 %713, 6
-  %716 = getelementptr inbounds i8, ptr %714, i64 %715
-  %717 = load <8 x double>, ptr %716, align 8
-  %718 = load ptr, ptr %12, align 8
-  %719 = getelementptr inbounds i8, ptr %718, i64 %715
-  %720 = load <8 x double>, ptr %719, align 8
-  %721 = fsub <8 x double> %717, %720
-  %722 = load ptr, ptr %89, align 8
-  %723 = getelementptr inbounds i8, ptr %722, i64 %715
-  %724 = load <8 x double>, ptr %723, align 8
-  %725 = fmul <8 x double> %251, %724
-  %726 = fsub <8 x double> %725, %721
-  %727 = getelementptr inbounds i8, ptr %637, i64 %715
-  store <8 x double> %721, ptr %727, align 8
-  %728 = getelementptr inbounds i8, ptr %652, i64 %715
-  store <8 x double> %726, ptr %728, align 8
-  %729 = fsub <8 x double> %721, %726
-  %730 = getelementptr inbounds i8, ptr %636, i64 %715
-  %731 = load <8 x double>, ptr %730, align 8
-  %732 = fmul <8 x double> %251, %731
-  %733 = fsub <8 x double> %729, %732
-  %734 = getelementptr inbounds i8, ptr %654, i64 %715
-  store <8 x double> %733, ptr %734, align 8
-  %735 = add nuw nsw i64 %713, 1
-  %736 = load ptr, ptr %10, align 8
-  %737 = getelementptr inbounds i8, ptr %736, i64 8
-  %738 = load i64, ptr %737, align 8
-  %739 = icmp slt i64 %735, %738
-  br i1 %739, label %712, label %705, !llvm.loop !15
+717:                                              ; preds = %656, %717
+  %718 = phi i64 [ 0, %656 ], [ %740, %717 ]
+  %719 = load ptr, ptr %75, align 8
+  %720 = shl nsw i64 %718, 6
+  %721 = getelementptr inbounds i8, ptr %719, i64 %720
+  %722 = load <8 x double>, ptr %721, align 8
+  %723 = load ptr, ptr %12, align 8
+  %724 = getelementptr inbounds i8, ptr %723, i64 %720
+  %725 = load <8 x double>, ptr %724, align 8
+  %726 = fsub <8 x double> %722, %725
+  %727 = load ptr, ptr %77, align 8
+  %728 = getelementptr inbounds i8, ptr %727, i64 %720
+  %729 = load <8 x double>, ptr %728, align 8
+  %730 = fmul <8 x double> %231, %729
+  %731 = fsub <8 x double> %730, %726
+  %732 = getelementptr inbounds i8, ptr %642, i64 %720
+  store <8 x double> %726, ptr %732, align 8
+  %733 = getelementptr inbounds i8, ptr %657, i64 %720
+  store <8 x double> %731, ptr %733, align 8
+  %734 = fsub <8 x double> %726, %731
+  %735 = getelementptr inbounds i8, ptr %641, i64 %720
+  %736 = load <8 x double>, ptr %735, align 8
+  %737 = fmul <8 x double> %231, %736
+  %738 = fsub <8 x double> %734, %737
+  %739 = getelementptr inbounds i8, ptr %659, i64 %720
+  store <8 x double> %738, ptr %739, align 8
+  %740 = add nuw nsw i64 %718, 1
+  %741 = load ptr, ptr %10, align 8
+  %742 = getelementptr inbounds i8, ptr %741, i64 8
+  %743 = load i64, ptr %742, align 8
+  %744 = icmp slt i64 %740, %743
+  br i1 %744, label %717, label %710, !llvm.loop !18
 
-740:                                              ; preds = %705, %740
-  %741 = phi i64 [ %762, %740 ], [ 3, %705 ]
-  %742 = mul nsw i64 %741, %633
-  %743 = getelementptr inbounds double, ptr %637, i64 %742
-  %744 = load ptr, ptr %125, align 8
-  %745 = load ptr, ptr %88, align 8
-  %746 = getelementptr i64, ptr %745, i64 %638
-  %747 = getelementptr i64, ptr %746, i64 %707
-  %748 = getelementptr i64, ptr %747, i64 %708
-  %749 = getelementptr i64, ptr %748, i64 %741
-  %750 = getelementptr i8, ptr %749, i64 -24
-  %751 = load i64, ptr %750, align 8
-  %752 = getelementptr i8, ptr %749, i64 -16
-  %753 = load i64, ptr %752, align 8
-  %754 = xor i64 %751, -1
-  %755 = add i64 %753, %754
-  %756 = load ptr, ptr %75, align 8
-  %757 = load ptr, ptr %89, align 8
-  %758 = load ptr, ptr %90, align 8
-  %759 = getelementptr inbounds i64, ptr %758, i64 %751
-  %760 = load ptr, ptr %91, align 8
-  %761 = getelementptr inbounds double, ptr %760, i64 %751
-  call fastcc void @combine(ptr noundef %743, ptr noundef %744, ptr noundef %756, ptr noundef %757, ptr noundef %759, ptr noundef %761, i64 noundef %755, i64 noundef %631) #10
-  %762 = add nuw nsw i64 %741, 1
-  %763 = load i64, ptr %709, align 8
-  %764 = icmp slt i64 %762, %763
-  br i1 %764, label %740, label %765, !llvm.loop !16
+745:                                              ; preds = %710, %745
+  %746 = phi i64 [ %767, %745 ], [ 3, %710 ]
+  %747 = mul nsw i64 %746, %638
+  %748 = getelementptr inbounds double, ptr %642, i64 %747
+  %749 = load ptr, ptr %106, align 8
+  %750 = load ptr, ptr %76, align 8
+  %751 = getelementptr i64, ptr %750, i64 %643
+  %752 = getelementptr i64, ptr %751, i64 %712
+  %753 = getelementptr i64, ptr %752, i64 %713
+  %754 = getelementptr i64, ptr %753, i64 %746
+  %755 = getelementptr i8, ptr %754, i64 -24
+  %756 = load i64, ptr %755, align 8
+  %757 = getelementptr i8, ptr %754, i64 -16
+  %758 = load i64, ptr %757, align 8
+  %759 = xor i64 %756, -1
+  %760 = add i64 %758, %759
+  %761 = load ptr, ptr %63, align 8
+  %762 = load ptr, ptr %77, align 8
+  %763 = load ptr, ptr %78, align 8
+  %764 = getelementptr inbounds i64, ptr %763, i64 %756
+  %765 = load ptr, ptr %79, align 8
+  %766 = getelementptr inbounds double, ptr %765, i64 %756
+  call fastcc void @combine(ptr noundef %748, ptr noundef %749, ptr noundef %761, ptr noundef %762, ptr noundef %764, ptr noundef %766, i64 noundef %760, i64 noundef %636) #10
+  %767 = add nuw nsw i64 %746, 1
+  %768 = load i64, ptr %714, align 8
+  %769 = icmp slt i64 %767, %768
+  br i1 %769, label %745, label %770, !llvm.loop !19
 
-765:                                              ; preds = %740, %705
-  %766 = and i64 %645, %625
-  %767 = load ptr, ptr %110, align 8
-  %768 = load <8 x double>, ptr %767, align 8
-  %769 = trunc nuw i64 %625 to i8
-  %770 = bitcast i8 %769 to <8 x i1>
-  %771 = load i64, ptr %126, align 8
-  %772 = sitofp i64 %771 to double
-  %773 = insertelement <8 x double> poison, double %772, i64 0
-  %774 = shufflevector <8 x double> %773, <8 x double> poison, <8 x i32> zeroinitializer
-  %775 = select <8 x i1> %770, <8 x double> %774, <8 x double> zeroinitializer
-  %776 = fadd <8 x double> %768, %775
-  store <8 x double> %776, ptr %767, align 8
-  %777 = icmp eq i64 %766, 0
-  br i1 %777, label %782, label %778
+770:                                              ; preds = %745, %710
+  %771 = and i64 %650, %618
+  %772 = icmp eq i64 %771, 0
+  br i1 %772, label %777, label %773
 
-778:                                              ; preds = %765
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %766, i64 noundef 3) #10
-  %779 = xor i64 %766, -1
-  %780 = and i64 %219, %779
-  store i64 %780, ptr %6, align 8
-  %781 = and i64 %617, %779
-  br label %782
+773:                                              ; preds = %770
+  call fastcc void @retire(ptr noundef %0, i64 noundef %771, i64 noundef 3) #10
+  %774 = xor i64 %771, -1
+  %775 = and i64 %197, %774
+  store i64 %775, ptr %6, align 8
+  %776 = and i64 %611, %774
+  br label %777
 
-782:                                              ; preds = %778, %765
-  %783 = phi i64 [ %781, %778 ], [ %617, %765 ]
-  %784 = phi i32 [ 1, %778 ], [ %190, %765 ]
-  store <8 x double> %249, ptr %3, align 16
-  %785 = icmp eq i64 %783, 0
-  br i1 %785, label %788, label %786
+777:                                              ; preds = %773, %770
+  %778 = phi i32 [ 1, %773 ], [ %168, %770 ]
+  %779 = phi i64 [ %776, %773 ], [ %611, %770 ]
+  store <8 x double> %229, ptr %3, align 16
+  %780 = icmp eq i64 %779, 0
+  br i1 %780, label %783, label %781
 
-786:                                              ; preds = %782
-  %787 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %783, ptr noundef nonnull %3, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %4, ptr noundef nonnull %8) #10
-  br label %788
+781:                                              ; preds = %777
+  %782 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %779, ptr noundef nonnull %3, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %4, ptr noundef nonnull %8) #10
+  br label %783
 
-788:                                              ; preds = %786, %782
-  %789 = phi i64 [ %787, %786 ], [ 0, %782 ]
-  %790 = load i64, ptr %8, align 8
-  %791 = or i64 %790, %645
-  %792 = xor i64 %791, -1
-  %793 = and i64 %625, %792
-  %794 = icmp eq i64 %789, 0
-  %795 = select i1 %794, ptr null, ptr %4
-  %796 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %793, ptr noundef nonnull %3, ptr noundef %795) #10
-  %797 = load <8 x double>, ptr %3, align 16
-  br i1 %794, label %803, label %798
+783:                                              ; preds = %781, %777
+  %784 = phi i64 [ %782, %781 ], [ 0, %777 ]
+  %785 = load i64, ptr %8, align 8
+  %786 = or i64 %785, %771
+  %787 = xor i64 %786, -1
+  %788 = and i64 %618, %787
+  %789 = icmp eq i64 %784, 0
+  %790 = select i1 %789, ptr null, ptr %4
+  %791 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %788, ptr noundef nonnull %3, ptr noundef %790) #10
+  %792 = load <8 x double>, ptr %3, align 16
+  br i1 %789, label %798, label %793
 
-798:                                              ; preds = %788
-  %799 = xor i64 %796, -1
-  %800 = and i64 %789, %799
-  %801 = call fastcc i64 @end_within(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %800, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
-  %802 = or i64 %801, %796
-  br label %803
+793:                                              ; preds = %783
+  %794 = xor i64 %791, -1
+  %795 = and i64 %784, %794
+  %796 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %795, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
+  %797 = or i64 %796, %791
+  br label %798
 
-803:                                              ; preds = %798, %788
-  %804 = phi i64 [ %802, %798 ], [ %796, %788 ]
-  %805 = icmp ne i64 %804, 0
-  %806 = select i1 %60, i1 %805, i1 false
-  br i1 %806, label %807, label %812
+798:                                              ; preds = %793, %783
+  %799 = phi i64 [ %797, %793 ], [ %791, %783 ]
+  %800 = icmp ne i64 %799, 0
+  %801 = select i1 %48, i1 %800, i1 false
+  br i1 %801, label %802, label %807
 
-807:                                              ; preds = %803
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %804, i64 noundef 6) #10
-  %808 = xor i64 %804, -1
-  %809 = load i64, ptr %6, align 8
-  %810 = and i64 %809, %808
-  store i64 %810, ptr %6, align 8
-  %811 = and i64 %789, %808
-  br label %812
+802:                                              ; preds = %798
+  call fastcc void @retire(ptr noundef %0, i64 noundef %799, i64 noundef 6) #10
+  %803 = xor i64 %799, -1
+  %804 = load i64, ptr %6, align 8
+  %805 = and i64 %804, %803
+  store i64 %805, ptr %6, align 8
+  %806 = and i64 %784, %803
+  br label %807
 
-812:                                              ; preds = %807, %803
-  %813 = phi i32 [ 1, %807 ], [ %784, %803 ]
-  %814 = phi i64 [ %811, %807 ], [ %789, %803 ]
-  %815 = or i64 %804, %566
-  %816 = or i64 %790, %766
-  %817 = or i64 %816, %815
-  %818 = trunc i64 %817 to i8
-  %819 = xor i8 %818, -1
-  %820 = bitcast i8 %819 to <8 x i1>
-  %821 = select <8 x i1> %820, <8 x i64> %593, <8 x i64> zeroinitializer
-  br label %822
+807:                                              ; preds = %802, %798
+  %808 = phi i32 [ 1, %802 ], [ %778, %798 ]
+  %809 = phi i64 [ %806, %802 ], [ %784, %798 ]
+  %810 = or i64 %799, %558
+  %811 = or i64 %799, %786
+  %812 = xor i64 %811, -1
+  %813 = and i64 %603, %812
+  br label %814
 
-822:                                              ; preds = %812, %616
-  %823 = phi <8 x double> [ %249, %616 ], [ %797, %812 ]
-  %824 = phi i64 [ %566, %616 ], [ %815, %812 ]
-  %825 = phi <8 x i64> [ %593, %616 ], [ %821, %812 ]
-  %826 = phi i32 [ %190, %616 ], [ %813, %812 ]
-  %827 = phi i64 [ 0, %616 ], [ %814, %812 ]
-  %828 = load ptr, ptr %116, align 8
-  %829 = load <8 x double>, ptr %828, align 8
-  %830 = fcmp oeq <8 x double> %829, %823
-  %831 = icmp ne <8 x i64> %825, zeroinitializer
-  %832 = select <8 x i1> %830, <8 x i1> %831, <8 x i1> zeroinitializer
-  %833 = bitcast <8 x i1> %832 to i8
-  %834 = icmp eq i8 %833, 0
-  br i1 %834, label %837, label %835
+814:                                              ; preds = %807, %610
+  %815 = phi <8 x double> [ %229, %610 ], [ %792, %807 ]
+  %816 = phi i64 [ 0, %610 ], [ %785, %807 ]
+  %817 = phi i64 [ %558, %610 ], [ %810, %807 ]
+  %818 = phi i32 [ %168, %610 ], [ %808, %807 ]
+  %819 = phi i64 [ %603, %610 ], [ %813, %807 ]
+  %820 = phi i64 [ 0, %610 ], [ %809, %807 ]
+  %821 = load ptr, ptr %97, align 8
+  %822 = load <8 x double>, ptr %821, align 8
+  %823 = fcmp oeq <8 x double> %822, %815
+  %824 = bitcast <8 x i1> %823 to i8
+  %825 = zext i8 %824 to i64
+  %826 = and i64 %819, %825
+  %827 = icmp eq i64 %826, 0
+  br i1 %827, label %828, label %1080
 
-835:                                              ; preds = %822
-  %836 = zext i8 %833 to i64
-  br label %846
+828:                                              ; preds = %1080, %814
+  %829 = trunc nuw i64 %819 to i8
+  %830 = bitcast i8 %829 to <8 x i1>
+  %831 = load ptr, ptr %59, align 8
+  %832 = load <8 x double>, ptr %831, align 8
+  %833 = select <8 x i1> %830, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %834 = fadd <8 x double> %833, %832
+  store <8 x double> %834, ptr %831, align 8
+  %835 = load ptr, ptr %60, align 8
+  %836 = load <8 x double>, ptr %835, align 8
+  %837 = xor <8 x i1> %830, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %838 = and <8 x i1> %199, %837
+  %839 = select <8 x i1> %838, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %840 = fadd <8 x double> %839, %836
+  store <8 x double> %840, ptr %835, align 8
+  %841 = load ptr, ptr %108, align 8
+  %842 = load ptr, ptr %0, align 8
+  %843 = getelementptr inbounds i8, ptr %842, i64 8
+  %844 = load i64, ptr %843, align 8
+  %845 = icmp slt i64 %844, 1
+  %846 = xor i64 %819, -1
+  %847 = and i64 %197, %846
+  %848 = trunc i64 %847 to i8
+  %849 = bitcast i8 %848 to <8 x i1>
+  %850 = load ptr, ptr %109, align 8
+  %851 = load <8 x double>, ptr %850, align 8
+  br i1 %845, label %983, label %852
 
-837:                                              ; preds = %846, %822
-  %838 = xor <8 x i64> %825, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %839 = select <8 x i1> %221, <8 x i64> %838, <8 x i64> zeroinitializer
-  %840 = load ptr, ptr %71, align 8
-  %841 = load <8 x double>, ptr %840, align 8
-  %842 = icmp slt <8 x i64> %825, zeroinitializer
-  %843 = select <8 x i1> %842, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %844 = bitcast <8 x i64> %843 to <8 x double>
-  %845 = fadd <8 x double> %841, %844
-  store <8 x double> %845, ptr %840, align 8
-  br i1 %35, label %856, label %986
+852:                                              ; preds = %828
+  %853 = load ptr, ptr %110, align 8
+  %854 = load <8 x double>, ptr %853, align 8
+  %855 = load ptr, ptr %111, align 8
+  %856 = load <8 x double>, ptr %855, align 8
+  %857 = fcmp ogt <8 x double> %536, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %858 = bitcast <8 x double> %536 to <8 x i64>
+  %859 = select <8 x i1> %857, <8 x i64> %858, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %860 = getelementptr inbounds i8, ptr %841, i64 24
+  %861 = load double, ptr %860, align 8
+  %862 = insertelement <8 x double> poison, double %861, i64 0
+  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
+  %864 = getelementptr inbounds i8, ptr %841, i64 8
+  %865 = load double, ptr %864, align 8
+  %866 = fneg double %865
+  %867 = add <8 x i64> %859, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %868 = ashr <8 x i64> %867, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %869 = and <8 x i64> %867, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %870 = sub <8 x i64> %859, %869
+  %871 = bitcast <8 x i64> %870 to <8 x double>
+  %872 = fadd <8 x double> %871, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %873 = fadd <8 x double> %871, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %874 = fdiv <8 x double> %872, %873
+  %875 = fmul <8 x double> %874, %874
+  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %875, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %875, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %875, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %880 = trunc nsw <8 x i64> %868 to <8 x i32>
+  %881 = sitofp <8 x i32> %880 to <8 x double>
+  %882 = fmul <8 x double> %874, %879
+  %883 = fadd <8 x double> %882, %881
+  %884 = insertelement <8 x double> poison, double %866, i64 0
+  %885 = shufflevector <8 x double> %884, <8 x double> poison, <8 x i32> zeroinitializer
+  %886 = fmul <8 x double> %883, %885
+  %887 = fcmp ogt <8 x double> %886, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %888 = bitcast <8 x double> %886 to <8 x i64>
+  %889 = select <8 x i1> %887, <8 x i64> %888, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %890 = bitcast <8 x i64> %889 to <8 x double>
+  %891 = fcmp olt <8 x double> %890, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %892 = bitcast <8 x i64> %889 to <8 x double>
+  %893 = select <8 x i1> %891, <8 x double> %892, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %894 = call <8 x double> @llvm.rint.v8f64(<8 x double> %893)
+  %895 = fsub <8 x double> %893, %894
+  %896 = call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %897 = call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %895, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %898 = call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> %895, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %899 = call <8 x double> @llvm.fma.v8f64(<8 x double> %898, <8 x double> %895, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> %895, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %895, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %895, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %903 = bitcast <8 x double> %902 to <8 x i64>
+  %904 = fptosi <8 x double> %894 to <8 x i32>
+  %905 = zext <8 x i32> %904 to <8 x i64>
+  %906 = shl <8 x i64> %905, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %907 = add <8 x i64> %906, %903
+  %908 = bitcast <8 x i64> %907 to <8 x double>
+  %909 = fmul <8 x double> %863, %908
+  %910 = getelementptr inbounds i8, ptr %841, i64 16
+  %911 = load double, ptr %910, align 8
+  %912 = fcmp une double %911, 0.000000e+00
+  br i1 %912, label %913, label %958
 
-846:                                              ; preds = %835, %846
-  %847 = phi i64 [ %854, %846 ], [ %836, %835 ]
-  %848 = load ptr, ptr %127, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %848, i64 noundef %847) #10
-  %849 = load ptr, ptr %116, align 8
-  %850 = load <8 x double>, ptr %849, align 8
-  %851 = fcmp oeq <8 x double> %850, %823
-  %852 = bitcast <8 x i1> %851 to i8
-  %853 = zext i8 %852 to i64
-  %854 = and i64 %847, %853
-  %855 = icmp eq i64 %854, 0
-  br i1 %855, label %837, label %846, !llvm.loop !17
+913:                                              ; preds = %852
+  %914 = bitcast <8 x double> %854 to <8 x i64>
+  %915 = add <8 x i64> %914, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %916 = ashr <8 x i64> %915, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %917 = and <8 x i64> %915, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %918 = sub <8 x i64> %914, %917
+  %919 = bitcast <8 x i64> %918 to <8 x double>
+  %920 = fadd <8 x double> %919, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %921 = fadd <8 x double> %919, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %922 = fdiv <8 x double> %920, %921
+  %923 = fmul <8 x double> %922, %922
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %923, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %923, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %923, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %928 = trunc nsw <8 x i64> %916 to <8 x i32>
+  %929 = sitofp <8 x i32> %928 to <8 x double>
+  %930 = fmul <8 x double> %922, %927
+  %931 = fadd <8 x double> %930, %929
+  %932 = insertelement <8 x double> poison, double %911, i64 0
+  %933 = shufflevector <8 x double> %932, <8 x double> poison, <8 x i32> zeroinitializer
+  %934 = fmul <8 x double> %933, %931
+  %935 = fcmp ogt <8 x double> %934, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %936 = bitcast <8 x double> %934 to <8 x i64>
+  %937 = select <8 x i1> %935, <8 x i64> %936, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %938 = bitcast <8 x i64> %937 to <8 x double>
+  %939 = fcmp olt <8 x double> %938, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %940 = bitcast <8 x i64> %937 to <8 x double>
+  %941 = select <8 x i1> %939, <8 x double> %940, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %942 = call <8 x double> @llvm.rint.v8f64(<8 x double> %941)
+  %943 = fsub <8 x double> %941, %942
+  %944 = call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> %943, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %945, <8 x double> %943, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %947 = call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> %943, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %948 = call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> %943, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %943, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %943, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %951 = bitcast <8 x double> %950 to <8 x i64>
+  %952 = fptosi <8 x double> %942 to <8 x i32>
+  %953 = zext <8 x i32> %952 to <8 x i64>
+  %954 = shl <8 x i64> %953, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %955 = add <8 x i64> %954, %951
+  %956 = bitcast <8 x i64> %955 to <8 x double>
+  %957 = fmul <8 x double> %909, %956
+  br label %958
 
-856:                                              ; preds = %837
-  %857 = load ptr, ptr %128, align 8
-  %858 = load <8 x double>, ptr %857, align 8
-  %859 = load ptr, ptr %129, align 8
-  %860 = load <8 x double>, ptr %859, align 8
-  %861 = fcmp ogt <8 x double> %545, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %862 = bitcast <8 x double> %545 to <8 x i64>
-  %863 = select <8 x i1> %861, <8 x i64> %862, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %864 = load double, ptr %130, align 8
-  %865 = insertelement <8 x double> poison, double %864, i64 0
-  %866 = shufflevector <8 x double> %865, <8 x double> poison, <8 x i32> zeroinitializer
-  %867 = load double, ptr %131, align 8
-  %868 = fneg double %867
-  %869 = add <8 x i64> %863, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %870 = ashr <8 x i64> %869, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %871 = and <8 x i64> %869, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %872 = sub <8 x i64> %863, %871
-  %873 = bitcast <8 x i64> %872 to <8 x double>
-  %874 = fadd <8 x double> %873, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %875 = fadd <8 x double> %873, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %876 = fdiv <8 x double> %874, %875
-  %877 = fmul <8 x double> %876, %876
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %877, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %879, <8 x double> %877, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %881 = call <8 x double> @llvm.fma.v8f64(<8 x double> %880, <8 x double> %877, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %882 = trunc nsw <8 x i64> %870 to <8 x i32>
-  %883 = sitofp <8 x i32> %882 to <8 x double>
-  %884 = fmul <8 x double> %876, %881
-  %885 = fadd <8 x double> %884, %883
-  %886 = insertelement <8 x double> poison, double %868, i64 0
-  %887 = shufflevector <8 x double> %886, <8 x double> poison, <8 x i32> zeroinitializer
-  %888 = fmul <8 x double> %885, %887
-  %889 = fcmp ogt <8 x double> %888, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %890 = bitcast <8 x double> %888 to <8 x i64>
-  %891 = select <8 x i1> %889, <8 x i64> %890, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %892 = bitcast <8 x i64> %891 to <8 x double>
-  %893 = fcmp olt <8 x double> %892, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %894 = bitcast <8 x i64> %891 to <8 x double>
-  %895 = select <8 x i1> %893, <8 x double> %894, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %896 = call <8 x double> @llvm.rint.v8f64(<8 x double> %895)
-  %897 = fsub <8 x double> %895, %896
-  %898 = call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %899 = call <8 x double> @llvm.fma.v8f64(<8 x double> %898, <8 x double> %897, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> %897, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %897, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %897, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %897, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %904 = call <8 x double> @llvm.fma.v8f64(<8 x double> %903, <8 x double> %897, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %905 = bitcast <8 x double> %904 to <8 x i64>
-  %906 = fptosi <8 x double> %896 to <8 x i32>
-  %907 = zext <8 x i32> %906 to <8 x i64>
-  %908 = shl <8 x i64> %907, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %909 = add <8 x i64> %908, %905
-  %910 = bitcast <8 x i64> %909 to <8 x double>
-  %911 = fmul <8 x double> %866, %910
-  %912 = load double, ptr %132, align 8
-  %913 = fcmp une double %912, 0.000000e+00
-  br i1 %913, label %914, label %959
-
-914:                                              ; preds = %856
-  %915 = bitcast <8 x double> %858 to <8 x i64>
-  %916 = add <8 x i64> %915, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %917 = ashr <8 x i64> %916, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %918 = and <8 x i64> %916, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %919 = sub <8 x i64> %915, %918
-  %920 = bitcast <8 x i64> %919 to <8 x double>
-  %921 = fadd <8 x double> %920, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %922 = fadd <8 x double> %920, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %923 = fdiv <8 x double> %921, %922
-  %924 = fmul <8 x double> %923, %923
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %924, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %924, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %927, <8 x double> %924, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %929 = trunc nsw <8 x i64> %917 to <8 x i32>
-  %930 = sitofp <8 x i32> %929 to <8 x double>
-  %931 = fmul <8 x double> %923, %928
-  %932 = fadd <8 x double> %931, %930
-  %933 = insertelement <8 x double> poison, double %912, i64 0
-  %934 = shufflevector <8 x double> %933, <8 x double> poison, <8 x i32> zeroinitializer
-  %935 = fmul <8 x double> %934, %932
-  %936 = fcmp ogt <8 x double> %935, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %937 = bitcast <8 x double> %935 to <8 x i64>
-  %938 = select <8 x i1> %936, <8 x i64> %937, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %939 = bitcast <8 x i64> %938 to <8 x double>
-  %940 = fcmp olt <8 x double> %939, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %941 = bitcast <8 x i64> %938 to <8 x double>
-  %942 = select <8 x i1> %940, <8 x double> %941, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %943 = call <8 x double> @llvm.rint.v8f64(<8 x double> %942)
-  %944 = fsub <8 x double> %942, %943
-  %945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %945, <8 x double> %944, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %947 = call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> %944, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %948 = call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> %944, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %944, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %944, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %951 = call <8 x double> @llvm.fma.v8f64(<8 x double> %950, <8 x double> %944, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %952 = bitcast <8 x double> %951 to <8 x i64>
-  %953 = fptosi <8 x double> %943 to <8 x i32>
-  %954 = zext <8 x i32> %953 to <8 x i64>
-  %955 = shl <8 x i64> %954, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %956 = add <8 x i64> %955, %952
-  %957 = bitcast <8 x i64> %956 to <8 x double>
-  %958 = fmul <8 x double> %911, %957
-  br label %959
-
-959:                                              ; preds = %856, %914
-  %960 = phi <8 x double> [ %958, %914 ], [ %911, %856 ]
-  %961 = load double, ptr %133, align 8
+958:                                              ; preds = %852, %913
+  %959 = phi <8 x double> [ %957, %913 ], [ %909, %852 ]
+  %960 = getelementptr inbounds i8, ptr %841, i64 32
+  %961 = load double, ptr %960, align 8
   %962 = insertelement <8 x double> poison, double %961, i64 0
   %963 = shufflevector <8 x double> %962, <8 x double> poison, <8 x i32> zeroinitializer
-  %964 = fcmp ogt <8 x double> %960, %963
-  %965 = select <8 x i1> %964, <8 x double> %960, <8 x double> %963
-  %966 = fcmp olt <8 x double> %860, %965
-  %967 = select <8 x i1> %966, <8 x double> %860, <8 x double> %965
-  %968 = fmul <8 x double> %251, %967
-  %969 = fcmp oeq <8 x double> %823, %231
-  %970 = load ptr, ptr %68, align 8
-  %971 = load <8 x double>, ptr %970, align 8
-  %972 = fcmp ogt <8 x double> %971, %968
-  %973 = select <8 x i1> %969, <8 x i1> %972, <8 x i1> zeroinitializer
-  %974 = select <8 x i1> %973, <8 x double> %971, <8 x double> %968
-  %975 = fcmp ogt <8 x double> %545, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %976 = select <8 x i1> %975, <8 x i64> %862, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %977 = bitcast <8 x double> %858 to <8 x i64>
-  %978 = select <8 x i1> %842, <8 x i64> %976, <8 x i64> %977
-  store <8 x i64> %978, ptr %857, align 8
-  %979 = load ptr, ptr %129, align 8
-  %980 = load double, ptr %134, align 8
-  %981 = insertelement <8 x double> poison, double %980, i64 0
-  %982 = bitcast <8 x double> %981 to <8 x i64>
-  %983 = shufflevector <8 x i64> %982, <8 x i64> poison, <8 x i32> zeroinitializer
-  %984 = icmp slt <8 x i64> %839, zeroinitializer
-  %985 = select <8 x i1> %984, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %983
-  store <8 x i64> %985, ptr %979, align 8
-  br label %986
+  %964 = fcmp ogt <8 x double> %959, %963
+  %965 = select <8 x i1> %964, <8 x double> %959, <8 x double> %963
+  %966 = fcmp olt <8 x double> %856, %965
+  %967 = select <8 x i1> %966, <8 x double> %856, <8 x double> %965
+  %968 = fmul <8 x double> %231, %967
+  %969 = fcmp oeq <8 x double> %815, %209
+  %970 = fcmp ogt <8 x double> %851, %968
+  %971 = select <8 x i1> %969, <8 x i1> %970, <8 x i1> zeroinitializer
+  %972 = select <8 x i1> %971, <8 x double> %851, <8 x double> %968
+  %973 = fcmp ogt <8 x double> %536, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %974 = select <8 x i1> %973, <8 x i64> %858, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %975 = bitcast <8 x double> %854 to <8 x i64>
+  %976 = select <8 x i1> %830, <8 x i64> %974, <8 x i64> %975
+  store <8 x i64> %976, ptr %853, align 8
+  %977 = load ptr, ptr %111, align 8
+  %978 = getelementptr inbounds i8, ptr %841, i64 40
+  %979 = load double, ptr %978, align 8
+  %980 = insertelement <8 x double> poison, double %979, i64 0
+  %981 = shufflevector <8 x double> %980, <8 x double> poison, <8 x i32> zeroinitializer
+  %982 = select <8 x i1> %849, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %981
+  store <8 x double> %982, ptr %977, align 8
+  br label %983
 
-986:                                              ; preds = %959, %837
-  %987 = phi <8 x double> [ %974, %959 ], [ %233, %837 ]
-  %988 = icmp ne <8 x i64> %839, zeroinitializer
-  %989 = bitcast <8 x i1> %988 to i8
-  %990 = icmp eq i8 %989, 0
-  br i1 %990, label %1084, label %991
+983:                                              ; preds = %958, %828
+  %984 = phi <8 x double> [ %851, %828 ], [ %972, %958 ]
+  %985 = and i64 %847, 255
+  %986 = icmp eq i64 %985, 0
+  br i1 %986, label %1075, label %987
 
-991:                                              ; preds = %986
-  %992 = trunc i64 %594 to i8
+987:                                              ; preds = %983
+  %988 = trunc i64 %602 to i8
+  %989 = bitcast i8 %988 to <8 x i1>
+  %990 = trunc i64 %817 to i8
+  %991 = bitcast i8 %990 to <8 x i1>
+  %992 = trunc i64 %816 to i8
   %993 = bitcast i8 %992 to <8 x i1>
-  %994 = trunc i64 %824 to i8
-  %995 = bitcast i8 %994 to <8 x i1>
-  %996 = load i64, ptr %8, align 8
-  %997 = trunc i64 %996 to i8
-  %998 = bitcast i8 %997 to <8 x i1>
-  %999 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %545)
-  %1000 = fcmp one <8 x double> %999, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1001 = xor <8 x i1> %993, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1002 = select <8 x i1> %1000, <8 x i1> %1001, <8 x i1> zeroinitializer
-  %1003 = or <8 x i1> %998, %995
-  %1004 = xor <8 x i1> %1003, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1005 = and <8 x i1> %1002, %1004
-  br i1 %35, label %1006, label %1065
+  %994 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %536)
+  %995 = fcmp one <8 x double> %994, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %996 = xor <8 x i1> %989, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %997 = select <8 x i1> %995, <8 x i1> %996, <8 x i1> zeroinitializer
+  %998 = or <8 x i1> %991, %993
+  %999 = xor <8 x i1> %998, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1000 = and <8 x i1> %997, %999
+  br i1 %845, label %1062, label %1001
 
-1006:                                             ; preds = %991
-  %1007 = fcmp ogt <8 x double> %545, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1008 = bitcast <8 x double> %545 to <8 x i64>
-  %1009 = select <8 x i1> %1007, <8 x i64> %1008, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1010 = load double, ptr %135, align 8
-  %1011 = insertelement <8 x double> poison, double %1010, i64 0
-  %1012 = shufflevector <8 x double> %1011, <8 x double> poison, <8 x i32> zeroinitializer
-  %1013 = load double, ptr %32, align 8
-  %1014 = fneg double %1013
-  %1015 = add <8 x i64> %1009, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1016 = ashr <8 x i64> %1015, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1017 = and <8 x i64> %1015, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1018 = sub <8 x i64> %1009, %1017
-  %1019 = bitcast <8 x i64> %1018 to <8 x double>
-  %1020 = fadd <8 x double> %1019, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1021 = fadd <8 x double> %1019, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1022 = fdiv <8 x double> %1020, %1021
-  %1023 = fmul <8 x double> %1022, %1022
-  %1024 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1023, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1025 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1024, <8 x double> %1023, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1026 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1025, <8 x double> %1023, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1027 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> %1023, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1028 = trunc nsw <8 x i64> %1016 to <8 x i32>
-  %1029 = sitofp <8 x i32> %1028 to <8 x double>
-  %1030 = fmul <8 x double> %1022, %1027
-  %1031 = fadd <8 x double> %1030, %1029
-  %1032 = insertelement <8 x double> poison, double %1014, i64 0
-  %1033 = shufflevector <8 x double> %1032, <8 x double> poison, <8 x i32> zeroinitializer
-  %1034 = fmul <8 x double> %1031, %1033
-  %1035 = fcmp ogt <8 x double> %1034, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1036 = bitcast <8 x double> %1034 to <8 x i64>
-  %1037 = select <8 x i1> %1035, <8 x i64> %1036, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1038 = bitcast <8 x i64> %1037 to <8 x double>
-  %1039 = fcmp olt <8 x double> %1038, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1040 = bitcast <8 x i64> %1037 to <8 x double>
-  %1041 = select <8 x i1> %1039, <8 x double> %1040, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1042 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1041)
-  %1043 = fsub <8 x double> %1041, %1042
-  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1043, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1043, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> %1043, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1048 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1047, <8 x double> %1043, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1049 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1048, <8 x double> %1043, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1050 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1049, <8 x double> %1043, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1051 = bitcast <8 x double> %1050 to <8 x i64>
-  %1052 = fptosi <8 x double> %1042 to <8 x i32>
-  %1053 = zext <8 x i32> %1052 to <8 x i64>
-  %1054 = shl <8 x i64> %1053, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1055 = add <8 x i64> %1054, %1051
-  %1056 = bitcast <8 x i64> %1055 to <8 x double>
-  %1057 = fmul <8 x double> %1012, %1056
-  %1058 = load double, ptr %136, align 8
-  %1059 = insertelement <8 x double> poison, double %1058, i64 0
-  %1060 = shufflevector <8 x double> %1059, <8 x double> poison, <8 x i32> zeroinitializer
-  %1061 = fcmp ogt <8 x double> %1057, %1060
-  %1062 = select <8 x i1> %1061, <8 x double> %1057, <8 x double> %1060
-  %1063 = select <8 x i1> %1005, <8 x double> %1062, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1064 = fmul <8 x double> %251, %1063
-  br label %1065
+1001:                                             ; preds = %987
+  %1002 = fcmp ogt <8 x double> %536, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1003 = bitcast <8 x double> %536 to <8 x i64>
+  %1004 = select <8 x i1> %1002, <8 x i64> %1003, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1005 = getelementptr inbounds i8, ptr %841, i64 24
+  %1006 = load double, ptr %1005, align 8
+  %1007 = insertelement <8 x double> poison, double %1006, i64 0
+  %1008 = shufflevector <8 x double> %1007, <8 x double> poison, <8 x i32> zeroinitializer
+  %1009 = load double, ptr %841, align 8
+  %1010 = fneg double %1009
+  %1011 = add <8 x i64> %1004, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1012 = ashr <8 x i64> %1011, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1013 = and <8 x i64> %1011, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1014 = sub <8 x i64> %1004, %1013
+  %1015 = bitcast <8 x i64> %1014 to <8 x double>
+  %1016 = fadd <8 x double> %1015, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1017 = fadd <8 x double> %1015, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1018 = fdiv <8 x double> %1016, %1017
+  %1019 = fmul <8 x double> %1018, %1018
+  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> %1019, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1019, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1019, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1024 = trunc nsw <8 x i64> %1012 to <8 x i32>
+  %1025 = sitofp <8 x i32> %1024 to <8 x double>
+  %1026 = fmul <8 x double> %1018, %1023
+  %1027 = fadd <8 x double> %1026, %1025
+  %1028 = insertelement <8 x double> poison, double %1010, i64 0
+  %1029 = shufflevector <8 x double> %1028, <8 x double> poison, <8 x i32> zeroinitializer
+  %1030 = fmul <8 x double> %1027, %1029
+  %1031 = fcmp ogt <8 x double> %1030, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1032 = bitcast <8 x double> %1030 to <8 x i64>
+  %1033 = select <8 x i1> %1031, <8 x i64> %1032, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1034 = bitcast <8 x i64> %1033 to <8 x double>
+  %1035 = fcmp olt <8 x double> %1034, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1036 = bitcast <8 x i64> %1033 to <8 x double>
+  %1037 = select <8 x i1> %1035, <8 x double> %1036, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1038 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1037)
+  %1039 = fsub <8 x double> %1037, %1038
+  %1040 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1039, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1041 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1040, <8 x double> %1039, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1042 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1041, <8 x double> %1039, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1043 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1042, <8 x double> %1039, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> %1039, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1039, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1039, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1047 = bitcast <8 x double> %1046 to <8 x i64>
+  %1048 = fptosi <8 x double> %1038 to <8 x i32>
+  %1049 = zext <8 x i32> %1048 to <8 x i64>
+  %1050 = shl <8 x i64> %1049, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1051 = add <8 x i64> %1050, %1047
+  %1052 = bitcast <8 x i64> %1051 to <8 x double>
+  %1053 = fmul <8 x double> %1008, %1052
+  %1054 = getelementptr inbounds i8, ptr %841, i64 32
+  %1055 = load double, ptr %1054, align 8
+  %1056 = insertelement <8 x double> poison, double %1055, i64 0
+  %1057 = shufflevector <8 x double> %1056, <8 x double> poison, <8 x i32> zeroinitializer
+  %1058 = fcmp ogt <8 x double> %1053, %1057
+  %1059 = select <8 x i1> %1058, <8 x double> %1053, <8 x double> %1057
+  %1060 = select <8 x i1> %1000, <8 x double> %1059, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1061 = fmul <8 x double> %231, %1060
+  br label %1062
 
-1065:                                             ; preds = %991, %1006
-  %1066 = phi <8 x double> [ %1064, %1006 ], [ zeroinitializer, %991 ]
-  %1067 = or <8 x i1> %1005, %998
-  %1068 = select <8 x i1> %1067, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1069 = icmp slt <8 x i64> %839, zeroinitializer
-  %1070 = select <8 x i1> %1069, <8 x double> %1066, <8 x double> %987
-  %1071 = load ptr, ptr %137, align 8
-  %1072 = select <8 x i1> %995, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1068
+1062:                                             ; preds = %1001, %987
+  %1063 = phi <8 x double> [ zeroinitializer, %987 ], [ %1061, %1001 ]
+  %1064 = or <8 x i1> %1000, %993
+  %1065 = select <8 x i1> %1064, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1066 = select <8 x i1> %849, <8 x double> %1063, <8 x double> %984
+  %1067 = load ptr, ptr %112, align 8
+  %1068 = select <8 x i1> %991, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1065
+  %1069 = load <8 x i64>, ptr %1067, align 8
+  %1070 = select <8 x i1> %849, <8 x i64> %1068, <8 x i64> %1069
+  store <8 x i64> %1070, ptr %1067, align 8
+  %1071 = load ptr, ptr %112, align 8
+  %1072 = select <8 x i1> %989, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1065
   %1073 = load <8 x i64>, ptr %1071, align 8
-  %1074 = select <8 x i1> %1069, <8 x i64> %1072, <8 x i64> %1073
+  %1074 = select <8 x i1> %849, <8 x i64> %1072, <8 x i64> %1073
   store <8 x i64> %1074, ptr %1071, align 8
-  %1075 = load ptr, ptr %137, align 8
-  %1076 = select <8 x i1> %993, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1068
-  %1077 = load <8 x i64>, ptr %1075, align 8
-  %1078 = select <8 x i1> %1069, <8 x i64> %1076, <8 x i64> %1077
-  store <8 x i64> %1078, ptr %1075, align 8
-  %1079 = load ptr, ptr %72, align 8
-  %1080 = load <8 x double>, ptr %1079, align 8
-  %1081 = select <8 x i1> %1069, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1082 = bitcast <8 x i64> %1081 to <8 x double>
-  %1083 = fadd <8 x double> %1080, %1082
-  store <8 x double> %1083, ptr %1079, align 8
-  br label %1084
+  br label %1075
 
-1084:                                             ; preds = %1065, %986
-  %1085 = phi <8 x double> [ %987, %986 ], [ %1070, %1065 ]
-  %1086 = load ptr, ptr %68, align 8
-  store <8 x double> %1085, ptr %1086, align 8
-  %1087 = load ptr, ptr %55, align 8
-  %1088 = select <8 x i1> %842, <8 x double> %823, <8 x double> %223
-  store <8 x double> %1088, ptr %1087, align 8
-  br i1 %138, label %1091, label %1089
+1075:                                             ; preds = %983, %1062
+  %1076 = phi <8 x double> [ %984, %983 ], [ %1066, %1062 ]
+  %1077 = load ptr, ptr %109, align 8
+  store <8 x double> %1076, ptr %1077, align 8
+  %1078 = load ptr, ptr %44, align 8
+  %1079 = select <8 x i1> %830, <8 x double> %815, <8 x double> %201
+  store <8 x double> %1079, ptr %1078, align 8
+  br i1 %113, label %1097, label %1090
 
-1089:                                             ; preds = %1091, %1084
-  %1090 = icmp eq i64 %827, 0
-  br i1 %1090, label %1118, label %1109
+1080:                                             ; preds = %814, %1080
+  %1081 = phi i64 [ %1088, %1080 ], [ %826, %814 ]
+  %1082 = load ptr, ptr %107, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1082, i64 noundef %1081) #10
+  %1083 = load ptr, ptr %97, align 8
+  %1084 = load <8 x double>, ptr %1083, align 8
+  %1085 = fcmp oeq <8 x double> %1084, %815
+  %1086 = bitcast <8 x i1> %1085 to i8
+  %1087 = zext i8 %1086 to i64
+  %1088 = and i64 %1081, %1087
+  %1089 = icmp eq i64 %1088, 0
+  br i1 %1089, label %828, label %1080, !llvm.loop !20
 
-1091:                                             ; preds = %1084, %1091
-  %1092 = phi i64 [ %1107, %1091 ], [ 0, %1084 ]
-  %1093 = load ptr, ptr %12, align 8
-  %1094 = load ptr, ptr %139, align 8
-  %1095 = shl nsw i64 %1092, 6
-  %1096 = getelementptr inbounds i8, ptr %1094, i64 %1095
-  %1097 = load <8 x i64>, ptr %1096, align 8
-  %1098 = getelementptr inbounds i8, ptr %1093, i64 %1095
-  %1099 = load <8 x i64>, ptr %1098, align 8
-  %1100 = select <8 x i1> %842, <8 x i64> %1097, <8 x i64> %1099
-  store <8 x i64> %1100, ptr %1098, align 8
-  %1101 = load ptr, ptr %46, align 8
-  %1102 = getelementptr inbounds i8, ptr %61, i64 %1095
+1090:                                             ; preds = %1097, %1075
+  %1091 = load ptr, ptr %115, align 8
+  %1092 = load ptr, ptr %0, align 8
+  %1093 = load i64, ptr %1092, align 8
+  %1094 = load i64, ptr %116, align 8
+  %1095 = mul nsw i64 %1094, %1093
+  %1096 = getelementptr inbounds double, ptr %1091, i64 %1095
+  br i1 %117, label %1111, label %1109
+
+1097:                                             ; preds = %1075, %1097
+  %1098 = phi i64 [ %1107, %1097 ], [ 0, %1075 ]
+  %1099 = load ptr, ptr %12, align 8
+  %1100 = load ptr, ptr %114, align 8
+  %1101 = shl nsw i64 %1098, 6
+  %1102 = getelementptr inbounds i8, ptr %1100, i64 %1101
   %1103 = load <8 x i64>, ptr %1102, align 8
-  %1104 = getelementptr inbounds i8, ptr %1101, i64 %1095
+  %1104 = getelementptr inbounds i8, ptr %1099, i64 %1101
   %1105 = load <8 x i64>, ptr %1104, align 8
-  %1106 = select <8 x i1> %842, <8 x i64> %1103, <8 x i64> %1105
+  %1106 = select <8 x i1> %830, <8 x i64> %1103, <8 x i64> %1105
   store <8 x i64> %1106, ptr %1104, align 8
-  %1107 = add nuw nsw i64 %1092, 1
+  %1107 = add nuw nsw i64 %1098, 1
   %1108 = icmp eq i64 %1107, %16
-  br i1 %1108, label %1089, label %1091, !llvm.loop !18
+  br i1 %1108, label %1090, label %1097, !llvm.loop !21
 
-1109:                                             ; preds = %1089
-  %1110 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %827, ptr noundef nonnull %7) #10
-  %1111 = icmp ne i32 %826, 0
-  %1112 = icmp ne i64 %1110, %827
-  %1113 = select i1 %1111, i1 true, i1 %1112
-  %1114 = zext i1 %1113 to i32
-  %1115 = trunc i64 %827 to i8
-  %1116 = bitcast i8 %1115 to <8 x i1>
-  %1117 = select <8 x i1> %1116, <8 x i64> zeroinitializer, <8 x i64> %825
-  br label %1118
+1109:                                             ; preds = %1111, %1090
+  %1110 = icmp eq i64 %820, 0
+  br i1 %1110, label %1132, label %1122
 
-1118:                                             ; preds = %1109, %1089
-  %1119 = phi <8 x i64> [ %1117, %1109 ], [ %825, %1089 ]
-  %1120 = phi i32 [ %1114, %1109 ], [ %826, %1089 ]
-  %1121 = phi i64 [ %1110, %1109 ], [ %191, %1089 ]
-  %1122 = load ptr, ptr %116, align 8
-  %1123 = load <8 x double>, ptr %1122, align 8
-  %1124 = fcmp oeq <8 x double> %1123, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1125 = icmp ne <8 x i64> %1119, zeroinitializer
-  %1126 = select <8 x i1> %1124, <8 x i1> %1125, <8 x i1> zeroinitializer
-  %1127 = bitcast <8 x i1> %1126 to i8
-  %1128 = zext i8 %1127 to i64
-  %1129 = icmp eq i8 %1127, 0
-  br i1 %1129, label %1131, label %1130
+1111:                                             ; preds = %1090, %1111
+  %1112 = phi i64 [ %1120, %1111 ], [ 0, %1090 ]
+  %1113 = load ptr, ptr %115, align 8
+  %1114 = shl nsw i64 %1112, 6
+  %1115 = getelementptr inbounds i8, ptr %1096, i64 %1114
+  %1116 = load <8 x i64>, ptr %1115, align 8
+  %1117 = getelementptr inbounds i8, ptr %1113, i64 %1114
+  %1118 = load <8 x i64>, ptr %1117, align 8
+  %1119 = select <8 x i1> %830, <8 x i64> %1116, <8 x i64> %1118
+  store <8 x i64> %1119, ptr %1117, align 8
+  %1120 = add nuw nsw i64 %1112, 1
+  %1121 = icmp eq i64 %1120, %16
+  br i1 %1121, label %1109, label %1111, !llvm.loop !22
 
-1130:                                             ; preds = %1118
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1128, i64 noundef 0) #10
-  br label %1131
+1122:                                             ; preds = %1109
+  %1123 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %820, ptr noundef nonnull %7) #10
+  %1124 = icmp ne i32 %818, 0
+  %1125 = icmp ne i64 %1123, %820
+  %1126 = select i1 %1124, i1 true, i1 %1125
+  %1127 = zext i1 %1126 to i32
+  %1128 = trunc i64 %820 to i8
+  %1129 = bitcast i8 %1128 to <8 x i1>
+  %1130 = xor <8 x i1> %1129, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1131 = and <8 x i1> %1130, %830
+  br label %1132
 
-1131:                                             ; preds = %1130, %1118
-  %1132 = phi i32 [ 1, %1130 ], [ %1120, %1118 ]
-  %1133 = fcmp oeq <8 x double> %823, %229
-  %1134 = icmp ne <8 x i64> %1119, zeroinitializer
-  %1135 = select <8 x i1> %1133, <8 x i1> %1134, <8 x i1> zeroinitializer
-  %1136 = bitcast <8 x i1> %1135 to i8
-  %1137 = zext i8 %1136 to i64
-  %1138 = xor i64 %1128, -1
-  %1139 = and i64 %1138, %1137
-  %1140 = icmp eq i64 %1139, 0
-  br i1 %1140, label %1145, label %1141
+1132:                                             ; preds = %1122, %1109
+  %1133 = phi i32 [ %1127, %1122 ], [ %818, %1109 ]
+  %1134 = phi <8 x i1> [ %1131, %1122 ], [ %830, %1109 ]
+  %1135 = phi i64 [ %1123, %1122 ], [ %169, %1109 ]
+  %1136 = load ptr, ptr %97, align 8
+  %1137 = load <8 x double>, ptr %1136, align 8
+  %1138 = fcmp oeq <8 x double> %1137, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1139 = select <8 x i1> %1138, <8 x i1> %1134, <8 x i1> zeroinitializer
+  %1140 = bitcast <8 x i1> %1139 to i8
+  %1141 = zext i8 %1140 to i64
+  %1142 = icmp eq i8 %1140, 0
+  br i1 %1142, label %1144, label %1143
 
-1141:                                             ; preds = %1131
-  %1142 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %1139) #10
-  %1143 = icmp eq i64 %1142, 0
-  %1144 = select i1 %1143, i32 %1132, i32 1
-  br label %1145
+1143:                                             ; preds = %1132
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1141, i64 noundef 0) #10
+  br label %1144
 
-1145:                                             ; preds = %1141, %1131
-  %1146 = phi i32 [ %1132, %1131 ], [ %1144, %1141 ]
-  br label %186
+1144:                                             ; preds = %1143, %1132
+  %1145 = phi i32 [ 1, %1143 ], [ %1133, %1132 ]
+  %1146 = fcmp oeq <8 x double> %815, %207
+  %1147 = select <8 x i1> %1146, <8 x i1> %1134, <8 x i1> zeroinitializer
+  %1148 = bitcast <8 x i1> %1147 to i8
+  %1149 = zext i8 %1148 to i64
+  %1150 = xor i64 %1141, -1
+  %1151 = and i64 %1150, %1149
+  %1152 = icmp eq i64 %1151, 0
+  br i1 %1152, label %1157, label %1153
 
-1147:                                             ; preds = %189, %214, %182
-  %1148 = phi i64 [ 1, %182 ], [ 0, %214 ], [ 0, %189 ]
-  ret i64 %1148
+1153:                                             ; preds = %1144
+  %1154 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %1151) #10
+  %1155 = icmp eq i64 %1154, 0
+  %1156 = select i1 %1155, i32 %1145, i32 1
+  br label %1157
+
+1157:                                             ; preds = %1153, %1144
+  %1158 = phi i32 [ %1145, %1144 ], [ %1156, %1153 ]
+  br label %164
+
+1159:                                             ; preds = %167, %192, %160
+  %1160 = phi i64 [ 1, %160 ], [ 0, %192 ], [ 0, %167 ]
+  ret i64 %1160
 }
 
 
@@ -1493,7 +1506,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %70 = getelementptr i8, ptr %69, i64 24
   %71 = load i64, ptr %70, align 8
   %72 = icmp eq i64 %71, 0
-  br i1 %72, label %78, label %73, !llvm.loop !19
+  br i1 %72, label %78, label %73, !llvm.loop !23
 
 73:                                               ; preds = %47, %65
   %74 = phi i64 [ %75, %65 ], [ %44, %47 ]
@@ -1501,7 +1514,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store i64 %75, ptr %6, align 8
   %76 = load i64, ptr %8, align 8
   %77 = icmp sge i64 %75, %76
-  br i1 %77, label %78, label %65, !llvm.loop !19
+  br i1 %77, label %78, label %65, !llvm.loop !23
 
 78:                                               ; preds = %73, %65, %47, %39
   %79 = phi i64 [ %44, %39 ], [ %44, %47 ], [ %75, %65 ], [ %75, %73 ]
@@ -1538,7 +1551,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %103 = add nuw nsw i64 %98, 1
   %104 = load i64, ptr %12, align 8
   %105 = icmp slt i64 %103, %104
-  br i1 %105, label %97, label %106, !llvm.loop !20
+  br i1 %105, label %97, label %106, !llvm.loop !24
 
 106:                                              ; preds = %97, %86
   %107 = load ptr, ptr %14, align 8
@@ -1560,7 +1573,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %120 = add nuw nsw i64 %115, 1
   %121 = load i64, ptr %15, align 8
   %122 = icmp slt i64 %120, %121
-  br i1 %122, label %114, label %123, !llvm.loop !20
+  br i1 %122, label %114, label %123, !llvm.loop !24
 
 123:                                              ; preds = %114, %106
   %124 = load ptr, ptr %17, align 8
@@ -1582,7 +1595,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %137 = add nuw nsw i64 %132, 1
   %138 = load i64, ptr %18, align 8
   %139 = icmp slt i64 %137, %138
-  br i1 %139, label %131, label %140, !llvm.loop !20
+  br i1 %139, label %131, label %140, !llvm.loop !24
 
 140:                                              ; preds = %131, %123
   %141 = load ptr, ptr %20, align 8
@@ -1609,7 +1622,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %159 = add nuw nsw i64 %154, 1
   %160 = load i64, ptr %23, align 8
   %161 = icmp slt i64 %159, %160
-  br i1 %161, label %153, label %162, !llvm.loop !20
+  br i1 %161, label %153, label %162, !llvm.loop !24
 
 162:                                              ; preds = %153, %140
   %163 = load i64, ptr %24, align 8
@@ -1648,7 +1661,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %187 = add nuw nsw i64 %179, 1
   %188 = load i64, ptr %27, align 8
   %189 = icmp slt i64 %187, %188
-  br i1 %189, label %177, label %174, !llvm.loop !22
+  br i1 %189, label %177, label %174, !llvm.loop !26
 
 190:                                              ; preds = %198, %174
   %191 = load ptr, ptr %25, align 8
@@ -1683,7 +1696,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %215 = add nuw nsw i64 %199, 1
   %216 = load i64, ptr %28, align 8
   %217 = icmp slt i64 %215, %216
-  br i1 %217, label %198, label %190, !llvm.loop !23
+  br i1 %217, label %198, label %190, !llvm.loop !27
 
 218:                                              ; preds = %195, %232
   %219 = phi i64 [ 0, %195 ], [ %241, %232 ]
@@ -1719,7 +1732,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %243 = getelementptr inbounds i8, ptr %242, i64 8
   %244 = load i64, ptr %243, align 8
   %245 = icmp slt i64 %241, %244
-  br i1 %245, label %218, label %263, !llvm.loop !24
+  br i1 %245, label %218, label %263, !llvm.loop !28
 
 246:                                              ; preds = %218, %256
   %247 = phi i64 [ 0, %218 ], [ %261, %256 ]
@@ -1743,7 +1756,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %257, ptr %260, align 8
   %261 = add nuw nsw i64 %247, 1
   %262 = icmp eq i64 %261, 100
-  br i1 %262, label %232, label %246, !llvm.loop !25
+  br i1 %262, label %232, label %246, !llvm.loop !29
 
 263:                                              ; preds = %232, %190
   %264 = getelementptr inbounds i8, ptr %169, i64 648
@@ -1774,7 +1787,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %283 = select i1 %279, i64 %40, i64 %42
   %284 = add nuw nsw i64 %40, 1
   %285 = icmp eq i64 %284, 8
-  br i1 %285, label %55, label %39, !llvm.loop !26
+  br i1 %285, label %55, label %39, !llvm.loop !30
 
 286:                                              ; preds = %386
   %287 = getelementptr inbounds i8, ptr %0, i64 272
@@ -1804,7 +1817,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %306 = add nuw nsw i64 %294, 1
   %307 = load i64, ptr %287, align 8
   %308 = icmp slt i64 %306, %307
-  br i1 %308, label %293, label %389, !llvm.loop !27
+  br i1 %308, label %293, label %389, !llvm.loop !31
 
 309:                                              ; preds = %58, %386
   %310 = phi i64 [ 0, %58 ], [ %387, %386 ]
@@ -1832,7 +1845,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %326, ptr %327, align 8
   %328 = add nuw nsw i64 %322, 1
   %329 = icmp eq i64 %328, %319
-  br i1 %329, label %330, label %321, !llvm.loop !28
+  br i1 %329, label %330, label %321, !llvm.loop !32
 
 330:                                              ; preds = %321, %315
   %331 = load ptr, ptr %60, align 8
@@ -1852,7 +1865,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %341, ptr %342, align 8
   %343 = add nuw nsw i64 %337, 1
   %344 = icmp eq i64 %343, %334
-  br i1 %344, label %345, label %336, !llvm.loop !28
+  br i1 %344, label %345, label %336, !llvm.loop !32
 
 345:                                              ; preds = %336, %330
   %346 = load ptr, ptr %61, align 8
@@ -1872,7 +1885,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %356, ptr %357, align 8
   %358 = add nuw nsw i64 %352, 1
   %359 = icmp eq i64 %358, %349
-  br i1 %359, label %360, label %351, !llvm.loop !28
+  br i1 %359, label %360, label %351, !llvm.loop !32
 
 360:                                              ; preds = %351, %345
   %361 = load ptr, ptr %62, align 8
@@ -1892,7 +1905,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %371, ptr %372, align 8
   %373 = add nuw nsw i64 %367, 1
   %374 = icmp eq i64 %373, %364
-  br i1 %374, label %375, label %366, !llvm.loop !28
+  br i1 %374, label %375, label %366, !llvm.loop !32
 
 375:                                              ; preds = %366, %360
   %376 = load ptr, ptr %3, align 8
@@ -1914,7 +1927,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 386:                                              ; preds = %309, %375
   %387 = add nuw nsw i64 %310, 1
   %388 = icmp eq i64 %387, 8
-  br i1 %388, label %286, label %309, !llvm.loop !29
+  br i1 %388, label %286, label %309, !llvm.loop !33
 
 389:                                              ; preds = %293, %286, %55
   ret i64 %275
@@ -1975,388 +1988,394 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
 
 48:                                               ; preds = %31
   %49 = getelementptr inbounds i8, ptr %12, i64 168
-  br label %58
+  br label %56
 
-50:                                               ; preds = %58, %31
-  %51 = phi ptr [ %44, %31 ], [ %70, %58 ]
-  %52 = getelementptr inbounds i8, ptr %0, i64 1008
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds i8, ptr %53, i64 8
-  %55 = load double, ptr %54, align 8
-  %56 = load double, ptr %53, align 8
-  %57 = fcmp oeq double %55, 0.000000e+00
-  br i1 %57, label %81, label %74
+50:                                               ; preds = %56, %31
+  %51 = getelementptr inbounds i8, ptr %0, i64 1008
+  %52 = load ptr, ptr %51, align 8
+  %53 = getelementptr inbounds i8, ptr %52, i64 8
+  %54 = load double, ptr %53, align 8
+  %55 = fcmp oeq double %54, 0.000000e+00
+  br i1 %55, label %78, label %72
 
-58:                                               ; preds = %48, %58
-  %59 = phi i64 [ 0, %48 ], [ %68, %58 ]
-  %60 = load ptr, ptr %49, align 8
-  %61 = load ptr, ptr %23, align 8
-  %62 = shl nsw i64 %59, 6
-  %63 = getelementptr inbounds i8, ptr %61, i64 %62
+56:                                               ; preds = %48, %56
+  %57 = phi i64 [ 0, %48 ], [ %66, %56 ]
+  %58 = load ptr, ptr %49, align 8
+  %59 = load ptr, ptr %23, align 8
+  %60 = shl nsw i64 %57, 6
+  %61 = getelementptr inbounds i8, ptr %59, i64 %60
+  %62 = load <8 x i64>, ptr %61, align 8
+  %63 = getelementptr inbounds i8, ptr %58, i64 %60
   %64 = load <8 x i64>, ptr %63, align 8
-  %65 = getelementptr inbounds i8, ptr %60, i64 %62
-  %66 = load <8 x i64>, ptr %65, align 8
-  %67 = select <8 x i1> %17, <8 x i64> %64, <8 x i64> %66
-  store <8 x i64> %67, ptr %65, align 8
-  %68 = add nuw nsw i64 %59, 1
-  %69 = load ptr, ptr %20, align 8
-  %70 = load ptr, ptr %69, align 8
-  %71 = getelementptr inbounds i8, ptr %70, i64 8
-  %72 = load i64, ptr %71, align 8
-  %73 = icmp slt i64 %68, %72
-  br i1 %73, label %58, label %50, !llvm.loop !30
+  %65 = select <8 x i1> %17, <8 x i64> %62, <8 x i64> %64
+  store <8 x i64> %65, ptr %63, align 8
+  %66 = add nuw nsw i64 %57, 1
+  %67 = load ptr, ptr %20, align 8
+  %68 = load ptr, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 8
+  %70 = load i64, ptr %69, align 8
+  %71 = icmp slt i64 %66, %70
+  br i1 %71, label %56, label %50, !llvm.loop !34
 
-74:                                               ; preds = %50
-  %75 = load ptr, ptr %1, align 8
-  %76 = load ptr, ptr %75, align 8
-  %77 = getelementptr inbounds i8, ptr %76, i64 8
-  %78 = load i64, ptr %77, align 8
-  %79 = icmp sgt i64 %78, 0
-  %80 = select i1 %79, i64 %3, i64 0
-  br label %81
+72:                                               ; preds = %50
+  %73 = load ptr, ptr %0, align 8
+  %74 = getelementptr inbounds i8, ptr %73, i64 8
+  %75 = load i64, ptr %74, align 8
+  %76 = icmp sgt i64 %75, 0
+  %77 = select i1 %76, i64 %3, i64 0
+  br label %78
 
-81:                                               ; preds = %50, %74
-  %82 = phi i64 [ %80, %74 ], [ %15, %50 ]
-  %83 = insertelement <8 x double> poison, double %55, i64 0
-  %84 = shufflevector <8 x double> %83, <8 x double> poison, <8 x i32> zeroinitializer
-  %85 = icmp eq i64 %82, 0
-  br i1 %85, label %256, label %86
-
-86:                                               ; preds = %81
-  %87 = trunc i64 %82 to i8
-  %88 = bitcast i8 %87 to <8 x i1>
-  %89 = load ptr, ptr %11, align 8
-  %90 = getelementptr inbounds i8, ptr %51, i64 24
-  %91 = load i64, ptr %90, align 8
-  %92 = load ptr, ptr %89, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %92, ptr noundef %92, ptr noundef nonnull %89, i64 noundef %91) #10
-  %93 = load <8 x double>, ptr %5, align 16
-  %94 = getelementptr inbounds i8, ptr %89, i64 168
+78:                                               ; preds = %50, %72
+  %79 = phi i64 [ %77, %72 ], [ %15, %50 ]
+  %80 = getelementptr inbounds i8, ptr %0, i64 720
+  %81 = load ptr, ptr %80, align 8
+  %82 = insertelement <8 x double> poison, double %54, i64 0
+  %83 = load <8 x i64>, ptr %81, align 8
+  %84 = bitcast <8 x double> %82 to <8 x i64>
+  %85 = shufflevector <8 x i64> %84, <8 x i64> poison, <8 x i32> zeroinitializer
+  %86 = select <8 x i1> %17, <8 x i64> %85, <8 x i64> %83
+  store <8 x i64> %86, ptr %81, align 8
+  %87 = getelementptr inbounds i8, ptr %0, i64 744
+  %88 = load ptr, ptr %87, align 8
+  %89 = load <8 x double>, ptr %88, align 8
+  %90 = select <8 x i1> %17, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %89
+  store <8 x double> %90, ptr %88, align 8
+  %91 = getelementptr inbounds i8, ptr %0, i64 768
+  %92 = load ptr, ptr %91, align 8
+  %93 = load ptr, ptr %1, align 8
+  %94 = getelementptr inbounds i8, ptr %93, i64 120
   %95 = load ptr, ptr %94, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %95, ptr noundef %92, ptr noundef nonnull %89, i64 noundef %91) #10
-  %96 = load <8 x double>, ptr %6, align 16
-  %97 = fcmp olt <8 x double> %93, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %98 = fcmp olt <8 x double> %96, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %99 = or <8 x i1> %98, %97
-  %100 = insertelement <8 x double> poison, double %56, i64 0
-  %101 = shufflevector <8 x double> %100, <8 x double> poison, <8 x i32> zeroinitializer
-  %102 = fmul <8 x double> %93, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %103 = fdiv <8 x double> %102, %96
-  %104 = bitcast <8 x double> %103 to <8 x i64>
-  %105 = select <8 x i1> %99, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %104
-  %106 = bitcast <8 x i64> %105 to <8 x double>
-  %107 = fcmp olt <8 x double> %101, %106
-  %108 = bitcast <8 x double> %101 to <8 x i64>
-  %109 = select <8 x i1> %107, <8 x i64> %108, <8 x i64> %105
-  %110 = bitcast <8 x i64> %109 to <8 x double>
+  %96 = getelementptr inbounds i8, ptr %95, i64 40
+  %97 = load double, ptr %96, align 8
+  %98 = insertelement <8 x double> poison, double %97, i64 0
+  %99 = load <8 x i64>, ptr %92, align 8
+  %100 = bitcast <8 x double> %98 to <8 x i64>
+  %101 = shufflevector <8 x i64> %100, <8 x i64> poison, <8 x i32> zeroinitializer
+  %102 = select <8 x i1> %17, <8 x i64> %101, <8 x i64> %99
+  store <8 x i64> %102, ptr %92, align 8
+  %103 = icmp eq i64 %79, 0
+  br i1 %103, label %280, label %104
+
+104:                                              ; preds = %78
+  %105 = load ptr, ptr %80, align 8
+  %106 = trunc i64 %79 to i8
+  %107 = bitcast i8 %106 to <8 x i1>
+  %108 = load ptr, ptr %51, align 8
+  %109 = load double, ptr %108, align 8
+  %110 = load ptr, ptr %11, align 8
   %111 = load ptr, ptr %20, align 8
   %112 = load ptr, ptr %111, align 8
-  %113 = getelementptr inbounds i8, ptr %112, i64 8
+  %113 = getelementptr inbounds i8, ptr %112, i64 24
   %114 = load i64, ptr %113, align 8
-  %115 = icmp sgt i64 %114, 0
-  br i1 %115, label %116, label %137
+  %115 = load ptr, ptr %110, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %115, ptr noundef %115, ptr noundef nonnull %110, i64 noundef %114) #10
+  %116 = load <8 x double>, ptr %5, align 16
+  %117 = getelementptr inbounds i8, ptr %110, i64 168
+  %118 = load ptr, ptr %117, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %118, ptr noundef %115, ptr noundef nonnull %110, i64 noundef %114) #10
+  %119 = load <8 x double>, ptr %6, align 16
+  %120 = fcmp olt <8 x double> %116, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %121 = fcmp olt <8 x double> %119, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %122 = or <8 x i1> %121, %120
+  %123 = insertelement <8 x double> poison, double %109, i64 0
+  %124 = shufflevector <8 x double> %123, <8 x double> poison, <8 x i32> zeroinitializer
+  %125 = fmul <8 x double> %116, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %126 = fdiv <8 x double> %125, %119
+  %127 = bitcast <8 x double> %126 to <8 x i64>
+  %128 = select <8 x i1> %122, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %127
+  %129 = bitcast <8 x i64> %128 to <8 x double>
+  %130 = fcmp olt <8 x double> %124, %129
+  %131 = bitcast <8 x double> %124 to <8 x i64>
+  %132 = select <8 x i1> %130, <8 x i64> %131, <8 x i64> %128
+  %133 = bitcast <8 x i64> %132 to <8 x double>
+  %134 = load ptr, ptr %20, align 8
+  %135 = load ptr, ptr %134, align 8
+  %136 = getelementptr inbounds i8, ptr %135, i64 8
+  %137 = load i64, ptr %136, align 8
+  %138 = icmp sgt i64 %137, 0
+  br i1 %138, label %139, label %141
 
-116:                                              ; preds = %86
-  %117 = getelementptr inbounds i8, ptr %89, i64 48
-  br label %118
+139:                                              ; preds = %104
+  %140 = getelementptr inbounds i8, ptr %110, i64 48
+  br label %156
 
-118:                                              ; preds = %116, %118
-  %119 = phi i64 [ 0, %116 ], [ %131, %118 ]
-  %120 = load ptr, ptr %117, align 8
-  %121 = load ptr, ptr %89, align 8
-  %122 = shl nsw i64 %119, 6
-  %123 = getelementptr inbounds i8, ptr %121, i64 %122
-  %124 = load <8 x double>, ptr %123, align 8
-  %125 = load ptr, ptr %94, align 8
-  %126 = getelementptr inbounds i8, ptr %125, i64 %122
-  %127 = load <8 x double>, ptr %126, align 8
-  %128 = fmul <8 x double> %127, %110
-  %129 = fadd <8 x double> %124, %128
-  %130 = getelementptr inbounds i8, ptr %120, i64 %122
-  store <8 x double> %129, ptr %130, align 8
-  %131 = add nuw nsw i64 %119, 1
-  %132 = load ptr, ptr %20, align 8
-  %133 = load ptr, ptr %132, align 8
-  %134 = getelementptr inbounds i8, ptr %133, i64 8
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp slt i64 %131, %135
-  br i1 %136, label %118, label %137, !llvm.loop !31
+141:                                              ; preds = %156, %104
+  %142 = phi ptr [ %134, %104 ], [ %170, %156 ]
+  %143 = fadd <8 x double> %19, %133
+  %144 = getelementptr inbounds i8, ptr %110, i64 48
+  %145 = load ptr, ptr %144, align 8
+  %146 = load ptr, ptr %117, align 8
+  %147 = getelementptr inbounds i8, ptr %110, i64 8
+  %148 = load i64, ptr %147, align 8
+  %149 = getelementptr inbounds double, ptr %146, i64 %148
+  %150 = getelementptr inbounds i8, ptr %142, i64 24
+  %151 = load ptr, ptr %150, align 8
+  store <8 x double> %143, ptr %151, align 8
+  %152 = getelementptr inbounds i8, ptr %142, i64 152
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp sgt i64 %153, 0
+  br i1 %154, label %155, label %175
 
-137:                                              ; preds = %118, %86
-  %138 = phi ptr [ %111, %86 ], [ %132, %118 ]
-  %139 = fadd <8 x double> %19, %110
-  %140 = getelementptr inbounds i8, ptr %89, i64 48
-  %141 = load ptr, ptr %140, align 8
-  %142 = load ptr, ptr %94, align 8
-  %143 = getelementptr inbounds i8, ptr %89, i64 8
-  %144 = load i64, ptr %143, align 8
-  %145 = getelementptr inbounds double, ptr %142, i64 %144
-  %146 = getelementptr inbounds i8, ptr %138, i64 24
-  %147 = load ptr, ptr %146, align 8
-  store <8 x double> %139, ptr %147, align 8
-  %148 = getelementptr inbounds i8, ptr %138, i64 152
-  %149 = load i64, ptr %148, align 8
-  %150 = icmp sgt i64 %149, 0
-  br i1 %150, label %151, label %152
+155:                                              ; preds = %141
+  tail call fastcc void @sample(ptr noundef nonnull %142) #10
+  br label %175
 
-151:                                              ; preds = %137
-  tail call fastcc void @sample(ptr noundef nonnull %138) #10
-  br label %152
+156:                                              ; preds = %139, %156
+  %157 = phi i64 [ 0, %139 ], [ %169, %156 ]
+  %158 = load ptr, ptr %140, align 8
+  %159 = load ptr, ptr %110, align 8
+  %160 = shl nsw i64 %157, 6
+  %161 = getelementptr inbounds i8, ptr %159, i64 %160
+  %162 = load <8 x double>, ptr %161, align 8
+  %163 = load ptr, ptr %117, align 8
+  %164 = getelementptr inbounds i8, ptr %163, i64 %160
+  %165 = load <8 x double>, ptr %164, align 8
+  %166 = fmul <8 x double> %165, %133
+  %167 = fadd <8 x double> %162, %166
+  %168 = getelementptr inbounds i8, ptr %158, i64 %160
+  store <8 x double> %167, ptr %168, align 8
+  %169 = add nuw nsw i64 %157, 1
+  %170 = load ptr, ptr %20, align 8
+  %171 = load ptr, ptr %170, align 8
+  %172 = getelementptr inbounds i8, ptr %171, i64 8
+  %173 = load i64, ptr %172, align 8
+  %174 = icmp slt i64 %169, %173
+  br i1 %174, label %156, label %141, !llvm.loop !35
 
-152:                                              ; preds = %137, %151
-  %153 = load ptr, ptr %138, align 8
-  %154 = load i64, ptr %153, align 8
-  %155 = load ptr, ptr %146, align 8
-  %156 = getelementptr inbounds i8, ptr %138, i64 48
-  %157 = load ptr, ptr %156, align 8
-  %158 = getelementptr inbounds i8, ptr %138, i64 96
-  %159 = load ptr, ptr %158, align 8
-  %160 = inttoptr i64 %154 to ptr
-  %161 = load ptr, ptr %160, align 8
-  %162 = tail call i32 %161(ptr noundef %155, ptr noundef %141, ptr noundef %157, ptr noundef %159, ptr noundef %145) #11
-  %163 = load ptr, ptr %1, align 8
-  %164 = getelementptr inbounds i8, ptr %163, i64 120
-  %165 = load ptr, ptr %164, align 8
-  %166 = load double, ptr %165, align 8
-  %167 = load ptr, ptr %94, align 8
-  %168 = load i64, ptr %143, align 8
-  %169 = getelementptr inbounds double, ptr %167, i64 %168
-  %170 = icmp sgt i64 %91, 0
-  br i1 %170, label %171, label %181
+175:                                              ; preds = %141, %155
+  %176 = load ptr, ptr %142, align 8
+  %177 = load i64, ptr %176, align 8
+  %178 = load ptr, ptr %150, align 8
+  %179 = getelementptr inbounds i8, ptr %142, i64 48
+  %180 = load ptr, ptr %179, align 8
+  %181 = getelementptr inbounds i8, ptr %142, i64 96
+  %182 = load ptr, ptr %181, align 8
+  %183 = inttoptr i64 %177 to ptr
+  %184 = load ptr, ptr %183, align 8
+  %185 = tail call i32 %184(ptr noundef %178, ptr noundef %145, ptr noundef %180, ptr noundef %182, ptr noundef %149) #11
+  %186 = load ptr, ptr %1, align 8
+  %187 = getelementptr inbounds i8, ptr %186, i64 120
+  %188 = load ptr, ptr %187, align 8
+  %189 = load double, ptr %188, align 8
+  %190 = load ptr, ptr %117, align 8
+  %191 = load i64, ptr %147, align 8
+  %192 = getelementptr inbounds double, ptr %190, i64 %191
+  %193 = icmp sgt i64 %114, 0
+  br i1 %193, label %194, label %204
 
-171:                                              ; preds = %152, %171
-  %172 = phi i64 [ %179, %171 ], [ 0, %152 ]
-  %173 = shl nsw i64 %172, 6
-  %174 = getelementptr inbounds i8, ptr %169, i64 %173
-  %175 = load <8 x double>, ptr %174, align 8
-  %176 = getelementptr inbounds i8, ptr %167, i64 %173
-  %177 = load <8 x double>, ptr %176, align 8
-  %178 = fsub <8 x double> %175, %177
-  store <8 x double> %178, ptr %174, align 8
-  %179 = add nuw nsw i64 %172, 1
-  %180 = icmp eq i64 %179, %91
-  br i1 %180, label %181, label %171, !llvm.loop !32
+194:                                              ; preds = %175, %194
+  %195 = phi i64 [ %202, %194 ], [ 0, %175 ]
+  %196 = shl nsw i64 %195, 6
+  %197 = getelementptr inbounds i8, ptr %192, i64 %196
+  %198 = load <8 x double>, ptr %197, align 8
+  %199 = getelementptr inbounds i8, ptr %190, i64 %196
+  %200 = load <8 x double>, ptr %199, align 8
+  %201 = fsub <8 x double> %198, %200
+  store <8 x double> %201, ptr %197, align 8
+  %202 = add nuw nsw i64 %195, 1
+  %203 = icmp eq i64 %202, %114
+  br i1 %203, label %204, label %194, !llvm.loop !36
 
-181:                                              ; preds = %171, %152
-  %182 = load ptr, ptr %89, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %169, ptr noundef %182, ptr noundef nonnull %89, i64 noundef %91) #10
-  %183 = load <8 x double>, ptr %7, align 16
-  %184 = fdiv <8 x double> %183, %110
-  %185 = fcmp ogt <8 x double> %96, %184
-  %186 = select <8 x i1> %185, <8 x double> %96, <8 x double> %184
-  %187 = fcmp ogt <8 x double> %186, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
-  %188 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %186
-  %189 = select <8 x i1> %187, <8 x double> %188, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
-  %190 = bitcast <8 x double> %189 to <8 x i64>
-  %191 = add <8 x i64> %190, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %192 = ashr <8 x i64> %191, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %193 = and <8 x i64> %191, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %194 = sub <8 x i64> %190, %193
-  %195 = bitcast <8 x i64> %194 to <8 x double>
-  %196 = fadd <8 x double> %195, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %197 = fadd <8 x double> %195, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %198 = fdiv <8 x double> %196, %197
-  %199 = fmul <8 x double> %198, %198
-  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %201 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %200, <8 x double> %199, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %202 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %201, <8 x double> %199, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %203 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %202, <8 x double> %199, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %204 = trunc nsw <8 x i64> %192 to <8 x i32>
-  %205 = sitofp <8 x i32> %204 to <8 x double>
-  %206 = fmul <8 x double> %198, %203
-  %207 = fadd <8 x double> %206, %205
-  %208 = insertelement <8 x double> poison, double %166, i64 0
-  %209 = shufflevector <8 x double> %208, <8 x double> poison, <8 x i32> zeroinitializer
-  %210 = fmul <8 x double> %209, %207
-  %211 = fcmp ogt <8 x double> %210, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %212 = bitcast <8 x double> %210 to <8 x i64>
-  %213 = select <8 x i1> %211, <8 x i64> %212, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %214 = bitcast <8 x i64> %213 to <8 x double>
-  %215 = fcmp olt <8 x double> %214, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %216 = bitcast <8 x i64> %213 to <8 x double>
-  %217 = select <8 x i1> %215, <8 x double> %216, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %218 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %217)
-  %219 = fsub <8 x double> %217, %218
-  %220 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %219, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %221 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %220, <8 x double> %219, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %222 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %221, <8 x double> %219, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> %219, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %224 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %223, <8 x double> %219, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %225 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %224, <8 x double> %219, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %226 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %225, <8 x double> %219, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %227 = bitcast <8 x double> %226 to <8 x i64>
-  %228 = fptosi <8 x double> %218 to <8 x i32>
-  %229 = zext <8 x i32> %228 to <8 x i64>
-  %230 = shl <8 x i64> %229, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %231 = add <8 x i64> %230, %227
-  %232 = fmul <8 x double> %110, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %233 = fcmp olt <8 x double> %232, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
-  %234 = bitcast <8 x double> %232 to <8 x i64>
-  %235 = select <8 x i1> %233, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %234
-  %236 = fmul <8 x double> %110, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
-  %237 = select <8 x i1> %187, <8 x i64> %231, <8 x i64> %235
-  %238 = bitcast <8 x i64> %237 to <8 x double>
-  %239 = fcmp olt <8 x double> %236, %238
-  %240 = bitcast <8 x double> %236 to <8 x i64>
-  %241 = select <8 x i1> %239, <8 x i64> %240, <8 x i64> %237
-  %242 = bitcast <8 x i64> %241 to <8 x double>
-  %243 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %19)
-  %244 = fmul <8 x double> %243, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
-  %245 = fcmp ogt <8 x double> %244, %242
-  %246 = bitcast <8 x double> %244 to <8 x i64>
-  %247 = select <8 x i1> %245, <8 x i64> %246, <8 x i64> %241
-  %248 = bitcast <8 x i64> %247 to <8 x double>
-  %249 = fcmp olt <8 x double> %101, %248
-  %250 = select <8 x i1> %249, <8 x i64> %108, <8 x i64> %247
-  %251 = trunc i32 %162 to i8
-  %252 = bitcast i8 %251 to <8 x i1>
-  %253 = select <8 x i1> %252, <8 x i64> %234, <8 x i64> %250
-  %254 = bitcast <8 x i64> %253 to <8 x double>
-  %255 = select <8 x i1> %88, <8 x double> %254, <8 x double> %84
-  br label %256
+204:                                              ; preds = %194, %175
+  %205 = load ptr, ptr %110, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %192, ptr noundef %205, ptr noundef nonnull %110, i64 noundef %114) #10
+  %206 = load <8 x double>, ptr %7, align 16
+  %207 = fdiv <8 x double> %206, %133
+  %208 = fcmp ogt <8 x double> %119, %207
+  %209 = select <8 x i1> %208, <8 x double> %119, <8 x double> %207
+  %210 = fcmp ogt <8 x double> %209, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
+  %211 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %209
+  %212 = select <8 x i1> %210, <8 x double> %211, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
+  %213 = bitcast <8 x double> %212 to <8 x i64>
+  %214 = add <8 x i64> %213, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %215 = ashr <8 x i64> %214, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %216 = and <8 x i64> %214, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %217 = sub <8 x i64> %213, %216
+  %218 = bitcast <8 x i64> %217 to <8 x double>
+  %219 = fadd <8 x double> %218, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %220 = fadd <8 x double> %218, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %221 = fdiv <8 x double> %219, %220
+  %222 = fmul <8 x double> %221, %221
+  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %224 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %223, <8 x double> %222, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %225 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %224, <8 x double> %222, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %226 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %225, <8 x double> %222, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %227 = trunc nsw <8 x i64> %215 to <8 x i32>
+  %228 = sitofp <8 x i32> %227 to <8 x double>
+  %229 = fmul <8 x double> %221, %226
+  %230 = fadd <8 x double> %229, %228
+  %231 = insertelement <8 x double> poison, double %189, i64 0
+  %232 = shufflevector <8 x double> %231, <8 x double> poison, <8 x i32> zeroinitializer
+  %233 = fmul <8 x double> %232, %230
+  %234 = fcmp ogt <8 x double> %233, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %235 = bitcast <8 x double> %233 to <8 x i64>
+  %236 = select <8 x i1> %234, <8 x i64> %235, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %237 = bitcast <8 x i64> %236 to <8 x double>
+  %238 = fcmp olt <8 x double> %237, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %239 = bitcast <8 x i64> %236 to <8 x double>
+  %240 = select <8 x i1> %238, <8 x double> %239, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %241 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %240)
+  %242 = fsub <8 x double> %240, %241
+  %243 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %242, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %244 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %243, <8 x double> %242, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %245 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %244, <8 x double> %242, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %246 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %245, <8 x double> %242, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %247 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %246, <8 x double> %242, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %248 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %247, <8 x double> %242, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %249 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %248, <8 x double> %242, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %250 = bitcast <8 x double> %249 to <8 x i64>
+  %251 = fptosi <8 x double> %241 to <8 x i32>
+  %252 = zext <8 x i32> %251 to <8 x i64>
+  %253 = shl <8 x i64> %252, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %254 = add <8 x i64> %253, %250
+  %255 = fmul <8 x double> %133, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %256 = fcmp olt <8 x double> %255, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
+  %257 = bitcast <8 x double> %255 to <8 x i64>
+  %258 = select <8 x i1> %256, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %257
+  %259 = fmul <8 x double> %133, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
+  %260 = select <8 x i1> %210, <8 x i64> %254, <8 x i64> %258
+  %261 = bitcast <8 x i64> %260 to <8 x double>
+  %262 = fcmp olt <8 x double> %259, %261
+  %263 = bitcast <8 x double> %259 to <8 x i64>
+  %264 = select <8 x i1> %262, <8 x i64> %263, <8 x i64> %260
+  %265 = bitcast <8 x i64> %264 to <8 x double>
+  %266 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %19)
+  %267 = fmul <8 x double> %266, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %268 = fcmp ogt <8 x double> %267, %265
+  %269 = bitcast <8 x double> %267 to <8 x i64>
+  %270 = select <8 x i1> %268, <8 x i64> %269, <8 x i64> %264
+  %271 = bitcast <8 x i64> %270 to <8 x double>
+  %272 = fcmp olt <8 x double> %124, %271
+  %273 = select <8 x i1> %272, <8 x i64> %131, <8 x i64> %270
+  %274 = trunc i32 %185 to i8
+  %275 = bitcast i8 %274 to <8 x i1>
+  %276 = select <8 x i1> %275, <8 x i64> %257, <8 x i64> %273
+  %277 = load ptr, ptr %80, align 8
+  %278 = load <8 x i64>, ptr %277, align 8
+  %279 = select <8 x i1> %107, <8 x i64> %276, <8 x i64> %278
+  store <8 x i64> %279, ptr %105, align 8
+  br label %280
 
-256:                                              ; preds = %181, %81
-  %257 = phi <8 x double> [ %255, %181 ], [ %84, %81 ]
-  %258 = getelementptr inbounds i8, ptr %0, i64 720
-  %259 = load ptr, ptr %258, align 8
-  %260 = load <8 x double>, ptr %259, align 8
-  %261 = select <8 x i1> %17, <8 x double> %257, <8 x double> %260
-  store <8 x double> %261, ptr %259, align 8
-  %262 = getelementptr inbounds i8, ptr %0, i64 744
-  %263 = load ptr, ptr %262, align 8
-  %264 = load <8 x double>, ptr %263, align 8
-  %265 = select <8 x i1> %17, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %264
-  store <8 x double> %265, ptr %263, align 8
-  %266 = getelementptr inbounds i8, ptr %0, i64 768
-  %267 = load ptr, ptr %266, align 8
-  %268 = load ptr, ptr %1, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 120
-  %270 = load ptr, ptr %269, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 40
-  %272 = load double, ptr %271, align 8
-  %273 = insertelement <8 x double> poison, double %272, i64 0
-  %274 = load <8 x i64>, ptr %267, align 8
-  %275 = bitcast <8 x double> %273 to <8 x i64>
-  %276 = shufflevector <8 x i64> %275, <8 x i64> poison, <8 x i32> zeroinitializer
-  %277 = select <8 x i1> %17, <8 x i64> %276, <8 x i64> %274
-  store <8 x i64> %277, ptr %267, align 8
-  %278 = getelementptr inbounds i8, ptr %0, i64 840
-  %279 = load ptr, ptr %278, align 8
-  %280 = load <8 x double>, ptr %279, align 8
-  %281 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %280
-  store <8 x double> %281, ptr %279, align 8
-  %282 = getelementptr inbounds i8, ptr %0, i64 864
-  %283 = load ptr, ptr %282, align 8
-  %284 = load <8 x double>, ptr %283, align 8
-  %285 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %284
-  store <8 x double> %285, ptr %283, align 8
-  %286 = getelementptr inbounds i8, ptr %0, i64 888
-  %287 = load ptr, ptr %286, align 8
-  %288 = load <8 x double>, ptr %287, align 8
-  %289 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %288
-  store <8 x double> %289, ptr %287, align 8
-  %290 = getelementptr inbounds i8, ptr %0, i64 912
-  %291 = load ptr, ptr %290, align 8
-  %292 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %257, i32 384)
-  %293 = select <8 x i1> %292, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %294 = load <8 x i64>, ptr %291, align 8
-  %295 = select <8 x i1> %17, <8 x i64> %293, <8 x i64> %294
-  store <8 x i64> %295, ptr %291, align 8
-  %296 = icmp eq i64 %2, 0
-  br i1 %296, label %329, label %297
+280:                                              ; preds = %78, %204
+  %281 = getelementptr inbounds i8, ptr %0, i64 840
+  %282 = load ptr, ptr %281, align 8
+  %283 = load <8 x double>, ptr %282, align 8
+  %284 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %283
+  store <8 x double> %284, ptr %282, align 8
+  %285 = getelementptr inbounds i8, ptr %0, i64 864
+  %286 = load ptr, ptr %285, align 8
+  %287 = load <8 x double>, ptr %286, align 8
+  %288 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %287
+  store <8 x double> %288, ptr %286, align 8
+  %289 = getelementptr inbounds i8, ptr %0, i64 888
+  %290 = load ptr, ptr %289, align 8
+  %291 = load <8 x double>, ptr %290, align 8
+  %292 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %291
+  store <8 x double> %292, ptr %290, align 8
+  %293 = getelementptr inbounds i8, ptr %0, i64 912
+  %294 = load ptr, ptr %293, align 8
+  %295 = load ptr, ptr %80, align 8
+  %296 = load <8 x double>, ptr %295, align 8
+  %297 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %296, i32 384)
+  %298 = select <8 x i1> %297, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %299 = load <8 x i64>, ptr %294, align 8
+  %300 = select <8 x i1> %17, <8 x i64> %298, <8 x i64> %299
+  store <8 x i64> %300, ptr %294, align 8
+  %301 = icmp eq i64 %2, 0
+  br i1 %301, label %334, label %302
 
-297:                                              ; preds = %256
-  %298 = getelementptr inbounds i8, ptr %0, i64 936
-  %299 = getelementptr inbounds i8, ptr %0, i64 1032
-  %300 = getelementptr inbounds i8, ptr %0, i64 1040
-  %301 = getelementptr inbounds i8, ptr %0, i64 792
-  %302 = getelementptr inbounds i8, ptr %0, i64 816
-  %303 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %304
+302:                                              ; preds = %280
+  %303 = getelementptr inbounds i8, ptr %0, i64 936
+  %304 = getelementptr inbounds i8, ptr %0, i64 1032
+  %305 = getelementptr inbounds i8, ptr %0, i64 1040
+  %306 = getelementptr inbounds i8, ptr %0, i64 792
+  %307 = getelementptr inbounds i8, ptr %0, i64 816
+  %308 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %309
 
-304:                                              ; preds = %297, %304
-  %305 = phi i64 [ %2, %297 ], [ %327, %304 ]
-  %306 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %305, i1 true)
-  %307 = load ptr, ptr %298, align 8
-  %308 = getelementptr inbounds i64, ptr %307, i64 %306
-  %309 = load i64, ptr %308, align 8
-  %310 = load i64, ptr %300, align 8
-  %311 = add nsw i64 %310, -1
-  %312 = load ptr, ptr %301, align 8
-  %313 = getelementptr inbounds double, ptr %312, i64 %306
-  store double 0.000000e+00, ptr %313, align 8
-  %314 = load ptr, ptr %299, align 8
-  %315 = load double, ptr %314, align 8
-  %316 = load ptr, ptr %302, align 8
-  %317 = getelementptr inbounds double, ptr %316, i64 %306
-  store double %315, ptr %317, align 8
-  %318 = load ptr, ptr %10, align 8
-  %319 = getelementptr inbounds i8, ptr %318, i64 24
-  %320 = load i64, ptr %319, align 8
-  %321 = shl i64 %309, 3
-  %322 = mul i64 %321, %311
-  %323 = add nsw i64 %320, %322
-  %324 = load ptr, ptr %303, align 8
-  %325 = getelementptr inbounds i64, ptr %324, i64 %306
-  store i64 %323, ptr %325, align 8
-  %326 = add nsw i64 %305, -1
-  %327 = and i64 %326, %305
-  %328 = icmp eq i64 %327, 0
-  br i1 %328, label %329, label %304, !llvm.loop !33
+309:                                              ; preds = %302, %309
+  %310 = phi i64 [ %2, %302 ], [ %332, %309 ]
+  %311 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %310, i1 true)
+  %312 = load ptr, ptr %303, align 8
+  %313 = getelementptr inbounds i64, ptr %312, i64 %311
+  %314 = load i64, ptr %313, align 8
+  %315 = load i64, ptr %305, align 8
+  %316 = add nsw i64 %315, -1
+  %317 = load ptr, ptr %306, align 8
+  %318 = getelementptr inbounds double, ptr %317, i64 %311
+  store double 0.000000e+00, ptr %318, align 8
+  %319 = load ptr, ptr %304, align 8
+  %320 = load double, ptr %319, align 8
+  %321 = load ptr, ptr %307, align 8
+  %322 = getelementptr inbounds double, ptr %321, i64 %311
+  store double %320, ptr %322, align 8
+  %323 = load ptr, ptr %10, align 8
+  %324 = getelementptr inbounds i8, ptr %323, i64 24
+  %325 = load i64, ptr %324, align 8
+  %326 = shl i64 %314, 3
+  %327 = mul i64 %326, %316
+  %328 = add nsw i64 %325, %327
+  %329 = load ptr, ptr %308, align 8
+  %330 = getelementptr inbounds i64, ptr %329, i64 %311
+  store i64 %328, ptr %330, align 8
+  %331 = add nsw i64 %310, -1
+  %332 = and i64 %331, %310
+  %333 = icmp eq i64 %332, 0
+  br i1 %333, label %334, label %309, !llvm.loop !37
 
-329:                                              ; preds = %304, %256
-  %330 = xor i64 %42, -1
-  %331 = and i64 %330, %2
-  %332 = icmp eq i64 %331, 0
-  br i1 %332, label %336, label %333
+334:                                              ; preds = %309, %280
+  %335 = xor i64 %42, -1
+  %336 = and i64 %335, %2
+  %337 = icmp eq i64 %336, 0
+  br i1 %337, label %341, label %338
 
-333:                                              ; preds = %329
-  %334 = getelementptr inbounds i8, ptr %0, i64 816
-  %335 = getelementptr inbounds i8, ptr %0, i64 1032
-  br label %357
-
-336:                                              ; preds = %357, %329
-  %337 = and i64 %15, %42
-  %338 = xor i64 %337, %15
+338:                                              ; preds = %334
   %339 = getelementptr inbounds i8, ptr %0, i64 816
-  %340 = load ptr, ptr %339, align 8
-  %341 = load <8 x double>, ptr %340, align 8
-  %342 = fcmp oeq <8 x double> %341, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %343 = bitcast <8 x i1> %342 to i8
-  %344 = zext i8 %343 to i64
-  %345 = and i64 %338, %344
-  %346 = load ptr, ptr %286, align 8
-  %347 = load <8 x double>, ptr %346, align 8
-  %348 = select <8 x i1> %17, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %349 = or i64 %345, %337
-  %350 = xor i64 %349, -1
-  %351 = and i64 %82, %350
-  %352 = trunc i64 %351 to i8
-  %353 = bitcast i8 %352 to <8 x i1>
-  %354 = select <8 x i1> %353, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %355 = fadd <8 x double> %348, %354
-  %356 = fadd <8 x double> %347, %355
-  store <8 x double> %356, ptr %346, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %337, i64 noundef 3) #10
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %345, i64 noundef 0) #10
+  %340 = getelementptr inbounds i8, ptr %0, i64 1032
+  br label %362
+
+341:                                              ; preds = %362, %334
+  %342 = and i64 %15, %42
+  %343 = xor i64 %342, %15
+  %344 = getelementptr inbounds i8, ptr %0, i64 816
+  %345 = load ptr, ptr %344, align 8
+  %346 = load <8 x double>, ptr %345, align 8
+  %347 = fcmp oeq <8 x double> %346, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %348 = bitcast <8 x i1> %347 to i8
+  %349 = zext i8 %348 to i64
+  %350 = and i64 %343, %349
+  %351 = load ptr, ptr %289, align 8
+  %352 = load <8 x double>, ptr %351, align 8
+  %353 = select <8 x i1> %17, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %354 = or i64 %350, %342
+  %355 = xor i64 %354, -1
+  %356 = and i64 %79, %355
+  %357 = trunc i64 %356 to i8
+  %358 = bitcast i8 %357 to <8 x i1>
+  %359 = select <8 x i1> %358, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %360 = fadd <8 x double> %353, %359
+  %361 = fadd <8 x double> %352, %360
+  store <8 x double> %361, ptr %351, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %342, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %350, i64 noundef 0) #10
   ret void
 
-357:                                              ; preds = %333, %357
-  %358 = phi i64 [ %331, %333 ], [ %369, %357 ]
-  %359 = load ptr, ptr %12, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %359, i64 noundef %358) #10
-  %360 = load ptr, ptr %334, align 8
-  %361 = load <8 x double>, ptr %360, align 8
-  %362 = load ptr, ptr %335, align 8
-  %363 = load double, ptr %362, align 8
-  %364 = insertelement <8 x double> poison, double %363, i64 0
-  %365 = shufflevector <8 x double> %364, <8 x double> poison, <8 x i32> zeroinitializer
-  %366 = fcmp oeq <8 x double> %361, %365
-  %367 = bitcast <8 x i1> %366 to i8
-  %368 = zext i8 %367 to i64
-  %369 = and i64 %358, %368
-  %370 = icmp eq i64 %369, 0
-  br i1 %370, label %336, label %357, !llvm.loop !34
+362:                                              ; preds = %338, %362
+  %363 = phi i64 [ %336, %338 ], [ %374, %362 ]
+  %364 = load ptr, ptr %12, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %364, i64 noundef %363) #10
+  %365 = load ptr, ptr %339, align 8
+  %366 = load <8 x double>, ptr %365, align 8
+  %367 = load ptr, ptr %340, align 8
+  %368 = load double, ptr %367, align 8
+  %369 = insertelement <8 x double> poison, double %368, i64 0
+  %370 = shufflevector <8 x double> %369, <8 x double> poison, <8 x i32> zeroinitializer
+  %371 = fcmp oeq <8 x double> %366, %370
+  %372 = bitcast <8 x i1> %371 to i8
+  %373 = zext i8 %372 to i64
+  %374 = and i64 %363, %373
+  %375 = icmp eq i64 %374, 0
+  br i1 %375, label %341, label %362, !llvm.loop !38
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
@@ -2396,7 +2415,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %28 = select i1 %26, i64 %20, i64 %27
   %29 = select i1 %26, i64 %22, i64 %19
   %30 = icmp slt i64 %28, %29
-  br i1 %30, label %18, label %31, !llvm.loop !35
+  br i1 %30, label %18, label %31, !llvm.loop !39
 
 31:                                               ; preds = %18, %16
   %32 = phi i64 [ 0, %16 ], [ %28, %18 ]
@@ -2431,7 +2450,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
   %53 = icmp eq i64 %52, 8
-  br i1 %53, label %7, label %8, !llvm.loop !36
+  br i1 %53, label %7, label %8, !llvm.loop !40
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -2535,7 +2554,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %84 = add nsw i64 %62, -1
   %85 = getelementptr inbounds i8, ptr %63, i64 8
   %86 = icmp sgt i64 %62, 1
-  br i1 %86, label %61, label %64, !llvm.loop !37
+  br i1 %86, label %61, label %64, !llvm.loop !41
 
 87:                                               ; preds = %61, %87
   %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
@@ -2544,7 +2563,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %90, align 8
   %91 = add nuw nsw i64 %88, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %83, label %87, !llvm.loop !38
+  br i1 %92, label %83, label %87, !llvm.loop !42
 
 93:                                               ; preds = %64
   %94 = load ptr, ptr %26, align 8
@@ -2587,7 +2606,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %124 = add nuw nsw i64 %119, 1
   %125 = load i64, ptr %32, align 8
   %126 = icmp slt i64 %124, %125
-  br i1 %126, label %118, label %127, !llvm.loop !39
+  br i1 %126, label %118, label %127, !llvm.loop !43
 
 127:                                              ; preds = %118, %98
   %128 = load i64, ptr %33, align 8
@@ -2626,7 +2645,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %154 = load i64, ptr %153, align 8
   %155 = icmp slt i64 %151, %154
   %156 = add nuw i64 %136, 2
-  br i1 %155, label %135, label %174, !llvm.loop !40
+  br i1 %155, label %135, label %174, !llvm.loop !44
 
 157:                                              ; preds = %135, %157
   %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
@@ -2646,7 +2665,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %166, ptr %171, align 8
   %172 = add nuw nsw i64 %158, 1
   %173 = icmp eq i64 %172, %136
-  br i1 %173, label %150, label %157, !llvm.loop !41
+  br i1 %173, label %150, label %157, !llvm.loop !45
 
 174:                                              ; preds = %150, %130
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #10
@@ -2659,7 +2678,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %178 = add nsw i64 %42, -1
   %179 = and i64 %178, %42
   %180 = icmp eq i64 %179, 0
-  br i1 %180, label %60, label %41, !llvm.loop !42
+  br i1 %180, label %60, label %41, !llvm.loop !46
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
@@ -2795,7 +2814,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %94 = add nuw nsw i64 %64, 1
   %95 = load i64, ptr %20, align 8
   %96 = icmp slt i64 %94, %95
-  br i1 %96, label %63, label %30, !llvm.loop !43
+  br i1 %96, label %63, label %30, !llvm.loop !47
 
 97:                                               ; preds = %82, %97
   %98 = phi i64 [ 0, %82 ], [ %109, %97 ]
@@ -2811,7 +2830,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %108 = select <8 x i1> %107, <8 x double> %99, <8 x double> %106
   %109 = add nuw i64 %98, 1
   %110 = icmp eq i64 %98, %80
-  br i1 %110, label %86, label %97, !llvm.loop !44
+  br i1 %110, label %86, label %97, !llvm.loop !48
 
 111:                                              ; preds = %139
   %112 = icmp ne <8 x i64> %140, zeroinitializer
@@ -2853,7 +2872,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %140 = phi <8 x i64> [ %119, %117 ], [ %138, %124 ]
   %141 = add nuw nsw i64 %118, 1
   %142 = icmp eq i64 %141, %12
-  br i1 %142, label %111, label %117, !llvm.loop !45
+  br i1 %142, label %111, label %117, !llvm.loop !49
 
 143:                                              ; preds = %1, %114
   %144 = phi i64 [ %116, %114 ], [ 0, %1 ]
@@ -2883,7 +2902,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %23, align 8
   %24 = add nuw nsw i64 %22, 1
   %25 = icmp eq i64 %24, 8
-  br i1 %25, label %9, label %21, !llvm.loop !46
+  br i1 %25, label %9, label %21, !llvm.loop !50
 
 26:                                               ; preds = %9, %51
   %27 = phi i64 [ %53, %51 ], [ %19, %9 ]
@@ -2923,7 +2942,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %52 = add nsw i64 %27, -1
   %53 = and i64 %52, %27
   %54 = icmp eq i64 %53, 0
-  br i1 %54, label %48, label %26, !llvm.loop !47
+  br i1 %54, label %48, label %26, !llvm.loop !51
 }
 
 define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
@@ -2977,7 +2996,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !48
+  br i1 %45, label %36, label %39, !llvm.loop !52
 
 46:                                               ; preds = %36, %92
   %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
@@ -3042,7 +3061,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
   tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #10
-  br label %46, !llvm.loop !49
+  br label %46, !llvm.loop !53
 
 96:                                               ; preds = %63, %96
   %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
@@ -3063,7 +3082,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %109 = add nsw i64 %97, -1
   %110 = and i64 %109, %97
   %111 = icmp eq i64 %110, 0
-  br i1 %111, label %112, label %96, !llvm.loop !50
+  br i1 %111, label %112, label %96, !llvm.loop !54
 
 112:                                              ; preds = %96, %61
   ret i64 %48
@@ -3134,7 +3153,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %58 = getelementptr inbounds i8, ptr %57, i64 8
   %59 = load i64, ptr %58, align 8
   %60 = icmp slt i64 %55, %59
-  br i1 %60, label %45, label %40, !llvm.loop !51
+  br i1 %60, label %45, label %40, !llvm.loop !55
 
 61:                                               ; preds = %40
   %62 = bitcast <8 x i1> %12 to i8
@@ -3207,7 +3226,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !52
+  br i1 %45, label %28, label %19, !llvm.loop !56
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -3219,10 +3238,8 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !53
+  br i1 %54, label %29, label %46, !llvm.loop !57
 }
-
-declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
   %4 = getelementptr inbounds i8, ptr %0, i64 144
@@ -3289,7 +3306,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !54
+  br i1 %50, label %34, label %40, !llvm.loop !58
 
 51:                                               ; preds = %34
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
@@ -3344,7 +3361,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !55
+  br i1 %94, label %80, label %83, !llvm.loop !59
 
 95:                                               ; preds = %80
   tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
@@ -3409,7 +3426,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !56
+  br i1 %139, label %120, label %123, !llvm.loop !60
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -3489,7 +3506,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !57
+  br i1 %195, label %177, label %180, !llvm.loop !61
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -3509,7 +3526,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !58
+  br i1 %210, label %196, label %200, !llvm.loop !62
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
@@ -3524,7 +3541,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !59
+  br i1 %218, label %32, label %20, !llvm.loop !63
 }
 
 define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -3616,10 +3633,140 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %69 = getelementptr inbounds i8, ptr %68, i64 8
   %70 = load i64, ptr %69, align 8
   %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %48, !llvm.loop !60
+  br i1 %71, label %56, label %48, !llvm.loop !64
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
+
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 152
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %14
+
+5:                                                ; preds = %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
+  %7 = getelementptr inbounds i8, ptr %0, i64 160
+  %8 = getelementptr inbounds i8, ptr %0, i64 168
+  %9 = getelementptr inbounds i8, ptr %0, i64 24
+  %10 = getelementptr inbounds i8, ptr %0, i64 264
+  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %12 = getelementptr inbounds i8, ptr %0, i64 216
+  %13 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %15
+
+14:                                               ; preds = %22, %1
+  ret void
+
+15:                                               ; preds = %5, %22
+  %16 = phi i64 [ 0, %5 ], [ %23, %22 ]
+  %17 = load ptr, ptr %6, align 8
+  %18 = load i64, ptr %7, align 8
+  %19 = mul nsw i64 %18, %16
+  %20 = getelementptr inbounds i64, ptr %17, i64 %19
+  %21 = shl nsw i64 %16, 6
+  br label %26
+
+22:                                               ; preds = %77
+  %23 = add nuw nsw i64 %16, 1
+  %24 = load i64, ptr %2, align 8
+  %25 = icmp slt i64 %23, %24
+  br i1 %25, label %15, label %14, !llvm.loop !65
+
+26:                                               ; preds = %15, %77
+  %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
+  %28 = load ptr, ptr %8, align 8
+  %29 = getelementptr inbounds i8, ptr %28, i64 %21
+  %30 = getelementptr inbounds i64, ptr %29, i64 %27
+  %31 = load ptr, ptr %9, align 8
+  %32 = getelementptr inbounds double, ptr %31, i64 %27
+  %33 = load double, ptr %32, align 8
+  %34 = load ptr, ptr %10, align 8
+  %35 = getelementptr inbounds double, ptr %34, i64 %27
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp olt double %33, %36
+  %38 = select i1 %37, double %33, double %36
+  %39 = load ptr, ptr %6, align 8
+  %40 = load i64, ptr %7, align 8
+  %41 = mul nsw i64 %40, %16
+  %42 = getelementptr inbounds i64, ptr %39, i64 %41
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %11, align 8
+  %46 = getelementptr inbounds double, ptr %45, i64 %44
+  %47 = load double, ptr %46, align 8
+  %48 = fcmp ogt double %47, %38
+  %49 = select i1 %48, double %47, double %38
+  %50 = getelementptr inbounds i8, ptr %42, i64 16
+  %51 = load i64, ptr %50, align 8
+  %52 = load i64, ptr %30, align 8
+  %53 = getelementptr inbounds double, ptr %46, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = fcmp ugt double %54, %49
+  br i1 %55, label %63, label %56
+
+56:                                               ; preds = %26
+  %57 = add nsw i64 %51, -1
+  %58 = icmp eq i64 %57, %52
+  br i1 %58, label %77, label %59
+
+59:                                               ; preds = %56
+  %60 = getelementptr i8, ptr %53, i64 8
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp ogt double %61, %49
+  br i1 %62, label %77, label %63
+
+63:                                               ; preds = %59, %26
+  %64 = icmp sgt i64 %51, 1
+  br i1 %64, label %65, label %77
+
+65:                                               ; preds = %63, %65
+  %66 = phi i64 [ %74, %65 ], [ %51, %63 ]
+  %67 = phi i64 [ %73, %65 ], [ 0, %63 ]
+  %68 = add nsw i64 %66, %67
+  %69 = sdiv i64 %68, 2
+  %70 = getelementptr inbounds double, ptr %46, i64 %69
+  %71 = load double, ptr %70, align 8
+  %72 = fcmp ugt double %71, %49
+  %73 = select i1 %72, i64 %67, i64 %69
+  %74 = select i1 %72, i64 %69, i64 %66
+  %75 = sub nsw i64 %74, %73
+  %76 = icmp sgt i64 %75, 1
+  br i1 %76, label %65, label %77, !llvm.loop !66
+
+77:                                               ; preds = %65, %63, %56, %59
+  %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
+  store i64 %78, ptr %30, align 8
+  %79 = getelementptr inbounds double, ptr %46, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = fsub double %49, %80
+  %82 = load ptr, ptr %12, align 8
+  %83 = add nsw i64 %78, %44
+  %84 = shl nsw i64 %83, 5
+  %85 = getelementptr inbounds i8, ptr %82, i64 %84
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr inbounds i8, ptr %85, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr inbounds i8, ptr %85, i64 16
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds i8, ptr %85, i64 24
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %81, %92
+  %94 = fadd double %90, %93
+  %95 = fmul double %81, %94
+  %96 = fadd double %88, %95
+  %97 = fmul double %81, %96
+  %98 = fadd double %86, %97
+  %99 = load ptr, ptr %13, align 8
+  %100 = load i64, ptr %20, align 8
+  %101 = shl i64 %100, 6
+  %102 = getelementptr i8, ptr %99, i64 %101
+  %103 = getelementptr double, ptr %102, i64 %27
+  store double %98, ptr %103, align 8
+  %104 = add nuw nsw i64 %27, 1
+  %105 = icmp eq i64 %104, 8
+  br i1 %105, label %22, label %26, !llvm.loop !67
+}
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
   %6 = icmp sgt i64 %4, 0
@@ -3672,10 +3819,12 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !61
+  br i1 %48, label %13, label %20, !llvm.loop !68
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
+
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
 
@@ -3759,7 +3908,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !62
+  br i1 %60, label %29, label %33, !llvm.loop !69
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -3779,7 +3928,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !63
+  br i1 %76, label %57, label %61, !llvm.loop !70
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
@@ -3835,7 +3984,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !64
+  br i1 %50, label %51, label %25, !llvm.loop !71
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -3893,7 +4042,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !65
+  br i1 %98, label %14, label %19, !llvm.loop !72
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -3924,7 +4073,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !64
+  br i1 %123, label %104, label %110, !llvm.loop !71
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -3944,140 +4093,10 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !66
+  br i1 %138, label %99, label %139, !llvm.loop !73
 
 139:                                              ; preds = %135, %14
   ret void
-}
-
-define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 152
-  %3 = load i64, ptr %2, align 8
-  %4 = icmp sgt i64 %3, 0
-  br i1 %4, label %5, label %14
-
-5:                                                ; preds = %1
-  %6 = getelementptr inbounds i8, ptr %0, i64 144
-  %7 = getelementptr inbounds i8, ptr %0, i64 160
-  %8 = getelementptr inbounds i8, ptr %0, i64 168
-  %9 = getelementptr inbounds i8, ptr %0, i64 24
-  %10 = getelementptr inbounds i8, ptr %0, i64 264
-  %11 = getelementptr inbounds i8, ptr %0, i64 192
-  %12 = getelementptr inbounds i8, ptr %0, i64 216
-  %13 = getelementptr inbounds i8, ptr %0, i64 48
-  br label %15
-
-14:                                               ; preds = %22, %1
-  ret void
-
-15:                                               ; preds = %5, %22
-  %16 = phi i64 [ 0, %5 ], [ %23, %22 ]
-  %17 = load ptr, ptr %6, align 8
-  %18 = load i64, ptr %7, align 8
-  %19 = mul nsw i64 %18, %16
-  %20 = getelementptr inbounds i64, ptr %17, i64 %19
-  %21 = shl nsw i64 %16, 6
-  br label %26
-
-22:                                               ; preds = %77
-  %23 = add nuw nsw i64 %16, 1
-  %24 = load i64, ptr %2, align 8
-  %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !67
-
-26:                                               ; preds = %15, %77
-  %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
-  %28 = load ptr, ptr %8, align 8
-  %29 = getelementptr inbounds i8, ptr %28, i64 %21
-  %30 = getelementptr inbounds i64, ptr %29, i64 %27
-  %31 = load ptr, ptr %9, align 8
-  %32 = getelementptr inbounds double, ptr %31, i64 %27
-  %33 = load double, ptr %32, align 8
-  %34 = load ptr, ptr %10, align 8
-  %35 = getelementptr inbounds double, ptr %34, i64 %27
-  %36 = load double, ptr %35, align 8
-  %37 = fcmp olt double %33, %36
-  %38 = select i1 %37, double %33, double %36
-  %39 = load ptr, ptr %6, align 8
-  %40 = load i64, ptr %7, align 8
-  %41 = mul nsw i64 %40, %16
-  %42 = getelementptr inbounds i64, ptr %39, i64 %41
-  %43 = getelementptr inbounds i8, ptr %42, i64 8
-  %44 = load i64, ptr %43, align 8
-  %45 = load ptr, ptr %11, align 8
-  %46 = getelementptr inbounds double, ptr %45, i64 %44
-  %47 = load double, ptr %46, align 8
-  %48 = fcmp ogt double %47, %38
-  %49 = select i1 %48, double %47, double %38
-  %50 = getelementptr inbounds i8, ptr %42, i64 16
-  %51 = load i64, ptr %50, align 8
-  %52 = load i64, ptr %30, align 8
-  %53 = getelementptr inbounds double, ptr %46, i64 %52
-  %54 = load double, ptr %53, align 8
-  %55 = fcmp ugt double %54, %49
-  br i1 %55, label %63, label %56
-
-56:                                               ; preds = %26
-  %57 = add nsw i64 %51, -1
-  %58 = icmp eq i64 %57, %52
-  br i1 %58, label %77, label %59
-
-59:                                               ; preds = %56
-  %60 = getelementptr i8, ptr %53, i64 8
-  %61 = load double, ptr %60, align 8
-  %62 = fcmp ogt double %61, %49
-  br i1 %62, label %77, label %63
-
-63:                                               ; preds = %59, %26
-  %64 = icmp sgt i64 %51, 1
-  br i1 %64, label %65, label %77
-
-65:                                               ; preds = %63, %65
-  %66 = phi i64 [ %74, %65 ], [ %51, %63 ]
-  %67 = phi i64 [ %73, %65 ], [ 0, %63 ]
-  %68 = add nsw i64 %66, %67
-  %69 = sdiv i64 %68, 2
-  %70 = getelementptr inbounds double, ptr %46, i64 %69
-  %71 = load double, ptr %70, align 8
-  %72 = fcmp ugt double %71, %49
-  %73 = select i1 %72, i64 %67, i64 %69
-  %74 = select i1 %72, i64 %69, i64 %66
-  %75 = sub nsw i64 %74, %73
-  %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !68
-
-77:                                               ; preds = %65, %63, %56, %59
-  %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
-  store i64 %78, ptr %30, align 8
-  %79 = getelementptr inbounds double, ptr %46, i64 %78
-  %80 = load double, ptr %79, align 8
-  %81 = fsub double %49, %80
-  %82 = load ptr, ptr %12, align 8
-  %83 = add nsw i64 %78, %44
-  %84 = shl nsw i64 %83, 5
-  %85 = getelementptr inbounds i8, ptr %82, i64 %84
-  %86 = load double, ptr %85, align 8
-  %87 = getelementptr inbounds i8, ptr %85, i64 8
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr inbounds i8, ptr %85, i64 16
-  %90 = load double, ptr %89, align 8
-  %91 = getelementptr inbounds i8, ptr %85, i64 24
-  %92 = load double, ptr %91, align 8
-  %93 = fmul double %81, %92
-  %94 = fadd double %90, %93
-  %95 = fmul double %81, %94
-  %96 = fadd double %88, %95
-  %97 = fmul double %81, %96
-  %98 = fadd double %86, %97
-  %99 = load ptr, ptr %13, align 8
-  %100 = load i64, ptr %20, align 8
-  %101 = shl i64 %100, 6
-  %102 = getelementptr i8, ptr %99, i64 %101
-  %103 = getelementptr double, ptr %102, i64 %27
-  store double %98, ptr %103, align 8
-  %104 = add nuw nsw i64 %27, 1
-  %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !69
 }
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
@@ -4186,7 +4205,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %92, ptr %90, align 8
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %9
-  br i1 %94, label %95, label %83, !llvm.loop !70
+  br i1 %94, label %95, label %83, !llvm.loop !74
 
 95:                                               ; preds = %83, %63, %4
   %96 = phi i64 [ 0, %4 ], [ %79, %63 ], [ %79, %83 ]
@@ -4283,7 +4302,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %173 = or i64 %122, %172
   %174 = add nuw nsw i64 %121, 1
   %175 = icmp eq i64 %174, 5
-  br i1 %175, label %107, label %120, !llvm.loop !71
+  br i1 %175, label %107, label %120, !llvm.loop !75
 
 176:                                              ; preds = %304, %107
   %177 = phi <8 x i64> [ %112, %107 ], [ %306, %304 ]
@@ -4356,7 +4375,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %223 = phi <8 x i64> [ %221, %219 ], [ %200, %217 ]
   %224 = add nuw nsw i64 %197, 1
   %225 = icmp eq i64 %224, 5
-  br i1 %225, label %191, label %196, !llvm.loop !72
+  br i1 %225, label %191, label %196, !llvm.loop !76
 
 226:                                              ; preds = %191
   %227 = fmul <8 x double> %213, %218
@@ -4444,14 +4463,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 301:                                              ; preds = %270, %244
   %302 = phi <8 x i64> [ %300, %270 ], [ %246, %244 ]
   %303 = icmp eq i64 %251, 4
-  br i1 %303, label %304, label %244, !llvm.loop !73
+  br i1 %303, label %304, label %244, !llvm.loop !77
 
 304:                                              ; preds = %301
   %305 = xor <8 x i64> %302, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %306 = and <8 x i64> %239, %305
   %307 = add nuw nsw i64 %186, 1
   %308 = icmp eq i64 %307, %9
-  br i1 %308, label %176, label %183, !llvm.loop !74
+  br i1 %308, label %176, label %183, !llvm.loop !78
 
 309:                                              ; preds = %318, %176
   %310 = load ptr, ptr %16, align 8
@@ -4479,7 +4498,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %328, ptr %326, align 8
   %329 = add nuw nsw i64 %319, 1
   %330 = icmp eq i64 %329, %9
-  br i1 %330, label %309, label %318, !llvm.loop !75
+  br i1 %330, label %309, label %318, !llvm.loop !79
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
@@ -4553,7 +4572,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !57
+  br i1 %63, label %64, label %48, !llvm.loop !61
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 624
@@ -4630,7 +4649,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %123, ptr %125, align 8
   %126 = add nuw nsw i64 %113, 1
   %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %112, !llvm.loop !57
+  br i1 %127, label %128, label %112, !llvm.loop !61
 
 128:                                              ; preds = %112, %64
   ret i64 %86
@@ -4660,7 +4679,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !76
+  br i1 %149, label %24, label %129, !llvm.loop !80
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -4682,7 +4701,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !77
+  br i1 %168, label %150, label %147, !llvm.loop !81
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -4719,7 +4738,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !78
+  br i1 %31, label %20, label %19, !llvm.loop !82
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4733,7 +4752,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !79
+  br i1 %43, label %32, label %24, !llvm.loop !83
 }
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
@@ -4760,9 +4779,9 @@ attributes #11 = { nounwind }
 !5 = !{!"llvm.loop.unroll.disable"}
 !6 = distinct !{!6, !4, !5}
 !7 = distinct !{!7, !5}
-!8 = distinct !{!8, !4, !5}
-!9 = distinct !{!9, !4, !5}
-!10 = distinct !{!10, !4, !5}
+!8 = !{!9}
+!9 = distinct !{!9, !10, !"attempt: argument 0"}
+!10 = distinct !{!10, !"attempt"}
 !11 = distinct !{!11, !4, !5}
 !12 = distinct !{!12, !4, !5}
 !13 = distinct !{!13, !4, !5}
@@ -4772,63 +4791,67 @@ attributes #11 = { nounwind }
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
-!20 = distinct !{!20, !4, !5, !21}
-!21 = !{!"llvm.loop.vectorize.width", i32 1}
-!22 = distinct !{!22, !4, !5, !21}
+!20 = distinct !{!20, !4, !5}
+!21 = distinct !{!21, !4, !5}
+!22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
-!24 = distinct !{!24, !4, !5}
-!25 = distinct !{!25, !4, !5}
-!26 = distinct !{!26, !4, !5}
+!24 = distinct !{!24, !4, !5, !25}
+!25 = !{!"llvm.loop.vectorize.width", i32 1}
+!26 = distinct !{!26, !4, !5, !25}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5, !21}
+!28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
-!32 = distinct !{!32, !4, !5}
+!32 = distinct !{!32, !4, !5, !25}
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
 !36 = distinct !{!36, !4, !5}
 !37 = distinct !{!37, !4, !5}
-!38 = distinct !{!38, !4, !5, !21}
-!39 = distinct !{!39, !4, !5, !21}
+!38 = distinct !{!38, !4, !5}
+!39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
 !41 = distinct !{!41, !4, !5}
-!42 = distinct !{!42, !4, !5}
-!43 = distinct !{!43, !4, !5}
+!42 = distinct !{!42, !4, !5, !25}
+!43 = distinct !{!43, !4, !5, !25}
 !44 = distinct !{!44, !4, !5}
 !45 = distinct !{!45, !4, !5}
 !46 = distinct !{!46, !4, !5}
 !47 = distinct !{!47, !4, !5}
-!48 = distinct !{!48, !4, !5, !21}
-!49 = distinct !{!49, !5}
+!48 = distinct !{!48, !4, !5}
+!49 = distinct !{!49, !4, !5}
 !50 = distinct !{!50, !4, !5}
 !51 = distinct !{!51, !4, !5}
-!52 = distinct !{!52, !4, !5}
-!53 = distinct !{!53, !4, !5, !21}
+!52 = distinct !{!52, !4, !5, !25}
+!53 = distinct !{!53, !5}
 !54 = distinct !{!54, !4, !5}
 !55 = distinct !{!55, !4, !5}
 !56 = distinct !{!56, !4, !5}
-!57 = distinct !{!57, !4, !5, !21}
+!57 = distinct !{!57, !4, !5, !25}
 !58 = distinct !{!58, !4, !5}
 !59 = distinct !{!59, !4, !5}
 !60 = distinct !{!60, !4, !5}
-!61 = distinct !{!61, !4, !5}
+!61 = distinct !{!61, !4, !5, !25}
 !62 = distinct !{!62, !4, !5}
-!63 = distinct !{!63, !4, !5, !21}
+!63 = distinct !{!63, !4, !5}
 !64 = distinct !{!64, !4, !5}
 !65 = distinct !{!65, !4, !5}
 !66 = distinct !{!66, !4, !5}
 !67 = distinct !{!67, !4, !5}
 !68 = distinct !{!68, !4, !5}
 !69 = distinct !{!69, !4, !5}
-!70 = distinct !{!70, !4, !5}
+!70 = distinct !{!70, !4, !5, !25}
 !71 = distinct !{!71, !4, !5}
 !72 = distinct !{!72, !4, !5}
 !73 = distinct !{!73, !4, !5}
 !74 = distinct !{!74, !4, !5}
 !75 = distinct !{!75, !4, !5}
-!76 = distinct !{!76, !4, !5, !21}
+!76 = distinct !{!76, !4, !5}
 !77 = distinct !{!77, !4, !5}
 !78 = distinct !{!78, !4, !5}
 !79 = distinct !{!79, !4, !5}
+!80 = distinct !{!80, !4, !5, !25}
+!81 = distinct !{!81, !4, !5}
+!82 = distinct !{!82, !4, !5}
+!83 = distinct !{!83, !4, !5}

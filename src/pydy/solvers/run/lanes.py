@@ -34,6 +34,7 @@ from pydy.solvers.run.workspace import (
     Workspace,
     constraints_for,
     memory_for,
+    newton_for,
     seen_of,
 )
 from pydy.solvers.tableaus import method_arrays
@@ -242,8 +243,9 @@ def integrate_samples(
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
     beside: LanesBeside | None = None,
+    jacobian: Kernel | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Integrate m samples, `LANES` at a time, by an explicit method.
+    """Integrate m samples, `LANES` at a time; an implicit method needs the `jacobian`.
 
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
@@ -254,7 +256,7 @@ def integrate_samples(
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
-    step_lanes = function_of("step_lanes")
+    step_lanes = function_of("step_lanes" if jacobian is None else "step_lanes_implicit")
     m, n = x.shape
     length = LANES * n
     controlled = controlled or n
@@ -277,9 +279,11 @@ def integrate_samples(
         reached=np.full(m, times[0]),
         seen=own.seen,
     )
-    problem = _problem(kernel, sampled, controlled, own.prepared)
+    newton, further = _newton(n, jacobian)
+    problem = _problem(kernel, sampled, controlled, [*own.prepared, *further])
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    table = table_of(*parts, rows_of(own.alone), rows_of(own.watch), rows_of(own.held))
+    beside_rows = rows_of(own.alone), rows_of(own.watch), rows_of(own.held)
+    table = table_of(*parts, *beside_rows, rows_of(newton))
     if beside is not None:
         beside.begin(queue.x, float(times[-1] - times[0]), address(table))
         out = np.isnan(queue.x).any(axis=1)
@@ -328,6 +332,16 @@ def evaluate_samples(
         table = table_of(rows_of(problem), rows_of(evaluation))
         function_of("evaluate_lanes")(address(table))
     return out
+
+
+def _newton(n: int, jacobian: Kernel | None) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
+    """Return the arrays of an implicit step of n states, and what prepares its constants."""
+    if jacobian is None:
+        return (), []
+    place, c, prepared = _bound(jacobian)
+    newton = newton_for(n, n, LANES)._replace(c=c)
+    newton.words[at.GRADIENT] = place
+    return newton, prepared
 
 
 def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:

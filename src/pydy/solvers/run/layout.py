@@ -18,10 +18,8 @@ from pydy._array_layout import address
 # Contiguous vectors and matrices.
 Words = Annotated[np.ndarray, np.int64, 1]
 Numbers = Annotated[np.ndarray, np.float64, 1]
-Pairs = Annotated[np.ndarray, np.complex128, 1]
 WordRows = Annotated[np.ndarray, np.int64, 2]
 NumberRows = Annotated[np.ndarray, np.float64, 2]
-PairRows = Annotated[np.ndarray, np.complex128, 2]
 
 # Method.shape
 STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
@@ -58,12 +56,14 @@ PARTS = 4
 PROBES = 2 * PARTS + 3
 # Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
 KEPT, ROOM = range(2)
-# Newton.words: the Jacobian's kernel, or 0 for differences; whether a new Jacobian
-# is wanted, the one there is that of the present state, the factors there are its own, and no step
-# has been accepted since the last rejected one; and the number of columns of sensitivities.
+# Newton.words: the Jacobian's kernel, or 0 for differences; a bit for each lane, whether a new
+# Jacobian is wanted, the one there is that of the present state, the factors there are its own,
+# and no step has been accepted since the last rejected one; and the number of columns of
+# sensitivities.
 GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
-# Newton.sizes: the step sizes of the factors and of the polynomial that predicts the next stages.
-FACTORED, PREDICTING = range(2)
+# Newton.sizes: the step sizes of the factors, of the polynomial that predicts the next stages, and
+# of the last accepted step, and its error.
+FACTORED, PREDICTING, SIZE_BEFORE, ERROR_BEFORE = range(4)
 
 # What `advance` returns while it has not ended; a code of `outcome` when it has.
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
@@ -221,22 +221,23 @@ class Wanted(NamedTuple):
 
 
 class Newton(NamedTuple):
-    """The arrays of an implicit step."""
+    """The arrays of an implicit step; complex numbers are pairs of items."""
 
     words: Words
     sizes: Numbers
     c: Numbers
     jacobian: Numbers  # (n, n), row after row, of the states without their sensitivities
-    real: NumberRows  # (n, n)
-    pair: PairRows  # (n, n)
-    real_order: Words
-    pair_order: Words
-    stages: NumberRows  # (3, n), here and below with sensitivities: z, the stages less the state
-    waves: NumberRows  # (3, n): w, the same transformed
-    slopes: NumberRows  # (3, n)
-    last: NumberRows  # (4, n): state and interpolant of the step before
+    latest: Numbers  # (n, n): of all lanes, where some take it
+    real: Numbers  # (n, n)
+    pair: Numbers  # (n, n)
+    real_order: Numbers
+    pair_order: Numbers
+    stages: Numbers  # (3, n), here and below with sensitivities: z, the stages less the state
+    waves: Numbers  # (3, n): w, the same transformed
+    slopes: Numbers  # (3, n)
+    last: Numbers  # (4, n): state and interpolant of the step before
     real_change: Numbers  # (n,): the right-hand side and the solution of a system
-    pair_change: Pairs  # (n,)
+    pair_change: Numbers  # (n,)
     guess: Numbers  # (n,)
 
 
@@ -370,8 +371,8 @@ class Evaluation(NamedTuple):
     out: Numbers  # (outputs, m, times)
 
 
-# The parts of the tables of `step_lanes` and `evaluate_lanes`.
-STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch, Constraints)
+# The parts of the tables of `step_lanes` and `evaluate_lanes`; `Newton` as above.
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch, Constraints, Newton)
 EVALUATION = (LaneProblem, Evaluation)
 
 

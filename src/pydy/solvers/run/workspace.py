@@ -122,6 +122,13 @@ def constraints_for(
     return Constraints(words, c, values), (scratch, table)
 
 
+def newton_for(n: int, own: int, lanes: int = 1) -> Newton:
+    """Reserve the arrays of an implicit step of n numbers, of which so many are states."""
+    square = own * own
+    counts = (4, 1, square, square, square, 2 * square, own, own, *[3 * n] * 3, 4 * n, n, 2 * n, n)
+    return Newton(np.zeros(6, dtype=np.int64), *(lined_up(count * lanes) for count in counts))
+
+
 class Workspace:
     """The arrays of one integration, reserved once for all its runs.
 
@@ -412,28 +419,12 @@ class Workspace:
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities
-        own, words, c = n, np.zeros(6, dtype=np.int64), np.zeros(1)
+        self._newton = newton_for(n, n if beside is None else beside.states)
         if beside is not None:
-            own, words[at.COUNTED] = beside.states, beside.columns
+            self._newton.words[at.COUNTED] = beside.columns
         if call is not None and call.jacobian is not None:
-            words[at.GRADIENT], c = self._bind_kernel(call.jacobian())
-        self._newton = Newton(
-            words=words,
-            sizes=np.zeros(2),
-            c=c,
-            jacobian=np.zeros(own * own),
-            real=np.zeros((own, own)),
-            pair=np.zeros((own, own), dtype=complex),
-            real_order=np.zeros(own, dtype=np.int64),
-            pair_order=np.zeros(own, dtype=np.int64),
-            stages=np.zeros((3, n)),
-            waves=np.zeros((3, n)),
-            slopes=np.zeros((3, n)),
-            last=np.zeros((4, n)),
-            real_change=np.zeros(n),
-            pair_change=np.zeros(n, dtype=complex),
-            guess=np.zeros(n),
-        )
+            place, c = self._bind_kernel(call.jacobian())
+            self._newton.words[at.GRADIENT], self._newton = place, self._newton._replace(c=c)
         return rows_of(self._newton)
 
 
