@@ -506,7 +506,7 @@ def _result(
     # Motions are not more accurate than their tolerance, to which each equation is solved.
     samples = [np.nan_to_num(d.values / d.noise).ravel() for d in work.data]
     least = FIT * equations**0.5 * float(np.linalg.norm(np.concatenate(samples)))
-    covariance, undetermined = covariance_of(J, sizes, names, least)
+    covariance, undetermined = covariance_of(J, z[:k], sizes, names, least)
     if work.own_noise:
         covariance = covariance * noise**2
     held = held_by(z[:k], (work.limits[0][:k], work.limits[1][:k]), names)

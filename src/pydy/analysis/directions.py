@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._rank import HALF
-
 
 def direction_text(direction: np.ndarray, names: Sequence[str], least: float) -> str:
     """Return a direction as a sum, its largest share first of all 1: ``a - 0.5 c``.
@@ -16,7 +14,7 @@ def direction_text(direction: np.ndarray, names: Sequence[str], least: float) ->
     """
     shares = direction / direction[np.abs(direction).argmax()]
     parts = [
-        name if abs(share - 1.0) < HALF else f"{share:.3g} {name}"
+        {"1": "", "-1": "-"}.get(text := f"{share:.3g}", f"{text} ") + name
         for name, share in zip(names, shares, strict=True)
         if abs(share) > least
     ]

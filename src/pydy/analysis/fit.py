@@ -17,7 +17,7 @@ import scipy
 from pydy._checks import number
 from pydy._errors import FitInterrupted, note_finished, warn_user
 from pydy._names import few, place_of, some
-from pydy._rank import HALF
+from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import FITTED, NAMED_IN_FIT
 from pydy.plot import rows_of_axes
@@ -267,14 +267,16 @@ def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
 
 
 def covariance_of(
-    jacobian: np.ndarray, sizes: np.ndarray, names: Sequence[str], least: float
+    jacobian: np.ndarray, values: np.ndarray, sizes: np.ndarray, names: Sequence[str], least: float
 ) -> tuple[np.ndarray, tuple[str, ...]]:
     """Return (JᵀJ)⁻¹, and combinations of parameters that J does not determine.
 
-    Parameters are compared by changes relative to their sizes, so that units do not matter. Those
+    Parameters are compared by changes relative to their sizes, so that units do not matter; those
+    of combinations are relative to the `values`, unless these have become nearly zero. Those
     that change the samples by no more than `least` have an effect that is not known.
     """
-    sizes = np.where(sizes > 0.0, sizes, 1.0)
+    sizes = or_one(sizes)
+    relative = np.where(np.abs(values) > NAMED_IN_FIT * sizes, np.abs(values), sizes)
     missing = max(len(sizes) - len(jacobian), 0)  # rows of zeros: directions without a sample
     rows = np.concatenate([jacobian * sizes, np.zeros((missing, len(sizes)))])
     _, singular, right = np.linalg.svd(rows, full_matrices=False)
@@ -284,7 +286,7 @@ def covariance_of(
     covariance = (right.T * inverse**2) @ right
     texts = []
     for direction in right[weak]:
-        texts.append(direction_text(direction, names, NAMED_IN_FIT))
+        texts.append(direction_text(direction * sizes / relative, names, NAMED_IN_FIT))
         touched = np.abs(direction) > NAMED_IN_FIT * np.abs(direction).max()
         covariance[touched, touched] = np.inf
     return covariance * np.outer(sizes, sizes), tuple(texts)

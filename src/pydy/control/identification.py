@@ -50,6 +50,7 @@ import scipy.sparse
 
 from pydy._assembly.specifieds import driven
 from pydy._errors import warn_user
+from pydy._rank import HALF, or_one
 from pydy.control.guess import Limit
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations
@@ -64,6 +65,7 @@ from pydy.control.tuning import (
     MOST_CORRECTIONS,
     MOST_REFINEMENTS,
     PROXIMAL,
+    PULLS,
     STEADY,
     STILL,
 )
@@ -189,7 +191,13 @@ class Identification:
             joined = _Joined(self, meshes)
             for _ in range(MOST_CORRECTIONS if self.noise else 1):
                 nlp, residuals, start = joined.program(z, motions, slope)
-                solution = search(nlp, start, watch=watch)
+                first = motions[0] is None and joined.collapses(nlp, start)
+                for pull in (*PULLS, 0.0) if first else (0.0,):
+                    own = joined.program(z, motions, slope, pull)[0] if pull else nlp
+                    solution = search(own, start, watch=watch)
+                    if solution.interrupted:
+                        break
+                    start = solution.z if solution.solved else start
                 found = self._found(joined, nlp, residuals, solution)
                 if not solution.solved or solution.interrupted:
                     return found
@@ -301,11 +309,11 @@ class _Joined:
         self.parameters = np.array([*range(len(asked.shared)), *own_parameters], dtype=int)
 
     def program(
-        self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray
+        self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray, pull: float = 0.0
     ) -> tuple[Nlp, Nlp, np.ndarray]:
         """Return the program, the residuals as the rows of another, and where to start.
 
-        The objective has the `slope` by the parameters in addition.
+        The objective has the `slope` by the parameters in addition, and a `pull` towards z.
         """
         asked = self.asked
         lower, upper = np.full(self.size, -np.inf), np.full(self.size, np.inf)
@@ -330,15 +338,30 @@ class _Joined:
             samples = made.samples(e.times, np.nan_to_num(e.values), e.weights)
             pieces += [replace(p, at=own[p.at]) for p in (*made.pieces, samples[0])]
             rows.append(replace(samples[1], at=own[samples[1].at]))
-        pieces.append(self._known(slope))
+        pieces.append(self._known(slope, z, pull))
         nlp = Nlp(pieces, lower, upper, sizes)
         return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
 
-    def _known(self, slope: np.ndarray) -> Piece:
-        """Return the priors of the parameters, and a slope."""
+    def collapses(self, nlp: Nlp, start: np.ndarray) -> bool:
+        """Return whether a change of parameters alone would satisfy all equations that hold some.
+
+        So it is where equations hold all terms times masses, stiffnesses and the like that are
+        found: with all of these zero any motion satisfies them, and a search may go there.
+        """
+        y = start / nlp.sizes
+        B = _matrix(nlp, y, nlp.rows, self.size)[:, self.parameters].toarray()
+        rows = nlp.native("rows", y)[0]
+        at = np.abs(B).max(axis=1, initial=0.0) > 0.0
+        left = rows[at] - B[at] @ np.linalg.lstsq(B[at], rows[at])[0]
+        return bool(at.any() and np.linalg.norm(left) <= HALF * np.linalg.norm(rows[at]))
+
+    def _known(self, slope: np.ndarray, z: np.ndarray, pull: float) -> Piece:
+        """Return the priors of the parameters, a slope, and a pull as a share of the samples'."""
         problem = self.made[0].problem
         count = len(self.parameters)
-        data = np.array([np.zeros(count), np.zeros(count), slope])
+        samples = [(np.nan_to_num(e.values) * e.weights).ravel() for e in self.experiments]
+        size = float(np.linalg.norm(np.concatenate(samples)))
+        data = np.array([z, pull * size / or_one(np.abs(z)), slope])
         for k, mean, deviation in self.asked.priors:
             data[:2, k] = mean, 1.0 / deviation
         at, none = self.parameters[None], np.empty(0)

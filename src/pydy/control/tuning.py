@@ -91,3 +91,8 @@ leaves as much, on any mesh, which would be divided for ever."""
 KEPT = 16
 """Functions of points that a model keeps for further problems: a problem has at most five, of its
 points, start, ends, samples and parameters, so that three in turn derive nothing anew."""
+
+PULLS = 0.1, 1e-3
+"""Standard deviations of parameters' relative changes, one over them as shares of the samples over
+their noise, in searches that come before the one without: with the first one, no samples are
+matched better by constants that are all zero, and after the second one the last step is small."""
