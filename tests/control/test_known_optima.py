@@ -181,7 +181,7 @@ def test_the_cart_pole_of_kelly_swings_up(method):
     assert problem.solve().objective == pytest.approx(58.80766746, rel=1e-5)
 
 
-@pytest.mark.parametrize(("mesh", "tolerance"), [(20, None), (7, 1e-8)])
+@pytest.mark.parametrize(("mesh", "tolerance"), [(20, None), (7, None), (7, 1e-8)])
 def test_a_known_input_that_jumps_gets_a_node_there(mesh, tolerance):
     # x'' = F + r, r = 2 before t = 0.3, then −1: the least ∫ F² with ∫ F (1 − t) = 1 − ∫ r (1 − t)
     # and ∫ F = −∫ r. At t = 0.3, a node of 20 intervals, each side has its own value.

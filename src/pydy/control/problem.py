@@ -27,6 +27,7 @@ from pydy.control.refine import (
     carried_errors,
     checked_mesh,
     interval_errors,
+    knots,
     refined,
     refuse_singular,
     refuse_unsolvable,
@@ -78,7 +79,8 @@ class OptimalControl(Search[OptimalTrajectory]):
         Constants that are found. The search begins at the system's values.
     mesh : int or array_like, optional
         The number of equal intervals, or ascending nodes, which are scaled to the duration.
-        Instants of `objective` and `boundary` inside the motion become nodes too.
+        Instants of `objective` and `boundary` inside the motion become nodes too, and so do up to
+        four jumps of known inputs an interval.
     method : {'radau', 'hermite-simpson', 'midpoint', 'backward-euler'}, optional
         Radau has `order` points an interval, and converges with the order 2 `order` − 1 in the
         length of the intervals; the others have the orders 4, 2 and 1.
@@ -177,9 +179,13 @@ class OptimalControl(Search[OptimalTrajectory]):
         known = {*definition.constants, *last}
         reader = Reader(equations.time, definition.states, self._controls, known, duration)
         self._problem = self._read(reader, objective, boundary, path, hessian)
-        # Costates jump at instants inside the motion, which no polynomial follows.
+        # Costates jump at instants inside the motion, and slopes where known inputs do: no
+        # polynomial follows.
         within = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
-        self._mesh = refined(self._mesh, 0.0 * self._mesh[1:], 1.0, 1, within)
+        jumping = tuple(s for s in self._problem.signals if s[1].interpolation == "previous")
+        made = Transcription(replace(self._problem, signals=jumping), self._scheme, self._mesh)
+        within += knots(made, np.full(made.intervals, np.inf), 0.0).tolist()
+        self._mesh = refined(self._mesh, np.zeros(made.intervals), 1.0, 1, within)
 
     def _read(
         self, reader: Reader, objective: Any, boundary: Any, path: Any, hessian: Any
