@@ -355,7 +355,6 @@ def test_a_derivative_that_cannot_be_taken_is_named(expression):
         ((x + sm.I * y) * (x - sm.I * y), lambda x, y: x**2 + y**2),
         (sm.Abs(x + sm.I * y), np.hypot),
     ],
-    ids=str,
 )
 def test_a_real_expression_may_be_written_with_the_imaginary_unit(expression, real):
     points = np.random.default_rng(0).uniform(-2.0, 2.0, (5, 2))
@@ -363,7 +362,7 @@ def test_a_real_expression_may_be_written_with_the_imaginary_unit(expression, re
     np.testing.assert_allclose(found, real(*points.T), rtol=1e-14)
 
 
-@pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.log(-1) * x], ids=str)
+@pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.log(-1) * x])
 def test_what_may_not_be_real_is_refused_with_the_remedy(number):
     with pytest.raises(ValueError, match=r"hold the imaginary unit .* Give its real part"):
         nodes_of([number])
