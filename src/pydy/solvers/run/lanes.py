@@ -279,7 +279,7 @@ def integrate_samples(
         reached=np.full(m, times[0]),
         seen=own.seen,
     )
-    newton, further = _newton(n, jacobian)
+    newton, further = ((), []) if jacobian is None else _newton(n, jacobian)
     problem = _problem(kernel, sampled, controlled, [*own.prepared, *further])
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
     beside_rows = rows_of(own.alone), rows_of(own.watch), rows_of(own.held)
@@ -334,10 +334,8 @@ def evaluate_samples(
     return out
 
 
-def _newton(n: int, jacobian: Kernel | None) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
+def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
     """Return the arrays of an implicit step of n states, and what prepares its constants."""
-    if jacobian is None:
-        return (), []
     place, c, prepared = _bound(jacobian)
     newton = newton_for(n, n, LANES)._replace(c=c)
     newton.words[at.GRADIENT] = place
