@@ -125,6 +125,12 @@ def ensemble():
     return lambda: system.integrate_ensemble(initial_conditions={"q": [0.1, 0.2, 0.3]})
 
 
+def stiff_ensemble():
+    system = pendulum()
+    system.ode_solver = "radau"
+    return lambda: system.integrate_ensemble(initial_conditions={"q": [0.1, 0.2, 0.3]})
+
+
 def construct():
     methods = [kane(), kane(), kane()]
     return lambda: System(methods.pop())
@@ -138,6 +144,7 @@ def construct():
         (simulate, 92, 21),
         (with_contacts, 127, 27),
         (ensemble, 87, 24),
+        (stiff_ensemble, 91, 24),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -268,8 +268,8 @@ class CompiledModel:
         self, block: str, by: str | tuple[tuple[str, int], ...]
     ) -> Program | Tangent:
         """Return a Jacobian; see `Assembly.jacobian_in_parts`."""
-        assembly, what = self.assembly, f"{block} by {by}, in parts"
-        return stored_program(assembly, what, lambda: assembly.jacobian_in_parts(block, by))
+        what = f"{block} by {by}, in parts"
+        return self._program(what, lambda: self.assembly.jacobian_in_parts(block, by))
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.lowered`."""
