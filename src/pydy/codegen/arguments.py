@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from inspect import signature
-from math import isfinite
+from math import isfinite, prod
 from numbers import Number
 from types import FunctionType
 from typing import Any
@@ -282,9 +282,9 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
-            if hasattr(value, "__array__") and np.size(value) > 1 and not several:
+            if prod(shape := _shape(value)) > 1 and not several:
                 raise ValueError(
-                    f"{label} must be a real number, got an array of the shape {np.shape(value)}. "
+                    f"{label} must be a real number, got an array of the shape {shape}. "
                     "For values over time pass pydy.inputs.SampledInput(times, values)."
                 )
             try:  # one number for several symbols holds for each
@@ -390,6 +390,14 @@ def _is_unchanging(value: Any) -> bool:
     if type(value) is tuple:
         return all(isinstance(entry, sm.Basic) for entry in value)
     return type(value) in _UNCHANGING or isinstance(value, sm.Basic)
+
+
+def _shape(value: Any) -> tuple[int, ...]:
+    """Return the shape of a value that offers NumPy an array, of any library; else ()."""
+    try:
+        return np.shape(value) if hasattr(value, "__array__") else ()
+    except Exception:  # noqa: BLE001 - an xarray.Dataset has the method, and refuses
+        return ()
 
 
 def _refuse_mixtures(value: Any, label: str) -> None:
