@@ -280,6 +280,5 @@ def warn_of_pulses(
             "does not know the 'previous' samples there: they change "
             f"{now.definition.states[state]} by {moved[k, state]:.3g}. Set "
             "`system.ode_solver = 'dop853'`, which ends a step at each jump, or limit the step: "
-            "`hmax=` of odeint, `max_step=` of "
-            "solve_ivp."
+            "`hmax=` of odeint, `max_step=` of solve_ivp."
         )

@@ -282,7 +282,7 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
-            if prod(shape := _shape(value)) > 1 and not several:
+            if not several and prod(shape := _shape(value)) > 1:
                 raise ValueError(
                     f"{label} must be a real number, got an array of the shape {shape}. "
                     "For values over time pass pydy.inputs.SampledInput(times, values)."
