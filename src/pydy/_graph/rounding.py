@@ -15,23 +15,8 @@ from pydy._graph.operations import OPERATIONS, SOLVES, TRUTHS
 
 # Functions of pure numbers: one is large beside nothing, in whatever units.
 _OF_NUMBERS = frozenset(
-    (
-        "exp",
-        "sin",
-        "cos",
-        "tan",
-        "asin",
-        "acos",
-        "atan",
-        "sinh",
-        "cosh",
-        "tanh",
-        "asinh",
-        "atanh",
-        "erf",
-        "erfc",
-    )
-)
+    ("exp", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")
+) | {"erf", "erfc"}
 
 
 def rounding_bounds(

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -233,6 +233,11 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
     return [[lower[max(i, j)][min(i, j)] for j in range(len(a))] for i in range(len(a))]
 
 
+@cache
+def _work_of_dense(n: int) -> int:
+    return elimination_order(np.ones((n, n), dtype=bool))[1]
+
+
 class _Elimination:
     """L D Lᵀ of a symmetric matrix, written out where cells are not zero; `pivots` are D.
 
@@ -255,7 +260,7 @@ class _Elimination:
         filled = np.array([k in row for row in cells for k in range(n)], dtype=bool).reshape(n, n)
         order, work = elimination_order(filled)
         self._order = list(range(n)) if n <= GUARDED_UP_TO else order
-        self.is_short = work <= elimination_order(np.ones((GUARDED_UP_TO,) * 2, dtype=bool))[1]
+        self.is_short = work <= _work_of_dense(GUARDED_UP_TO)
 
     @cached_property
     def _lower(self) -> dict[int, dict[int, int]]:
