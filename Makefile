@@ -24,12 +24,15 @@ export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-whole test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-near test-slow test-whole times test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
-	@echo "make test-whole  all cases of the tests of which make test tries a part"
+	@echo "make test-near FILE=src/pydy/…  in under a minute: the tests nearest to one file, and the contracts"
+	@echo "make test-slow  four of the sixteen parts of the slow tests, of which make test tries one"
+	@echo "make test-whole  all tests, with every slow case"
+	@echo "make times  all tests; writes how long the slow ones take into tests/slow.txt"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make test-fuzz  every public argument with every bad value; make test tries a part of them"
 	@echo "make test-mechanisms SEEDS=0:600  random mechanisms against an oracle; failures shrink to a script"
@@ -62,8 +65,18 @@ test: $(VENV)/.installed-test
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) -m pytest tests/browser
 
+# FILE is a file of src/pydy, or several.
+test-near: $(VENV)/.installed-test
+	$(PY) tools/near.py --jobs $(JOBS) $(FILE)
+
+test-slow: $(VENV)/.installed-test
+	PYDY_FURTHER_PARTS=4 $(PY) -m pytest $(PYTEST_JOBS)
+
 test-whole: $(VENV)/.installed-test
 	PYDY_PART=all $(PY) -m pytest $(PYTEST_JOBS)
+
+times: $(VENV)/.installed-test
+	PYDY_PART=all PYDY_RECORD_TIMES=1 $(PY) -m pytest $(PYTEST_JOBS)
 
 test-fuzz: $(VENV)/.installed-test
 	PYDY_PART=all $(PY) -m pytest $(PYTEST_JOBS) tests/fuzz

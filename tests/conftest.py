@@ -9,8 +9,10 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from _pytest.doctest import DoctestModule
 
-from parts import drawn
+import parts
+import timing
 
 if "PYTEST_XDIST_WORKER" not in os.environ:  # workers share that of the process that starts them
     _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
@@ -43,28 +45,34 @@ _raise_on_old_names()
 gc.set_threshold(100_000, 10, 2)
 
 ROOT = Path(__file__).parents[1]
-PARTS = 6
+
+
+def pytest_configure(config):
+    """Measure the processor time of every test."""
+    config.pluginmanager.register(timing.Times())
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collect_file(file_path):
+    """Look for doctests in `src` only: the 250 files of `tests` have none."""
+    collectors = yield
+    if ROOT / "tests" not in file_path.parents:
+        return collectors
+    return [c for c in collectors if not isinstance(c, DoctestModule)]
 
 
 def pytest_collection_modifyitems(config, items):
-    """Of the cases of tests marked `in_parts`, keep one part, and one of each at least.
+    """Keep the cases that a run of all tests tries; where files or tests are named, all of theirs.
 
-    Where files or tests are named, all of their cases are tried.
+    What was collected is stored first: `test_parts.py` compares the table of slow tests with it.
     """
-    if not any(Path(argument).resolve() == ROOT / "tests" for argument in config.args):
+    config.stash[parts.COLLECTED] = [item.nodeid for item in items]
+    everything = any(Path(argument).resolve() == ROOT / "tests" for argument in config.args)
+    if not everything and parts.WHOLE_FILES is None:
         return
-    cases = {}
-    for item in items:
-        if item.get_closest_marker("in_parts"):
-            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
-    put_off = {
-        item
-        for of_one in cases.values()
-        for place, item in enumerate(of_one)
-        if not drawn(place, min(PARTS, len(of_one)))
-    }
-    items[:] = [item for item in items if item not in put_off]
-    config.hook.pytest_deselected(items=[*put_off])
+    tried = parts.tried(item.nodeid for item in items)
+    config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in tried])
+    items[:] = [item for item in items if item.nodeid in tried]
 
 
 @pytest.fixture(scope="session", autouse=True)

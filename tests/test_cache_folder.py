@@ -431,7 +431,6 @@ def wrong_code(tmp_path_factory):
     return place, right
 
 
-@pytest.mark.in_parts
 @second_user
 @places
 def test_another_users_machine_code_ends_in_a_warning_and_a_correct_number(

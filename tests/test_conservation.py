@@ -17,7 +17,6 @@ def along(model, expressions, x):
     return np.array([f(*row[: len(model.states)]) for row in x], dtype=float)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("name", zoo.CONSERVATIVE)
 def test_energy_and_momenta_are_conserved(name, generator):

@@ -58,7 +58,6 @@ WRITERS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", WRITERS)
 def test_a_full_disk_leaves_the_file_that_was_there(
     name, tmp_path, system, trajectory, scene, request

@@ -44,7 +44,6 @@ def operations(program):
     return sum(program.operation_count["run"].values())
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted(LIMITS))
 def test_no_model_costs_more_operations_than_it_did(name):
     matrices, whole, cse = LIMITS[name]
@@ -93,7 +92,6 @@ JACOBIANS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted(JACOBIANS))
 def test_no_jacobian_costs_more_operations_than_it_did(name):
     program = assembly_of(frozen.read(name)).jacobian_program("rates", "x")
@@ -109,7 +107,6 @@ IN_PARTS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted(IN_PARTS))
 def test_no_jacobian_in_parts_costs_more_operations_than_it_did(name):
     made = assembly_of(frozen.read(name)).jacobian_in_parts("rates", "x")
@@ -168,7 +165,6 @@ def test_every_pass_and_strategy_is_measured_below():
     assert set(WORTH) == set(names())
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("switch", sorted(WORTH))
 def test_each_pass_and_strategy_is_worth_its_lines_and_really_off_without(switch):
     name, times = WORTH[switch]

@@ -131,7 +131,6 @@ def test_keys_of_the_cache_are_in_lower_case():
 # -- consoles without UTF-8 -----------------------------------------------------------------------
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
 def test_what_is_printed_needs_no_utf_8(encoding):
     code = (
@@ -216,7 +215,6 @@ ALLOWED = re.compile(
 )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("triple", TRIPLES)
 @pytest.mark.parametrize("lanes", [1, 8])
 def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple, lanes):
@@ -243,7 +241,6 @@ def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple
 LIBRARY = {"memcmp", "memcpy", "memset", "hypot", "sqrt", "__chkstk", "_chkstk"}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("triple", TRIPLES)
 def test_loops_sweeps_and_gates_can_be_emitted_for_every_system(triple):
     binding.initialize_all_targets()

@@ -19,7 +19,6 @@ def options_of(solver, tolerance=1e-9):
     return {"step": 2e-3} if solver == "rk4" else {"rtol": tolerance, "atol": tolerance}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_the_four_bar_drifts_less(solver):
     system = at_times(zoo.fourbar(), 30.0, 301, solver)
@@ -34,7 +33,6 @@ def test_the_four_bar_drifts_less(solver):
     assert worst(constraints="baumgarte", gain=5.0) < 0.05 * free
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_consistent_motion_is_not_changed(solver):
     system = at_times(zoo.fourbar(), 1.0, 11, solver)

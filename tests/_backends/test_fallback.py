@@ -29,7 +29,6 @@ def dense(x, p, n):
     return np.diag(diagonal) + p[1] * (np.eye(n, k=1) + np.eye(n, k=-1)), x[n:]
 
 
-@pytest.mark.in_parts
 @every_width
 @pytest.mark.parametrize("kind", ["ldl", "lu"])
 @pytest.mark.parametrize("n", [9, 30, 80])

@@ -34,7 +34,6 @@ def by_jacobians(assembly, columns, t, x, r, p):
     return columns.together(f, moved)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["fourbar", "disc", "gyro", "sleigh"])
 def test_columns_are_those_of_whole_jacobians(name):
     assembly = assembly_of(system_of(getattr(zoo, name)()))

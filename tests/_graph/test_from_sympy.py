@@ -449,7 +449,6 @@ def test_twenty_thousand_nested_functions_are_no_obstacle():
     assert evaluate(expression, 0.3) == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("function", [sm.Add, sm.Mul])
 def test_twenty_thousand_nested_sums_or_products_are_no_obstacle(function):
     expression, expected = x, 0.5

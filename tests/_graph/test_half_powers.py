@@ -39,7 +39,6 @@ FORCES = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify", "cython"])
 def test_a_contact_at_touch_has_the_derivative_zero(generator):
     n = len(FORCES)

@@ -54,7 +54,6 @@ def more_operations(monkeypatch):
     operations.TRUTHS.intersection_update(truths)
 
 
-@pytest.mark.in_parts
 @pytest.mark.usefixtures("more_operations")
 @pytest.mark.parametrize(
     "backend", [NumPyBackend, LLVMBackend, lambda: LLVMBackend(lanes=4), CythonBackend]
@@ -90,7 +89,6 @@ def test_an_odd_function_of_a_table_lets_signs_out():
     assert len(set(signatures(graph, [forth, graph.call("cbrt", a)]))) == 2
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "backend", [NumPyBackend, LLVMBackend, lambda: LLVMBackend(lanes=4), CythonBackend]
 )

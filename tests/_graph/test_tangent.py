@@ -47,7 +47,6 @@ def evaluated(jacobian, t, x, r, p):
     return out
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["fourbar", "disc", "gyro", "sleigh", "lifted"])
 @pytest.mark.parametrize("cut", [None, 2])
 def test_columns_in_parts_are_those_of_the_whole(name, cut):

@@ -95,7 +95,6 @@ ACTUATORS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ACTUATORS)
 def test_actuators_pull_as_sympys_equations_say(name):
     model = ACTUATORS[name]()

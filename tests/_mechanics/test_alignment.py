@@ -104,7 +104,6 @@ def chain(joints, *, set_velocities=False, last=None, plain=False):
 SKEW = [([("z", 0.4), ("x", -1.1)], (0, 0, 1)), ([("x", 0.7)], (0, 1, 0)), ([], (1, 2, 3))]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "joints",
     [
@@ -126,7 +125,6 @@ def test_points_of_hinges_at_angles_may_have_velocities():
     assert not check(chain(joints, set_velocities=True)).honoured
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("floating", [False, True])
 def test_branches_about_any_axes_give_the_accelerations_of_the_inertial_frame(floating):
     rng = np.random.default_rng(5)
@@ -193,7 +191,6 @@ def check_numbers(system, formed, values):
 
 
 # Nearly parallel hinges as files of robots have them, whose right angles have twelve digits.
-@pytest.mark.in_parts
 @pytest.mark.parametrize("bend", [4.9e-12, 2.1e-13, 3e-9, 1e-5])
 def test_hinges_that_are_nearly_parallel_keep_their_joints_within_reach(bend):
     # The other point of such an axis, from which two components lead on, lay 1e11 lengths away.

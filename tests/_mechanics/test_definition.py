@@ -46,7 +46,6 @@ def rates(system, model, seed=1):
     return np.array([dict(zip(system.states, found, strict=True))[s] for s in model.states])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MODELS)
 def test_the_equations_are_those_of_kanes_method(name):
     model = MODELS[name]()
@@ -160,7 +159,6 @@ def across(angle, other):
     return way.express(first).dot(second.x * 0.16 + second.y * 0.32 - second.z * 0.87).evalf()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 def test_a_row_of_terms_that_cancel_constrains_nothing(metre):
     row = across(x, y)

@@ -51,7 +51,6 @@ def yoke(metre):
     )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [*UNITS, 1e-10, 1e8])
 def test_a_yoke_moves_alike_in_all_units(metre):
     # Of sin b = sin a / 2 come db/da and its derivative: a'' (2 + (db/da)²) + … = 5.
@@ -95,7 +94,6 @@ def four_bar(metre, *, symbols):
     return made, dict(zip(named, sizes, strict=True)) if symbols else {}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("symbols", [False, True])
 def test_a_four_bar_moves_alike_at_any_length(symbols):
     angle = 0.7
@@ -143,7 +141,6 @@ def platform(metre, *, given):
     return made, start, dict(zip(legs, lengths, strict=True)), forces
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("given", [False, True])
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1.5e11])
 def test_a_plate_on_legs_of_given_lengths_stands_in_all_units(metre, given):
@@ -188,7 +185,6 @@ def test_what_is_within_its_bound_is_no_pivot():
     assert Chosen(left, bounds=np.full((1, 2, 3), 1e-12)).columns == [0, 2]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("part", [0.01, 1.0, 100.0])
 def test_consistent_states_are_found_in_any_units(metre, part):
@@ -255,7 +251,6 @@ def cranks(metre, gear):
     return Definition(frame, q, bodies=bodies, holonomic_constraints=rows)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-10, 1e-8, 1.0, 1e7, 1e9])
 @pytest.mark.parametrize(
     "gear",

@@ -49,7 +49,6 @@ def turntable_slopes(bend, held=False):
     return x, differences(accelerations, exact, system.states)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("bend", [0.5, 3e-2, 1e-3, 1e-4, 1e-6])
 def test_a_jacobian_is_exact_however_nearly_the_arm_is_stretched(bend, generator):
@@ -69,7 +68,6 @@ def test_a_jacobian_is_exact_however_nearly_the_arm_is_stretched(bend, generator
         np.testing.assert_allclose(product, whole, rtol=0, atol=1e-12 * size)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("size", [1e-4, 1e-6, 1e-8])
 def test_a_jacobian_is_exact_where_dependent_speeds_hardly_follow(size):
     kane, e, rows = nearly_dependent(2, 2)

@@ -72,7 +72,6 @@ def gradients(model, system, x, t):
 NAMES = ["fourbar", "track", "track_reversed", "sleigh", "disc", "lifted", "coupler"]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("source", ["graph", "method"])
 @pytest.mark.parametrize("name", NAMES)
 def test_multipliers_close_the_equations_of_all_speeds(name, source):
@@ -131,7 +130,6 @@ def cart():
     return model, bodies[2:], bodies[1].masscenter, model.kane.loads[2:]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("cut", [branch, plate, cart])
 def test_a_joint_holds_what_lies_beyond_it_as_newton_and_euler_say(cut):
     model, bodies, point, loads = cut()

@@ -110,7 +110,6 @@ def at_random(graph, nodes):
     return found
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("way", FORMS)
 @pytest.mark.parametrize("name", MODELS)
 def test_the_accelerations_are_those_of_sympys_equations(name, way):

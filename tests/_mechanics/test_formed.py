@@ -79,7 +79,6 @@ def operations(found):
     return sum(program.operation_count["run"].values())
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("kane", "limit"),
     [
@@ -95,7 +94,6 @@ def test_no_model_costs_more_operations_than_it_did(kane, limit):
     assert operations(chosen(multibody_of_kane(kane()))) <= limit
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("source", "limit"),
     [

@@ -49,7 +49,6 @@ def test_an_identity_of_angles_is_seen_beside_what_is_known_in_parts():
     assert without_idle(forcing, [FORCE], {HEIGHT}) == (-HEIGHT,)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("equations", [None, "graph", "method"])
 def test_the_forces_in_a_rolling_contact_are_outputs_whatever_the_source(equations):
     model = ball_on_a_turntable()
@@ -94,7 +93,6 @@ def hinge_between_rods():
     return Model(kane, _numbers(m, n, l, g), {force: 0.37}, forces=(force,))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("equations", [None, "graph", "method"])
 def test_a_force_that_cancels_by_an_identity_of_angles_is_noncontributing(equations):
     model = hinge_between_rods()

@@ -36,7 +36,6 @@ def compared(own, other, tolerance=1e-12):
     close(found, [expected[s] for s in own.states], tolerance)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_equations_are_those_of_form_eoms(name):
     own = System(SYSTEMS[name]())
@@ -51,7 +50,6 @@ def test_a_system_whose_equations_were_formed_can_be_formed_on_the_graph_too(nam
     compared(System(system, equations="graph"), System(system, equations="method"))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["four_bar", "tied_cart_pendulum", "sleigh"])
 def test_dependent_coordinates_and_speeds_need_not_be_named(name):
     named, system = SYSTEMS[name](), SYSTEMS[name]()

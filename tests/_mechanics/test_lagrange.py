@@ -86,7 +86,6 @@ def random_numbers(system, seed):
     return constants, rng.uniform(-1.0, 1.0, system.num_states), rng
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("make", MODELS)
 def test_the_equations_are_those_of_sympy(make):
     method = make()

@@ -173,7 +173,6 @@ def numbered(system, numbers):
     return system
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MODELS)
 def test_both_give_the_same_accelerations(name):
     lagrange, kane = map(System, MODELS[name]())
@@ -211,7 +210,6 @@ def test_both_give_the_same_accelerations(name):
         )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("order", ["XYZ", "ZYX", "ZXZ"])
 @pytest.mark.parametrize("fixed", ["body", "space"])
 def test_kinematic_equations_are_solved_where_sympys_pivots_are_zero(order, fixed):

@@ -59,7 +59,6 @@ def accelerations(body, seed, **way):
 PLACES = [(0, 0, 0), (1, 2, 3), sm.symbols("l d b"), (0, 0.5, 0), (0, 0, 2)]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("articulated", [True, False])
 @pytest.mark.parametrize("axes", ["z", "zx", "xyz", "zzy"])
 def test_accelerations_are_those_of_bodies_taken_one_by_one(axes, articulated):

@@ -85,7 +85,6 @@ MASSES = [
 ]  # fmt: skip
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["definition", "lagrange"])
 @pytest.mark.parametrize(("name", "masses"), MASSES)
 def test_constraints_carry_what_is_massless(name, method, masses):
@@ -105,7 +104,6 @@ def test_constraints_carry_what_is_massless(name, method, masses):
         assert np.isfinite(system.evaluate_jacobian(state)).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("masses", PAIRS)
 def test_constraints_carry_what_is_massless_beside_many_masses(masses):
     q, u = me.dynamicsymbols("q1:16"), me.dynamicsymbols("u1:16")

@@ -52,7 +52,6 @@ def tensions(system):
     return dict(zip(sm.symbols("t0 t1"), system.constraint_forces.values(), strict=False))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("front", ["definition", "lagrange"])
 @pytest.mark.parametrize(
     ("metre", "kilogram"), [(1.0, 1.0), (1e-9, 1e9), (1e9, 1e-9), (1e9, 1.0), (1e-9, 1e-9)]
@@ -68,7 +67,6 @@ def test_a_truss_holds_at_any_sag_in_any_units(front, metre, kilogram):
         np.testing.assert_allclose(-system.evaluate_outputs()[:2], tension, rtol=1e-15 / sag)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("front", ["definition", "lagrange"])
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 def test_a_flat_truss_has_the_least_multipliers(front, metre):
@@ -80,7 +78,6 @@ def test_a_flat_truss_has_the_least_multipliers(front, metre):
     np.testing.assert_allclose(system.evaluate_outputs()[:2], 0.0, atol=1e-15 * force)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify", "cython"])
 def test_all_back_ends_hold_the_truss(generator):
     system, _ = truss(1e-3, "definition")
@@ -106,7 +103,6 @@ def test_derivatives_hold_in_a_truss():
     np.testing.assert_allclose(gradient[4:], 0.0, atol=1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("rate", [0.0, 6.0])
 @pytest.mark.parametrize("angle", [3e-2, 3e-3, 1e-4, 1e-6])
 def test_three_cranks_nearly_in_line_turn_as_one_body(rate, angle):

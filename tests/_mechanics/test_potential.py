@@ -83,7 +83,6 @@ ONE_SIDED = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("push", ONE_SIDED.values(), ids=ONE_SIDED)
 def test_a_force_on_one_side_alone_has_that_of_its_depth(plane, push):
     frame, _, place = plane
@@ -269,7 +268,6 @@ def two_pins(loads, mixed=0):
     return System(found)._equations
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("mixed", [0, C, sm.cos(Q[0])], ids=["plain", "constant", "by angle"])
 @pytest.mark.parametrize("kind", ["stop", "spring"])
 def test_a_torque_between_two_frames_has_that_of_their_angle_with_any_speeds(kind, mixed):
@@ -307,7 +305,6 @@ def test_a_force_is_opposite_to_its_negative_up_to_rounding(plane):
     assert not found.unknown
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("pull", "energy"),
     [

@@ -116,7 +116,6 @@ def state_of(bend, seed):
     return values | dict(zip(u, rng.uniform(-1, 1, 5), strict=True))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("chosen", [(0, 1), (1, 3)])
 @pytest.mark.parametrize("seed", range(3))
 def test_accelerations_do_not_depend_on_how_nearly_parallel_motions_are(chosen, seed):

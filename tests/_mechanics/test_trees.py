@@ -22,7 +22,6 @@ def tree(seed):
     return data
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", LARGE[:6])
 def test_every_form_moves_as_the_oracle_says(seed):
     model = definition(tree(seed))

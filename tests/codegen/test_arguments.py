@@ -9,7 +9,6 @@ from pydy.codegen.ode_function_generators import generate_ode_function
 GENERATORS = ["llvm", "lambdify"]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("time_first", [False, True])
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("p", ["array", "list", "dictionary"])

@@ -28,7 +28,6 @@ def built(form, name, **options):
     return cython[key]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("form", "name"), [("[1]", "gyro"), ("[2]", "timed"), ("[3]", "disc")])
 def test_every_form_with_cython_agrees_with_sympy(form, name):
     model = zoo.MODELS[name]()
@@ -38,7 +37,6 @@ def test_every_form_with_cython_agrees_with_sympy(form, name):
         close(rhs(x, t, *arrays(model)), oracle(model).xdot(x, t))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("p", ["array", "list", "dictionary"])
 @pytest.mark.parametrize("r", WAYS_OF_R)
 def test_every_kind_of_argument_is_taken_with_cython(r, p):

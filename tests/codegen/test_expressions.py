@@ -17,7 +17,6 @@ M, K = sm.symbols("m k")
 # names and functions
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", [*GENERATORS, "cython"])
 def test_any_name_will_do(generator):
     names = ["lambda", "double", "x y", "∫ a dt", "1st", "a'", "a_", "a", "sin", "t0", "x", "np"]
@@ -48,7 +47,6 @@ FUNCTIONS = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", [*GENERATORS, "cython"])
 def test_functions_of_a_modeller_agree_with_sympy(generator):
     rhs = generate_ode_function(sm.Matrix([v, x]), [x], [v], outputs=FUNCTIONS, generator=generator)

@@ -53,7 +53,6 @@ def test_llvm_is_the_default_generator(form):
 SOLVERS = ["numpy", "scipy", "sympy", "sympy:LU", "sympy:CRAMER", np.linalg.solve]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("form", ["[2]", "[3]"])
 @pytest.mark.parametrize("solver", SOLVERS, ids=lambda s: getattr(s, "__name__", s))
@@ -202,7 +201,6 @@ def large(n, twin=False):
     }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("n", [5, 13, 30])
 def test_a_dense_system_of_any_size_is_solved(n, generator):
@@ -214,7 +212,6 @@ def test_a_dense_system_of_any_size_is_solved(n, generator):
     close(rhs([0.3, *u], 0.0, [4.0]), [u[0], *expected], 1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("n", [5, 13, 30])
 def test_a_dense_singular_system_of_any_size_is_an_error(n, generator):

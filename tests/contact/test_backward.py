@@ -180,7 +180,6 @@ CASES = {
 }  # fmt: skip
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("case", CASES)
 def test_backward_is_forward(case):
     make, wrt, names = CASES[case]
@@ -206,7 +205,6 @@ def moved(contacts, symbol, change, **terms):
     return found
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "wrt", "term"),
     [

@@ -141,7 +141,6 @@ def test_a_sample_that_begins_below_the_floor_is_told_and_others_go_on():
     assert np.isfinite(result["y"].values[0]).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("what", ["restitution", "gap", "hypothesis", "events", "masses"])
 def test_a_store_belongs_to_its_contacts(what, tmp_path):
     def contacts(what=""):

@@ -60,7 +60,6 @@ def test_a_billiard_ball_slides_then_rolls():
     assert balance(trajectory) < 1e-9
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("size", [1.0, 1e-9, 1.5e11])
 @pytest.mark.parametrize("squared", [False, True])
 def test_a_particle_leaves_a_dome_at_two_thirds_of_its_height(size, squared):
@@ -118,7 +117,6 @@ def test_impacts_that_accumulate_end_in_contact():
     assert balance(trajectory) < 1e-9
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("inertia", [0.3, 1e-6])
 def test_a_rimless_wheel_keeps_its_gait(inertia):
     half, tilt = math.pi / 8, 0.08
@@ -288,7 +286,6 @@ def test_a_belt_lets_a_block_stick_and_slip():
     assert contacts.compiled_modes == [{"belt": "sticks"}, {"belt": "slides -"}]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("units", [(1.0, 1.0, 1.0), (1e-9, 1.0, 1.0), (1.5e11, 1e30, 3e7)])
 def test_a_floor_and_a_stop_for_an_angle_hold_in_any_units(units):
     length, mass, time = units
@@ -436,7 +433,6 @@ def over_a_bump(unit, height, gap=None):
     return contacts.simulate(rtol=1e-10, atol=1e-10 * unit)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
 @pytest.mark.parametrize("height", [0.1, 0.9, 0.999])
 def test_a_gap_that_closes_and_would_open_within_a_step_is_seen(unit, height):
@@ -503,7 +499,6 @@ def test_a_swing_that_only_just_reaches_two_walls_hits_both(tolerance):
     assert [event.time for event in motion.events] == pytest.approx(expected, abs=1e4 * tolerance)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize(("rate", "excess"), [(7.0, 1e-2), (33.0, 1e-4), (61.0, 1e-6)])
 def test_a_block_that_a_load_holds_until_it_exceeds_friction(solver, rate, excess):
@@ -521,7 +516,6 @@ def test_a_block_that_a_load_holds_until_it_exceeds_friction(solver, rate, exces
     assert abs(motion.events[0].time - first) < 1e-9
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("rate", [5.0, 14.93, 36.5, 59.0])
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
 def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
@@ -543,7 +537,6 @@ def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
     assert motion.statistics["steps"] < 300
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize("rate", [7.0, 23.0, 57.0])
 def test_a_floor_with_bumps_is_hit_where_a_flight_first_meets_it(solver, rate):
@@ -559,7 +552,6 @@ def test_a_floor_with_bumps_is_hit_where_a_flight_first_meets_it(solver, rate):
     assert abs(motion.events[0].time - times[np.argmax(height < 0)]) <= 1e-5
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize("kind", ["Piecewise", "samples"])
 @pytest.mark.parametrize("options", [{}, {"max_step": 1e-2}])
@@ -580,7 +572,6 @@ def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, opti
     assert motion["v_x"][-1] == pytest.approx(4.0 - 1.013, abs=1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("number", "height"), [(2, 0.1), (3, 0.01), (3, 0.2), (3, 0.3)])
 def test_feet_in_a_row_hold_together_until_all_slip(number, height):
     """The forces that the feet share are not determined: the least ones leave a cone before."""
@@ -609,7 +600,6 @@ def test_feet_in_a_row_hold_together_until_all_slip(number, height):
     assert motion["x"][-1] == pytest.approx((3.0 - slips) ** 3 / 3, abs=1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("load", [6, -6])
 @pytest.mark.parametrize("floor", [False, True])
 def test_a_block_whose_forces_all_begin_with_zero_goes_where_the_load_pulls(load, floor):

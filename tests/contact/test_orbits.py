@@ -18,7 +18,6 @@ from zoo import inertial_frame
 a0 = sm.Symbol("a0")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("inertia", [0.3, 1e-4])
 def test_the_gait_of_a_rimless_wheel(inertia):
     half, tilt = math.pi / 8, 0.08

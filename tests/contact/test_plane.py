@@ -208,7 +208,6 @@ def test_a_block_that_is_pulled_slips_where_the_pull_reaches_the_cone():
     assert math.sqrt(total[-1]) == pytest.approx(0.2 * 9.81)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("static", [0.2, 0.21])
 def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     # Long first steps of an implicit method would hide errors of 1e-5 at any tolerance.
@@ -217,7 +216,6 @@ def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     assert [event.name for event in fine.events] == ["floor slips"]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_a_block_that_is_pulled_from_rest_goes_along_the_pull(tolerance, solver):
@@ -234,7 +232,6 @@ def test_a_block_that_is_pulled_from_rest_goes_along_the_pull(tolerance, solver)
     assert motion.states[-1, :2] == pytest.approx(wanted, abs=1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("turns", "most"), [(30.0, 1.3), (40.0, 1.5)])
 def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most):
     # A pull that turns and dies out. Over 20 s, its speeds are those of a body that only begins.
@@ -264,7 +261,6 @@ def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most
     assert motion.states[-1, :2] == pytest.approx(truth.y[:2, -1], abs=1e-7)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("number", "spin", "speed"), [(3, 2.0, 0.5), (3, -4.0, 0.2), (4, 2.0, 0.5)]
 )

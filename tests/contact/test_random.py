@@ -62,7 +62,6 @@ def with_contacts(check, seed):
     return contacts, mu
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_contacts_are_complementary_and_give_no_energy(seed):
     contacts, mu = with_contacts(mechanism(seed), seed)

@@ -112,7 +112,6 @@ def compared(contacts, parameters, names, steps=1e-5, **options):
     return exact
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("hypothesis", ["newton", "poisson"])
 @pytest.mark.parametrize(("friction", "end"), [(0.3, 0.8), (2.0, 0.6)])
 def test_a_body_that_tumbles_on_two_feet(friction, end, hypothesis):
@@ -201,7 +200,6 @@ def test_a_body_that_comes_to_rest_by_rebounds_ever_faster():
     assert set(exact.modes[-1][2].values()) == {"sticks"}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("mass", [1e-15, 1e12, 1e30])
 @pytest.mark.parametrize("friction", [0.1, 2.0])
 def test_derivatives_through_an_impact_are_the_same_in_any_unit_of_mass(mass, friction):
@@ -239,7 +237,6 @@ def test_a_particle_that_is_thrown_on_the_ice_and_slides_to_a_stop():
         assert [event.name for event in motion.events] == ["ice closes", "ice stops"]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
 def test_a_block_that_begins_to_slide_in_a_plane(tolerance, solver):
@@ -281,7 +278,6 @@ def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
         assert np.isfinite(motion.sensitivity.values).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("angle", "value"), [(1.3, 0.25), (1.45, 0.1), (1.5, 0.2)])
 def test_the_foot_of_a_rod_that_falls_slips_where_friction_reaches_its_limit(angle, value):
     # Its acceleration grows from zero, or from a rounding of either sign.

@@ -79,7 +79,6 @@ def test_gaps_with_kinks_or_jumps_are_named(gap):
         Contacts(system, [Unilateral(gap, name="edge")])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("gap", SMOOTH)
 def test_gaps_that_are_smooth_may_be_written_in_pieces(gap):
     system, _ = block()

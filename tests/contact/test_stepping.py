@@ -48,7 +48,6 @@ def moreau(inertia, feet, friction, tilt, q, u, end, h):
     return q
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("tilt", "angle", "speed", "friction"), [(0.0, 0.4, 1.0, 0.5), (0.3, 0.2, 0.0, 0.2)]
 )

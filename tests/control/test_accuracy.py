@@ -83,7 +83,6 @@ def regulated(growth=0.0, duration=3.0):
     return 1.0 / (r / np.tanh(r * duration) - growth)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "options", "least", "share"),
     [
@@ -138,7 +137,6 @@ def catenary():
 UNSTABLE, LEAST = partial(regulator, 1.0, 10.0), regulated(1.0, 10.0)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("make", "options", "least"),
     [

@@ -61,7 +61,6 @@ def by_angle():
 PLACE = {"x": np.sin(END), "y": -np.cos(END)}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("end", [{"x": PLACE["x"], "v": 0.0}, {**PLACE, "v": 0.0, "w": 0.0}])
 @pytest.mark.parametrize("constraints", [1, 2])
 def test_a_pendulum_in_cartesian_coordinates(by_angle, end, constraints):
@@ -115,7 +114,6 @@ def vehicle(minimal):
     return System(definition), sm.Integral(push**2 + torque**2, T)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "mesh", "rel"),
     [("radau", 20, 1e-6), ("midpoint", 40, 1e-3), ("hermite-simpson", 40, 5e-6)],
@@ -169,7 +167,6 @@ def missed_by(system, found):
 ORDERS = {"backward-euler": 1, "midpoint": 2, "hermite-simpson": 4}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ORDERS)
 @pytest.mark.parametrize("constraints", [1, 2])
 def test_every_method_keeps_its_order(by_angle, method, constraints):

@@ -173,7 +173,6 @@ def compare(nlp, z, reference):
 METHODS = [("radau", 2), ("hermite-simpson", 1), ("midpoint", 1)]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "order"), METHODS)
 def test_a_pendulum_on_a_cart_with_everything_free(method, order):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
@@ -249,7 +248,6 @@ def test_a_known_signal_time_and_a_fixed_duration():
     compare(nlp, z, reference)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "order"), METHODS)
 def test_known_signals_at_times_that_move_with_the_duration(method, order):
     x, v, F, wind, gust, push = me.dynamicsymbols("x v F wind gust push")
@@ -290,7 +288,6 @@ def test_known_signals_at_times_that_move_with_the_duration(method, order):
     )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(2))
 def test_random_equations(seed):
     rng = np.random.default_rng(seed)

@@ -41,7 +41,6 @@ def standing(seed, seconds=10.0, noise=None):
     return system, Trial(times, measured, noise=QUARTER), gains, torques
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(2))
 def test_the_gains_of_a_standing_person_from_zeros(seed):
     """With gains of zero the person falls: no simulation gets near the data."""
@@ -270,7 +269,6 @@ def test_a_fit_costs_few_integrations_and_no_factorisation_but_the_equations(mon
     np.testing.assert_allclose(general.covariance, found.covariance, rtol=1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["ipopt", *SOLVERS])
 def test_fits_by_each_solver(solver):
     system, trial, gains, torques = standing(0, 2.0)

@@ -45,7 +45,6 @@ def test_the_costates_of_a_double_integrator(method):
     np.testing.assert_allclose(found.costates[v], -6.0 + 12.0 * found.mesh, rtol=1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "mesh"),
     [("radau", 12), ("hermite-simpson", 12), ("midpoint", 24), ("backward-euler", 24)],

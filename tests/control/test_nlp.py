@@ -30,7 +30,6 @@ def evaluated(nlp, name, y, data=None):
     return found
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "order", "mesh"),
     [("radau", 3, 70), ("radau", 2, 1), ("hermite-simpson", 1, 5), ("midpoint", 1, 200)],

@@ -139,7 +139,6 @@ def test_known_signals_as_expressions_and_samples():
     assert objectives[1] == pytest.approx(objectives[0], rel=1e-5)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
 def test_known_samples_under_a_free_duration(method):
     x, v, F, wind = me.dynamicsymbols("x v F wind")
@@ -293,7 +292,6 @@ def test_errors_of_intervals_that_add_up_are_warned_of(monkeypatch):
     assert missed.max() > 1.0
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
 def test_an_angle_as_a_control_has_no_turns_that_nothing_depends_on(method):
     system, (x, y, v, angle) = optima.brachistochrone()

@@ -79,7 +79,6 @@ def problem_of(seed):
     return OptimalControl(system, effort, 0.3, free=free, mesh=2, order=2)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_random_mechanism(seed):
     problem = problem_of(seed)

@@ -19,7 +19,6 @@ dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("chunks", [1, 7, 64, 1000, "auto", {"sample": 30}])
 def test_the_size_of_chunks_changes_no_bit(reference, chunks):
     system, values, whole = reference

@@ -73,7 +73,6 @@ def pendulum(q, u, output):
     )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "names", [("q", "Q", "M"), (r"\theta", r"\omega", "a/b"), ("aux", "con", "∫ y dt")]
 )

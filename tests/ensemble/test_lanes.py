@@ -51,7 +51,6 @@ def stacked(system, dataset):
     return np.stack([dataset[s.name].values for s in system.states], axis=-1)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "options"),
     [
@@ -345,7 +344,6 @@ HELD = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "options"), HELD)
 @pytest.mark.filterwarnings("ignore")
 def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, options):
@@ -478,7 +476,6 @@ METHODS = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "options"), METHODS)
 @pytest.mark.parametrize("seed", range(2))
 def test_events_in_lanes_have_the_bits_of_the_solver_for_one(method, options, seed):
@@ -574,7 +571,6 @@ def test_balls_come_to_rest_in_lanes():
     assert found.status.values.tolist()[1:] == [EVENTS_ACCUMULATE] * 2 + [0]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "options"), HELD)
 @pytest.mark.parametrize("name", [*LINKAGES, "bead"])
 def test_events_on_constraints_have_the_bits_of_the_solver_for_one(name, method, options):

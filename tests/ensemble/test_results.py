@@ -220,7 +220,6 @@ DIFFERENT = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("way", ["memory", "chunks", "store"])
 @pytest.mark.parametrize(("reduce", "message"), DIFFERENT)
 def test_results_that_differ_from_block_to_block_are_refused(

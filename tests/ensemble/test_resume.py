@@ -237,7 +237,6 @@ def store(tmp_path):
     return path, go_on, go_on()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["q1/c/1/0", "rejected/c/1", "end_time/c/1", "status/c/1"])
 @pytest.mark.parametrize("content", [b"", b"half", None])
 def test_a_chunk_that_is_lost_or_does_not_decode_is_computed_again(store, computed, name, content):
@@ -251,7 +250,6 @@ def test_a_chunk_that_is_lost_or_does_not_decode_is_computed_again(store, comput
     assert computed == [25]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["q1/c/1/0", "status/c/1"])
 def test_a_flipped_bit_is_seen_anywhere_in_a_chunk(store, computed, name):
     path, go_on, whole = store
@@ -300,7 +298,6 @@ def test_chunks_of_another_ensemble_are_computed_again(store, computed, tmp_path
     assert computed == [25]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["q1", "status", "time", "initial_q1", ""])
 def test_a_flipped_bit_is_seen_anywhere_in_what_describes_the_arrays(store, computed, name):
     path, go_on, whole = store
@@ -341,7 +338,6 @@ def test_coordinates_that_do_not_decode_are_written_again(store, name):
     identical(go_on(), whole)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["q1", "status", "time", "initial_q1"])
 def test_an_array_that_is_lost_is_named(store, name):
     path, go_on, _ = store

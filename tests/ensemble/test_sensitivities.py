@@ -228,7 +228,6 @@ HELD = [{}, {"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0
 LOST = "In one sample or more, `sensitivities` needs"
 
 
-@pytest.mark.in_parts
 @pytest.mark.filterwarnings("ignore:The initial conditions of sample 2")
 @pytest.mark.parametrize("held", HELD)
 @pytest.mark.parametrize("length", [0.0, 1e308])
@@ -265,7 +264,6 @@ def test_samples_that_are_all_lost_are_an_ensemble(linkage):
     assert many.touch_count.values.tolist() == [0, 0]
 
 
-@pytest.mark.in_parts
 @pytest.mark.filterwarnings("ignore:The initial conditions of sample 2")
 @pytest.mark.filterwarnings(f"ignore:{LOST}")
 @pytest.mark.parametrize("held", HELD[:2])

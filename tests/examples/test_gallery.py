@@ -52,7 +52,6 @@ def test_an_example_goes_in_steps_of_prose_code_and_picture(path):
     assert any(".animate(" in cell for cell in rest)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_checks_itself_draws_and_moves(
     path, monkeypatch, no_window, animated, capsys, tmp_path

@@ -86,7 +86,6 @@ def test_the_unit_is_valid(units, name, fmi):
     assert description.coSimulation is not None
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("fmi", VERSIONS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_trajectory_is_that_of_the_system(units, fmi, kind):
@@ -260,7 +259,6 @@ def test_adjoint_derivatives_are_the_same_transposed(units):
     )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("known", ["__GNUC__", "__FP_FAST_FMA", "nothing"])
 @pytest.mark.parametrize("fmi", VERSIONS)
 def test_its_sources_compile_without_a_warning(units, tmp_path, fmi, known):
@@ -337,7 +335,6 @@ def test_a_compiler_may_lie_in_a_folder_whose_name_has_blanks(tmp_path, monkeypa
     pendulum().export(tmp_path / "p.fmu")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])
 @pytest.mark.parametrize(
     ("platform", "name", "suffix", "fits"),
@@ -370,7 +367,6 @@ def test_every_system_has_its_library_and_options(
     assert library.endswith(suffix)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "fmi"),
     [
@@ -390,7 +386,6 @@ def test_a_model_may_have_any_name(tmp_path, hasty, name, fmi):
     assert result["x"][-1] == pytest.approx(np.cos(6.0), abs=1e-7)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi", "fmi2"])
 def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, hasty, name):
     path = spring_of("k").export(tmp_path / f"{name}.fmu").path

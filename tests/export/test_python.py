@@ -138,7 +138,6 @@ SWITCHED = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("expression", SWITCHED)
 def test_branches_that_are_not_taken_have_no_part_in_derivatives_by_jax(tmp_path, expression):
     jax = pytest.importorskip("jax", reason="needs pydy[jax]")

@@ -17,7 +17,6 @@ SEEDS = [s for s in range(88) if BODIES[s % len(BODIES)] < 4 and s not in SLOW][
 SEEDS += [s for s in range(TWISTED, TWISTED + 15) if BODIES[s % len(BODIES)] < 4 and s not in SLOW]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_mechanism_does_what_the_oracle_says(seed):
     _, _, failure = checked(seed)
@@ -42,7 +41,6 @@ def test_rolling_that_implies_a_height_shares_its_forces_with_it():
     check(data, ["joints"], ["outputs"])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "seed",
     [2359, 2400, 2405, 2453, 2724],
@@ -52,7 +50,6 @@ def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", [144, 353, 404, 832, 1843, 2454])
 def test_columns_of_rounding_are_no_unknowns_and_small_ones_are(seed):
     assert checked(seed)[2] is None

@@ -108,7 +108,6 @@ def test_the_pendulum_is_a_system_with_one_link_and_a_force_by_default():
     assert str(system.specifieds_symbols) == "{F(t)}"
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("force", [False, True])
 @pytest.mark.parametrize("torques", [False, True])
 @pytest.mark.parametrize("n", [1, 3])

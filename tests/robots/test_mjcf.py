@@ -61,7 +61,6 @@ def state(rng, model, data):
     data.ctrl[:] = rng.normal(size=model.nu)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("parameters", ["symbols", "numbers"])
 def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
     path = written(tmp_path, BRANCHED)

@@ -13,7 +13,6 @@ BALL = '<sphere radius="1"/>'
 PENDULUM = files("pydy.examples") / "pendulum.urdf"
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(6))
 def test_random_trees_need_the_torques_of_newton_and_euler(tmp_path, seed):
     rng = np.random.default_rng(seed)

@@ -72,7 +72,6 @@ def test_what_a_run_frees_calls_no_python_where_an_alarm_would_be_lost(solver):
     assert not called
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", [rk4, tsit5, dop853, vern9, radau], ids=repr)
 def test_an_alarm_always_arrives_from_a_python_right_hand_side(solver):
     options = {"step": 1e-2} if solver is rk4 else {"rtol": 1e-9, "atol": 1e-9}
@@ -80,7 +79,6 @@ def test_an_alarm_always_arrives_from_a_python_right_hand_side(solver):
     storm(lambda: solver(lambda x, t: [x[1], -x[0]], [1.0, 0.0], times, **options), 40)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", [rk4, dop853, radau], ids=repr)
 def test_an_alarm_always_arrives_from_a_python_specified_with_events(solver):
     q, v = me.dynamicsymbols("q v")

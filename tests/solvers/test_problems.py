@@ -12,7 +12,6 @@ ADAPTIVE = [dop853, tsit5, vern9, radau]
 CONDITION = {"rigid_body": 50.0, "pleiades": 2e3, "arenstorf": 2e4}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-11])
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("solver", ADAPTIVE)

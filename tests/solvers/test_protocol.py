@@ -285,7 +285,6 @@ INPUTS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", INPUTS)
 @pytest.mark.parametrize("solver", ALL)
 def test_a_generated_function_takes_every_kind_of_specifieds(solver, kind):

@@ -47,7 +47,6 @@ def test_a_repeated_call_runs_a_half_of_the_python():
     assert prepared > 2 * 44
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", [dop853, tsit5, rk4, radau])
 @pytest.mark.parametrize(
     "changed",

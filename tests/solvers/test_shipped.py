@@ -121,7 +121,6 @@ def test_an_explicit_method_compiles_its_own_loop_alone(tmp_path):
     assert b"advance_implicit" not in loops[0]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("share", [0.0, 0.5])
 def test_a_damaged_entry_is_compiled_again(tmp_path, share):
     run(ASK, PYDY_CACHE_DIR=str(tmp_path))

@@ -57,7 +57,6 @@ def exact_oscillator(end):
     return values[0].real, values.imag.T / 1e-30
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("solver", "options"), EXPLICIT.items())
 def test_a_linear_system_follows_the_matrix_exponential(solver, options):
     system = oscillator(solver)
@@ -328,7 +327,6 @@ def test_an_event_that_is_only_grazed_is_refused():
 # -- constraints ----------------------------------------------------------------------------------
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "holding", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
 )

@@ -35,7 +35,6 @@ def test_an_unconstrained_system_has_an_empty_matrix():
     assert len(constraints) == 0
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_the_constraints_are_a_column_of_holonomic_then_nonholonomic(name):
     model = zoo.MODELS[name]()
@@ -46,7 +45,6 @@ def test_the_constraints_are_a_column_of_holonomic_then_nonholonomic(name):
     close(oracle(model).evaluate(list(system.constraints), x, t), expected(name, x, t))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_evaluate_constraints_agrees_with_sympy(name, generator):

@@ -46,7 +46,6 @@ def test_a_branch_goes_around_its_folds():
     assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e5), (1e-3, 1e-9)])
 def test_folds_are_found_in_any_units(metre, second):
     """A micromachined beam that snaps through: in SI units its fold was stepped over."""
@@ -190,7 +189,6 @@ def test_a_bar_counts_points(capsys):
     assert "c0=" in shown
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e-6), (1e-9, 1e-12)])
 def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second):
     """Two springs from (±1, 0) to a particle, which is loaded along y: the truss of von Mises.
@@ -222,7 +220,6 @@ def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second
     assert found == pytest.approx([most, -most], rel=1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1.0, 1e-6, 1e3])
 @pytest.mark.parametrize("distance", [False, True])
 def test_accelerations_that_follow_from_constraints_tell_no_size(metre, distance):

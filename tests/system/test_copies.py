@@ -22,7 +22,6 @@ WAYS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_system_survives(name, way):
@@ -94,7 +93,6 @@ print("as expected")
 """
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", ["system", "function"])
 def test_a_pickle_lands_in_another_process(kind, tmp_path):
     model = zoo.timed()

@@ -40,7 +40,6 @@ def residuals(system):
     return np.array(values)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("use_jac", [False, True])
 @pytest.mark.parametrize("name", SOLVABLE)
 def test_the_constraints_hold_afterwards(name, use_jac):
@@ -246,7 +245,6 @@ def test_what_was_given_is_kept_where_nobody_chose_the_dependent_states(known):
     close(residuals(system), np.zeros(2), 1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
 def test_a_speed_that_the_user_gave_is_kept(unit):
     """The bicycle's forward speed depends on the rear wheel's; a user gives the former."""
@@ -272,7 +270,6 @@ def test_a_speed_that_the_user_gave_is_kept(unit):
     system.set_dependent_initial_conditions(dep_vars=dependent)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "how",
     [{}, {"use_jac": True}, {"jac": lambda z: [[2.0 * z[0], 2.0 * z[1]], [0.0, 1.0]]}],
@@ -302,7 +299,6 @@ def test_an_area_and_a_length_are_solved_in_any_unit(metre, how):
     np.testing.assert_allclose(found, [root, 0.6, -0.9 / root, 1.0], rtol=1e-14)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-18, 1.0, 1e9, 1e13])
 def test_searches_begin_at_zero_in_any_unit(metre):
     """SciPy steps by 1e-8 from zero: beside 1e9 metres this was rounding."""

@@ -52,7 +52,6 @@ def four_bar():
     return system, x[:3], x[3:]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MODELS)
 def test_the_motion_that_loads_cause_takes_no_further_forces(name):
     system, q, v, a = consistent(name)
@@ -64,7 +63,6 @@ def test_the_motion_that_loads_cause_takes_no_further_forces(name):
     assert len(forces) == len(a)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", [name for name in MODELS if name != "added_mass"])
 def test_inverse_dynamics_is_mass_times_acceleration_and_bias(name):
     system, q, v, _ = consistent(name)

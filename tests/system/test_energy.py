@@ -45,7 +45,6 @@ def is_conserved(system):
     return energy
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted(zoo.CONSERVATIVE))
 def test_total_energy_is_conserved(name):
     model = zoo.MODELS[name]()

@@ -109,7 +109,6 @@ def test_a_coordinate_may_move_steadily():
     assert np.delete(system.evaluate_ode(found.state), 0) == pytest.approx(0.0, abs=1e-14)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("tilt", [0.0, 1e-3, 1.0])
 def test_a_motion_that_depends_on_a_coordinate_is_not_steady_while_it_moves(metre, tilt):
@@ -360,7 +359,6 @@ def hanging_chain():
     return System(kane), q, constants
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("metre", "second"), [(1e9, 1.0), (1.0, 1.0), (1e-7, 1 / 3600)])
 @pytest.mark.parametrize("spread", [0.5, 3.0])
 def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
@@ -380,7 +378,6 @@ def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
     assert np.diff(np.tan(angles), n=2) == pytest.approx(0.0, abs=1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("start", "upright"),
     [
@@ -401,7 +398,6 @@ def test_a_chain_that_nearly_stands_comes_to_an_equilibrium(start, upright):
     assert not upright or np.abs(angles).max() < 1e-9
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
 def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
     """In nanometres the search used to end 4e7 turns away; in megametres a free fall was rest."""
@@ -424,7 +420,6 @@ def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
         system.find_equilibrium()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("lagrangian", [False, True])
 def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
@@ -450,7 +445,6 @@ def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
     assert found.free == ()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-18, 1e-13, 1.0, 1e13, 1e18])
 def test_an_angle_without_inertia_is_judged_in_no_unit(metre):
     """Below 1e-10 any height was an equilibrium; beyond 1e13 the deflection x seemed to be free."""

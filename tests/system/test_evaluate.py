@@ -31,7 +31,6 @@ def test_evaluate_ode_agrees_with_sympy(name, generator):
         close(got[:n], oracle(model).xdot(x, t))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_a_sweep_equals_its_rows(name, generator):
@@ -44,7 +43,6 @@ def test_a_sweep_equals_its_rows(name, generator):
     close(system.evaluate_ode(xs, ts), rows, 1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("m", [1, 2, 7, 8, 9, 100])
 def test_a_sweep_of_any_length_equals_its_rows(m, generator):
@@ -216,7 +214,6 @@ def test_r_overrides_the_specifieds_for_this_call(kind):
     close(system.evaluate_ode(x, t), oracle(model).xdot(x, t))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("method", METHODS)
 def test_the_overrides_reach_every_evaluation(method):
     model = zoo.lifted()

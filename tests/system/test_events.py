@@ -181,7 +181,6 @@ def test_an_event_is_found_that_another_sees_before_its_sign_returns(solver, end
         close(moments(info), [1.5 * np.pi - np.arccos(1 - depth)], 1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("depth", [1e-2, 1e-4, 1e-6, 1e-8, 1e-10])
 def test_an_event_that_crosses_and_returns_between_quarters_is_seen(solver, depth):
@@ -197,7 +196,6 @@ def test_an_event_that_crosses_and_returns_between_quarters_is_seen(solver, dept
         )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("depth", [1e-2, 1e-3, 1e-4])
 def test_an_event_that_returns_is_not_late_where_another_one_acts_meanwhile(solver, depth):
@@ -799,7 +797,6 @@ def test_a_linear_event_that_is_far_costs_no_evaluation(solver):
     assert far["steps"] == none["steps"] > 20
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("level", [0.1, 0.9, 0.999, 1.0 - 1e-6])
 @pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])

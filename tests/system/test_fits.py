@@ -478,7 +478,6 @@ def test_motions_that_cannot_be_computed_at_the_start_are_told(oscillator):
         oscillator.fit(["k0"], let_go(swing()))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("options", [{"segments": 1}, {"segments": 4}, COLLOCATED])
 @pytest.mark.parametrize(("metre", "second"), [(1e6, 1.0), (1e9, 1e-3), (1e-7, 1e3)])
 def test_estimates_do_not_depend_on_units(oscillator, metre, second, options):
@@ -499,7 +498,6 @@ def fitted_in_units_of_mass(oscillator, mass, guess, **more):
     return result.estimates / mass, result
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("guess", [(3.0, 0.3), (3.0, 0.0), (3.0, 1e-17), (4.0, 1e3), (-16.0, 0.2)])
 def test_estimates_are_the_same_in_any_unit_of_mass(oscillator, guess):
     """Also from where one parameter has little effect, or the motion grows to 1e17 metres."""

@@ -40,7 +40,6 @@ def undone(name):
     return MECHANISMS[name].__wrapped__()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_a_method_without_equations_is_formed_from_its_bodies(name):
     model = undone(name)
@@ -51,7 +50,6 @@ def test_a_method_without_equations_is_formed_from_its_bodies(name):
     close(found, Oracle(derived(model)).xdot(x, t), 1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["pendulum", "disc_contact", "skate", "shaken", "added_mass"])
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
@@ -65,7 +63,6 @@ def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
         close(found[len(x) :], oracle(model).forces(x, t), 1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_the_symbols_are_those_of_sympys_equations(name):
     model = zoo.MODELS[name]()
@@ -255,7 +252,6 @@ CONSTRAINED = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_constrained_equations_that_were_derived_are_formed_again_too(name):
     model = derived(CONSTRAINED[name]())
@@ -368,7 +364,6 @@ def exactly(kane, numbers, x):
     return np.array(matrix.LUsolve(forcing), dtype=float).ravel()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("free", "dependent"), [(1, 1), (2, 1), (3, 1), (1, 2), (2, 2), (2, 3)])
 @pytest.mark.parametrize("size", [1.0, 1e-2, 1e-4, 1e-6, 1e-8])
 def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accuracy(
@@ -385,7 +380,6 @@ def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accurac
         np.testing.assert_allclose(found, expected, rtol=0, atol=atol)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("free", "dependent"), [(1, 3), (2, 4), (3, 4)])
 @pytest.mark.parametrize("size", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
 def test_constraints_that_are_nearly_parallel_lose_only_the_digits_that_they_share(

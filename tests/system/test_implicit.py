@@ -569,7 +569,6 @@ def rooted(solved, held, **options):
     return System(moved, {K: 2.0, c: 0.3}, **settings | options)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("held", [X, V])
 @pytest.mark.parametrize("reset", [{X: 0.1 * K}, {X: X / 2, V: -V / 2}])
 def test_derivatives_go_through_resets_as_those_of_the_formula(held, reset):
@@ -594,7 +593,6 @@ def test_derivatives_go_through_resets_as_those_of_the_formula(held, reset):
 EFFORT = sm.Integral(me.dynamicsymbols("F") ** 2, T)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("held", [X, V])
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
 def test_optimal_motions_keep_residuals_from_any_start(held, method):
@@ -612,7 +610,6 @@ def test_optimal_motions_keep_residuals_from_any_start(held, method):
     assert motion.objective == pytest.approx(theirs.objective, rel=close)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("held", [X, V])
 @pytest.mark.parametrize("link", [{}, {V: -V / 2}, {X: X - 0.5}])
 def test_unknowns_follow_after_links_of_phases(held, link):

@@ -99,7 +99,6 @@ def test_a_pendulum_tells_three_parameters():
     assert len(system.base_parameters(motions[0], 0 * motions[1], 0 * motions[2]).places) == 2
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("second", [1.0, 1e6])
 def test_base_parameters_are_the_same_in_any_unit_of_length(second):
     """A hand on a slider: forces in its direction, and torques."""

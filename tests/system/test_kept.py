@@ -57,7 +57,6 @@ def checked(system):
     return x, check
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "solver", "tolerance"),
     [
@@ -125,7 +124,6 @@ def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("full_output", [False, True])
 @pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
 def test_scipys_solvers_are_looked_at(solver, full_output):
@@ -205,7 +203,6 @@ def test_what_projection_takes_away_is_refused():
 # -- sound motions --------------------------------------------------------------------------------
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-11])
 def test_a_crank_that_turns_is_sound_without_projection(solver, tolerance):
@@ -233,7 +230,6 @@ def test_a_slow_drift_is_sound(solver, tolerance, length):
     system.integrate(rtol=tolerance, atol=tolerance * length)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-10])
 def test_passing_singular_positions_by_projection_is_sound(solver, tolerance):
@@ -242,7 +238,6 @@ def test_passing_singular_positions_by_projection_is_sound(solver, tolerance):
     system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-6, 1.0, 1e6])
 def test_units_make_no_difference(metre):
     lengths = (1.0 * metre, 1.5 * metre)
@@ -256,7 +251,6 @@ UNITS = [(1e-8, 1e7), (1.0, 1.0), (1e-6, 1e-9), (1e6, 1e-7)]
 UNITS += [(second, metre) for second in (1e-9, 1e9) for metre in (1e-9, 1e9)]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("second", "metre"), UNITS)
 def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre):
     """Tolerances below rounding errors explain none of it; beside the motion it is nothing."""
@@ -397,7 +391,6 @@ def two_cranks(**more):
     return system, {"initial_conditions": speeds, "rtol": 1e-10, "atol": 1e-10, **more}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "options",
     [

@@ -34,7 +34,6 @@ def hessian(system, x, t):
     return out.reshape(kernel.program.blocks[0].shape)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_the_kinetic_energy_is_sympys(name):
     model = zoo.MODELS[name]()
@@ -55,7 +54,6 @@ def test_the_hessian_of_an_unconstrained_system_is_its_mass_matrix(name):
     close(hessian(system_of(model), x, t), expected.tolist(), 1e-13)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["disc", "disc_contact", "sleigh", "fourbar", "track", "lifted"])
 def test_the_hessian_of_a_constrained_system_is_that_of_sympys_energy(name):
     model = zoo.MODELS[name]()

@@ -100,7 +100,6 @@ def in_order(system, states):
 PROJECT, BAUMGARTE = {"constraints": "project"}, {"constraints": "baumgarte", "gain": 10.0}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("unit", "last", "options"),
     [
@@ -127,7 +126,6 @@ def test_schatz_linkage_turns_all_the_way_round(unit, last, options):
     close(np.abs(after[0] - angles[0]), 2 * np.pi, 1e-9)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("last", [True, False])
 def test_accelerations_near_the_linkage_satisfy_all_rows(last):
     # A step leaves the constraints by its error: kept rows that lose rank would make much of it.
@@ -158,7 +156,6 @@ def test_samples_of_an_ensemble_have_the_bits_of_single_runs():
         assert max(np.abs(off(x)).max() for x in in_order(system, states)[0]) < 1e-12
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("way", ["forward", "backward", "in lanes"])
 def test_derivatives_hold_all_rows_too(way):
     system, _ = schatz()
@@ -190,7 +187,6 @@ SCALED = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", SCALED)
 def test_loops_move_alike_in_any_units(name):
     found = []

@@ -7,7 +7,6 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.optimize import brentq
-from scipy.signal import StateSpace
 
 import zoo
 from cases import close, system_of
@@ -151,6 +150,8 @@ def test_an_output_may_depend_on_an_input_at_once():
 
 
 def test_scipy_takes_the_model():
+    from scipy.signal import StateSpace  # takes a second to load
+
     space = multi_mass_spring_damper().linearize(outputs=["x0"]).to_state_space()
     assert isinstance(space, StateSpace)
     close(space.C, [[1.0, 0.0]])

@@ -27,7 +27,6 @@ def loop(name, **shape):
     return loops.system_of(name, np.linspace(0.0, 10.0, 101), "tsit5", **shape)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", RANKS)
 def test_rows_of_full_rank_are_found(name):
     system = loop(name)
@@ -37,7 +36,6 @@ def test_rows_of_full_rank_are_found(name):
     close(system.evaluate_holonomic_constraints(), np.zeros(RANKS[name][0]), 1e-12)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", RANKS)
 def test_a_loop_keeps_its_energy_through_singular_positions(name):
     system = loop(name)
@@ -59,7 +57,6 @@ SHAPES = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("name", "shape"), SHAPES)
 def test_loops_of_other_sizes_keep_their_energy_too(name, shape):
     system = loop(name, **shape)
@@ -159,7 +156,6 @@ def mass_matrix(system, x):
     return np.array([[energy(i, j) - energy(i) - energy(j) for j in range(n)] for i in range(n)])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", RANKS)
 def test_multipliers_of_all_rows_balance_every_speed(name):
     system = loop(name)
@@ -212,7 +208,6 @@ def test_a_singular_position_with_large_forces_takes_no_energy(solver):
 BENNETT = [{}, {"rate": 6.0}, *(shape for name, shape in SHAPES if name == "spatial_four_bar")]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("shape", "unit"), [*((shape, 1.0) for shape in BENNETT), ({}, 1e-9), ({}, 1e9)]
 )

@@ -291,7 +291,6 @@ UNITS = [
 ]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("units", UNITS)
 def test_a_state_that_nothing_moves_has_a_size_in_any_units(units):
     """Sideways there is rounding alone; in large units it was to close to a thousandth of 1."""

@@ -51,7 +51,6 @@ def test_an_acceleration_can_be_named(generator):
     close(system.evaluate_outputs([*x, 0.0], t), [oracle(model).xdot(x, t)[3]])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("name", ["chain", "pendulum", "added_mass", "disc", "fourbar", "track"])
 def test_a_group_with_names_and_accelerations_is_solved_with_them(name, generator):

@@ -59,7 +59,6 @@ def test_the_gradient_of_the_energy_gives_the_momenta(cart):
     np.testing.assert_allclose(M, M.T, rtol=1e-13)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["fourbar", "disc", "branches", "mixed_speeds", "added_mass"])
 def test_products_are_those_with_the_jacobian(name):
     if hasattr(zoo, name):

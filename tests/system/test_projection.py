@@ -53,7 +53,6 @@ def energy(model, x):
 # -- what is held ---------------------------------------------------------------------------------
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 def test_the_four_bar_stays_closed_for_thirty_seconds(solver):
     model = zoo.fourbar()
@@ -89,7 +88,6 @@ def mechanism():
     return andrews.derive()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
 def test_andrews_mechanism_ends_at_the_published_angles(solver):
     model = mechanism()
@@ -108,7 +106,6 @@ def test_andrews_mechanism_ends_at_the_published_angles(solver):
     assert velocity < 40.0 * 1e-10
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_residuals_are_rounding_and_energy_is_kept(name, solver):
@@ -161,7 +158,6 @@ def lifting(kind, solver):
     return system
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", ["expressions", "functions", "samples"])
 @pytest.mark.parametrize("solver", ["dop853", "radau", "rk4"])
 def test_constraints_that_move_with_time_and_specifieds_are_held(kind, solver):
@@ -455,7 +451,6 @@ def test_constraints_that_jump_end_a_projected_motion():
     assert caught.value.time == pytest.approx(1.0)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("angle", [0.3, 0.5])
 @pytest.mark.parametrize("mass", [1.7, 2.0, 3.0])
 def test_coordinates_that_are_held_at_zero_need_not_be_zero_to_the_last_bit(angle, mass):
@@ -505,7 +500,6 @@ def test_a_wall_and_a_floor_are_two_constraints_in_any_unit_of_length(length):
     assert np.ptp(motion.energy[:, 2]) < 1e-9 * 9.81 * length**2
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ADAPTIVE)
 def test_a_step_that_ends_too_far_from_the_constraints_is_tried_again_with_a_shorter_one(solver):
     # Newton's method for atan(z) = 0 diverges from 1.4 on, which here is 1.4e-5 m off the curve.

@@ -49,7 +49,6 @@ def test_two_windows_end_where_their_pendulum_does():
     np.testing.assert_allclose([np.cos(end), np.sin(end)], expected, rtol=0, atol=1e-7)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "vern9", "radau"])
 def test_the_car_axis_ends_where_the_ivp_test_set_says(solver):
     # F. Mazzia and C. Magherini, Test Set for IVP Solvers, release 2.4, "Car axis problem": an axle
@@ -110,7 +109,6 @@ def heavy_top():
     return found.y[:9, -1].reshape(3, 3) @ arm, found.y[9:, -1]
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_the_heavy_top_of_bruls_and_cardona_moves_as_its_own_equations_say(solver):
     # O. Brüls and A. Cardona, "On the use of Lie group time integrators in multibody dynamics",

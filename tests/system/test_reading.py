@@ -93,14 +93,12 @@ def is_what_is_computed(system, x):
     assert np.abs(rates[:, 0] - moved).max() <= 1e-12 * np.abs(moved).max()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", [n for n in MODELS if n not in ("added_mass", "timed")])
 def test_what_is_read_is_what_is_computed(name):
     system = system_of(MODELS[name](), specifieds=None)
     is_what_is_computed(system, np.random.default_rng(1).uniform(0.3, 0.9, len(system.states)))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("seed", range(4))
 def test_body_rates_of_euler_angles_are_what_is_computed(seed):
     """q' divides by a sine or cosine, which meets itself in velocities and in M."""
@@ -145,7 +143,6 @@ def test_spherical_coordinates_are_what_is_computed(along):
     is_what_is_computed(system, np.random.default_rng(3).uniform(0.3, 0.9, 6))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("count", "axes"), [(3, "zzz"), (3, "zyy"), (3, "zxz"), (4, "zyyz")])
 def test_arms_in_space_are_what_is_computed(count, axes):
     system = arm(count, axes)

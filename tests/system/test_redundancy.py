@@ -26,7 +26,6 @@ def lift(stages, **options):
     return system
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(("stages", "configuration"), [(1, False), (3, False), (5, True)])
 def test_a_lift_of_crossed_bars_has_one_degree_of_freedom(stages, configuration):
     system = lift(stages, configuration=configuration)

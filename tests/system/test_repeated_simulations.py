@@ -6,6 +6,7 @@ import threading
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import zoo
 from cases import system_of
@@ -16,8 +17,7 @@ from pydy.solvers import Event, dop853
 
 TIMES = np.linspace(0.0, 2.0, num=5)
 K, W, CUT = sm.symbols("k0 w cut")
-FORCE = multi_mass_spring_damper(apply_external_forces=True).specifieds_symbols
-(F,) = FORCE
+F = me.dynamicsymbols("f0")
 X, V = multi_mass_spring_damper().states
 EDITED = np.array([0.3])
 STOP = Event(X, direction=-1, reset={V: V}, name="zero")

@@ -38,7 +38,6 @@ def numbers_at(t, kind="linear"):
     return {F: f, T1: 0.5, T2: t2}
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("generator", GENERATORS)
 def test_samples_give_their_values_at_every_time(generator, kind):

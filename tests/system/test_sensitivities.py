@@ -324,7 +324,6 @@ def exact_derivatives(function):
         return np.array([float(mpmath.diff(function, numbers, tuple(o))) for o in orders])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
 def test_a_bouncing_ball_has_exact_sensitivities(solver):
     system, bounce = bouncing_ball()
@@ -462,7 +461,6 @@ def derivative(function, size):
     return (45.0 * values[0] - 9.0 * values[1] + values[2]) / (60.0 * size)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("held", HELD, ids=["free", "project", "baumgarte"])
 def test_dependent_initial_conditions_and_constraints_are_differentiated(held):
     found = linkage().simulate(sensitivities=FOURBAR, **held, **TIGHT).sensitivity
@@ -473,7 +471,6 @@ def test_dependent_initial_conditions_and_constraints_are_differentiated(held):
         assert relative(np.array([found[s, name] for s in found.quantities[:6]]).T, expected) < 1e-9
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("held", HELD[1:], ids=["project", "baumgarte"])
 def test_events_that_turn_a_closed_loop_round_are_differentiated(held):
     """All speeds are scaled by one number, so that they still satisfy the constraints."""
@@ -745,7 +742,6 @@ def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expressio
         assert np.isnan(told.time_sensitivity).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
 @pytest.mark.parametrize(("sign", "function"), [(1.0, np.cosh), (-1.0, np.cos)])
 @pytest.mark.parametrize("start", [0.0, 1e-12])

@@ -59,7 +59,6 @@ def reference(kind):
     return pendulum(SPECIFIEDS[kind]).integrate(rtol=1e-11, atol=1e-11, tcrit=[0.6, 1.0])
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", SPECIFIEDS)
 @pytest.mark.parametrize("solver", ALL)
 def test_every_kind_of_specifieds_gives_odeints_trajectory(solver, kind):
@@ -67,7 +66,6 @@ def test_every_kind_of_specifieds_gives_odeints_trajectory(solver, kind):
     close(x, reference(kind), 1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("kind", SPECIFIEDS)
 @pytest.mark.parametrize("linear", ["numpy", "sympy"])
 def test_an_external_linear_solver_gives_the_same_trajectory(linear, kind):
@@ -82,7 +80,6 @@ def test_radau_works_with_an_external_linear_solver():
     close(system.integrate(rtol=1e-7, atol=1e-7), reference("samples"), 1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["lambdify", "cython"])
 def test_every_generator_gives_the_same_trajectory(generator):
     system = pendulum(SPECIFIEDS["all at once"], "dop853")
@@ -167,7 +164,6 @@ def test_editing_in_place_between_integrations_counts():
     assert np.abs(first - second).max() > 1e-3
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 @pytest.mark.parametrize("name", ["free_pendulum", "free_body", "bare", "gyro"])
 def test_what_is_conserved_is_conserved(name, solver):

@@ -46,7 +46,6 @@ FORMATS = {
 }
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("name", FORMATS)
 def test_every_format_gives_the_same_derivatives(name, generator, x):
@@ -55,7 +54,6 @@ def test_every_format_gives_the_same_derivatives(name, generator, x):
     close(system.evaluate_ode(x), expected(x))
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", FORMATS)
 def test_every_format_integrates_alike(name):
     times = [0.0, 0.2, 0.4]

@@ -133,7 +133,6 @@ def test_a_sample_of_an_ensemble_that_is_off_is_named():
         system.integrate_ensemble(initial_conditions={q2: many})
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("length", [1.0, 1e-3, 1e-6, 7e6])
 @pytest.mark.parametrize("constraints", [None, "project"])
 def test_a_start_far_off_is_told_in_any_units(length, constraints):
@@ -182,7 +181,6 @@ def sledge(metre, second):
     return system, (a, v, s)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("second", UNITS)
 @pytest.mark.parametrize("speed", [0.0, 1.0])
@@ -196,7 +194,6 @@ def test_what_rounding_leaves_of_a_start_is_not_told_of(metre, second, speed):
     system.integrate(atol=1e-9 * rate, constraints="project")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("second", UNITS)
 def test_speeds_that_are_off_are_told_in_any_units(metre, second):
@@ -210,7 +207,6 @@ def test_speeds_that_are_off_are_told_in_any_units(metre, second):
         system.integrate(atol=1e-9 * rate, constraints="project")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("unit", [1.0, 1e9, 1e-9])
 def test_a_bicycle_that_stands_upright_to_rounding_is_not_told_of(unit):
     model = whipple_bicycle.derive()
@@ -350,7 +346,6 @@ def test_samples_that_are_held_by_contradicting_rows_are_lost():
     assert np.isfinite(results.x[1]).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
 def test_velocity_constraints_that_imply_a_holonomic_one_by_numbers_are_right(unit, options):

@@ -423,7 +423,6 @@ def test_a_sweep_goes_on_where_its_second_block_begins():
     assert np.isfinite(sweep.eigenvalues).all()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("count", [3, 4, 9, 10, 30, 41])
 def test_a_branch_that_rests_on_the_axis_is_left_where_it_becomes_unstable(count):
     """A particle on a rotating saddle: stable between the two curvatures that make it so.

@@ -124,7 +124,6 @@ def same(actual, expected, ulps):
 # -- every operation ------------------------------------------------------------------------------
 
 
-@pytest.mark.in_parts
 @every_width
 @pytest.mark.parametrize("p", [(0.75, -1.5), (NAN, 2.0), (-INF, INF), (0.0, 3.0)], ids=str)
 def test_every_operation_agrees_with_the_interpreter_on_awkward_numbers(lanes, p):
@@ -165,7 +164,6 @@ def angles():
     return np.concatenate([near, np.nextafter(near, 0), -near, generic, small, huge])
 
 
-@pytest.mark.in_parts
 @every_width
 def test_sine_and_cosine_are_right_to_the_last_place(lanes):
     x = angles()
@@ -235,7 +233,6 @@ def test_specifieds_may_be_given_for_each_sample_or_once_for_all(lanes):
     np.testing.assert_array_equal(each, np.column_stack([x[:, 0] * table[:, 0], table[:, 1]]))
 
 
-@pytest.mark.in_parts
 @every_width
 def test_a_condition_on_constants_is_known_at_both_ends_of_a_long_program(lanes):
     x, condition = X[0], P[0] > P[1]

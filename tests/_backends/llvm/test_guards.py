@@ -260,7 +260,6 @@ def test_second_derivatives_of_a_guarded_solution_are_those_of_its_system():
         np.testing.assert_allclose(found[:, k], slope, rtol=1e-6, atol=1e-8)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("lanes", [1, 4])
 def test_constraints_are_solved_for_several_right_hand_sides(lanes):
     # As one by one, on every back end; a NaN in one of them leaves the others alone.

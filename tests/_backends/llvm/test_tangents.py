@@ -49,7 +49,6 @@ def sample(assembly, m):
 
 
 # Every width on one model, one division of the columns on the others.
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "widths"),
     [
@@ -138,7 +137,6 @@ def test_states_that_cannot_go_the_quick_way_are_solved_by_pivoting(n, kind):
         assert np.allclose(row.reshape(n, 2 * n), expected, rtol=1e-8, atol=1e-8)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("n", [3, 9])
 def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     graph, nodes, sizes = by_hand(n)
@@ -209,7 +207,6 @@ def beside(name, count):
     return assembly, columns, made
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "count"),
     [
@@ -239,7 +236,6 @@ def test_columns_beside_states_are_those_of_one_program_in_any_lanes(name, count
             np.testing.assert_array_equal(several, found)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["disc", "pendulum"])
 @pytest.mark.parametrize("lanes", [2, 4, 8])
 def test_jacobians_of_several_states_have_the_bits_of_one(name, lanes):
@@ -268,7 +264,6 @@ def nothing_cached(monkeypatch):
     jit.memory.clear()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["fourbar", "pendulum"])
 def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
     assembly = assembly_of(name)

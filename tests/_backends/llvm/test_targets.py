@@ -82,7 +82,6 @@ def bicycle():
     return assembly_of(frozen.read("bicycle")).program("rates")
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("order", ["C", "F"])
 @pytest.mark.parametrize("several", [True, False], ids=["inputs each", "inputs for all"])
 def test_lanes_in_turns_give_the_bits_of_one_lane(bicycle, order, several):
@@ -199,7 +198,6 @@ def test_a_wrong_target_is_told_where_code_is_first_compiled(tmp_path):
     assert "ValueError: The environment variable PYDY_CPU is 'pentium'" in done.stderr
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "features", "width"),
     [

@@ -47,7 +47,6 @@ def sample(kernel, m=50):
     )
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", sorted(zoo.MODELS))
 def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
     kernel = rates_kernel(name)

@@ -1,0 +1,129 @@
+"""Run the tests nearest to files of src, in under a minute for nine files of ten.
+
+    python tools/near.py src/pydy/_graph/lower.py      (or `make test-near FILE=…`)
+
+Nearest are, in this order: the test file that mirrors a file, the tests that import it, the other
+tests of its room, and for a public module those that walk over all public names. Of the slow tests
+(`tests/slow.txt`) those of the mirroring file are run whole, of the others a part. Tests are added
+in that order as long as their recorded times allow; the contracts of the house always run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCE, TESTS = ROOT / "src" / "pydy", ROOT / "tests"
+sys.path.insert(0, str(TESTS))
+
+import parts  # noqa: E402  # a helper of the tests
+
+CONTRACTS = ("test_house.py", "test_parts.py", "test_reference.py", "test_registry.py")
+CONTRACTS += ("test_words.py",)
+# Processor time of the chosen tests. Starting pytest and collecting takes as long again.
+BUDGET = 30.0
+QUICK = 0.05  # what a test function takes that is not in the table, on average
+
+
+def module_of(file: Path) -> str:
+    """Return the dotted name of a file of src."""
+    module = ".".join(file.relative_to(SOURCE.parent).with_suffix("").parts)
+    return module.removesuffix(".__init__")
+
+
+def mirrors(file: Path) -> Iterator[Path]:
+    """Yield the test files that are named after a file, or its room: the nearest first."""
+    *rooms, name = file.relative_to(SOURCE).with_suffix("").parts
+    rooms = ["system" if room == "_system" else room for room in rooms]
+    name = name.strip("_") or "init"
+    for depth in range(len(rooms), -1, -1):
+        yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{name}.py")
+    for depth in range(len(rooms), 0, -1):
+        yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{rooms[depth - 1].strip('_')}.py")
+
+
+def room_of(file: Path) -> Path:
+    """Return the folder of tests that mirrors the room of a file."""
+    room = file.relative_to(SOURCE).parts[0].removesuffix(".py")
+    return TESTS / ("system" if room in ("_system", "system") else room)
+
+
+def imports(test: Path) -> set[str]:
+    """Return the modules that a test file imports, and what it imports of them as if modules."""
+    names = set()
+    for node in ast.walk(ast.parse(test.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return names
+
+
+def functions(test: Path) -> list[str]:
+    """Return the names of the test functions of a file."""
+    nodes = ast.walk(ast.parse(test.read_text(encoding="utf-8")))
+    return [n.name for n in nodes if isinstance(n, ast.FunctionDef) and n.name.startswith("test")]
+
+
+def seconds(test: Path, whole: bool) -> float:
+    """Estimate the processor time of a file's tests: all of them, or those of a part."""
+    table, name = parts.read_table(), test.relative_to(ROOT).as_posix()
+    slow = sum(time for function, time in table.items() if function.startswith(f"{name}::"))
+    return QUICK * len(functions(test)) + slow / (1 if whole else parts.PARTS)
+
+
+def near(files: list[Path]) -> tuple[list[Path], list[Path]]:
+    """Return the test files to run, and those of which all cases are tried."""
+    tests = sorted(TESTS.rglob("test_*.py"))
+    tests = [test for test in tests if "browser" not in test.parts and "fuzz" not in test.parts]
+    mirroring = list(dict.fromkeys(test for file in files for test in mirrors(file)))
+    modules = {module_of(file) for file in files}
+    importing = [test for test in tests if imports(test) & modules]
+    beside = [test for test in tests for file in files if room_of(file) in test.parents]
+    chosen, whole, total = [], [], 0.0
+    for test in dict.fromkeys([*mirroring, *importing, *beside]):
+        takes_all = test in mirroring and total + seconds(test, True) <= BUDGET
+        cost = seconds(test, takes_all)
+        if total + cost > BUDGET and chosen:
+            continue
+        chosen.append(test)
+        total += cost
+        if takes_all:
+            whole.append(test)
+    contracts = [TESTS / name for name in CONTRACTS if (TESTS / name).exists()]
+    return list(dict.fromkeys([*chosen, *contracts])), whole
+
+
+def main() -> None:
+    """Read the command line and run pytest."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("files", nargs="+", type=Path, help="files of src/pydy")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--list", action="store_true", help="print the test files; run nothing")
+    options = parser.parse_args()
+    files = [file.resolve() for file in options.files]
+    for file in files:
+        if SOURCE not in file.parents or not file.exists():
+            parser.error(f"FILE must be a file of src/pydy, got {file}")
+    sources = [file for file in files if file.suffix == ".py"]
+    chosen, whole = near(files)
+    names = [test.relative_to(ROOT).as_posix() for test in chosen]
+    if options.list:
+        print(*names, sep="\n")
+        return
+    variables = os.environ | {
+        "PYDY_WHOLE_FILES": " ".join(test.relative_to(ROOT).as_posix() for test in whole)
+    }
+    command = [sys.executable, "-m", "pytest", "-n", str(options.jobs), "--dist", "worksteal"]
+    command += [*names, *(str(file) for file in sources)]
+    raise SystemExit(subprocess.run(command, cwd=ROOT, env=variables, check=False).returncode)
+
+
+if __name__ == "__main__":
+    main()
