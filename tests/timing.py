@@ -77,7 +77,7 @@ class Times:
         """Return slow functions that are not in the table, on a machine like that of the table."""
         limit = FACTOR * parts.LIMIT
         slow = {name: s for name, s in self.seconds.items() if s > limit}
-        for name in parts.read_table():
+        for name in (*parts.read_table(), *parts.DRAWING):
             slow.pop(name, None)
         if slow:
             limit *= max(1.0, loop_time() / parts.loop_time_of_table())

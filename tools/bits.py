@@ -18,15 +18,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 import zoo
 from cases import system_of
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from registry import SOLVERS, has_fixed_step
 
-SOLVERS = {
-    "dop853": (dop853, {}),
-    "radau": (radau, {}),
-    "rk4": (rk4, {"step": 0.01}),
-    "tsit5": (tsit5, {}),
-    "vern9": (vern9, {"rtol": 1e-12, "atol": 1e-12}),
-}
+# Where the default tolerances would not tell much.
+OPTIONS = {"vern9": {"rtol": 1e-12, "atol": 1e-12}}
 
 
 def digest(values: Any) -> str:
@@ -52,9 +47,10 @@ def main() -> None:
         say(name, "a single state", system.evaluate_ode(x[0], t[0]))
         if model.start or not system.constraints:
             system.initial_conditions = dict(model.start or zip(system.states, x[0], strict=True))
-            for solver, (function, options) in SOLVERS.items():
-                system.ode_solver = function
-                say(name, solver, system.integrate(**options))
+            for solver in sorted(SOLVERS, key=lambda solver: solver.name):
+                system.ode_solver = solver
+                fixed = {"step": 0.01} if has_fixed_step(solver) else {}
+                say(name, solver.name, system.integrate(**OPTIONS.get(solver.name, fixed)))
 
 
 if __name__ == "__main__":

@@ -7,8 +7,9 @@ from scipy.integrate import odeint
 import zoo
 from cases import close, system_of, wide
 from pydy._errors import PyDyUserWarning
+from registry import SOLVER_NAMES, step_options
 
-SOLVERS = [odeint, "dop853", "tsit5", "vern9", "radau", "rk4"]
+SOLVERS = [odeint, *SOLVER_NAMES]
 
 
 def at_times(model, end, num=31, solver=odeint, **options):
@@ -16,13 +17,13 @@ def at_times(model, end, num=31, solver=odeint, **options):
 
 
 def options_of(solver, tolerance=1e-9):
-    return {"step": 2e-3} if solver == "rk4" else {"rtol": tolerance, "atol": tolerance}
+    return step_options(solver, tolerance, 2e-3)
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_the_four_bar_drifts_less(solver):
     system = at_times(zoo.fourbar(), 30.0, 301, solver)
-    loose = {"step": 0.02} if solver == "rk4" else {"rtol": 1e-5, "atol": 1e-5}
+    loose = step_options(solver, 1e-5, 0.02)
 
     def worst(**options):
         x = system.integrate(**loose, **options)

@@ -26,7 +26,6 @@ import tempfile
 import time
 import traceback
 import warnings
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +33,7 @@ import numpy as np
 
 import pydy
 from fuzz.kinds import RefusedError
-from fuzz.table import FAMILIES, TARGETS
+from fuzz.table import FAMILIES, TARGETS, load, module_name
 from fuzz.values import GROUPS, BoomError, PrintedError
 from fuzz.world import world
 from pydy.errors import IntegrationError, PyDyUserWarning, SingularMatrixError
@@ -47,7 +46,7 @@ HERE = str(Path(__file__).parent) + os.sep
 
 def main() -> None:
     for family in FAMILIES:
-        import_module(f"fuzz.families.{family}")
+        load(family)
     world()
     gc.collect()
     gc.freeze()  # a child that collects would copy every page
@@ -57,7 +56,7 @@ def main() -> None:
         family, part, parts = line.split()
         results, number = [], 0
         for target in TARGETS:
-            if target.call.__module__ != f"fuzz.families.{family}":
+            if target.call.__module__ != module_name(family):
                 continue
             chosen = []
             for name, make in values_for(target).items():

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,23 +14,34 @@ import sympy as sm
 
 from fuzz.kinds import Kind, RefusedError, array, flag, nothing, real
 
-__all__ = ["FAMILIES", "TARGETS", "Target", "target"]
+__all__ = ["FAMILIES", "TARGETS", "Target", "load", "module_name", "target"]
 
 
-FAMILIES = (
-    "command_line",
-    "contacts",
-    "ensembles",
-    "evaluation",
-    "exports",
-    "generation",
-    "integration",
-    "optimal",
-    "pictures",
-    "results",
-    "scenes",
-    "system",
+TESTS = Path(__file__).parents[1]
+# Modules that add targets: the files of `families`, and any test file that imports this module.
+FAMILIES = tuple(
+    path.relative_to(TESTS).as_posix()
+    for path in (*sorted((TESTS / "fuzz/families").glob("*.py")), *sorted(TESTS.rglob("test_*.py")))
+    if "\nfrom fuzz.table import" in path.read_text(encoding="utf-8")
+    and path.parent != TESTS / "fuzz"
 )
+
+
+def module_name(family: str) -> str:
+    """Return the name that a module of targets is imported by."""
+    return family.removesuffix(".py").replace("/", ".")
+
+
+def load(family: str) -> None:
+    """Import a module of targets, once."""
+    name = module_name(family)
+    if name in sys.modules:
+        return
+    spec = spec_from_file_location(name, TESTS / family)
+    assert spec is not None
+    assert spec.loader is not None
+    sys.modules[name] = module = module_from_spec(spec)
+    spec.loader.exec_module(module)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,9 @@ import sympy.physics.mechanics as me
 
 import zoo
 from cases import system_of
-from pydy.solvers import Event, dop853, radau, rk4, tsit5, vern9
+from pydy.solvers import Event, dop853, radau, rk4
 from pydy.system import System
+from registry import SOLVERS, has_fixed_step, step_options
 
 
 class AlarmError(Exception):
@@ -53,7 +54,7 @@ def storm(run, number, seed=0):
 
 @pytest.mark.parametrize("solver", [rk4, dop853, radau], ids=repr)
 def test_what_a_run_frees_calls_no_python_where_an_alarm_would_be_lost(solver):
-    options = {"step": 1e-2} if solver is rk4 else {}
+    options = {"step": 1e-2} if has_fixed_step(solver) else {}
     called = set()
 
     def note(frame, what, _):
@@ -72,9 +73,9 @@ def test_what_a_run_frees_calls_no_python_where_an_alarm_would_be_lost(solver):
     assert not called
 
 
-@pytest.mark.parametrize("solver", [rk4, tsit5, dop853, vern9, radau], ids=repr)
+@pytest.mark.parametrize("solver", SOLVERS, ids=repr)
 def test_an_alarm_always_arrives_from_a_python_right_hand_side(solver):
-    options = {"step": 1e-2} if solver is rk4 else {"rtol": 1e-9, "atol": 1e-9}
+    options = step_options(solver, 1e-9, 1e-2)
     times = np.linspace(0.0, 4.0, num=20)
     storm(lambda: solver(lambda x, t: [x[1], -x[0]], [1.0, 0.0], times, **options), 40)
 
@@ -91,7 +92,7 @@ def test_an_alarm_always_arrives_from_a_python_specified_with_events(solver):
     system.specifieds = {force: lambda x, t: -x[0] - x[0] ** 3}
     system.times = np.linspace(0.0, 1.0, num=20)
     system.ode_solver = solver
-    options = {"step": 2e-2} if solver is rk4 else {"rtol": 1e-9, "atol": 1e-9}
+    options = step_options(solver, 1e-9, 2e-2)
     events = [Event(q), Event(q - 0.8, reset={v: 0.9 * v})]
     storm(lambda: system.integrate(events=events, **options), 40)
 

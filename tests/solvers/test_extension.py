@@ -15,8 +15,9 @@ from pydy.inputs import SampledInput
 from pydy.solvers import Event, dop853, rk4
 from pydy.solvers.run import workspace
 from pydy.system import System
+from registry import ADAPTIVE_NAMES, step_options
 
-ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+ADAPTIVE = ADAPTIVE_NAMES
 FEW, MANY = np.linspace(0.0, 2.0, num=5), np.linspace(0.0, 2.0, num=401)
 
 
@@ -134,7 +135,7 @@ def test_later_changes_of_the_system_do_not_reach_the_extension():
 @pytest.mark.parametrize("solver", ["rk4", "tsit5", "radau"])
 def test_long_runs_are_kept_in_pieces(solver, monkeypatch):
     monkeypatch.setattr(workspace, "_STEPS", 1)
-    options = {"step": 0.004} if solver == "rk4" else {"rtol": 1e-8, "atol": 1e-8}
+    options = step_options(solver, 1e-8, 0.004)
     piecewise = oscillator(solver, FEW).simulate(**options)
     monkeypatch.undo()
     whole = oscillator(solver, FEW).simulate(**options)

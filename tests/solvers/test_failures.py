@@ -10,17 +10,16 @@ import sympy.physics.mechanics as me
 
 from pydy._errors import IntegrationError
 from pydy.codegen.ode_function_generators import generate_ode_function
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from pydy.solvers import dop853, rk4
+from registry import ADAPTIVE, SOLVERS, step_options
 
-ALL = [dop853, tsit5, vern9, rk4, radau]
-ADAPTIVE = [dop853, tsit5, vern9, radau]
 Q, U = me.dynamicsymbols("q u")
 K = sm.Symbol("k")
 TIMES = np.array([0.0, 0.5, 1.25, 2.0])
 
 
 def options_of(solver):
-    return {"step": 1e-3} if solver is rk4 else {"rtol": 1e-8, "atol": 1e-8}
+    return step_options(solver, 1e-8, 1e-3)
 
 
 def failure(solver, f, x0, times, args=(), **options):
@@ -87,7 +86,7 @@ def test_fixed_steps_stop_where_the_state_is_not_finite_any_more():
     assert 1.0 < error.time < 1.1
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_derivatives_that_are_not_finite_are_named_with_time_and_state(solver):
     def f(x, t):
         return [np.sqrt(1.0 - t) if t <= 1.0 else np.nan, x[0]]
@@ -101,7 +100,7 @@ def test_derivatives_that_are_not_finite_are_named_with_time_and_state(solver):
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_derivatives_that_are_not_finite_at_the_start_are_named(solver, bad):
     error = failure(solver, lambda x, t: [bad, 1.0], [0.0, 3.0], TIMES)
     assert "met derivatives or errors that are not finite" in str(error)
@@ -109,7 +108,7 @@ def test_derivatives_that_are_not_finite_at_the_start_are_named(solver, bad):
     assert "nan" not in str(error)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_too_many_steps_are_counted_rejected_ones_included(solver):
     error = failure(solver, lambda x, t: [x[1], -900.0 * x[0]], [1.0, 0.0], TIMES, max_steps=17)
     assert "took 17 steps, `max_steps`" in str(error)
@@ -117,7 +116,7 @@ def test_too_many_steps_are_counted_rejected_ones_included(solver):
     assert error.info["steps"] + error.info["rejected"] == 17
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_a_singular_mass_matrix_is_named_with_the_states(solver):
     f = generate_ode_function([U, -1], [Q], [U], [K], mass_matrix=sm.diag(1, Q + K))
     error = failure(solver, f, [0.0, 0.1], TIMES, args=([0.0],))

@@ -11,17 +11,17 @@ import pytest
 import solver_problems as problems
 from pydy._errors import IntegrationError, IntegrationInterrupted, MissingDependencyError
 from pydy._interrupts import Interrupts
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from pydy.solvers import dop853, tsit5
 from pydy.solvers.run import integration
+from registry import SOLVERS, has_fixed_step, step_options
 
-ALL = [dop853, tsit5, vern9, rk4, radau]
 HUGE = 1e9  # seconds of simulated time that nobody waits for
 MAX_STEP = {"max_step": 0.25}
 PATIENCE = 60.0  # seconds on a busy machine, where 0.1 are meant; without Ctrl-C it takes hours
 
 
 def options_of(solver):
-    return {"step": 1e-2} if solver is rk4 else {"rtol": 1e-10, "atol": 1e-10}
+    return step_options(solver, 1e-10, 1e-2)
 
 
 class CtrlC:
@@ -66,7 +66,7 @@ def interrupted(run):
     return caught.value
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_ctrl_c_ends_compiled_work_with_what_was_computed(solver, monkeypatch):
     problem = problems.rigid_body()
     times = np.array([0.0, 5.0, 20.0, HUGE])
@@ -94,7 +94,7 @@ def test_ctrl_c_ends_compiled_work_with_what_was_computed(solver, monkeypatch):
     assert error.info["steps"] > 100
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_where_memory_ends_the_error_holds_what_was_computed(solver):
     times = np.array([0.0, 0.5, 1.0, 2.0])
 
@@ -104,7 +104,13 @@ def test_where_memory_ends_the_error_holds_what_was_computed(solver):
         return [x[1], -x[0]]
 
     with pytest.raises(MemoryError, match="no more") as caught:
-        solver(f, [1.0, 0.0], times, **options_of(solver), **({} if solver is rk4 else MAX_STEP))
+        solver(
+            f,
+            [1.0, 0.0],
+            times,
+            **options_of(solver),
+            **({} if has_fixed_step(solver) else MAX_STEP),
+        )
     np.testing.assert_array_equal(caught.value.times, times[:3])
     exact = np.array([np.cos(times[:3]), -np.sin(times[:3])]).T
     np.testing.assert_allclose(caught.value.states, exact, atol=1e-7)
@@ -143,7 +149,7 @@ def test_ctrl_c_is_never_lost_on_the_way_into_a_python_function():
         interrupted(run)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_ctrl_c_is_heard_at_the_next_call_and_after_the_last(solver):
     calls, due = [], None
 
@@ -153,7 +159,7 @@ def test_ctrl_c_is_heard_at_the_next_call_and_after_the_last(solver):
             signal.raise_signal(signal.SIGINT)
         return -x
 
-    run = solver.prepare(f, [1.0], [0.0, 0.1], **({"step": 0.05} if solver is rk4 else {}))
+    run = solver.prepare(f, [1.0], [0.0, 0.1], **({"step": 0.05} if has_fixed_step(solver) else {}))
     expected = run([1.0])
     for due in range(1, len(calls) + 1):
         calls.clear()
@@ -237,7 +243,7 @@ def test_a_keyboard_interrupt_of_the_function_itself_counts_as_one():
 # -- slices ---------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("budget", [1, 2, 7])
 def test_the_bits_do_not_depend_on_how_the_work_is_sliced(solver, budget, monkeypatch):
     problem = problems.arenstorf()
@@ -276,7 +282,7 @@ class Bar:
         self.closed = True
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_the_bar_goes_through_simulated_time(solver, monkeypatch):
     monkeypatch.setattr("tqdm.auto.tqdm", Bar)
     monkeypatch.setattr(integration, "first_budget", lambda *_: 10)

@@ -4,21 +4,17 @@ import numpy as np
 import pytest
 
 import solver_problems as problems
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from pydy.solvers import dop853, radau, tsit5, vern9
+from pydy.solvers.tableaus import tableau_of
+from registry import ADAPTIVE, EXPLICIT, SOLVER_FACTS
 
-# The largest and the smallest step: both well above rounding, and small enough for the order.
-STEPS = {
-    dop853: (8, 0.5, 0.2),
-    tsit5: (5, 0.1, 0.025),
-    vern9: (9, 0.5, 0.4),
-    rk4: (4, 0.05, 0.0125),
-}
-DENSE = {dop853: (8, 0.5, 0.2), tsit5: (5, 0.1, 0.025), vern9: (9, 1.0, 0.5)}
+FACTS = {solver: SOLVER_FACTS[solver.name] for solver in EXPLICIT}
+DENSE = [solver for solver, facts in FACTS.items() if facts.interpolant_steps]
 
 
 def error(solver, problem, h, times, **options):
     """The largest error with steps of constant size: the tolerances never ask for another."""
-    if solver is not rk4:
+    if solver.adaptive:
         options = {"rtol": 1e3, "atol": 1e3, "first_step": h, "max_step": h, **options}
     else:
         options = {"step": h}
@@ -32,9 +28,10 @@ def slope(coarse, fine, h, smaller):
     return np.log(coarse / fine) / np.log(h / smaller)
 
 
-@pytest.mark.parametrize("solver", STEPS)
+@pytest.mark.parametrize("solver", EXPLICIT)
 def test_the_error_falls_with_the_order_of_the_method(solver):
-    problem, (order, h, smaller) = problems.rigid_body(), STEPS[solver]
+    problem, (h, smaller) = problems.rigid_body(), FACTS[solver].steps
+    order = tableau_of(solver.name).order
     ends = np.array([0.0, problem.end])
     coarse, fine = (error(solver, problem, step, ends) for step in (h, smaller))
     assert order - 0.6 < slope(coarse, fine, h, smaller) < order + 1.5
@@ -42,7 +39,8 @@ def test_the_error_falls_with_the_order_of_the_method(solver):
 
 @pytest.mark.parametrize("solver", DENSE)
 def test_the_error_between_steps_falls_with_the_order_of_the_interpolant(solver):
-    problem, (order, h, smaller) = problems.rigid_body(), DENSE[solver]
+    problem, (h, smaller) = problems.rigid_body(), FACTS[solver].interpolant_steps
+    order = FACTS[solver].interpolant + 1  # the error of one step
     times = np.linspace(0.0, problem.end, num=1234)
     coarse, fine = (error(solver, problem, step, times) for step in (h, smaller))
     assert order - 0.6 < slope(coarse, fine, h, smaller) < order + 1.5
@@ -64,7 +62,7 @@ def test_radaus_interpolant_is_of_order_three():
     assert 3.6 < slope(coarse, fine, 0.1, 0.025) < 4.6
 
 
-@pytest.mark.parametrize("solver", [dop853, tsit5, vern9, radau])
+@pytest.mark.parametrize("solver", ADAPTIVE)
 def test_the_error_follows_the_tolerance(solver):
     problem = problems.rigid_body()
     for tolerance in (1e-5, 1e-8, 1e-11):
@@ -88,7 +86,7 @@ def test_the_number_of_steps_rises_as_slowly_as_the_order_lets_it(solver, order)
     assert rise < 1.25 / order
 
 
-@pytest.mark.parametrize("solver", [dop853, tsit5, vern9, radau])
+@pytest.mark.parametrize("solver", ADAPTIVE)
 def test_output_between_steps_costs_no_further_steps(solver):
     problem = problems.rigid_body()
 

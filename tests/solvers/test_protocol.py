@@ -13,15 +13,14 @@ from pydy import solvers
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.inputs import SampledInput
 from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from registry import ADAPTIVE, SOLVERS, has_fixed_step, step_options
 
-ALL = [dop853, tsit5, vern9, rk4, radau]
-ADAPTIVE = [dop853, tsit5, vern9, radau]
 Q, U, PUSH, PULL = me.dynamicsymbols("q u F G")
 K, C = sm.symbols("k c")
 
 
 def tight(solver):
-    return {"step": 1e-3} if solver is rk4 else {"rtol": 1e-10, "atol": 1e-10}
+    return step_options(solver, 1e-10, 1e-3)
 
 
 def spring(x, t, k=4.0, c=0.0):
@@ -33,7 +32,7 @@ def cosine(times):
     return np.stack([np.cos(2 * times), -2 * np.sin(2 * times)], axis=-1)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_a_python_function_is_integrated(solver):
     times = np.linspace(0.0, 3.0, num=13)
     x = solver(spring, [1.0, 0.0], times, **tight(solver))
@@ -41,7 +40,7 @@ def test_a_python_function_is_integrated(solver):
     np.testing.assert_allclose(x, cosine(times), atol=1e-8)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_args_go_to_the_function(solver):
     times = np.linspace(0.0, 3.0, num=4)
     expected = odeint(spring, [1.0, 0.2], times, args=(2.5, 0.3), rtol=1e-11, atol=1e-11)
@@ -54,7 +53,7 @@ def test_a_single_argument_needs_no_tuple():
     np.testing.assert_allclose(x[1], cosine(1.0), atol=1e-8)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_the_first_row_is_the_initial_state(solver):
     x0 = np.array([0.1, 0.7])
     x = solver(spring, x0, [2.5, 3.0], **tight(solver))
@@ -63,12 +62,12 @@ def test_the_first_row_is_the_initial_state(solver):
     np.testing.assert_array_equal(x0, [0.1, 0.7])
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_one_time_gives_one_row(solver):
     np.testing.assert_array_equal(solver(spring, [0.1, 0.7], [2.5], **tight(solver)), [[0.1, 0.7]])
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_repeated_times_repeat_their_rows(solver):
     times = [0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0]
     x = solver(spring, [1.0, 0.0], times, **tight(solver))
@@ -78,14 +77,14 @@ def test_repeated_times_repeat_their_rows(solver):
     np.testing.assert_array_equal(x[5], x[6])
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_an_interval_of_no_length_gives_equal_rows(solver):
     np.testing.assert_array_equal(
         solver(spring, [1.0, 0.0], [3.0, 3.0], **tight(solver)), [[1.0, 0.0], [1.0, 0.0]]
     )
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_intervals_may_be_as_short_as_rounding(solver):
     times = [1.0, np.nextafter(1.0, 2.0), 1.0 + 1e-12, 2.0]
     for these in (times, times[:2]):
@@ -109,7 +108,7 @@ def test_a_scalar_state_will_do():
 
 
 @pytest.mark.parametrize("n", [1, 7, 8, 9, 17])
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_any_number_of_states_fits_the_blocks(solver, n):
     rates, times = np.linspace(0.2, 1.0, num=n), np.array([0.0, 0.3, 0.3, 1.0])
     x = solver(lambda x, t: -rates * x, np.ones(n), times, **tight(solver))
@@ -119,7 +118,7 @@ def test_any_number_of_states_fits_the_blocks(solver, n):
 # -- options --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_full_output_tells_of_the_work(solver):
     calls = []
 
@@ -127,7 +126,7 @@ def test_full_output_tells_of_the_work(solver):
         calls.append(t)
         return spring(x, t)
 
-    options = {"step": 0.01} if solver is rk4 else {}
+    options = {"step": 0.01} if has_fixed_step(solver) else {}
     x, info = solver(f, [1.0, 0.0], np.linspace(0.0, 1.0, num=5), full_output=True, **options)
     assert x.shape == (5, 2)
     assert info["method"] == solver.name
@@ -222,7 +221,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("derivative", "message"), REFUSED)
 @pytest.mark.parametrize("good", [0, 10])
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_a_derivative_that_does_not_fit_the_state_is_refused(solver, good, derivative, message):
     calls = []
 
@@ -251,7 +250,7 @@ def test_specifieds_and_constants_that_do_not_fit_are_refused():
         dop853(f, [1.0, 0.0], [0.0, 1.0], args=([0.0], [4.0, 1.0]))
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_an_exception_in_the_function_comes_out_as_itself(solver):
     def f(x, t):
         if t > 0.5:
@@ -286,7 +285,7 @@ INPUTS = {
 
 
 @pytest.mark.parametrize("kind", INPUTS)
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_a_generated_function_takes_every_kind_of_specifieds(solver, kind):
     r, at = INPUTS[kind]
     times = [0.0, 0.7, 1.0, 1.8]
@@ -302,7 +301,7 @@ def test_a_generated_function_takes_every_kind_of_specifieds(solver, kind):
 
 
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_generators_give_the_same_trajectory(solver, generator):
     times = [0.0, 0.7, 1.8]
     args = (SAMPLES, np.array([4.0, 0.3]))
@@ -331,7 +330,7 @@ def test_a_generated_function_with_time_first_or_outputs_is_called_as_it_is():
     np.testing.assert_allclose(x[1], cosine(1.0), atol=1e-8)
 
 
-@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("solver", SOLVERS)
 def test_solvers_pickle_as_themselves_and_name_themselves(solver):
     assert pickle.loads(pickle.dumps(solver)) is solver
     assert repr(solver) == f"pydy.solvers.{solver.name}"

@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 
 from pydy.solvers.tableaus import radau, tableau_of
+from registry import EXPLICIT_NAMES, SOLVER_FACTS
 
-METHODS = ["dop853", "tsit5", "vern9", "rk4"]
-DENSE_ORDER = {"dop853": 7, "tsit5": 4, "vern9": 8, "rk4": 3}
-# The orders of both estimates of DOP853 are those of its name, 8(5,3).
-ESTIMATES = [("dop853", 0, 5), ("dop853", 1, 3), ("tsit5", 0, 4), ("vern9", 0, 8)]
+METHODS = EXPLICIT_NAMES
+ESTIMATES = [
+    (name, which, order)
+    for name, facts in SOLVER_FACTS.items()
+    for which, order in enumerate(facts.estimates)
+]
 THETAS = np.linspace(0.0, 1.0, 9)
 
 
@@ -128,7 +131,7 @@ def test_an_estimate_vanishes_up_to_its_order_and_not_beyond(name, which, order)
 
 @pytest.mark.parametrize("name", METHODS)
 def test_the_interpolant_fulfils_every_order_condition_of_its_order(name):
-    A, order = matrix(name), DENSE_ORDER[name]
+    A, order = matrix(name), SOLVER_FACTS[name].interpolant
     for theta in THETAS:
         assert defects(interpolant(name, theta), A, order, theta).max() < 1e-13
     assert defects(interpolant(name, 0.3), A, order + 1, 0.3).max() > 1e-9

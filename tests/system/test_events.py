@@ -17,12 +17,13 @@ from pydy.solvers import Event
 from pydy.solvers.run.integration import Integration
 from pydy.solvers.run.workspace import Workspace
 from pydy.system import System
+from registry import ADAPTIVE_NAMES, SOLVER_NAMES, has_fixed_step
 
 T = me.dynamicsymbols._t
 Z, V, PUSH = me.dynamicsymbols("z v F")
 M, G = sm.symbols("m g")
-ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
-ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+ALL = SOLVER_NAMES
+ADAPTIVE = ADAPTIVE_NAMES
 
 
 @cache
@@ -638,7 +639,7 @@ def test_events_see_specifieds_of_every_kind(solver, kind):
     # The push lifts it with 2 m/s².
     system = ball(solver, specifieds={PUSH: INPUTS[kind]}, times=[0.0, 1.5])
     events = [Event(Z - PUSH / 10, name="height"), Event(Z - 2, reset={V: -PUSH}, name="stop")]
-    _, info = run(system, events, **({"step": 5e-3} if solver == "rk4" else {}))
+    _, info = run(system, events, **({"step": 5e-3} if has_fixed_step(solver) else {}))
     push = 1.3 * 9.81 + 2.6
     height, stop = info["events"][:2]
     close(height.time, np.sqrt(push / 10 - 1), 1e-8)
@@ -709,7 +710,9 @@ def test_a_jump_of_an_input_makes_an_event_happen_once(solver):
     floor = SampledInput([0.0, 0.3, 2.0], [-1.0, 5.0, 5.0], "previous")
     system = ball(solver, specifieds={PUSH: floor}, times=[0.0, 0.3, 0.5])
     leap = Event(Z - PUSH, direction=-1, reset={V: 2.0}, name="leap")
-    x, info = run(system, [leap], **({"step": 5e-3} if solver == "rk4" else {"max_step": 0.05}))
+    x, info = run(
+        system, [leap], **({"step": 5e-3} if has_fixed_step(solver) else {"max_step": 0.05})
+    )
     assert moments(info) == [0.3]
     close(x[-1, 1], 2.0 - 0.2 * (9.81 - 5.0 / 1.3), 1e-6)
 
@@ -734,7 +737,7 @@ GROUND = 0.45152364098573097  # when it is reached
 def test_an_event_that_stays_at_zero_is_told(solver, times, expression, first, last):
     events = [Event(Z - 0.1), Event(expression, name="rests")]
     with pytest.warns(PyDyUserWarning, match="the event `rests` is exactly zero") as caught:
-        run(ball(solver, times=times), events, **({"step": 0.05} if solver == "rk4" else {}))
+        run(ball(solver, times=times), events, **({"step": 0.05} if has_fixed_step(solver) else {}))
     [told] = [str(w.message) for w in caught]
     found = [float(n) for n in re.findall(r"(?:t =|to) (\d+(?:\.\d+)?)", told)]
     assert first - 1e-5 <= found[0] <= found[-1] <= last + 1e-5

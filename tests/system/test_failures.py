@@ -13,6 +13,7 @@ from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
 from pydy._system.causes import cause_of
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from registry import step_options
 
 T = me.dynamicsymbols._t
 X, Y, VX, VY, PUSH = me.dynamicsymbols("x y vx vy F")
@@ -133,7 +134,7 @@ def test_a_bad_choice_of_dependents_is_named(solver):
 def test_dependents_that_are_a_bad_choice_are_integrated_nevertheless(solver):
     system = on_a_circle(ode_solver=solver, times=np.linspace(0.0, 9.0, 10))
     assert system._equations.formed is not None
-    options = {"step": 1e-3} if solver == "rk4" else {"rtol": 1e-11, "atol": 1e-11}
+    options = step_options(solver, 1e-11, 1e-3)
     x = system.integrate(constraints="project", **options)
     # The angle from the horizontal, of a pendulum of unit length, mass and gravity.
     angle = solve_ivp(

@@ -17,6 +17,7 @@ from pydy.control import OptimalControl
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
+from registry import ADAPTIVE_NAMES
 from zoo import inertial_frame
 
 T = me.dynamicsymbols._t
@@ -542,7 +543,7 @@ def test_positions_and_constraints_hold_no_force():
 # -- errors ---------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 def test_a_force_that_changes_within_a_part_of_a_step_acts_in_time(solver):
     system = System(
         definition([(-E, 0)]), {M: 1.0}, times=[0.0, 2.0], initial_conditions={},

@@ -18,10 +18,11 @@ from pydy.solvers import Event
 from pydy.solvers.kept import is_near
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from pydy.solvers.tuning import NEAR_SINGULAR
+from registry import ADAPTIVE_NAMES
 from singular import bricard, n_four_bar, slider_crank
 from zoo import inertial_frame
 
-ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+ADAPTIVE = ADAPTIVE_NAMES
 
 
 def loop(name, end=3.0, solver="dop853", **shape):

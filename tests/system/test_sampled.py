@@ -14,6 +14,7 @@ from oracle import oracle
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
+from registry import SOLVER_NAMES, step_options
 
 T = zoo.T
 F, T1, T2 = me.dynamicsymbols("F T1 T2")
@@ -133,7 +134,7 @@ def test_steps_end_where_an_input_jumps(solver, start):
     system.specifieds = {force: SampledInput(breaks, values, "previous")}
     system.times = start + np.linspace(0.0, 3.0, 31)
     system.ode_solver = solver
-    options = {"step": 0.01} if solver == "rk4" else {"rtol": 1e-10, "atol": 1e-10}
+    options = step_options(solver, 1e-10, 0.01)
     motion = system.simulate(**options)
     close(motion.states, np.array([held_spring(t, breaks, values) for t in motion.times]), 2e-9)
     between = motion.at(start + np.linspace(0.0, 3.0, 977))
@@ -258,14 +259,14 @@ def test_a_pulse_between_two_evaluations_of_scipys_solvers_is_told(solver, force
     assert system.integrate(**tight)[-1, 0] == pytest.approx(expected, abs=1e-8)
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "rk4", "radau"])
+@pytest.mark.parametrize("solver", SOLVER_NAMES)
 def test_native_solvers_end_steps_at_jumps_beside_functions_too(solver):
     system = multi_mass_spring_damper(2, apply_external_forces=True)
     system.ode_solver = solver
     first, second = sorted(system.specifieds_symbols, key=str)
     jumps = SampledInput([0.0, 5.0, 5.001, 7.3, 10.0], [0.0, 1000.0, 0.0, -1.0, -1.0], "previous")
     system.times = [0.0, 2.5, 10.0]
-    options = {"step": 0.02} if solver == "rk4" else {"rtol": 1e-9, "atol": 1e-9}
+    options = step_options(solver, 1e-9, 0.02)
     system.specifieds = {first: jumps, second: sm.sin(T)}
     expected, known = system.integrate(full_output=True, **options)
     system.specifieds = {first: jumps, second: lambda x, t: np.sin(t)}

@@ -19,6 +19,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run.integration import Integration
+from registry import ADAPTIVE_NAMES
 from zoo import inertial_frame
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
@@ -49,7 +50,7 @@ def relative(found, expected):
     return np.abs(found - expected).max() / np.abs(expected).max()
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 def test_a_linear_system_follows_the_matrix_exponential(solver):
     system = oscillator()
     system.ode_solver = solver
@@ -324,7 +325,7 @@ def exact_derivatives(function):
         return np.array([float(mpmath.diff(function, numbers, tuple(o))) for o in orders])
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 def test_a_bouncing_ball_has_exact_sensitivities(solver):
     system, bounce = bouncing_ball()
     system.ode_solver = solver
@@ -742,7 +743,7 @@ def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expressio
         assert np.isnan(told.time_sensitivity).all()
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 @pytest.mark.parametrize(("sign", "function"), [(1.0, np.cosh), (-1.0, np.cos)])
 @pytest.mark.parametrize("start", [0.0, 1e-12])
 def test_what_grows_or_swings_beside_a_rest_is_resolved(solver, sign, function, start):

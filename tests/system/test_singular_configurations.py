@@ -13,15 +13,16 @@ from pydy.solvers.outcome import (
     SINGULAR_CONFIGURATION,
     SPEEDS_NOT_GIVEN,
 )
+from registry import EXPLICIT_NAMES, SOLVER_NAMES, has_fixed_step
 from singular import bead, bricard, n_four_bar, slider_crank
 
-ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
+ALL = SOLVER_NAMES
 RADII = [1.0, 1e2, 1e4, 1e6, 1e8]
 
 
 def options_of(solver, tolerance, max_step=None):
     """rk4 has a fixed step in place of both."""
-    if solver == "rk4":
+    if has_fixed_step(solver):
         return {"step": max_step or 1e-3}
     limit = {} if max_step is None else {"max_step": max_step}
     return {"rtol": tolerance, "atol": tolerance, **limit}
@@ -63,7 +64,7 @@ def test_a_bead_on_a_circle_of_any_size_is_held(form, solver):
             system = bead(form, radius, start, speed).system
             system.ode_solver, system.times = solver, np.linspace(0.0, 30.0, 4)
             for tolerance in (1e-6, 1e-12):
-                step = 2e-2 if solver == "rk4" else None
+                step = 2e-2 if has_fixed_step(solver) else None
                 x = system.integrate(constraints="project", **options_of(solver, tolerance, step))
                 # The circle's height at x, without cancellation.
                 height = x[:, 0] ** 2 / (radius + np.sqrt(radius**2 - x[:, 0] ** 2))
@@ -76,13 +77,13 @@ def test_short_steps_do_not_make_a_bead_fall_off(form):
         passes_or_says_why(bead(form, radius), "dop853", 1e-9, 1e-4, end=0.5)
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "rk4"])
+@pytest.mark.parametrize("solver", EXPLICIT_NAMES)
 @pytest.mark.parametrize("windows", [1, 2, 3])
 def test_the_n_four_bar_passes_its_singular_positions_with_its_rods_parallel(windows, solver):
     system = n_four_bar(windows).system
     assert system._equations.formed is not None
     system.ode_solver, system.times = solver, np.linspace(0.0, 10.0, 11)
-    for tolerance in [1e-6] if solver == "rk4" else [1e-6, 1e-8, 1e-10, 1e-12]:
+    for tolerance in [1e-6] if has_fixed_step(solver) else [1e-6, 1e-8, 1e-10, 1e-12]:
         for max_step in (1e-1, 1e-2) if solver != "rk4" else (2e-3, 1e-3):
             options = options_of(solver, tolerance, max_step)
             x = system.integrate(constraints="project", **options)
@@ -114,7 +115,7 @@ def test_at_the_least_tolerance_it_does_so_or_says_why_not(windows):
 
 @pytest.mark.parametrize("solver", ALL)
 def test_a_slider_crank_with_equal_lengths_passes_its_dead_centres_or_says_why_not(solver):
-    tolerances = [1e-6] if solver == "rk4" else [1e-6, 1e-8, 1e-10, 1e-12]
+    tolerances = [1e-6] if has_fixed_step(solver) else [1e-6, 1e-8, 1e-10, 1e-12]
     for tolerance in tolerances:
         for max_step in (None, 1e-2):
             passes_or_says_why(slider_crank(), solver, tolerance, max_step)

@@ -9,8 +9,9 @@ from ball import bouncing_ball
 from pydy._errors import IntegrationError
 from pydy.solvers import Event
 from pydy.solvers.outcome import EVENT_UNDEFINED, FINISHED, TERMINATED
+from registry import SOLVER_NAMES
 
-ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
+ALL = SOLVER_NAMES
 T = dynamicsymbols._t
 Z, V = dynamicsymbols("q u")
 FALL = float(np.sqrt(2.0 * 0.05 / 9.81))  # from z = 1 to 0.95

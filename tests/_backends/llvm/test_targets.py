@@ -129,6 +129,7 @@ import hashlib, sys
 import numpy as np
 sys.path[:0] = sys.argv[2:]
 import zoo
+from registry import SOLVER_NAMES, step_options
 from cases import system_of
 from harness import frozen
 from harness.program import assembly_of
@@ -149,9 +150,9 @@ for name in ("bicycle", "pendulum-1", "rods-3"):
 for name in ("disc",):
     model = zoo.MODELS[name]()
     system = system_of(model, times=np.linspace(0.0, 2.0, 9))
-    for solver in ("dop853", "radau", "rk4", "tsit5", "vern9") if sys.argv[1] == "all" else ():
+    for solver in SOLVER_NAMES if sys.argv[1] == "all" else ():
         system.ode_solver = solver
-        options = {"step": 0.01} if solver == "rk4" else {"rtol": 1e-9, "atol": 1e-9}
+        options = step_options(solver, 1e-9, 0.01)
         say(f"{name} {solver}", system.integrate(**options))
 """
 

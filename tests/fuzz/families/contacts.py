@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -16,7 +17,7 @@ from sympy.physics.mechanics import (
 )
 
 from fuzz.kinds import Kind, RefusedError, choice, nothing, real
-from fuzz.table import empty_or_none, expression, key, mapping, target
+from fuzz.table import empty_or_none, expression, flags, key, mapping, target
 from pydy._system.layers import _Frozen
 from pydy.analysis import Trial
 from pydy.contact import (
@@ -25,15 +26,10 @@ from pydy.contact import (
     Roll,
     Stick,
     Unilateral,
-    brown_mcphee,
-    hunt_crossley,
-    joint_friction,
-    kelvin_voigt,
-    rolling_resistance,
-    stribeck,
 )
 from pydy.mechanics import Definition
 from pydy.system import System
+from registry import LAWS
 from zoo import inertial_frame
 
 
@@ -95,21 +91,26 @@ def _moving_gap(value: Any) -> Any:
     return found
 
 
-_LAWS: dict[Any, dict[str, Any]] = {
-    hunt_crossley: {"gap": -0.1, "rate": 0.0, "stiffness": 1e3, "damping": 0.3, "exponent": 1.5},
-    kelvin_voigt: {"gap": -0.1, "rate": 0.0, "stiffness": 1e3, "damping": 3.0},
-    brown_mcphee: {"speed": 0.1, "normal": 2.0, "mu": 0.3, "transition": 0.01},
-    stribeck: {"speed": 0.1, "normal": 2.0, "mu": 0.3, "mu_static": 0.4, "stribeck_speed": 0.1},
-    rolling_resistance: {"rate": 0.1, "normal": 2.0, "arm": 0.3, "transition": 0.1},
-    joint_friction: {"rate": 0.1, "normal": 2.0, "mu": 0.3, "radius": 0.1, "transition": 0.01},
-}
+# What a law is called with where its argument has this name, else 0.3.
+_PLAIN = {"gap": -0.1, "rate": 0.1, "stiffness": 1e3, "exponent": 1.5, "normal": 2.0}
+_PLAIN |= {"mu_static": 0.4, "transition": 0.1, "viscous": 0.0}
 
-for _law, _given in _LAWS.items():
-    for _name in _given:
 
-        @target(f"{_law.__name__}.{_name}", _gap)
-        def _(v, law=_law, name=_name, given=_given):
-            return repr(law(**{**given, name: v}))
+def _plain(law: Any) -> dict[str, Any]:
+    """Return values for the arguments that a law must be given."""
+    parameters = inspect.signature(law).parameters.values()
+    return {p.name: _PLAIN.get(p.name, 0.3) for p in parameters if p.default is p.empty}
+
+
+for _law in LAWS:
+    for _parameter_of_law in inspect.signature(_law).parameters.values():
+        _kind = flags if isinstance(_parameter_of_law.default, bool) else _gap
+        if _parameter_of_law.default is None:
+            _kind = _kind.or_none()
+
+        @target(f"{_law.__name__}.{_parameter_of_law.name}", _kind)
+        def _(v, law=_law, name=_parameter_of_law.name):
+            return repr(law(**{**_plain(law), name: v}))
 
 
 def _sliding(value: Any) -> Any:
