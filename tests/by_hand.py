@@ -4,7 +4,6 @@
 """
 
 import warnings
-from functools import cache
 
 import numpy as np
 import sympy as sm
@@ -12,6 +11,7 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics import LinearPathway, LinearSpring, TorqueActuator
 from sympy.physics.mechanics.loads import gravity
 
+from derivations import derived_once
 from zoo import Model, T, _numbers, inertial_frame
 
 N_AXES = "xyz"
@@ -49,7 +49,7 @@ def _ground():
     return frame, origin, sm.Symbol("g")
 
 
-@cache
+@derived_once
 def tilted_plates():
     """Two hinged plates: inertias with products, the second referred to its hinge."""
     frame, origin, g = _ground()
@@ -76,7 +76,7 @@ def tilted_plates():
     return Model(_kane(frame, q, u, bodies, loads), numbers | _numbers(m, n, c, d, g))
 
 
-@cache
+@derived_once
 def slider_on_a_turntable():
     """A particle that slides along an arm that turns on a disc that turns as prescribed."""
     frame, origin, g = _ground()
@@ -94,7 +94,7 @@ def slider_on_a_turntable():
     return Model(kane, _numbers(m, n, c, k, g), numbers)
 
 
-@cache
+@derived_once
 def satellite():
     """A floating base with a quaternion, and an arm; nothing is said of the arm's velocity."""
     frame, origin, g = _ground()
@@ -137,7 +137,7 @@ def satellite():
     return Model(kane, _numbers(m, n, c, g, *inertias, *own))
 
 
-@cache
+@derived_once
 def camera():
     """Frames set up by an explicit matrix, by space-fixed angles, and a fixed misalignment."""
     frame, origin, g = _ground()
@@ -155,7 +155,7 @@ def camera():
     return Model(kane, _numbers(m, c, tilt, g, *inertias))
 
 
-@cache
+@derived_once
 def mixed_speeds():
     """Speeds that are combinations of the rates, with coefficients that depend on the state."""
     frame, origin, g = _ground()
@@ -176,7 +176,7 @@ def mixed_speeds():
     return Model(_kane(frame, q, u, bodies, loads, kd), _numbers(m, n, c, k, g))
 
 
-@cache
+@derived_once
 def gimbals():
     """A rotor in massless gimbals, with a torque between two of the frames."""
     frame, origin, g = _ground()
@@ -204,7 +204,7 @@ def gimbals():
     return Model(kane, _numbers(m, c, k, across, along, g), {torque: 0.43})
 
 
-@cache
+@derived_once
 def branches():
     """A trunk with two branches, one of which forks; a slide, and springs between bodies."""
     frame, origin, g = _ground()
@@ -239,7 +239,7 @@ def branches():
     )
 
 
-@cache
+@derived_once
 def burning_rocket():
     """A mass and an inertia that change as prescribed, loads that depend on everything."""
     frame, origin, g = _ground()
@@ -261,7 +261,7 @@ def burning_rocket():
     return Model(kane, _numbers(k, c, g), {mass: 2.3, mass.diff(T): -0.31, thrust: 1.7})
 
 
-@cache
+@derived_once
 def own_velocities():
     """Velocities and accelerations that the user wrote, in forms of the user's own."""
     frame, origin, g = _ground()
@@ -288,7 +288,7 @@ def own_velocities():
     return Model(_kane(frame, q, u, bodies, loads), _numbers(m, n, c, d, g))
 
 
-@cache
+@derived_once
 def coupler():
     """A four-bar linkage of rigid bodies whose velocities are nowhere written."""
     frame, origin, g = _ground()
@@ -324,7 +324,7 @@ def coupler():
     return Model(kane, _numbers(*lengths, *masses, *inertias, g))
 
 
-@cache
+@derived_once
 def wheel():
     """A rolling wheel with its inertia in its own axes, and the contact point said to be at rest.
 
@@ -355,7 +355,7 @@ def wheel():
     return Model(kane, _numbers(m, r, across, along, g))
 
 
-@cache
+@derived_once
 def given_accelerations():
     """A particle on a line, with an acceleration constraint of the user's own."""
     frame, _, g = _ground()
@@ -381,7 +381,7 @@ def given_accelerations():
     return Model(kane, _numbers(m, slope, gain, g))
 
 
-@cache
+@derived_once
 def towed_sledge():
     """A sledge that cannot slip, with an added mass that depends on accelerations, as a Force."""
     frame, origin, g = _ground()
@@ -415,7 +415,7 @@ def towed_sledge():
     return Model(kane, numbers)
 
 
-@cache
+@derived_once
 def driven_crane():
     """A load on a rope of prescribed length below a trolley on a rail that moves with time."""
     frame, origin, g = _ground()

@@ -1,18 +1,19 @@
 """Sample systems for the tests, each small, each with something of its own that may go wrong.
 
-A model is a function, so that nothing is derived at collection; it is cached, so that it is
-derived once. Numbers are generic (no ones, no zeros, no simple ratios): a mistaken order or a
+A model is a function, so that nothing is derived at collection; it is derived once in a session
+(`derivations.py`). Numbers are generic (no ones, no zeros, no simple ratios): a mistaken order or a
 lost factor shows.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cache
 
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models as sympy_models
+
+from derivations import derived_once
 
 T = me.dynamicsymbols._t
 
@@ -66,7 +67,7 @@ def _kinetic(kane, frame):
     return energy.xreplace(kane.kindiffdict())
 
 
-@cache
+@derived_once
 def chain():
     """Three masses on springs and dampers, with gravity and forces, from SymPy."""
     kane = sympy_models.multi_mass_spring_damper(3, apply_gravity=True, apply_external_forces=True)
@@ -74,7 +75,7 @@ def chain():
     return Model(kane, _numbers(*sm.symbols("m:3 k:3 c:3 g")), _numbers(*f, start=-0.4))
 
 
-@cache
+@derived_once
 def undamped_chain():
     """Two masses and springs in absolute coordinates: nothing but energy."""
     x1, x2, v1, v2 = me.dynamicsymbols("x1 x2 v1 v2")
@@ -93,7 +94,7 @@ def undamped_chain():
     return Model(kane, _numbers(m1, m2, k1, k2), energy=energy, start=start)
 
 
-@cache
+@derived_once
 def pendulum():
     """Two links on a cart with a force on the cart and torques at the joints, from SymPy."""
     kane = sympy_models.n_link_pendulum_on_cart(2, cart_force=True, joint_torques=True)
@@ -101,7 +102,7 @@ def pendulum():
     return Model(kane, _numbers(*sm.symbols("m:3 l:2"), sm.Symbol("g")), _numbers(*f, start=-0.4))
 
 
-@cache
+@derived_once
 def free_pendulum():
     """Three links on a cart that nothing pushes: energy and horizontal momentum are conserved."""
     kane = sympy_models.n_link_pendulum_on_cart(3, cart_force=False)
@@ -117,7 +118,7 @@ def free_pendulum():
     return Model(kane, _numbers(*m, *lengths, g), energy=energy, momenta=(momentum,), start=start)
 
 
-@cache
+@derived_once
 def free_body():
     """A rigid body thrown in space: body-fixed angular velocity, full inertia matrix."""
     q = me.dynamicsymbols("q1:7")
@@ -204,19 +205,19 @@ def _disc(auxiliary):
     )
 
 
-@cache
+@derived_once
 def disc():
     """A rolling disc: two nonholonomic constraints, body-fixed (lean frame) angular speeds."""
     return _disc(auxiliary=False)
 
 
-@cache
+@derived_once
 def disc_contact():
     """The rolling disc with two components of its contact force as noncontributing forces."""
     return _disc(auxiliary=True)
 
 
-@cache
+@derived_once
 def sleigh():
     """Chaplygin's sleigh: one nonholonomic constraint, nothing holonomic."""
     x, y, a, vx, vy, w = me.dynamicsymbols("x y theta vx vy omega")
@@ -275,19 +276,19 @@ def _skate(rubbing):
     )
 
 
-@cache
+@derived_once
 def skate():
     """Two blades; the side force of the rear one is noncontributing."""
     return _skate(rubbing=False)
 
 
-@cache
+@derived_once
 def rubbing_skate():
     """The same with friction from that force, which therefore stays in the equations."""
     return _skate(rubbing=True)
 
 
-@cache
+@derived_once
 def fourbar():
     """A four-bar linkage: two holonomic constraints, and no velocity ones but their rates."""
     q1, q2, q3, u1, u2, u3 = me.dynamicsymbols("q1:4 u1:4")
@@ -343,7 +344,7 @@ def fourbar():
     return Model(kane, numbers, energy=energy, start=start)
 
 
-@cache
+@derived_once
 def timed():
     """An oscillator whose stiffness and force depend on time explicitly."""
     x, v = me.dynamicsymbols("x v")
@@ -356,7 +357,7 @@ def timed():
     return Model(kane, _numbers(m, k, push, w))
 
 
-@cache
+@derived_once
 def shaken():
     """A pendulum whose pivot moves as prescribed, y(t): its derivatives enter the equations."""
     q, u, y = me.dynamicsymbols("q u y")
@@ -381,7 +382,7 @@ def shaken():
     return Model(kane, _numbers(m, n, g, c, k), numbers)
 
 
-@cache
+@derived_once
 def added_mass():
     """Two bodies in a fluid: the loads are linear in the accelerations, across the bodies too."""
     x1, x2, v1, v2 = me.dynamicsymbols("x1 x2 v1 v2")
@@ -399,7 +400,7 @@ def added_mass():
     return Model(kane, _numbers(m1, m2, a1, a2, k))
 
 
-@cache
+@derived_once
 def squared_acceleration():
     """A load that depends on the square of an acceleration: nothing can be done with it."""
     x, v = me.dynamicsymbols("x v")
@@ -410,7 +411,7 @@ def squared_acceleration():
     return Model(kane, {sm.Symbol("m"): 1.3})
 
 
-@cache
+@derived_once
 def bare():
     """No constants and no specifieds: a unit particle on a unit pendulum."""
     q, u = me.dynamicsymbols("q u")
@@ -456,19 +457,19 @@ def track_with(order):
     return Model(kane, {m: 1.3, k: 0.8, g: 9.7}, energy=energy, start=start)
 
 
-@cache
+@derived_once
 def track():
     """Holonomic and nonholonomic constraints together."""
     return track_with(lambda rate, blade: [rate, blade])
 
 
-@cache
+@derived_once
 def track_reversed():
     """The same, the nonholonomic row first and the other a multiple of the surface's rate."""
     return track_with(lambda rate, blade: [blade, -2 * rate])
 
 
-@cache
+@derived_once
 def gyro():
     """A body turning about its centre, quaternion: a holonomic constraint without its rate."""
     e = me.dynamicsymbols("e0:4")
@@ -504,7 +505,7 @@ def gyro():
     return Model(kane, _numbers(*inertias), energy=energy, momenta=momenta, start=start)
 
 
-@cache
+@derived_once
 def lifted():
     """A particle on a line that rises as prescribed and tilts with time: a rheonomic constraint."""
     x, y, vx, vy, s = me.dynamicsymbols("x y vx vy s")
