@@ -18,6 +18,7 @@ import pytest
 
 import registry
 from fuzz import table
+from pydy import solvers
 from test_reference import public_modules
 
 TESTS = Path(__file__).parent
@@ -38,6 +39,11 @@ def test_every_explicit_solver_has_its_published_facts():
     assert not lacking, f"add a row to SOLVER_FACTS in tests/registry.py for {lacking}"
     stale = missing(registry.SOLVER_FACTS, registry.EXPLICIT_NAMES)
     assert not stale, f"remove from SOLVER_FACTS in tests/registry.py: {stale}"
+
+
+def test_every_solver_can_be_imported():
+    lacking = [name for name in registry.SOLVER_NAMES if name not in solvers.__all__]
+    assert not lacking, f"export in src/pydy/solvers/__init__.py, in `__all__` too: {lacking}"
 
 
 def test_every_solver_is_in_the_reference_and_in_the_page_on_solvers():
