@@ -1,12 +1,14 @@
-"""The import rules of docs/design.md, checked from the code's own imports."""
+"""The rules of docs/design.md: contracts of imports in pyproject.toml, and what they cannot say."""
 
 from __future__ import annotations
 
 import ast
 import graphlib
+import os
 import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -14,45 +16,11 @@ from typing import NamedTuple
 
 import pytest
 
-SRC = Path(__file__).parents[1] / "src"
+ROOT = Path(__file__).parents[1]
+SRC = ROOT / "src"
 
-# The layers, from the bottom up, and their rooms. A room is the first component of a module's path
-# below `pydy`; it imports from its own layer and from those below it, and rooms form no circle.
-LAYERS = {
-    "foundation": {
-        *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_files"),
-        *("_forks", "_html", "_names", "_optional", "_processes", "_rank", "_version"),
-        *("errors", "inputs", "plot", "trajectory", "_interpolation", "_interrupts"),
-    },
-    "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
-    "machine": {"_backends", "_kernel", "solvers"},
-    "assembly": {"_assembly"},
-    "consumers": {
-        *("analysis", "codegen", "control", "ensemble", "export", "layers", "linearize", "viz"),
-    },
-    "user": {"_system", "cli", "contact", "examples", "models", "robots", "system"},
-}
-FLOORS = {name: floor for floor, rooms in enumerate(LAYERS.values()) for name in rooms}
-# Files that share a room with another: `pydy` itself holds the version and no more.
-SHARED_ROOMS = {"__main__": "cli", "": "_version"}
 # What `pydy` hands out when it is asked for; nothing is loaded before.
 HANDED_OUT = {"pydy.system"}
-
-# room -> what it never imports, whatever the floors say.
-NEVER = {
-    "_graph": ("pydy.system", "sympy"),
-    "_backends": ("pydy.system", "sympy"),
-    "solvers": ("pydy.system", "sympy", "pydy._graph"),
-    "_kernel": ("pydy.system", "sympy"),
-    "inputs": ("pydy.system", "sympy"),
-    "ensemble": ("pydy.system", "sympy"),
-    "analysis": ("pydy.system", "sympy"),
-    "_checks": ("pydy.system", "sympy"),
-    "plot": ("pydy.system",),
-    "viz": ("pydy.system",),
-}
-# The one place where SymPy becomes a graph: expressions only, no mechanics.
-NEVER_BY_MODULE = {"pydy._graph.from_sympy": ("pydy.system", "sympy.physics")}
 
 # Imported inside the function that needs them, never when a module loads.
 LATE = {
@@ -108,11 +76,6 @@ def module_name(path: Path) -> str:
 MODULES = {module_name(path): path for path in sorted((SRC / "pydy").rglob("*.py"))}
 
 
-def room(module: str) -> str:
-    head = module.removeprefix("pydy").removeprefix(".").split(".")[0]
-    return SHARED_ROOMS.get(head, head)
-
-
 def within(module: str, packages: tuple[str, ...]) -> bool:
     return any(module == package or module.startswith(package + ".") for package in packages)
 
@@ -164,11 +127,10 @@ def absolute(node: ast.ImportFrom, package: str) -> str:
 
 def dynamic_import(node: ast.Call) -> str | None:
     """Return the module named in ``import_module("...")`` or ``__import__("...")``."""
-    function = ast.unparse(node.func).rpartition(".")[2]
-    if function in {"import_module", "__import__"} and node.args:
-        name = node.args[0]
-        if isinstance(name, ast.Constant) and isinstance(name.value, str):
-            return name.value
+    name = node.args[0] if node.args else None
+    if isinstance(name, ast.Constant) and isinstance(name.value, str):
+        function = ast.unparse(node.func).rpartition(".")[2]
+        return name.value if function in {"import_module", "__import__"} else None
     return None
 
 
@@ -182,34 +144,39 @@ def no_offences(offences: list[str]) -> None:
     assert not offences, "\n" + "\n".join(offences)
 
 
-def test_every_module_has_a_layer():
-    no_offences([f"{m}: add its room to LAYERS" for m in MODULES if room(m) not in FLOORS])
+def test_the_contracts_of_imports_are_kept():
+    # The layers, circles of packages, and who knows neither SymPy nor graphs: `lint-imports`.
+    code = "from importlinter.cli import lint_imports_command; lint_imports_command()"
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code, "--no-cache"],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": str(SRC), "COLUMNS": "100"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_modules_import_from_their_own_layer_and_those_below():
+def test_no_module_of_ours_is_imported_by_a_text_that_no_contract_sees():
     no_offences(
         [
-            f"{module}:{line} imports {target} of a higher layer"
-            for module, (target, line, _) in everywhere()
-            if within(target, ("pydy",)) and FLOORS[room(target)] > FLOORS[room(module)]
+            f"{module}:{node.lineno} imports {name} by its name"
+            for module in MODULES
+            for node in ast.walk(tree(module))
+            if isinstance(node, ast.Call) and (name := dynamic_import(node))
+            if within(name, ("pydy",)) and (module, name) != ("pydy", "pydy.system")
         ]
     )
 
 
-def test_there_are_no_circles_of_rooms():
-    rooms: dict[str, set[str]] = {}
-    for module, (target, _, _) in everywhere():
-        if within(target, ("pydy",)):
-            rooms.setdefault(room(module), set()).add(room(target))
-    no_circles({here: others - {here} for here, others in rooms.items()})
-
-
+# Those of packages are found by a contract, but not those of a package with its own modules.
 def test_there_are_no_circles_of_modules():
     no_circles({m: {i.target for i in imports(m)} & MODULES.keys() - {m} for m in MODULES})
 
 
 def test_there_are_no_circles_in_the_benchmarks_harness():
-    folder = SRC.parent / "benchmarks" / "harness"
+    folder = ROOT / "benchmarks" / "harness"
     names = {f"harness.{path.stem}" for path in folder.glob("*.py")}
     graph: dict[str, set[str]] = {}
     for path in folder.glob("*.py"):
@@ -227,12 +194,13 @@ def no_circles(graph: dict[str, set[str]]) -> None:
         pytest.fail("imports go in a circle: " + " <- ".join(error.args[1]))
 
 
-def test_rooms_never_import_what_they_must_not_know():
+def test_only_expressions_become_a_graph_and_no_mechanics():
+    # For contracts, a package of others is one module.
     no_offences(
         [
-            f"{module}:{line} imports {target}"
-            for module, (target, line, _) in everywhere()
-            if within(target, NEVER_BY_MODULE.get(module, NEVER.get(room(module), ())))
+            f"pydy._graph.from_sympy:{line} imports {target}"
+            for target, line, _ in imports("pydy._graph.from_sympy")
+            if within(target, ("sympy.physics",))
         ]
     )
 
@@ -318,7 +286,7 @@ def test_first_values_and_native_motions_need_none_of_scipys_packages():
 def test_only_modules_of_the_reference_list_what_they_show():
     # What other modules may take is what has no underscore. `_array_layout` names the offsets that
     # `tools/solvers_ir.py` writes into C.
-    pages = "\n".join(p.read_text("utf-8") for p in (SRC.parent / "docs/reference").glob("*.md"))
+    pages = "\n".join(p.read_text("utf-8") for p in (ROOT / "docs/reference").glob("*.md"))
     shown = set(re.findall(r"automodule:: (pydy[a-z_.]*)", pages))
     listing = {m for m in MODULES if "\n__all__ = " in MODULES[m].read_text(encoding="utf-8")}
     for_scripts = {f"pydy.viz.{place}" for place in ("camera", "light", "visualization_frame")}
@@ -377,7 +345,7 @@ def test_thresholds_stand_in_tuning_files_under_names():
 
 
 def test_the_files_that_the_design_names_are_there():
-    page = (SRC.parent / "docs/design.md").read_text()
+    page = (ROOT / "docs/design.md").read_text()
     table = page[page.index("| layer, room |") : page.index("## Rules")].strip().splitlines()[2:]
     package, named, missing = SRC / "pydy", set(), []
     for row in table:
@@ -394,18 +362,24 @@ def test_the_files_that_the_design_names_are_there():
             )
         ]
     assert not missing
-    assert set(FLOORS) <= named
+    layers = next(c["layers"] for c in contracts() if c["id"] == "layers")
+    rooms = {room for layer in layers for room in layer.split(" : ")}
+    assert len(rooms) > 30
+    assert rooms - {"__main__"} <= named
+
+
+def contracts() -> list[dict]:
+    """Return the contracts of imports."""
+    return tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]
 
 
 def test_scripts_of_benchmarks_are_not_named_like_helpers_of_tests_or_like_packages():
     # Some tests import the benchmarks' harness: what else lies there hides nothing.
-    root = SRC.parent
-    scripts = {p.stem for p in (root / "benchmarks").glob("*.py")}
-    assert not scripts & {p.stem for p in (root / "tests").glob("*.py")}
+    scripts = {p.stem for p in (ROOT / "benchmarks").glob("*.py")}
+    assert not scripts & {p.stem for p in (ROOT / "tests").glob("*.py")}
     assert not scripts & {"control", *sys.stdlib_module_names}
 
 
 def test_no_picture_lies_in_the_root():
     # Tests and examples draw into folders of their own.
-    root = SRC.parent
-    assert not [p.name for end in ("png", "html", "gif") for p in root.glob(f"*.{end}")]
+    assert not [p.name for end in ("png", "html", "gif") for p in ROOT.glob(f"*.{end}")]

@@ -166,7 +166,7 @@ def test_a_store_belongs_to_its_contacts(what, tmp_path):
 
     first = run().load()
     assert run(resume=True).load().equals(first)
-    with pytest.raises(ValueError, match="was written by another ensemble: its equations, contac"):
+    with pytest.raises(ValueError, match=r"was written by another ensemble.*differs: .*contacts"):
         run(what, resume=True)
 
 

@@ -48,31 +48,6 @@ def computed(monkeypatch):
 REFUSED = "was written by another ensemble"
 
 
-def scaled(k):
-    return lambda dataset: dataset[["x0"]] * k
-
-
-def test_a_function_that_closes_over_another_number_is_refused(system, tmp_path):
-    path = tmp_path / "s.zarr"
-    made = run(system, path, reduce=scaled(1.0)).load()
-    identical(run(system, path, reduce=scaled(1.0), resume=True).load(), made)
-    with pytest.raises(ValueError, match=REFUSED):
-        run(system, path, reduce=scaled(1000.0), resume=True)
-
-
-def test_specified_functions_are_compared_too(system, tmp_path):
-    (force,) = system.specifieds_symbols
-
-    def push(size):
-        return {force: lambda x, t: size * np.sin(t)}
-
-    path = tmp_path / "s.zarr"
-    run(system, path, specifieds=push(1.0))
-    run(system, path, specifieds=push(1.0), resume=True)
-    with pytest.raises(ValueError, match=REFUSED):
-        run(system, path, specifieds=push(2.0), resume=True)
-
-
 def test_resets_of_other_events_are_refused(system, tmp_path):
     x, v = system.states
 
@@ -114,10 +89,7 @@ SCRIPT = """
     from pydy.models import multi_mass_spring_damper
 
     def force(x, t):
-        return SIZE * np.sin(t) * helper(t)
-
-    def helper(t):
-        return max(t, 0.5) if t in {0.0, 0.25, 0.5} else t
+        return np.sin(t)
 
     def largest(dataset):
         return dataset[["x0"]].max("time")
@@ -125,26 +97,26 @@ SCRIPT = """
     system = multi_mass_spring_damper(apply_external_forces=True)
     (symbol,) = system.specifieds_symbols
     x, _ = system.states
-    for SIZE in map(float, sys.argv[2:]):
+    for name in sys.argv[2:]:
         system.integrate_ensemble(
             initial_conditions={x: [0.0, 1.0]},
             specifieds={symbol: force},
             times=[0.0, 0.5],
             reduce=largest,
             store=sys.argv[1],
-            resume=True,
+            resume=name,
         )
-        print(SIZE)
+        print(name)
 """
 
 
-def test_a_new_process_goes_on_with_the_same_functions_and_refuses_others(tmp_path):
+def test_a_new_process_goes_on_under_the_same_name_and_refuses_another(tmp_path):
     script = tmp_path / "script.py"
     script.write_text(textwrap.dedent(SCRIPT), "utf-8")
     outcomes = []
-    for seed, sizes in ((1, ["1.0"]), (2, ["1.0", "2.0"])):
+    for seed, names in ((1, ["first"]), (2, ["first", "second"])):
         done = subprocess.run(
-            [sys.executable, str(script), str(tmp_path / "s.zarr"), *sizes],
+            [sys.executable, str(script), str(tmp_path / "s.zarr"), *names],
             env={**os.environ, "PYTHONHASHSEED": str(seed)},
             capture_output=True,
             text=True,
@@ -152,33 +124,142 @@ def test_a_new_process_goes_on_with_the_same_functions_and_refuses_others(tmp_pa
         )
         outcomes.append(done)
     assert [o.returncode for o in outcomes] == [0, 1], [o.stderr for o in outcomes]
-    assert [o.stdout for o in outcomes] == ["1.0\n", "1.0\n"]
+    assert [o.stdout for o in outcomes] == ["first\n", "first\n"]
     assert REFUSED in outcomes[1].stderr
 
 
-# -- functions that cannot be read ----------------------------------------------------------------
-
-
-def unreadable(dataset):
-    return eval("dataset[['x0']]")
-
-
-def test_a_function_that_cannot_be_read_needs_a_name(system, tmp_path):
+def test_a_store_says_what_it_differs_in(system, tmp_path):
+    x, _ = system.states
     path = tmp_path / "s.zarr"
-    with pytest.raises(ValueError, match=r"calls `eval`.*resume='name', from the first call on"):
-        run(system, path, reduce=unreadable, resume=True)
-    made = run(system, path, reduce=unreadable, resume="first version").load()
-    identical(run(system, path, reduce=unreadable, resume="first version").load(), made)
-    with pytest.raises(ValueError, match=REFUSED):
-        run(system, path, reduce=unreadable, resume="second version")
+    run(system, path)
+    for what, other in {
+        "numbers": {"constants": {"k0": 2.0}},
+        "options": {"rtol": 1e-3},
+        "`times`": {"times": [0.0, 0.5, 1.5]},
+        "`chunks`": {"chunks": 2},
+        "`reduce`": {"reduce": "final"},
+        "equations": {"events": [Event(x - 100.0, terminal=True)]},
+        "options, numbers": {"constants": {"k0": 2.0}, "ode_solver": "tsit5"},
+    }.items():
+        with pytest.raises(ValueError, match=rf"What differs: {what}\. Pass another path"):
+            run(system, path, **other, resume=True)
+
+
+def test_another_version_refuses_a_store_by_that(system, tmp_path, monkeypatch):
+    path = tmp_path / "s.zarr"
+    run(system, path)
+    monkeypatch.setattr(stores, "__version__", "0.0")
+    with pytest.raises(ValueError, match=r"What differs: the version of pydy\."):
+        run(system, path, resume=True)
+
+
+def test_what_is_no_store_of_an_ensemble_is_refused_as_that(system, tmp_path):
+    zarr.open_group(tmp_path / "s.zarr", mode="w")
+    with pytest.raises(ValueError, match="is not the store of an ensemble"):
+        run(system, tmp_path / "s.zarr", resume=True)
+
+
+# -- labels ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("labels", "others"),
+    [
+        pytest.param(
+            np.array(["a", "b"]),
+            np.array(["a", "c"]),
+            marks=pytest.mark.filterwarnings("ignore:The data type:FutureWarning"),
+        ),
+        (np.array(["2020-01-01", "2020-01-02"], "M8[s]"), np.array(["2020-01-01"] * 2, "M8[s]")),
+    ],
+    ids=["text", "dates"],
+)
+def test_labels_of_text_and_dates_are_compared_too(system, tmp_path, labels, others):
+    x, _ = system.states
+    path = tmp_path / "s.zarr"
+
+    def labelled(names):
+        return {x: xr.DataArray([1.0, 2.0], dims="run", coords={"run": names})}
+
+    run(system, path, initial_conditions=labelled(labels))
+    made = run(system, path, initial_conditions=labelled(labels), resume=True)
+    assert made.run.values.tolist() == labels.tolist()
+    with pytest.raises(ValueError, match="What differs: numbers"):
+        run(system, path, initial_conditions=labelled(others), resume=True)
+
+
+def test_labels_that_zarr_has_no_type_for_are_refused_with_the_remedy(system, tmp_path):
+    x, _ = system.states
+    names = np.array(["a", "b"], dtype=object)
+    values = xr.DataArray([1.0, 2.0], dims="run", coords={"run": names})
+    with pytest.raises(ValueError, match=r"those of `run` are objects.*labels\.astype\(str\)"):
+        run(system, tmp_path / "s.zarr", initial_conditions={x: values})
+
+
+# -- Python functions -----------------------------------------------------------------------------
+
+
+def scaled(k):
+    return lambda dataset: dataset[["x0"]] * k
+
+
+def push(size):
+    return lambda x, t: size * np.sin(t)
+
+
+class Push:
+    """No function by its type, but called like one."""
+
+    def __call__(self, x, t):
+        return np.sin(t)
+
+
+@pytest.mark.parametrize(
+    ("functions", "named"),
+    [
+        ({"reduce": scaled(1.0)}, "`reduce`"),
+        ({"specifieds": {"f0": push(1.0)}}, "`specifieds`"),
+        ({"specifieds": {"f0": Push()}}, "`specifieds`"),
+        ({"reduce": scaled(1.0), "specifieds": {"f0": push(1.0)}}, "`reduce` and `specifieds`"),
+    ],
+    ids=["reduce", "specifieds", "an object", "both"],
+)
+def test_functions_need_a_name(system, tmp_path, computed, functions, named):
+    path = tmp_path / "s.zarr"
+    remedy = rf"Python functions in {named}, and .*resume='name', from the first call on"
+    with pytest.raises(ValueError, match=rf"`resume=True` needs more: .*{remedy}"):
+        run(system, path, **functions, resume=True)
+    assert not computed
+    assert not path.exists()
+    made = run(system, path, **functions, resume="first version").load()
+    computed.clear()
+    identical(run(system, path, **functions, resume="first version").load(), made)
+    assert not computed
+    with pytest.raises(ValueError, match=rf"{REFUSED}.*differs: the name of its functions"):
+        run(system, path, **functions, resume="second version")
+
+
+def test_a_function_that_the_system_has_needs_a_name_too(system, tmp_path):
+    system.specifieds = {"f0": push(1.0)}
+    with pytest.raises(ValueError, match="Python functions in `specifieds`"):
+        run(system, tmp_path / "s.zarr", resume=True)
+
+
+def test_an_expression_is_no_function_and_is_compared(system, tmp_path):
+    x, _ = system.states
+    path = tmp_path / "s.zarr"
+    run(system, path, specifieds={"f0": -x})
+    run(system, path, specifieds={"f0": -x}, resume=True)
+    with pytest.raises(ValueError, match="What differs: equations"):
+        run(system, path, specifieds={"f0": -2 * x}, resume=True)
 
 
 def test_a_store_that_cannot_be_resumed_warns_at_once(system, tmp_path):
     path = tmp_path / "s.zarr"
-    with pytest.warns(PyDyUserWarning, match="`store` cannot be resumed.*calls `eval`"):
-        run(system, path, reduce=unreadable)
+    with pytest.warns(PyDyUserWarning, match="`store` cannot be resumed.*resume='name'"):
+        run(system, path, reduce=scaled(1.0))
     with pytest.raises(ValueError, match=REFUSED):
-        run(system, path, reduce=unreadable, resume="a name too late")
+        run(system, path, reduce=scaled(1.0), resume="a name too late")
 
 
 def test_a_name_stands_for_functions_and_nothing_else(system, tmp_path):
@@ -187,6 +268,8 @@ def test_a_name_stands_for_functions_and_nothing_else(system, tmp_path):
     run(system, path, reduce=scaled(2.0), resume="scaled")
     with pytest.raises(ValueError, match=REFUSED):
         run(system, path, reduce=scaled(1.0), resume="scaled", rtol=1e-3)
+    with pytest.raises(ValueError, match="What differs: which specifieds are functions"):
+        run(system, path, reduce=scaled(1.0), resume="scaled", specifieds={"f0": push(0.0)})
 
 
 # -- a start that fails -------------------------------------------------------------------------

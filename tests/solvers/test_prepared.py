@@ -6,8 +6,8 @@ import pytest
 from pydy.errors import IntegrationError
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import dop853, vern9
+from pydy.solvers.layout import rows_of
 from pydy.solvers.options import Options
-from pydy.solvers.run.layout import rows_of
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import method_arrays
 from registry import ADAPTIVE

@@ -13,9 +13,9 @@ import solvers_ir
 from pydy._backends.llvm import native
 from pydy._backends.llvm.emit import solver_names
 from pydy.models import multi_mass_spring_damper
-from pydy.solvers import tuning
+from pydy.solvers import layout, tuning
 from pydy.solvers.core import declarations
-from pydy.solvers.run import layout, shipped
+from pydy.solvers.run import shipped
 from pydy.solvers.solver import SOLVERS
 
 ENTRIES = sorted(solvers_ir.ENTRIES)

@@ -49,7 +49,7 @@ def derivative_program(
         by = [g.input(*place) for place in variables]
         m, k = len(nodes), len(by)
 
-        def given(rows: int, row: int) -> dict[int, int]:
+        def given(row: int) -> dict[int, int]:
             return {d: g.input("r", s + row * vectors + d) for d in range(vectors)}
 
         if kind == "jacobian":
@@ -58,11 +58,11 @@ def derivative_program(
             extra = 0
         elif kind == "jacobian-vector":
             shape, extra = (m, vectors), k * vectors
-            seeds = {node: given(k, i) for i, node in enumerate(by)}
+            seeds = {node: given(i) for i, node in enumerate(by)}
             cells = dense(g, directional(g, nodes, seeds), vectors)
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
-            weights = [given(m, i) for i in range(m)]
+            weights = [given(i) for i in range(m)]
             found = [adjoints(g, nodes, [w[d] for w in weights], by) for d in range(vectors)]
             cells = [column[i] for i in range(k) for column in found]
         elif kind == "gradient":
@@ -72,7 +72,7 @@ def derivative_program(
             shape, extra = (k, vectors), k * vectors
             first = adjoints(g, nodes, [g.one], by)
             first = first if "factor" in g.off else factor_sums(g, first)
-            seeds = {node: given(k, i) for i, node in enumerate(by)}
+            seeds = {node: given(i) for i, node in enumerate(by)}
             cells = dense(g, directional(g, first, seeds), vectors)
         cells = cells if "factor" in g.off else factor_sums(g, cells)
         return lower(g, (n, s + extra, c), [(kind, shape, cells)])

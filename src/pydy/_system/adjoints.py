@@ -36,10 +36,10 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import forcing_time, jumped_to
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
-from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 from pydy.trajectory import EventRecord

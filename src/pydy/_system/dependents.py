@@ -26,7 +26,7 @@ from pydy._rank import (
 )
 from pydy._system.balance import point_at
 from pydy._system.snapshot import Snapshot
-from pydy.solvers.run.constraints import satisfied
+from pydy.solvers.constraints import satisfied
 
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:

@@ -390,10 +390,10 @@ class Ensembles(Setup):
             checksums; so has what describes its arrays.
         resume : bool or str, optional
             Whether `store` may exist; only its missing, damaged or misplaced blocks are then
-            computed. The functions in `reduce` and `specifieds` must be those of the first call:
-            they are compared by their code and everything they use. If `resume` is a string, the
-            strings are compared instead: it is your name for the functions, which you pass from the
-            first call on and change when the functions change.
+            computed. All that is data must be as in the first call, which is checked. Python
+            functions in `reduce` and `specifieds` are not looked at: with them, `resume` must be
+            your own name for them, a string, which you pass from the first call on and change when
+            the functions change.
         workers : int, optional
             Number of threads; by default one for each processor.
         progress : bool, optional

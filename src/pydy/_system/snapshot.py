@@ -24,7 +24,7 @@ from pydy._system.definition import check_times
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import jumps_of
-from pydy.solvers.run.constraints import satisfied
+from pydy.solvers.constraints import satisfied
 from pydy.trajectory import Columns, Trajectory
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}

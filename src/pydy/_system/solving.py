@@ -18,9 +18,9 @@ from pydy._graph.program import Program
 from pydy._graph.reach import reach
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, Event, Turn
 from pydy.solvers.options import StepOptions
-from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import SOLVERS, Solver
 
 

@@ -188,8 +188,8 @@ class _Checked:
 
     @property
     def identity(self) -> tuple[Any, ...]:
-        """The data that determine the values, without their positions."""
-        return self.function, self.time_first, self.kept
+        """The data that determine the values beside the function, without their positions."""
+        return self.time_first, self.kept
 
     @property
     def along(self) -> Callable[[np.ndarray], np.ndarray] | None:

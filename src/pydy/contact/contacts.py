@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+import sympy as sm
 
 from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
@@ -395,7 +396,10 @@ class Motions:
     @property
     def identity(self) -> Any:
         """The data that identify them, in addition to equations, numbers and options."""
-        events = [(e.name, e.expression, e.direction, e.terminal) for e in self._given]
+        events = [
+            (e.name, sm.srepr(e.expression), int(e.direction), bool(e.terminal))
+            for e in self._given
+        ]
         held = self.options.get("constraints")
         about = self.contacts.hypothesis, events, held, self.columns, self._control
         return *about, self.contacts._now(self._given)[1].rows.identity

@@ -92,8 +92,8 @@ def margin_symbol(contact: Contact) -> Any:
 class Mode:
     """Equations, outputs and events of one combination.
 
-    Rows are `held` and independent, among `every` one that is held. Behind the holonomic
-    constraints of the mechanism, `held_gaps` more are added.
+    Rows are `held` and independent, among `every` one that is held. Their gaps are added behind the
+    holonomic constraints of the mechanism.
     """
 
     def __init__(
@@ -112,7 +112,6 @@ class Mode:
             for c, n in zip(rows.contacts, rows.normal, strict=True)
             if c.unilateral is not None and n in held
         ]
-        self.held_gaps = len(gaps)
         own = replace(
             formed,
             graph=g,

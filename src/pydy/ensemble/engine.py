@@ -20,7 +20,6 @@ from pydy._forks import cached_property
 from pydy._optional import progress_of, require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
-from pydy.ensemble.identity import UnidentifiedError
 from pydy.ensemble.samples import (
     Block,
     Form,
@@ -238,18 +237,18 @@ class Ensemble:
 
         Blocks that are in the store are not computed again. The others are computed by Dask tasks
         if a Dask scheduler is chosen or a client is connected, and by threads otherwise. With
-        `resume` the store may exist; a string also names the user's functions.
+        `resume` the store may exist; a string is the user's name for the functions.
         """
         require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")
         path = str(path_of(path, "`store`"))
-        token, times = self._token(resume), self.work.model.times
-        if stores.check(path, token, bool(resume)):
+        parts, times = self._parts(resume), self.work.model.times
+        if stores.check(path, parts, bool(resume)):
             stores.write_coordinates(path, self.samples, times)
         else:
             first = self.samples.of(self._first())
             example = to_dataset(self._example(), first.coordinates, times, self.attrs)
-            about = path, token, example, self.samples, self.sizes, self.work.labels
+            about = path, parts, example, self.samples, self.sizes, self.work.labels
             # In a thread that is waited for: Zarr's own would go on writing after an exception
             # that a signal handler raises here, while what is written there is being removed.
             with ThreadPoolExecutor(1, "store") if _startable(1) else _Here() as pool:
@@ -274,21 +273,21 @@ class Ensemble:
                 _ENDED.add(run)
         return stores.opened(path, {} if scheduler else None)
 
-    def _token(self, resume: bool | str) -> str:
-        """Return the identity that the store records, or '' if it cannot be resumed."""
-        try:
-            name = resume if isinstance(resume, str) else ""
-            return stores.token_of(self.work, self.samples, self.sizes, name)
-        except UnidentifiedError as error:
+    def _parts(self, resume: bool | str) -> dict[str, str]:
+        """Return what the store is compared by; see `stores.parts_of`."""
+        name = resume if isinstance(resume, str) else ""
+        users = ["`reduce`"] if self.work.function else []
+        users += ["`specifieds`"] if self.work.model.functions else []
+        if users and not name:
             reason = (
-                "it cannot be determined whether the functions of `reduce` and `specifieds` are "
-                f"the same: {error}. Name them yourself, resume='name', from the first call on, "
-                "and change the name when they change."
+                f"there are Python functions in {' and '.join(users)}, and whether those of "
+                "another call are the same is not looked at. Name them yourself, resume='name', "
+                "from the first call on, and change the name when they change."
             )
             if resume:
-                raise ValueError(f"`resume=True` needs more: {reason}") from error
+                raise ValueError(f"`resume=True` needs more: {reason}")
             warn_user(f"`store` cannot be resumed: {reason}")
-            return ""
+        return stores.parts_of(self.work, self.samples, self.sizes, name)
 
     def _scheduler(self) -> Any:
         try:

@@ -23,7 +23,7 @@ import numpy as np
 from pydy._files import folder_beside
 from pydy._optional import require
 from pydy._version import __version__
-from pydy.ensemble.identity import fingerprint
+from pydy.ensemble.content import digest
 from pydy.ensemble.samples import Block, Form, Samples, Variable, check_forms
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
@@ -85,6 +85,7 @@ def _serves(name: str) -> bool:
 
 
 _TOKEN = "pydy_ensemble"
+_PARTS = "pydy_ensemble_parts"  # digests of what the token is made of
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
 _FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
 _LABELS = "pydy_labels"
@@ -93,11 +94,17 @@ _CHUNKS = "pydy_chunks", "checksums"  # of chunks: a group and its array, for ea
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
-def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> str:
-    """Return the identity of an ensemble: equations, options, numbers, functions, blocks.
+def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> dict[str, str]:
+    """Return digests of all that determines an ensemble, by what it is called in messages.
 
-    A `name` of the user's stands for all functions; they are read where it is empty.
+    Of functions nothing is read: the user's `name` stands for them.
     """
+    for label, coordinate in samples.coordinates.items():
+        if coordinate.values.dtype.hasobject:
+            raise ValueError(
+                f"`store` needs labels that Zarr has a type for, but those of `{label}` are "
+                "objects of Python. Give numbers, dates, or text of NumPy: `labels.astype(str)`."
+            )
     model = work.model
     events, constraints = model.options.events, model.options.constraints
     kernels = [None if constraints is None else constraints.kernel]
@@ -105,36 +112,42 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     if events is not None:
         kernels += [events.values, events.resets]
         about_events = events.names, events.directions, events.terminal, events.resetting
-    beside = model.sensitivities
+    beside, motions = model.sensitivities, model.motions
     programs = [model.rates, model.outputs, model.jacobian]
     programs += [] if beside is None else beside.programs
     programs += [None if k is None else k.program for k in kernels]
-    functions = [r for r in work.reductions if callable(r)]
-    inputs = [(columns, getattr(f, "identity", f)) for columns, f in model.functions]
-    return fingerprint(
-        (
-            __version__,
-            _CHUNKS,
+    functions = [(columns, getattr(f, "identity", None)) for columns, f in model.functions]
+    parts = {
+        "the version of pydy": (__version__, _CHUNKS),
+        "equations": (
             [None if program is None else program.digest for program in programs],
-            (model.states, model.output_names, model.method, about_events),
+            (model.states, model.output_names, about_events),
+            None if beside is None else beside.identity,
+        ),
+        "contacts": None if motions is None else motions.identity,
+        "options": (
+            model.method,
             [
                 (key, None if value is None else np.asarray(value, dtype=float))
                 for key, value in vars(model.options).items()
                 if key not in ("events", "constraints")
             ],
-            [repr(r) for r in work.reductions if not callable(r)],
-            name or (functions, inputs),
-            (samples.dims, tuple(sizes)),
-            (model.times, samples.x, samples.r, samples.p),
+        ),
+        "`times`": model.times,
+        "numbers": (
+            (samples.x, samples.r, samples.p),
             [(n, c.dims, c.values) for n, c in samples.coordinates.items()],
             [(c, s.breaks, s.values, s.interpolation) for c, s in model.sampled],
-            None if beside is None else beside.identity,
-            None if model.motions is None else model.motions.identity,
-        )
-    )
+        ),
+        "`reduce`": [None if callable(r) else repr(r) for r in work.reductions],
+        "`chunks`": (samples.dims, tuple(sizes)),
+        "which specifieds are functions": functions,
+        "the name of its functions (`resume`)": name,
+    }
+    return {what: digest(part) for what, part in parts.items()}
 
 
-def check(path: str, token: str, resume: bool) -> bool:
+def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
     """Return whether there is a store to resume, and nothing else in its place."""
     if not Path(path).exists():
         target = Path(os.path.realpath(path))
@@ -153,13 +166,17 @@ def check(path: str, token: str, resume: bool) -> bool:
         attrs = dict(zarr.open_group(path, mode="r").attrs)
     except Exception:  # noqa: BLE001 - whatever is there, it cannot be read
         attrs = {}
-    if attrs.get(_TOKEN) != token:
+    if attrs.get(_TOKEN) != digest(parts):
+        known = attrs.get(_PARTS)
+        if not isinstance(known, dict):
+            raise ValueError(
+                f"`store` '{path}' is not the store of an ensemble, or its `{_OF_ZARR}` is "
+                "damaged. Pass another path."
+            )
+        differing = [what for what in parts if known.get(what) != parts[what]]
         raise ValueError(
-            f"`store` '{path}' was written by another ensemble: its equations, contacts, numbers, "
-            "options, `reduce`, `chunks` or functions differ, or it is not the store of an "
-            "ensemble, or its `zarr.json` is damaged. Pass another path. If only the code of "
-            "functions differs, but not their results, name them yourself in both calls, "
-            "resume='name', instead of True."
+            f"`store` '{path}' was written by another ensemble, or its `{_OF_ZARR}` is damaged. "
+            f"What differs: {', '.join(differing) or 'nothing but its mark'}. Pass another path."
         )
     kept, found = attrs.get(_CHECKSUMS, {}), _checksums(path)
     if wrong := [name for name in (*kept, *found) if kept.get(name) != found.get(name)]:
@@ -173,7 +190,7 @@ def check(path: str, token: str, resume: bool) -> bool:
 
 def create(
     path: str,
-    token: str,
+    parts: Mapping[str, str],
     example: Any,
     samples: Samples,
     sizes: Sequence[int],
@@ -188,7 +205,8 @@ def create(
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
     about = {
-        _TOKEN: token,
+        _TOKEN: digest(parts),
+        _PARTS: dict(parts),
         _VARIABLES: list(map(str, example.data_vars)),
         _COORDINATES: list(map(str, example.coords)),
         _FILES: {name: file for name, file in files.items() if name != file},

@@ -31,7 +31,7 @@ from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, plain_text, resource
 from pydy.solvers.core.declarations import included, layout_header
-from pydy.solvers.run.layout import DEPTH
+from pydy.solvers.layout import DEPTH
 from pydy.solvers.tableaus import method_arrays
 
 _METHOD = "dop853"

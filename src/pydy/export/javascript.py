@@ -15,7 +15,7 @@ from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.core.declarations import included
-from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
+from pydy.solvers.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
 from pydy.solvers.tuning import HALF, ROUNDINGS, SOUND, STARTING_MOVE
 

@@ -91,7 +91,7 @@ class Model:
     builders : mapping of str to callable
         Return the Programs: 'rates' (n,), 'outputs' (m,), 'jacobian' (n + m, n + s) of both by
         states and inputs, 'events', 'event_rates' and 'event_bounds' (e,), 'resets' (e, n) the
-        states after each event, 'projection' (see `pydy.solvers.run.constraints`), and those of
+        states after each event, 'projection' (see `pydy.solvers.constraints`), and those of
         `PARTS` that the equations have.
     events : EventData
     start, stop : float

@@ -11,8 +11,8 @@ import numpy as np
 
 from pydy._checks import Check, checked, flag, number, optional, positive, real_array, whole
 from pydy._names import nearest
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
-from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.sensitivities import CompiledSensitivities
 
 if TYPE_CHECKING:

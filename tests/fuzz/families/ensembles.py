@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -64,6 +65,16 @@ def _no_resume(value: Any) -> bool:
 @target("integrate_ensemble.resume", nothing("flags", "texts", allowed=_no_resume))
 def _(v):
     return _ensemble(resume=v)
+
+
+def _name_or_none(value: Any) -> bool:
+    return isinstance(value, str) or _no_resume(value)
+
+
+@target("integrate_ensemble.resume[functions]", nothing("flags", "texts", allowed=_name_or_none))
+def _(v):
+    store = Path(tempfile.mkdtemp(dir="."), "s.zarr")
+    return _ensemble(reduce=lambda dataset: dataset, store=store, resume=v)
 
 
 @target(

@@ -131,16 +131,14 @@ class Function:
         """Return the address of element `index`."""
         return self.let(f"getelementptr {kind}, ptr {pointer}, i64 {index}")
 
-    def load(self, kind: str, pointer: str, index: str = "0", element: str = "") -> str:
-        """Load a value of type `kind` at `index`, counted in `element` (default `kind`)."""
-        place = pointer if index == "0" else self.at(pointer, index, element or kind)
+    def load(self, kind: str, pointer: str, index: str = "0") -> str:
+        """Load value number `index` of type `kind`."""
+        place = pointer if index == "0" else self.at(pointer, index, kind)
         return self.let(f"load {kind}, ptr {place}, align {1 if kind == 'i8' else 8}")
 
-    def store(
-        self, kind: str, value: str, pointer: str, index: str = "0", element: str = ""
-    ) -> None:
+    def store(self, kind: str, value: str, pointer: str, index: str = "0") -> None:
         """Store a value; the counterpart of `load`."""
-        place = pointer if index == "0" else self.at(pointer, index, element or kind)
+        place = pointer if index == "0" else self.at(pointer, index, kind)
         self.do(f"store {kind} {value}, ptr {place}, align {1 if kind == 'i8' else 8}")
 
     def lane_by_lane(self, name: str, vectors: Sequence[str], lanes: int) -> str:

@@ -1,6 +1,6 @@
 """The header ``layout.h`` of the loops in C, written from the tuples and numbers of Python.
 
-A table of addresses (`pydy.solvers.run.layout`) *is* a C struct: for each array its address, its
+A table of addresses (`pydy.solvers.layout`) *is* a C struct: for each array its address, its
 length, and its number of columns. What the arrays hold is said where the tuples are defined.
 """
 
@@ -15,8 +15,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from pydy.solvers import outcome, tuning
-from pydy.solvers.run import layout as run
+from pydy.solvers import layout, outcome, tuning
 from pydy.solvers.tableaus import radau
 
 FOLDER = Path(__file__).parent
@@ -24,10 +23,10 @@ FOLDER = Path(__file__).parent
 _ARRAYS = {np.int64: "Words", np.float64: "Numbers"}
 _ITEMS = {"Words": "int64_t", "Numbers": "double"}
 _TABLES: dict[str, Sequence[Any]] = {
-    "Run": run.RUN,
-    "LaneRun": run.STEPPING,
-    "LaneEvaluation": run.EVALUATION,
-    "WayBack": run.BACK,
+    "Run": layout.RUN,
+    "LaneRun": layout.STEPPING,
+    "LaneEvaluation": layout.EVALUATION,
+    "WayBack": layout.BACK,
 }
 _BEGIN = """\
 /* Written by pydy.solvers.core.declarations. */
@@ -56,8 +55,10 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
 
     A `plain` header is for any C99 compiler: blocks of one number, and explicit methods only.
     """
-    tables: dict[str, Sequence[Any]] = {"Run": run.RUN[:-1]} if plain else _TABLES
-    parts = [*tables.values()] + ([] if plain else [run.EXTENSION, run.PROJECTION, run.ALONG])
+    tables: dict[str, Sequence[Any]] = {"Run": layout.RUN[:-1]} if plain else _TABLES
+    parts = [*tables.values()] + (
+        [] if plain else [layout.EXTENSION, layout.PROJECTION, layout.ALONG]
+    )
     kinds: dict[Any, None] = dict.fromkeys(chain.from_iterable(parts))
     structs = [*map(_struct, kinds)]
     items = {name: item for name, item in _ITEMS.items() if any(name in s for s in structs)}
@@ -72,7 +73,7 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
 
 def _numbers() -> Iterator[tuple[str, str]]:
     """Yield the constants: codes, thresholds, and indices of array elements."""
-    places = _named(run)
+    places = _named(layout)
     # Thresholds of that name reach C in the array that has a place for them.
     thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
     for numbers in (thresholds, _named(outcome), places):

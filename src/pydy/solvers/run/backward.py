@@ -12,9 +12,9 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import KernelCall
+from pydy.solvers import layout as at
+from pydy.solvers.layout import Backward, rows_of, table_of
 from pydy.solvers.options import Options
-from pydy.solvers.run import layout as at
-from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
     Bound,
     Callback,

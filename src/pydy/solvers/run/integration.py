@@ -29,7 +29,10 @@ from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
+from pydy.solvers import layout as at
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, forcing_time, jumped_to, stretches
+from pydy.solvers.layout import Wanted, rows_of, table_of
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -51,9 +54,6 @@ from pydy.solvers.outcome import (
     TERMINATED,
     TOLERANCE_TOO_SMALL,
 )
-from pydy.solvers.run import layout as at
-from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.layout import Wanted, rows_of, table_of
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Twin, Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of

@@ -11,13 +11,10 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._kernel import Kernel
 from pydy.inputs import jumps_of
+from pydy.solvers import layout as at
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import stretches
-from pydy.solvers.options import Options
-from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
-from pydy.solvers.run import layout as at
-from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.integration import SLICE
-from pydy.solvers.run.layout import (
+from pydy.solvers.layout import (
     Alone,
     Evaluation,
     LaneProblem,
@@ -27,6 +24,9 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
+from pydy.solvers.options import Options
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
+from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.problem import NO_JUMPS, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import (

@@ -17,7 +17,7 @@ from pydy._forks import once
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.inputs import jumps_of
-from pydy.solvers.run.layout import Problem
+from pydy.solvers.layout import Problem
 from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))

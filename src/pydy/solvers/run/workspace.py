@@ -13,13 +13,10 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
+from pydy.solvers import layout as at
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
-from pydy.solvers.options import Options
-from pydy.solvers.outcome import STEP_UNDERFLOW
-from pydy.solvers.run import layout as at
-from pydy.solvers.run import shipped
-from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.layout import (
+from pydy.solvers.layout import (
     Beginning,
     Constraints,
     Memory,
@@ -34,6 +31,9 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
+from pydy.solvers.options import Options
+from pydy.solvers.outcome import STEP_UNDERFLOW
+from pydy.solvers.run import shipped
 from pydy.solvers.run.problem import (
     Bound,
     Callback,

@@ -10,7 +10,7 @@ from importlib import import_module
 
 import numpy as np
 
-from pydy.solvers.run.layout import DEPTH, Method
+from pydy.solvers.layout import DEPTH, Method
 from pydy.solvers.tuning import GROW, SAFETY, SHRINK
 
 Row = dict[int, float]
