@@ -1,6 +1,7 @@
 """Eight trajectories at once: the same results as one by one, whatever the neighbours."""
 
 import warnings
+from functools import cache
 
 import numpy as np
 import pytest
@@ -321,8 +322,14 @@ def bead():
     )
 
 
+@cache
+def made_and_start(make, **given):
+    """A mechanism, derived once for all methods."""
+    return make(**given)
+
+
 def linkage(make, **given):
-    made, start = make(**given)
+    made, start = made_and_start(make, **given)
     times = np.linspace(0.0, 2.0, num=41)
     system = System(made, constants={"g": 9.81}, initial_conditions=start, times=times)
     system.set_dependent_initial_conditions()
