@@ -2,8 +2,8 @@
 
     python tools/near.py src/pydy/_graph/lower.py      (or `make test-near FILE=…`)
 
-Nearest are, in this order: the test file that mirrors a file, the tests that import it, the other
-tests of its room, and for a public module those that walk over all public names. Of the slow tests
+Nearest are, in this order: the test file that mirrors a file, the tests that import it, those that
+mirror the modules that import it, and the other tests of its room. Of the slow tests
 (`tests/slow.txt`) those of the mirroring file are run whole, of the others a part. Tests are added
 in that order as long as their recorded times allow; the contracts of the house always run.
 """
@@ -16,6 +16,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -54,10 +55,11 @@ def room_of(file: Path) -> Path:
     return TESTS / ("system" if room in ("_system", "system") else room)
 
 
-def imports(test: Path) -> set[str]:
-    """Return the modules that a test file imports, and what it imports of them as if modules."""
+@cache
+def imports(file: Path) -> set[str]:
+    """Return the modules that a file imports, and what it imports of them as if modules."""
     names = set()
-    for node in ast.walk(ast.parse(test.read_text(encoding="utf-8"))):
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -65,29 +67,50 @@ def imports(test: Path) -> set[str]:
     return names
 
 
+@cache
 def functions(test: Path) -> list[str]:
     """Return the names of the test functions of a file."""
     nodes = ast.walk(ast.parse(test.read_text(encoding="utf-8")))
     return [n.name for n in nodes if isinstance(n, ast.FunctionDef) and n.name.startswith("test")]
 
 
+@cache
+def slow_seconds(test: Path) -> float:
+    """Return the recorded time of the slow tests of a file."""
+    name = test.relative_to(ROOT).as_posix()
+    return sum(t for function, t in parts.read_table().items() if function.startswith(f"{name}::"))
+
+
 def seconds(test: Path, whole: bool) -> float:
     """Estimate the processor time of a file's tests: all of them, or those of a part."""
-    table, name = parts.read_table(), test.relative_to(ROOT).as_posix()
-    slow = sum(time for function, time in table.items() if function.startswith(f"{name}::"))
+    slow = slow_seconds(test)
     return QUICK * len(functions(test)) + slow / (1 if whole else parts.PARTS)
+
+
+@cache
+def test_files() -> list[Path]:
+    """Return the test files of the everyday run, but for the fuzz."""
+    tests = sorted(TESTS.rglob("test_*.py"))
+    return [test for test in tests if "browser" not in test.parts and "fuzz" not in test.parts]
+
+
+@cache
+def sources() -> list[Path]:
+    """Return the files of src."""
+    return sorted(SOURCE.rglob("*.py"))
 
 
 def near(files: list[Path]) -> tuple[list[Path], list[Path]]:
     """Return the test files to run, and those of which all cases are tried."""
-    tests = sorted(TESTS.rglob("test_*.py"))
-    tests = [test for test in tests if "browser" not in test.parts and "fuzz" not in test.parts]
+    tests = test_files()
     mirroring = list(dict.fromkeys(test for file in files for test in mirrors(file)))
     modules = {module_of(file) for file in files}
     importing = [test for test in tests if imports(test) & modules]
+    users = [file for file in sources() if imports(file) & modules]
+    mirroring_users = [test for user in users for test in mirrors(user)]
     beside = [test for test in tests for file in files if room_of(file) in test.parents]
     chosen, whole, total = [], [], 0.0
-    for test in dict.fromkeys([*mirroring, *importing, *beside]):
+    for test in dict.fromkeys([*mirroring, *importing, *mirroring_users, *beside]):
         takes_all = test in mirroring and total + seconds(test, True) <= BUDGET
         cost = seconds(test, takes_all)
         if total + cost > BUDGET and chosen:
