@@ -3,7 +3,7 @@
     python tools/near.py src/pydy/_graph/lower.py      (or `make test-near FILE=…`)
 
 Nearest are, in this order: the test file that mirrors a file, the tests that import it, those that
-mirror the modules that import it, and the other tests of its room. Of the slow tests
+mirror the modules that import it, and the other tests of its room and of theirs. Of the slow tests
 (`tests/slow.txt`) those of the mirroring file are run whole, of the others a part. Tests are added
 in that order as long as their recorded times allow; the contracts of the house always run.
 """
@@ -107,8 +107,11 @@ def near(files: list[Path]) -> tuple[list[Path], list[Path]]:
     modules = {module_of(file) for file in files}
     importing = [test for test in tests if imports(test) & modules]
     users = [file for file in sources() if imports(file) & modules]
+    if not any(room_of(user).is_dir() for user in users):
+        users += [file for file in sources() if imports(file) & {*map(module_of, users)}]
     mirroring_users = [test for user in users for test in mirrors(user)]
-    beside = [test for test in tests for file in files if room_of(file) in test.parents]
+    rooms = [room_of(file) for file in (*files, *users)]
+    beside = [test for room in dict.fromkeys(rooms) for test in tests if room in test.parents]
     chosen, whole, total = [], [], 0.0
     for test in dict.fromkeys([*mirroring, *importing, *mirroring_users, *beside]):
         takes_all = test in mirroring and total + seconds(test, True) <= BUDGET
