@@ -160,6 +160,38 @@ def ascending(value: Any, what: str, *, strict: bool = False, remedy: str = "") 
     return array
 
 
+def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
+    """Return an own copy with one row for each time and one column for each symbol."""
+    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
+    if table.shape != (m, width):
+        raise ValueError(
+            f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
+            f"column for each symbol, got {table.shape}."
+        )
+    return table
+
+
+def descends(times: np.ndarray) -> bool:
+    """Return whether monotonic times descend."""
+    return len(times) > 1 and bool(times[-1] < times[0])
+
+
+def monotonic(value: Any, what: str) -> np.ndarray:
+    """Return finite numbers that ascend or descend, or name the first one that turns back."""
+    array = real_array(value, what)
+    if array.ndim != 1 or not np.isfinite(array).all():
+        return ascending(array, what)  # which refuses them
+    steps = np.diff(array)
+    way = -1.0 if descends(array) else 1.0
+    if (wrong := way * steps < 0.0).any():
+        k = int(wrong.argmax())
+        raise ValueError(
+            f"{what} must be ascending or descending, got {array[k + 1]} after {array[k]} at index "
+            f"{k + 1}{' of descending ones' if way < 0.0 else ''}."
+        )
+    return array
+
+
 def _as_float(value: Any) -> float:
     no_number = (str, bytes, bytearray, np.datetime64, np.timedelta64, np.complexfloating)
     if isinstance(value, no_number) or getattr(value, "dtype", _FLOAT).kind == "c":

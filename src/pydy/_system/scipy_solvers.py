@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from pydy._checks import shown
+from pydy._checks import descends, shown
 from pydy._errors import IntegrationError
 from pydy._names import nearest, numbers_of
 from pydy.solvers.options import check_option_names, check_scipy_options
@@ -91,11 +91,12 @@ def call_odeint(
         return states, info
     good = info["message"].startswith(_GOOD)
     # Rows that it did not come to hold whatever lay in memory, times too.
-    came = np.isfinite(states).all(axis=1)
+    came, way = np.isfinite(states).all(axis=1), -1.0 if descends(times) else 1.0
     if not good:
-        came[1:] &= info["tcur"] >= times[1:]
+        came[1:] &= way * info["tcur"] >= way * times[1:]
     # What is illegal after steps that were not is infinite derivatives.
-    if good or (info["message"].startswith(_ILLEGAL) and info["tcur"].max() > times[0]):
+    gone = (way * info["tcur"]).max() > way * times[0]
+    if good or (info["message"].startswith(_ILLEGAL) and gone):
         code, what = NOT_FINITE, "met derivatives or errors that are not finite"
     else:
         what = info["message"].split(".")[0]
@@ -104,7 +105,11 @@ def call_odeint(
     reached = max(1, int(np.argmin(came)))
     t, x = float(times[reached - 1]), states[reached - 1].copy()
     left = float(info["tcur"][reached - 1])
-    if not good and t <= left <= times[reached] and np.isfinite(states[reached]).all():
+    if (
+        not good
+        and way * t <= way * left <= way * times[reached]
+        and np.isfinite(states[reached]).all()
+    ):
         t, x = left, states[reached].copy()  # the row of the time at which it gave up
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
     raise IntegrationError(
@@ -245,6 +250,8 @@ class SolveIvp:
         method = self._read(options)
         info: dict[str, Any] = {}
         times, rows = np.unique(t, return_inverse=True)  # neighbours may be equal
+        if descends(t):
+            times, rows = times[::-1], len(times) - 1 - rows
         if len(times) == 1:
             states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
             return (states, info) if full_output else states
