@@ -30,7 +30,12 @@ def describe(symbols: Sequence[Any]) -> str:
 def listed(
     argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
-    """Check that an argument is a sequence of symbols and return it as a list."""
+    """Check that an argument is a sequence of symbols and return it as a list.
+
+    A SymPy matrix of one column or row is one, such as ``KanesMethod.q``.
+    """
+    if getattr(value, "is_Matrix", False) and not isinstance(value, type):
+        value = _entries(value)
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
@@ -42,9 +47,20 @@ def listed(
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
 
+def _entries(matrix: Any) -> Any:
+    """Return the entries of a SymPy matrix of one column or row; another one as it is."""
+    shape = matrix.shape
+    if not (all(isinstance(n, int) or n.is_Integer for n in shape) and {0, 1} & {*shape}):
+        return matrix
+    if not hasattr(matrix, "tolist"):  # an expression, such as a BlockMatrix
+        matrix = matrix.as_explicit()
+    return [entry for row in matrix.tolist() for entry in row]
+
+
 def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[Any]:
     """Return one symbol, expression or name, or a sequence of them, as a list."""
-    single = isinstance(value, str) or hasattr(value, "free_symbols")
+    matrix = getattr(value, "is_Matrix", False)
+    single = isinstance(value, str) or (hasattr(value, "free_symbols") and not matrix)
     return listed(argument, [value] if single else value, hashable=hashable)
 
 
