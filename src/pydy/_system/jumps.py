@@ -254,14 +254,19 @@ class Asked:
 
 
 def warn_of_pulses(
-    now: Snapshot, asked: Sequence[float], states: np.ndarray, tolerances: Sequence[Any]
+    now: Snapshot,
+    asked: Sequence[float],
+    times: np.ndarray,
+    states: np.ndarray,
+    tolerances: Sequence[Any],
 ) -> None:
     """Warn where a solver stepped across samples, between two jumps, that move the states.
 
     Solvers that are not told of jumps find them by error control, which sees what they evaluate.
     """
-    order = np.argsort(now.times, kind="stable")  # they may descend
-    jumps, (start, end) = now.jumps(), now.times[order][[0, -1]]
+    if times[-1] < times[0]:
+        times, states = times[::-1], states[::-1]
+    jumps, (start, end) = now.jumps(), times[[0, -1]]
     jumps = jumps[(jumps > start) & (jumps < end)]
     until, evaluated = np.append(jumps[1:], np.inf), np.append(np.sort(asked), np.inf)
     missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, jumps)] >= until)
@@ -270,7 +275,7 @@ def warn_of_pulses(
         return
     first, last = jumps[missed], until[missed]
     n = len(now.x)
-    x = states[order][np.searchsorted(now.times[order], first), :n]
+    x = states[np.searchsorted(times, first), :n]
     step = now.derivatives(first, x) - now.derivatives(np.nextafter(first, -np.inf), x)
     moved = np.abs(step) * (last - first)[:, None]
     rtol, atol = (np.atleast_1d(given)[:n] for given in tolerances)

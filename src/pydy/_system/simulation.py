@@ -42,7 +42,7 @@ from pydy._system.solving import (
 )
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.events import identified
+from pydy.solvers.events import Event, identified
 from pydy.solvers.options import Options, check_option_names
 from pydy.solvers.solver import Prepared, Solver
 from pydy.trajectory import Trajectory
@@ -96,6 +96,8 @@ class Ready:
             gain = positive(gain, "`gain`", finite=True)
             model = model.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
         projected = constraints == "project"
+        if events is not None and self._looks_itself(events):
+            options["events"], events = events, None
         if not isinstance(self._solver, Solver) and (projected or events is not None):
             what = "constraints='project'" if projected else "events"
             raise ValueError(
@@ -108,6 +110,15 @@ class Ready:
         if checked := check_events(events, definition.places["states"]):
             options["events"] = compile_events(model, definition, checked)
         return model, options
+
+    def _looks_itself(self, events: Any) -> bool:
+        """Return whether the solver has events of its own: a user's, and solve_ivp's functions."""
+        if isinstance(self._solver, Solver) or is_odeint(self._solver):
+            return False
+        if not isinstance(self._solver, SolveIvp):
+            return True
+        several = events if isinstance(events, (list, tuple)) else [events]
+        return not any(isinstance(event, Event) for event in several)
 
     def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
         """Return whether a call differs in numbers alone, as far as that can be seen."""
@@ -209,10 +220,15 @@ def _solve(
                 whole = {**options, "full_output": True}
                 result = solver(f, x0, times, args=args, **whole)
             else:
+                if "args" in options:
+                    raise TypeError(
+                        "`args` are the specifieds and constants, which a System hands to its "
+                        "`ode_solver`: set `specifieds` and `constants`."
+                    )
                 result, pair = solver(f, x0, times, args=args, **options), False
             if asked is not None and (motion := _motion(now, solver, times, result, options, True)):
                 tolerances = motion.ran.rtol, motion.ran.atol
-                warn_of_pulses(now, asked.times, motion.states, tolerances)
+                warn_of_pulses(now, asked.times, motion.times, motion.states, tolerances)
         if ready.constrained:
             if native:
                 states, info = result
@@ -256,6 +272,7 @@ def simulated(
     dense = statistics.pop("dense_output", None)
     if wanted is not None and not native:
         dense = None
+        events = [replace(e, before=e.before[:n], after=e.after[:n]) for e in events]
     times = np.array(times, dtype=float)
     own = "What the `ode_solver` returns, states or (states, info),"
     states = np.array(real_array(states, own))
@@ -263,7 +280,8 @@ def simulated(
     if states.shape != (len(times), width):
         raise ValueError(
             f"The `ode_solver` must return the shape {(len(times), n)}, one row "
-            f"for each of the `times`, got {states.shape}."
+            f"for each of the `times`, got {states.shape}. One that ends early tells the times of "
+            "its rows: return (states, {'times': times})."
         )
     if len(times):  # what is NaN to the end comes after a terminal event
         reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
@@ -322,7 +340,8 @@ def _motion(
         if states.ndim != 2 or len(states) != len(times):
             return None
     n = len(now.definition.states)
-    if states.shape[1] < n:
+    times = info.get("times", times) if isinstance(info, dict) else times
+    if states.shape[1] < n or not len(states):
         return None
     return Motion(now, times, states[:, :n], options, info, mended)
 
