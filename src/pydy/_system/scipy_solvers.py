@@ -47,7 +47,7 @@ def refuse_nested(name: str) -> None:
 
 _ILLEGAL = "Illegal input"
 _GOOD = ("Integration successful", "Nothing was done")
-_MORE_STEPS = (
+MORE_STEPS = (
     "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "
     "`times`, or set `system.ode_solver = 'dop853'`."
 )
@@ -116,7 +116,7 @@ def call_odeint(
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
     raise IntegrationError(
         f"`odeint` {what} at t = {t!r} in the state {numbers_of(names, x)}. "
-        f"{_MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
+        f"{MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
         times[:reached].copy(),
         states[:reached].copy(),
         t,

@@ -285,6 +285,8 @@ class Prepared:
         Whether ``rebind(call, times)`` may make it another call's of the same function.
     renumber : callable
         ``renumber(p, r, times)`` takes other numbers, where it may, and tells whether.
+    on_many_steps : callable, optional
+        ``on_many_steps(t, x)`` is called once in a run that takes very many steps.
     """
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
@@ -327,6 +329,15 @@ class Prepared:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _prepared, self.made_of
+
+    @property
+    def on_many_steps(self) -> Callable[[float, np.ndarray], None] | None:
+        """What is called once in a run that takes very many steps."""
+        return self._integration.on_many_steps
+
+    @on_many_steps.setter
+    def on_many_steps(self, call: Callable[[float, np.ndarray], None] | None) -> None:
+        self._integration.on_many_steps = call
 
     @property
     def times(self) -> np.ndarray:

@@ -64,6 +64,7 @@ from pydy.solvers.tuning import (
     CROWDED,
     FAR_ORIGIN,
     LEAST_TOLERANCE,
+    MANY_STEPS,
     NEARLY_SINGULAR,
     NO_LATER,
     ROUNDING,
@@ -185,6 +186,7 @@ class Integration(Workspace):
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         wanted = options.constraints is not None or options.progress
@@ -279,7 +281,7 @@ class Integration(Workspace):
         """Go on to the end, from what the first slice came back with."""
         state, count = self.progress.state, self.progress.counts
         budget, taken, elapsed = self._budget, 0, 0.0
-        bar = None
+        bar, ask = None, self.on_many_steps
         if self.options.progress:
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
@@ -299,6 +301,10 @@ class Integration(Workspace):
                     self.put_steps_aside()
                 elif code != at.PAUSED:
                     self._fail(code)
+                if ask is not None and count[at.STEPS] + count[at.REJECTED] >= MANY_STEPS:
+                    t, x = self._reported(float(state[at.TIME])), self.memory.x[: self.states]
+                    ask(t, x.copy())
+                    ask = None
                 if code == at.PAUSED and elapsed > 0.0:
                     taken = count[at.STEPS] + count[at.REJECTED] - taken
                     budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
