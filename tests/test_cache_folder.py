@@ -442,3 +442,40 @@ def test_another_users_machine_code_ends_in_a_warning_and_a_correct_number(
     *said, first, second, third, fourth = equations(shared / within)
     assert set(said) == {"PyDyUserWarning"}
     assert [first, second, third, fourth] == right
+
+
+# -- no home ---------------------------------------------------------------------------------------
+
+HOMELESS = """
+import os, platformdirs, sys, warnings
+from pydy import _cache_folder as cache
+key = "7" * 64
+with warnings.catch_warnings(record=True) as told:
+    warnings.simplefilter("always")
+    cache.write(key, b"code")
+    content = cache.read(key)
+print(cache.folder(), content, [str(w.message)[:27] for w in told], sep="|")
+"""
+
+
+@pytest.mark.parametrize("chosen", [None, "~/own"])
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="Windows knows the home of every user")
+def test_a_user_without_a_home_has_a_private_folder_and_one_warning(tmp_path, chosen):
+    """As in ``docker run --user 54321``: neither HOME nor the user database tells a home."""
+    lost = ("HOME", "USER", "LOGNAME", "XDG_CACHE_HOME", "PYDY_CACHE_DIR")
+    env = {k: v for k, v in os.environ.items() if k not in lost} | {"TMPDIR": str(tmp_path)}
+    if chosen is not None:
+        env["PYDY_CACHE_DIR"] = chosen
+    unknown = "import pwd\ndef unknown(*_): raise KeyError('getpwuid(): uid not found')\n"
+    unknown += "pwd.getpwuid = pwd.getpwnam = unknown\n"
+    tmp_path.chmod(0o700)
+    done = subprocess.run(
+        [sys.executable, "-c", unknown + HOMELESS],
+        env=env, capture_output=True, text=True, check=True, cwd=tmp_path,
+    )  # fmt: skip
+    place, content, told = done.stdout.strip().split("|")
+    assert Path(place) == tmp_path.resolve() / f"pydy-cache-{os.geteuid()}"
+    assert stat.S_IMODE(os.stat(place).st_mode) == 0o700
+    assert content == "b'code'"
+    assert told == "['The user has no home folder']"
+    assert [p.name for p in tmp_path.iterdir()] == [Path(place).name]  # none called ~

@@ -147,7 +147,7 @@ def test_outputs_and_specifieds_at_other_times_are_evaluated_anew():
         ([0.5, 1.1], "within the simulated time, 0.0 to 1.0, got 1.1"),
         ([-0.1, 0.2], "got -0.1"),
         ([np.nan], "must be finite"),
-        ([0.2, 0.1], "ascending"),
+        ([0.2, 0.1, 0.3], "ascending"),
         ([[0.1, 0.2]], "one-dimensional"),
     ],
 )

@@ -13,7 +13,8 @@ opened first and then checked, so that it cannot be exchanged in between. Window
 owners; its folders of users are private.
 
 The environment variable PYDY_CACHE_DIR names the folder in which ``pydy-cache`` is made instead, or
-turns the cache off (``off``).
+turns the cache off (``off``). Where nobody knows the user's home, as in a container with an unknown
+user, it is a folder of the user's among the temporary files.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ import warnings
 from functools import cache
 from pathlib import Path
 
-from pydy._errors import PyDyUserWarning
+from pydy._errors import PyDyUserWarning, warn_user
 
 _STALE_SECONDS = 3600.0
 
@@ -119,14 +120,8 @@ def folder() -> Path | None:
     chosen = os.environ.get("PYDY_CACHE_DIR")
     if chosen and chosen.lower() == "off":
         return None
-    if chosen:
-        chosen = os.path.join(os.path.expanduser(chosen), "pydy-cache")
-    else:
-        import platformdirs
-
-        chosen = platformdirs.user_cache_dir("pydy", appauthor=False)
     try:
-        place = Path(os.path.realpath(chosen))
+        place = Path(os.path.realpath(_chosen(chosen) or _homeless()))
     except OSError:  # a relative path where the working directory has been removed
         return None
     trouble = unsafe(place)
@@ -138,6 +133,35 @@ def folder() -> Path | None:
         "environment variable PYDY_CACHE_DIR name a folder that only you can write to, or be 'off'",
     )
     return None
+
+
+def _chosen(given: str | None) -> str | None:
+    """Return the folder that the user or the system chose, or None where it needs a home."""
+    if given:
+        known = os.path.join(os.path.expanduser(given), "pydy-cache")
+    else:
+        import platformdirs
+
+        try:
+            known = platformdirs.user_cache_dir("pydy", appauthor=False)
+        except RuntimeError:  # no HOME, and no entry in the user database
+            return None
+    # Without a home `~` stays, and would name a folder in the working directory.
+    return None if known.startswith("~") else known
+
+
+def _homeless() -> str:
+    """Return the user's cache among the temporary files, whose owner is checked as any other's."""
+    user_id = os.geteuid() if hasattr(os, "geteuid") else "user"
+    place = os.path.join(tempfile.gettempdir(), f"pydy-cache-{user_id}")
+    if place not in _warned:
+        _warned.add(place)
+        warn_user(
+            "The user has no home folder (no HOME, and no entry in the user database): compiled "
+            f"code is kept in '{place}'. To choose another folder, set the environment variable "
+            "PYDY_CACHE_DIR; 'off' keeps none."
+        )
+    return place
 
 
 def _make(place: Path) -> None:

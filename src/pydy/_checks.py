@@ -30,7 +30,12 @@ def describe(symbols: Sequence[Any]) -> str:
 def listed(
     argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
-    """Check that an argument is a sequence of symbols and return it as a list."""
+    """Check that an argument is a sequence of symbols and return it as a list.
+
+    A SymPy matrix of one column or row is one, such as ``KanesMethod.q``.
+    """
+    if getattr(value, "is_Matrix", False) and not isinstance(value, type):
+        value = _entries(value)
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
@@ -42,9 +47,20 @@ def listed(
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
 
+def _entries(matrix: Any) -> Any:
+    """Return the entries of a SymPy matrix of one column or row; another one as it is."""
+    shape = matrix.shape
+    if not (all(isinstance(n, int) or n.is_Integer for n in shape) and {0, 1} & {*shape}):
+        return matrix
+    if not hasattr(matrix, "tolist"):  # an expression, such as a BlockMatrix
+        matrix = matrix.as_explicit()
+    return [entry for row in matrix.tolist() for entry in row]
+
+
 def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[Any]:
     """Return one symbol, expression or name, or a sequence of them, as a list."""
-    single = isinstance(value, str) or hasattr(value, "free_symbols")
+    matrix = getattr(value, "is_Matrix", False)
+    single = isinstance(value, str) or (hasattr(value, "free_symbols") and not matrix)
     return listed(argument, [value] if single else value, hashable=hashable)
 
 
@@ -156,6 +172,38 @@ def ascending(value: Any, what: str, *, strict: bool = False, remedy: str = "") 
         raise ValueError(
             f"{what} must be {'strictly ' * strict}ascending, got {array[k + 1]} after {array[k]} "
             f"at index {k + 1}.{remedy}"
+        )
+    return array
+
+
+def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
+    """Return an own copy with one row for each time and one column for each symbol."""
+    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
+    if table.shape != (m, width):
+        raise ValueError(
+            f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
+            f"column for each symbol, got {table.shape}."
+        )
+    return table
+
+
+def descends(times: np.ndarray) -> bool:
+    """Return whether monotonic times descend."""
+    return len(times) > 1 and bool(times[-1] < times[0])
+
+
+def monotonic(value: Any, what: str) -> np.ndarray:
+    """Return finite numbers that ascend or descend, or name the first one that turns back."""
+    array = real_array(value, what)
+    if array.ndim != 1 or not np.isfinite(array).all():
+        return ascending(array, what)  # which refuses them
+    steps = np.diff(array)
+    way = -1.0 if descends(array) else 1.0
+    if (wrong := way * steps < 0.0).any():
+        k = int(wrong.argmax())
+        raise ValueError(
+            f"{what} must be ascending or descending, got {array[k + 1]} after {array[k]} at index "
+            f"{k + 1}{' of descending ones' if way < 0.0 else ''}."
         )
     return array
 

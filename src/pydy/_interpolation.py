@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from pydy._checks import ascending, real_array
+from pydy._checks import descends, monotonic, real_array
 
 
 def evenly(count: int, most: int) -> np.ndarray:
@@ -51,9 +51,10 @@ class SensitivityModel(Protocol):
 
 
 def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
-    """Check that times ascend and lie within those of a trajectory."""
-    checked = ascending(np.atleast_1d(real_array(times, "`times`")), "`times`")
-    outside = checked[~((checked >= own[0]) & (checked <= own[-1]))]
+    """Check that times ascend or descend and lie within those of a trajectory."""
+    checked = monotonic(np.atleast_1d(real_array(times, "`times`")), "`times`")
+    first, last = _span(own)
+    outside = checked[~((checked >= first) & (checked <= last))]
     if outside.size:
         raise ValueError(
             f"`times` must be within the simulated time, {own[0]} to {own[-1]}, got {outside[0]}."
@@ -61,12 +62,42 @@ def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
     return checked
 
 
+def _span(own: np.ndarray) -> tuple[float, float]:
+    """Return the least and the largest of monotonic times; of none, an empty span."""
+    if not len(own):
+        return np.inf, -np.inf
+    return min(own[0], own[-1]), max(own[0], own[-1])
+
+
+def in_order(trajectory: Any) -> Any:
+    """Return a trajectory with ascending times: itself, or its rows in the opposite order."""
+    own = hasattr(trajectory, "_sensitivities") and descends(trajectory.times)
+    return turned(trajectory) if own else trajectory
+
+
+def turned(trajectory: Any) -> Any:
+    """Return the same motion with the rows of a Trajectory in the opposite order."""
+    own = object.__new__(type(trajectory))
+    own.__dict__.update(trajectory.__dict__)
+    for name in ("times", "states", "outputs", "specifieds", "_derivatives", "_energy"):
+        table = getattr(trajectory, name)
+        setattr(own, name, None if table is None else table[::-1].copy())
+    if trajectory._sensitivities is not None:
+        parameters, values = trajectory._sensitivities
+        own._sensitivities, own._known_sensitivity = (parameters, values[::-1].copy()), None
+    elif (known := trajectory._known_sensitivity) is not None:  # of a file
+        own._take_sensitivity(known.names, known.table()[::-1].copy())
+    return own
+
+
 def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     """Refine a trajectory where its times are two or more steps apart.
 
     `step_of` returns the step for a span of time. Without the solver's continuous extension, it is
-    the trajectory itself: what is known at its times alone would be made up between them.
+    the trajectory itself: what is known at its times alone would be made up between them. Its times
+    ascend.
     """
+    trajectory = in_order(trajectory)
     if getattr(trajectory, "_dense", None) is None or len(trajectory.times) < 2:
         return trajectory
     own = trajectory.times
@@ -93,7 +124,7 @@ class Sides(NamedTuple):
             return known._sides
         moments, states = _at_events(known)
         # Just before, in the modes and with the inputs that end there.
-        moments[::2] = np.fmax(np.nextafter(moments[::2], -np.inf), known.times[0])
+        moments[::2] = np.fmax(np.nextafter(moments[::2], -np.inf), _span(known.times)[0])
         model, rows = known._model, len(moments)
         tables = (f(moments, states) for f in (model.derivatives, model.outputs, model.specifieds))
         return cls(*(np.reshape(table, (rows, -1)) for table in tables))
@@ -107,7 +138,11 @@ class Sides(NamedTuple):
 
 
 def between(known: Any, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
-    """Interpolate the states of a Trajectory, and its sensitivities if it has any."""
+    """Interpolate the states of a Trajectory, and its sensitivities if it has any.
+
+    The times ascend.
+    """
+    known = in_order(known)
     m, n = known.states.shape
     values = None if known._sensitivity is None else known._sensitivity.values
     whole = known._dense(times) if known._dense else _hermite(known, times, values)
@@ -131,7 +166,8 @@ def states_at_jumps(known: Any) -> list[tuple[float, np.ndarray, np.ndarray | No
     if known._dense is None or known._model is None:
         return []
     jumps = np.setdiff1d(known._model.jumps(), [event.time for event in known.events])
-    times = jumps[(jumps > known.times[0]) & (jumps <= known.times[-1])]
+    first, last = _span(known.times)
+    times = jumps[(jumps > first) & (jumps <= last)]
     states, columns = between(known, times)
     each = [None] * len(times) if columns is None else columns
     return list(zip(times.tolist(), states, each, strict=True))

@@ -49,6 +49,9 @@ class Kernel:
     lanes: int = 1  # how many states one native call takes
     # Makes the machine code and keeps it alive; None for a back end without native code.
     entry: NativeCode | None = field(default=None, repr=False)
+    # Of the reflection of a Kernel in time (`pydy.solvers.reflection`), which is called at s = −t:
+    # how many outputs, the first ones, change their sign. The entry is that of the Kernel itself.
+    negated: int | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (self.rebuild, (self.program, *self.recipe))

@@ -73,7 +73,8 @@ class System(
     initial_conditions : dict, optional
         Maps states to numbers; those without a value are 0.0.
     times : array_like, shape (n,), optional
-        Times at which the states are computed: ascending, not negative.
+        Times at which the states are computed: ascending or descending. The initial conditions are
+        those at the first one; descending times integrate backward.
     outputs : dict, optional
         Maps names to expressions that are evaluated together with the equations. See `outputs`.
     noncontributing_forces : iterable of functions of time, optional

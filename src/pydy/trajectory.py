@@ -9,7 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import ascending, check_mapping, choice, flag, listed, number, real_array, shown
+from pydy._checks import (
+    check_mapping,
+    checked_table,
+    choice,
+    descends,
+    flag,
+    listed,
+    monotonic,
+    number,
+    shown,
+)
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
 from pydy._interpolation import (
@@ -21,6 +31,7 @@ from pydy._interpolation import (
     checked_times,
     states_at_jumps,
     straight,
+    turned,
 )
 from pydy._names import (
     column_names,
@@ -235,17 +246,6 @@ class EventRecord:
         return f"EventRecord({self.name!r} at t = {self.time!r})"
 
 
-def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
-    """Return an own copy with one row for each time and one column for each symbol."""
-    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
-    if table.shape != (m, width):
-        raise ValueError(
-            f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
-            f"column for each symbol, got {table.shape}."
-        )
-    return table
-
-
 # -- The trajectory --------------------------------------------------------------------------------
 
 
@@ -329,7 +329,7 @@ class Trajectory:
         sensitivities: tuple[Mapping[Any, int], np.ndarray] | None = None,
         sensitivity_model: SensitivityModel | None = None,
     ) -> None:
-        self.times = np.array(ascending(times, "`times`"))
+        self.times = np.array(monotonic(times, "`times`"))
         m = len(self.times)
         self._columns = symbols if isinstance(symbols, Columns) else Columns(symbols)
         widths = self._columns.widths
@@ -549,7 +549,7 @@ class Trajectory:
         Parameters
         ----------
         times : array_like, shape (k,)
-            Ascending, within the simulated time.
+            Ascending or descending, within the simulated time.
 
         Returns
         -------
@@ -558,7 +558,7 @@ class Trajectory:
         Raises
         ------
         ValueError
-            The times are not ascending, or one is outside the simulated time.
+            The times are not monotonic, or one is outside the simulated time.
 
         Examples
         --------
@@ -570,6 +570,10 @@ class Trajectory:
         array([0.998771, 0.989312])
         """
         times = checked_times(times, self.times)
+        if descends(times):
+            return turned(self.at(times[::-1]))
+        if descends(self.times):
+            return turned(self).at(times)
         known = self._sensitivity
         states, values = between(self, times)
         if self._model is not None:

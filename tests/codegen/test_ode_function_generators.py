@@ -37,6 +37,45 @@ def test_every_form_agrees_with_sympy(form, name, generator):
         close(rhs(x, t, *arrays(model)), oracle(model).xdot(x, t))
 
 
+@pytest.mark.parametrize(
+    "form",
+    [
+        *(sm.Matrix, sm.ImmutableMatrix, sm.SparseMatrix, np.array, tuple),
+        *(lambda q: sm.Matrix(q).T, lambda q: sm.BlockMatrix([[sm.Matrix(q)]])),
+    ],
+)
+def test_symbols_may_stand_in_any_sequence_or_matrix_of_one_column(form):
+    model = zoo.MODELS["chain"]()
+    parts = given(model, "[3]")
+    names = [n for n in ("coordinates", "speeds", "constants", "specifieds") if parts.get(n)]
+    expected = generate_ode_function(**parts)
+    made = generate_ode_function(**{**parts, **{name: form(parts[name]) for name in names}})
+    x, t = model.sample(0)
+    np.testing.assert_array_equal(made(x, t, *arrays(model)), expected(x, t, *arrays(model)))
+
+
+def test_matrices_of_symbols_with_several_columns_are_refused():
+    with pytest.raises(TypeError, match="`coordinates` must be a sequence of symbols, got Matrix"):
+        generate_ode_function([V, X], sm.eye(2), [V])
+
+
+@pytest.mark.parametrize(
+    "of",
+    [lambda m: sm.BlockMatrix([[m]]), lambda m: sm.MatAdd(m, sm.zeros(*m.shape)), sm.SparseMatrix],
+)
+def test_matrix_expressions_are_mass_matrices(of):
+    model = zoo.MODELS["chain"]()
+    parts = given(model, "[3]")
+    made = generate_ode_function(**{**parts, "mass_matrix": of(parts["mass_matrix"])})
+    x, t = model.sample(0)
+    close(made(x, t, *arrays(model)), oracle(model).xdot(x, t))
+    size = sm.Symbol("n", integer=True)
+    with pytest.raises(
+        ValueError, match="`mass_matrix` must be a matrix of expressions, got the M"
+    ):
+        generate_ode_function(**{**parts, "mass_matrix": sm.MatrixSymbol("A", size, size)})
+
+
 @pytest.mark.parametrize("form", ["[1]", "[2]", "[3]"])
 def test_llvm_is_the_default_generator(form):
     default = inspect.signature(generate_ode_function).parameters["generator"].default

@@ -293,7 +293,7 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"constants": {"q": [1.0]}}, ValueError, "not one of the constants"),
         ({"specifieds": {"q": [1.0]}}, ValueError, "not one of the specifieds"),
         ({"times": [1.0]}, ValueError, "at least two values"),
-        ({"times": [1.0, 0.0]}, ValueError, "must be ascending"),
+        ({"times": [1.0, 0.0]}, ValueError, "`times` descend, from 1.0 to 0.0, but ensembles"),
         ({"ode_solver": "odeint"}, ValueError, "must be a native solver"),
         ({"rtoll": 1e-3}, TypeError, "`dop853` has no option `rtoll`"),
         ({"rtol": 1e-17, "atol": 0.0}, ValueError, "ten times the rounding unit"),

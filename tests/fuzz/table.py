@@ -133,11 +133,16 @@ STATE = array((2,))
 STATES = array((2,), (None, 2))
 
 
-def _instants(least: int) -> Callable[[np.ndarray], bool]:
-    return lambda t: (
-        len(t) >= least and np.isfinite(t).all() and (np.diff(t) >= 0).all() and not (t < 0).any()
-    )
+def ascend(t: np.ndarray) -> bool:
+    """Whether finite times ascend; neighbours may be equal."""
+    return bool(np.isfinite(t).all() and (np.diff(t) >= 0).all())
 
 
-instants = array((None,), check=_instants(0))
-two_instants = array((None,), check=_instants(2))
+def monotonic(t: np.ndarray) -> bool:
+    """Whether finite times ascend or descend."""
+    return ascend(t) or ascend(t[::-1])
+
+
+instants = array((None,), check=monotonic)
+two_instants = array((None,), check=lambda t: len(t) > 1 and monotonic(t))
+ascending_instants = array((None,), check=lambda t: len(t) > 1 and ascend(t))

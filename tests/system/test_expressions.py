@@ -458,9 +458,9 @@ REFUSED = {
         r"F\(t\).*`h\(q0\(t\)\)`.*not a function of time",
     ),
     "a function without code": (
-        {F: sm.gamma(Q0)},
+        {F: sm.zeta(Q0)},
         UnsupportedFunctionError,
-        r"F\(t\).*`gamma`.*Rewrite",
+        r"F\(t\).*`zeta`.*Rewrite",
     ),
     "the imaginary unit": ({F: sm.I * Q0}, ValueError, r"F\(t\).*`I`.*real"),
     "a truth value": ({F: Q0 > 0}, ValueError, r"F\(t\).*Piecewise"),

@@ -51,6 +51,13 @@ def test_exact_data_give_the_parameters_back(oscillator, method):
 
 
 @BOTH
+def test_trials_may_begin_before_zero(oscillator, method):
+    trial = Trial(TIMES - 7.0, {"x0": swing()}, {"x0": 1.0, "v0": -0.1})
+    result = oscillator.fit(["k0", "c0"], trial, method=method)
+    np.testing.assert_allclose(result.estimates, [4.0, 0.2], rtol=1e-7)
+
+
+@BOTH
 @pytest.mark.parametrize("size", [1e300, -1e160, 1e100])
 def test_samples_whose_powers_are_no_floats_are_refused(oscillator, method, size):
     with pytest.raises(ValueError, match=r"`measured\[x0\]` of .* at most .* Choose units"):

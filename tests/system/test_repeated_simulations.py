@@ -209,7 +209,7 @@ def test_a_start_that_leaves_the_constraints_is_told_of_at_each_call():
         (edit("specifieds", F, np.nan), "`specifieds` for .* must be finite"),
         (edit("specifieds", "f9", 1.0), "`specifieds` has the key `f9`, which is not one of the"),
         (lambda s: s.times.__setitem__(1, np.nan), "`times` must be finite"),
-        (lambda s: s.times.__setitem__(1, 9.0), "`times` must be ascending"),
+        (lambda s: s.times.__setitem__(1, 9.0), "`times` must be ascending or descending, got"),
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("solver", ["dop853", None])

@@ -48,3 +48,35 @@ def test_a_store_that_cannot_be_there_is_refused(tmp_path, name):
         system.integrate_ensemble(
             initial_conditions={system.states[0]: [1.0, 2.0]}, store=tmp_path / name
         )
+
+
+@pytest.mark.parametrize(
+    ("common", "own", "value"),
+    [("max_step", "hmax", 0.02), ("first_step", "h0", 1e-7), ("min_step", "hmin", 1e-9)],
+)
+def test_odeint_takes_the_names_that_its_options_have_elsewhere(common, own, value):
+    system = multi_mass_spring_damper()
+    system.initial_conditions = {"x0": 1.0}
+    system.times = np.linspace(0.0, 1.0, num=3)
+    x, info = system.integrate(full_output=True, **{common: value})
+    expected, told = system.integrate(full_output=True, **{own: value})
+    np.testing.assert_array_equal(x, expected)
+    assert info["nst"].tolist() == told["nst"].tolist()
+    plain = system.integrate(full_output=True)[1]
+    assert own != "hmax" or not np.array_equal(told["nst"], plain["nst"])
+    with pytest.raises(TypeError, match=f"`{common}` and `{own}` are the same option of `odeint`"):
+        system.integrate(**{common: value, own: value})
+
+
+def test_no_limit_is_no_limit_for_odeint_either():
+    system = multi_mass_spring_damper()
+    system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 1.0]
+    expected = system.integrate()
+    np.testing.assert_array_equal(system.integrate(max_step=np.inf, first_step=None), expected)
+
+
+def test_the_step_of_fixed_steps_is_named():
+    system = multi_mass_spring_damper()
+    system.times, system.ode_solver = [0.0, 1.0], "rk4"
+    with pytest.raises(TypeError, match=r"`max_step`; .* It is called `step` there"):
+        system.integrate(max_step=0.1)

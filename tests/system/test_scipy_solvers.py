@@ -11,7 +11,7 @@ from scipy.sparse import csr_array
 from cases import close
 from pydy._errors import IntegrationError
 from pydy.models import multi_mass_spring_damper
-from pydy.solvers import dop853
+from pydy.solvers import Event, dop853
 
 TIMES = [0.0, 0.0, 0.5, 1.0, 1.0, 2.0]
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
@@ -212,3 +212,124 @@ def test_lsoda_is_not_started_by_what_it_calls(system, inner, outer):
         system.integrate()
     preview.ode_solver = "dop853"
     close(system.integrate(**TIGHT), preview.integrate(**TIGHT), 1e-6)
+
+
+# -- events of the solver's own --------------------------------------------------------------------
+
+
+def free_fall(t_end=1.0):
+    """x'' = −9.81 from 2 m at rest: at the ground after √(4 / 9.81) s."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"k0": 0.0, "c0": 0.0}
+    system.specifieds, system.initial_conditions = {"f0": -9.81}, {"x0": 2.0}
+    system.times, system.ode_solver = np.linspace(0.0, t_end, num=11), solve_ivp
+    return system
+
+
+LANDED = np.sqrt(4.0 / 9.81)
+
+
+def ground(t, x):
+    return x[0]
+
+
+ground.terminal, ground.direction = True, -1
+
+
+def ground_of_args(t, x, r, p):
+    assert (r[0], len(p)) == (-9.81, 3)
+    return x[0]
+
+
+ground_of_args.terminal = True
+
+
+def ground_of_any(t, x, *args):
+    assert len(args) == 2
+    return x[0]
+
+
+ground_of_any.terminal = True
+
+
+@pytest.mark.parametrize("event", [ground, [ground], ground_of_args, ground_of_any])
+def test_a_terminal_event_of_solve_ivp_leaves_the_rows_before(event):
+    system = free_fall()
+    x = system.integrate(events=event, **TIGHT)
+    np.testing.assert_allclose(x[:, 0], 2.0 - 9.81 / 2 * system.times[:7] ** 2, atol=1e-9)
+    x, info = system.integrate(events=event, full_output=True, dense_output=True, **TIGHT)
+    assert (len(x), len(info["times"])) == (7, 7)
+    assert abs(info["t_events"][0][0] - LANDED) < 1e-9
+    run = system.simulate(events=event, **TIGHT)
+    assert run.times[-1] == system.times[6]
+    assert [e.name for e in run.events] == [getattr(event, "__name__", "ground")]
+    assert abs(run.events[0].time - LANDED) < 1e-9
+
+
+def test_events_that_go_on_are_listed_in_their_order():
+    def fast(t, x):
+        return x[1] + 7.0
+
+    def low(t, x):
+        return x[0] - 1.0
+
+    system = free_fall()
+    run = system.simulate(events=[fast, low], **TIGHT)
+    assert [e.name for e in run.events] == ["low", "fast"]
+    np.testing.assert_allclose(
+        [e.time for e in run.events], [np.sqrt(2 / 9.81), 7 / 9.81], atol=1e-9
+    )
+    assert len(run.times) == 11
+    found = system.simulate(events=[fast, low, ground], sensitivities=["v0"], **TIGHT)
+    assert [e.before.shape for e in found.events] == [(2,)] * 2
+    np.testing.assert_allclose(found.sensitivity["x0", "v0"], system.times[:7], atol=1e-8)
+
+
+def test_other_times_can_be_asked_of_solve_ivp():
+    system = free_fall()
+    x = system.integrate(t_eval=[0.0, 0.5], **TIGHT)
+    np.testing.assert_allclose(x[:, 0], [2.0, 2.0 - 9.81 / 8], atol=1e-9)
+    np.testing.assert_array_equal(system.simulate(t_eval=[0.1, 0.5], **TIGHT).times, [0.1, 0.5])
+    system.times = [1.0, 0.0]
+    assert system.integrate(t_eval=[0.5, 0.2], **TIGHT).shape == (2, 2)
+    with pytest.raises(ValueError, match="`t_eval` must hold times within those of the System"):
+        system.integrate(t_eval=[0.5, 2.0])
+
+
+def test_an_event_before_the_first_output_leaves_no_row():
+    system = free_fall()
+    found, info = system.integrate(t_eval=[0.9, 1.0], events=ground, full_output=True, **TIGHT)
+    assert found.shape == (0, 2)
+    assert len(info["times"]) == 0
+
+
+def test_what_is_no_event_of_solve_ivp_is_refused():
+    system = free_fall()
+    for events, error, match in (
+        ([3.0], TypeError, r"`events` of solve_ivp must be functions f\(t, x\)"),
+        (3.0, TypeError, r"`events` must be a sequence of functions f\(t, x\)"),
+        ([Event(system.states[0])], ValueError, "`events` needs a native solver"),
+    ):
+        with pytest.raises(error, match=match):
+            system.integrate(events=events)
+    with pytest.raises(TypeError, match="`args` are the specifieds and constants"):
+        system.integrate(args=())
+
+
+def test_a_solver_of_the_users_gets_all_keywords_and_its_rows_come_back():
+    seen = {}
+
+    def own(f, x0, t, args=(), **options):
+        seen.update(options)
+        found = solve_ivp(
+            lambda t, x: f(x, t, *args), (t[0], t[-1]), x0, t_eval=t, events=options["events"]
+        )
+        return (found.y.T, {"times": found.t}) if options.get("told") else found.y.T
+
+    system = free_fall()
+    system.ode_solver = own
+    assert system.integrate(events=ground, told=False, kind=[1]).shape == (7, 2)
+    assert seen == {"events": ground, "told": False, "kind": [1]}
+    assert system.simulate(events=ground, told=True).times[-1] == system.times[6]
+    with pytest.raises(ValueError, match=r"got \(7, 2\)\. One that ends early tells the times"):
+        system.simulate(events=ground)

@@ -50,6 +50,14 @@ def relative(found, expected):
     return np.abs(found - expected).max() / np.abs(expected).max()
 
 
+def test_a_matrix_of_parameters_is_a_list_of_them():
+    system = oscillator()
+    states = sm.Matrix(system.states)
+    found = system.simulate(sensitivities=states).sensitivity
+    expected = system.simulate(sensitivities=list(states)).sensitivity
+    np.testing.assert_array_equal(found.values, expected.values)
+
+
 @pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 def test_a_linear_system_follows_the_matrix_exponential(solver):
     system = oscillator()

@@ -23,6 +23,7 @@ from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
+from pydy._graph.of_scipy import KNOWN, check
 from pydy._graph.operations import OPERATIONS, SHIPPED, SOLVES
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
@@ -128,7 +129,8 @@ _CIRCUMSTANCES = _made_by()
 def _as_shipped() -> bool:
     """Return whether all operations and passes are the package's own."""
     functions = [function for _, function in (*ONCE, *ROUND)]
-    return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
+    own = OPERATIONS if not KNOWN else {k: v for k, v in OPERATIONS.items() if k not in KNOWN}
+    return own == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
 
 
 class Storable(Protocol):
@@ -178,6 +180,9 @@ class CompiledModel:
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
     _evaluated: dict[Any, Evaluated] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check(self.backend, self.assembly.graph.ops)
 
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks

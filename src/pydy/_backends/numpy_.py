@@ -6,6 +6,7 @@ from functools import partial
 
 from pydy._backends.base import kernel_of
 from pydy._graph.interpret import run
+from pydy._graph.of_scipy import remember
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -19,9 +20,12 @@ class NumPyBackend:
         Accepted for scripts that pass it; common sub-expressions are always shared.
     """
 
+    scipy = True  # it evaluates functions that only SciPy computes
+
     def __init__(self, cse: bool = True) -> None:
         self.options = {"cse": cse}
 
     def compile(self, program: Program) -> Kernel:
         """Return a Kernel whose sweep is one NumPy call per operation."""
+        remember(program.ops)
         return kernel_of(program, partial(run, program), "lambdify", self.options)

@@ -21,6 +21,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.derivative import directional
 from pydy._graph.node import Graph
+from pydy._graph.of_scipy import operation_of
 from pydy._graph.operations import named_in_sympy
 from pydy._graph.rewrite import again, rebuild, transplanted
 
@@ -287,7 +288,7 @@ class SymPyReader:
                     continue
                 handler = _handler(expr.func)
                 if handler is None:
-                    seen[key] = self(self._written_out(expr))
+                    seen[key] = self._otherwise(expr)
                     continue
             stack.append((expr, handler))
             stack += [(a, None) for a in reversed(args) if id(a) not in seen]
@@ -332,6 +333,19 @@ class SymPyReader:
             )
         raise UnsupportedFunctionError(self._unsupported(expr))
 
+    def _otherwise(self, expr: Any) -> int:
+        """Return the node of what is no operation: written out, or as a function of SciPy."""
+        try:
+            written = self._written_out(expr)
+        except UnsupportedFunctionError:
+            if (found := written_for_scipy(expr)) is None:
+                raise
+            code, operands, partials = found
+            shown = f"the function `{expr.func.__name__}` in `{_brief(expr)}`"
+            name = operation_of(code, len(operands), shown, partials)
+            return self.graph.call(name, *map(self, operands))
+        return self(written)
+
     def _written_out(self, expr: Any) -> Any:
         """Return the expression that a function stands for, as the curves of muscles do."""
         if is_unevaluated(expr):
@@ -375,6 +389,54 @@ def real_part(expr: Any, what: str) -> Any:
         f"{what} hold the imaginary unit in `{_brief(expr)}`, which is not known to be real for "
         "real symbols. Give its real part without `I`: `expand_complex(re(expr))` of symbols that "
         "are real, or other solutions of the equation it comes from."
+    )
+
+
+# -- functions that only SciPy computes ------------------------------------------------------------
+
+_OF_SCIPY = {"strict": True, "allow_unknown_functions": False, "fully_qualified_modules": True}
+
+
+def written_for_scipy(expr: Any) -> tuple[str, list[Any], Callable[..., tuple[int, ...]]] | None:
+    """Return a function, sum or integral as code for SciPy, its operands, and its derivatives.
+
+    None if SymPy's printer for SciPy does not know it.
+    """
+    from sympy.printing.codeprinter import PrintMethodNotImplementedError
+    from sympy.printing.numpy import SciPyPrinter
+
+    if isinstance(expr, sm.Function) and not isinstance(expr, AppliedUndef):
+        operands = [a for a in dict.fromkeys(expr.args) if not a.is_number]
+    elif isinstance(expr, (sm.Sum, sm.Integral)) and _is_definite(expr):
+        functions = {e: sm.Dummy() for e in expr.atoms(AppliedUndef, sm.Derivative)}
+        free = expr.xreplace(functions).free_symbols  # not the variables of the limits
+        kept = {e for e, dummy in functions.items() if dummy in free}
+        free = kept | (free - {*functions.values()})
+        operands = sorted(free, key=sm.default_sort_key)
+    else:
+        return None
+    places = [sm.Symbol(f"_{k}", real=True) for k in range(len(operands))]
+    template = expr.xreplace(dict(zip(operands, places, strict=True)))
+    try:
+        code = SciPyPrinter(_OF_SCIPY).doprint(template)
+    except (PrintMethodNotImplementedError, NotImplementedError, TypeError):
+        return None
+
+    def partials(graph: Graph, node: int, *nodes: int) -> tuple[int, ...]:
+        read = SymPyReader(
+            graph, dict(zip(places, nodes, strict=True)), f"the derivative of {expr}"
+        )
+        return tuple(read(sm.diff(template, place)) for place in places)
+
+    return code, operands, partials
+
+
+def _is_definite(expr: Any) -> bool:
+    """Return whether limits are numbers or expressions without the variables of others."""
+    bound = {limit[0] for limit in expr.limits}
+    return all(
+        len(limit) == 3 and not bound & {*limit[1].free_symbols, *limit[2].free_symbols}
+        for limit in expr.limits
     )
 
 

@@ -48,6 +48,11 @@ class Operation:
     modular: Callable[..., int] | None = None
     sympy: str = ""  # the name of the SymPy class with the same arguments
 
+    @property
+    def written(self) -> str:
+        """Its code in all languages, for digests."""
+        return f"{self.c} {self.llvm}"
+
 
 OPERATIONS: dict[str, Operation] = {}
 TRUTHS: set[str] = {"bool"}

@@ -237,8 +237,7 @@ class Program:
                 sha.update(repr((op, args)).encode())
         sha.update(repr((self.outputs, self.blocks)).encode())
         for op in sorted(OPERATIONS.keys() & set(self.ops)):
-            row = OPERATIONS[op]
-            sha.update(f"{op} {row.c} {row.llvm}\n".encode())
+            sha.update(f"{op} {OPERATIONS[op].written}\n".encode())
         return sha.hexdigest()
 
     @cached_property

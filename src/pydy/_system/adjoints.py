@@ -27,6 +27,7 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
+from pydy._system.definition import refuse_descending
 from pydy._system.jumps import node_of, warn_of_jumps
 from pydy._system.parameters import Parameter, by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
@@ -748,6 +749,7 @@ class Gradients(Setup):
         definition, plan = now.definition, now.plan
         given = with_residuals_held(definition, solver, given)
         free = given.get("constraints") is None
+        refuse_descending(now.checked_times(), "`adjoint_gradient` integrates forward, then back")
         ready, instants = begin(now, solver, given)
         model = ready.model
         sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")

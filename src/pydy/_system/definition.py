@@ -15,10 +15,11 @@ from pydy._assembly.definition import Definition, lower_derivatives
 from pydy._assembly.system import Group, auxiliary_groups, check_accelerations
 from pydy._checks import (
     Places,
-    ascending,
     check_mapping,
+    descends,
     describe,
     listed,
+    monotonic,
     real_array,
     resolved,
     shown,
@@ -292,10 +293,17 @@ def check_times(times: Any) -> np.ndarray:
             f"`times` must be a sequence of time values, got the {type(times).__name__} "
             f"{shown(times)}."
         )
-    ascending(array, "`times`")
-    if array.size and array[0] < 0.0:
-        raise ValueError(f"`times` must not be negative, got {array[0]} at index 0.")
+    monotonic(array, "`times`")
     return array
+
+
+def refuse_descending(times: np.ndarray, what: str) -> None:
+    """Refuse descending times for what runs forward only."""
+    if descends(times):
+        raise ValueError(
+            f"`times` descend, from {times[0]} to {times[-1]}, but {what}. Let them ascend, or "
+            "integrate backward with `integrate` or `simulate`."
+        )
 
 
 def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) -> list[Any]:

@@ -22,7 +22,7 @@ from pydy._checks import (
 )
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, some, unique_names
-from pydy._system.definition import check_times
+from pydy._system.definition import check_times, refuse_descending
 from pydy._system.jumps import watched
 from pydy._system.kept import check_samples, kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
@@ -466,6 +466,7 @@ class Ensembles(Setup):
             new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
             plan = plan.updated(new)
         times = now.checked_times() if times is None else check_times(times)
+        refuse_descending(times, "ensembles integrate forward only")
         if len(times) < 2:
             raise ValueError(
                 f"`times` must have at least two values, got {len(times)}. Pass `times` or set "

@@ -16,6 +16,7 @@ from pydy._graph.branches import sides, switches
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
+from pydy._interpolation import in_order
 from pydy._rank import HALF, ROUNDING
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
@@ -159,7 +160,7 @@ def warn_of_jumps(
     found = watched(now.at(np.array([now.t]), now.x[None]), sensitive, integral)
     if found is None:
         return
-    motion, parts = motion_of(), found.nodes
+    motion, parts = in_order(motion_of()), found.nodes
 
     def columns(times: np.ndarray) -> np.ndarray | None:
         known = (motion if times is motion.times else motion.at(times))._sensitivity
@@ -253,13 +254,19 @@ class Asked:
 
 
 def warn_of_pulses(
-    now: Snapshot, asked: Sequence[float], states: np.ndarray, tolerances: Sequence[Any]
+    now: Snapshot,
+    asked: Sequence[float],
+    times: np.ndarray,
+    states: np.ndarray,
+    tolerances: Sequence[Any],
 ) -> None:
     """Warn where a solver stepped across samples, between two jumps, that move the states.
 
     Solvers that are not told of jumps find them by error control, which sees what they evaluate.
     """
-    jumps, (start, end) = now.jumps(), now.times[[0, -1]]
+    if times[-1] < times[0]:
+        times, states = times[::-1], states[::-1]
+    jumps, (start, end) = now.jumps(), times[[0, -1]]
     jumps = jumps[(jumps > start) & (jumps < end)]
     until, evaluated = np.append(jumps[1:], np.inf), np.append(np.sort(asked), np.inf)
     missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, jumps)] >= until)
@@ -268,7 +275,7 @@ def warn_of_pulses(
         return
     first, last = jumps[missed], until[missed]
     n = len(now.x)
-    x = states[np.searchsorted(now.times, first), :n]
+    x = states[np.searchsorted(times, first), :n]
     step = now.derivatives(first, x) - now.derivatives(np.nextafter(first, -np.inf), x)
     moved = np.abs(step) * (last - first)[:, None]
     rtol, atol = (np.atleast_1d(given)[:n] for given in tolerances)

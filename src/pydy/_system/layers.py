@@ -17,6 +17,7 @@ from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
+from pydy._system.definition import refuse_descending
 from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
@@ -474,6 +475,7 @@ class _Frozen:
                 f"`times` must have at least two values before `{kind}` can be called, got "
                 f"{len(now.times)}. Set `system.times`, and make the layer after that."
             )
+        refuse_descending(now.times, f"`{kind}` integrates forward only")
         final = kind == "final"
         return _Motion(self._system, now, final, parts, self._contacts, self._options)
 

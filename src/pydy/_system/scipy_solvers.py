@@ -8,18 +8,20 @@ import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
-from inspect import signature, unwrap
+from functools import partial, wraps
+from inspect import Parameter, signature, unwrap
 from typing import Any
 
 import numpy as np
 import scipy
 
-from pydy._checks import shown
+from pydy._checks import descends, listed, monotonic, shown
 from pydy._errors import IntegrationError
-from pydy._names import nearest, numbers_of
+from pydy._names import nearest, numbers_of, unique_names
 from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.solver import SOLVERS, Solver
+from pydy.trajectory import EventRecord
 
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------
 
@@ -45,7 +47,7 @@ def refuse_nested(name: str) -> None:
 
 _ILLEGAL = "Illegal input"
 _GOOD = ("Integration successful", "Nothing was done")
-_MORE_STEPS = (
+MORE_STEPS = (
     "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "
     "`times`, or set `system.ode_solver = 'dop853'`."
 )
@@ -91,11 +93,12 @@ def call_odeint(
         return states, info
     good = info["message"].startswith(_GOOD)
     # Rows that it did not come to hold whatever lay in memory, times too.
-    came = np.isfinite(states).all(axis=1)
+    came, way = np.isfinite(states).all(axis=1), -1.0 if descends(times) else 1.0
     if not good:
-        came[1:] &= info["tcur"] >= times[1:]
+        came[1:] &= way * info["tcur"] >= way * times[1:]
     # What is illegal after steps that were not is infinite derivatives.
-    if good or (info["message"].startswith(_ILLEGAL) and info["tcur"].max() > times[0]):
+    gone = (way * info["tcur"]).max() > way * times[0]
+    if good or (info["message"].startswith(_ILLEGAL) and gone):
         code, what = NOT_FINITE, "met derivatives or errors that are not finite"
     else:
         what = info["message"].split(".")[0]
@@ -104,12 +107,16 @@ def call_odeint(
     reached = max(1, int(np.argmin(came)))
     t, x = float(times[reached - 1]), states[reached - 1].copy()
     left = float(info["tcur"][reached - 1])
-    if not good and t <= left <= times[reached] and np.isfinite(states[reached]).all():
+    if (
+        not good
+        and way * t <= way * left <= way * times[reached]
+        and np.isfinite(states[reached]).all()
+    ):
         t, x = left, states[reached].copy()  # the row of the time at which it gave up
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
     raise IntegrationError(
         f"`odeint` {what} at t = {t!r} in the state {numbers_of(names, x)}. "
-        f"{_MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
+        f"{MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
         times[:reached].copy(),
         states[:reached].copy(),
         t,
@@ -196,6 +203,67 @@ def _check_scales(options: dict[str, Any], x0: Any) -> None:
         )
 
 
+def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
+    """Return a user's functions of events as SciPy calls them, and their names.
+
+    One that needs more than time and state, or takes any number, gets the `args` too, as SciPy
+    hands them on.
+    """
+    if events is None:
+        return None, []
+    functions = [events] if callable(events) else listed("events", events, "functions f(t, x)")
+    made: list[Any] = []
+    for function in functions:
+        if not callable(function):
+            raise TypeError(
+                "`events` of solve_ivp must be functions f(t, x) that cross zero, got "
+                f"{shown(function)}."
+            )
+        parameters = signature(function).parameters.values()
+        needed = sum(p.kind in _BY_PLACE and p.default is Parameter.empty for p in parameters)
+        more = needed > 2 or any(p.kind is Parameter.VAR_POSITIONAL for p in parameters)
+        event = partial(_called_with, function, args if more else ())
+        for name, default in (("terminal", False), ("direction", 0)):
+            setattr(event, name, getattr(function, name, default))
+        made.append(event)
+    names = [getattr(f, "__name__", f"event {k}") for k, f in enumerate(functions)]
+    return made, unique_names(names)
+
+
+_BY_PLACE = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)
+
+
+def of_states(events: Any, n: int) -> Any:
+    """Return functions of events of n states, which other numbers follow."""
+
+    def cut(function: Callable[..., Any]) -> Callable[..., Any]:
+        @wraps(function)
+        def event(t: float, x: np.ndarray, *args: Any) -> Any:
+            return function(t, x[:n], *args)
+
+        return event
+
+    if callable(events):
+        return cut(events)
+    several = isinstance(events, (list, tuple)) and all(map(callable, events))
+    return [*map(cut, events)] if several else events
+
+
+def _called_with(function: Callable[..., Any], args: tuple[Any, ...], t: float, x: Any) -> Any:
+    return function(t, x, *args)
+
+
+def _records(names: Sequence[str], found: Any) -> list[EventRecord]:
+    """Return the events that `solve_ivp` found, in the order in which they happened."""
+    records = [
+        EventRecord(float(t), names[k], k, x.copy(), x.copy())
+        for k, (times, states) in enumerate(zip(found.t_events, found.y_events, strict=True))
+        for t, x in zip(times, states, strict=True)
+    ]
+    way = -1.0 if descends(found.t) else 1.0
+    return sorted(records, key=lambda record: way * record.time)
+
+
 @dataclass(frozen=True)
 class SolveIvp:
     """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
@@ -221,7 +289,7 @@ class SolveIvp:
         if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
             refuse_nested("LSODA")
         own = {*signature(scipy.integrate.solve_ivp).parameters, *signature(method).parameters}
-        taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
+        taken = {"fun", "t_span", "y0", "t0", "t_bound", "args", "vectorized"}
         extra = {"support_complex", "extraneous", "options"}
         check_option_names("solve_ivp", {*(own - taken - extra), "full_output"}, options)
         return method
@@ -241,21 +309,36 @@ class SolveIvp:
         full_output: bool = False,
         **options: Any,
     ) -> Any:
-        """Return the states at the times, shape (m, n); with `full_output`, also a dictionary."""
+        """Return the states at the times, shape (m, n); with `full_output`, also a dictionary.
+
+        Its events are functions, as SciPy's. Where one is terminal, there are fewer rows; the times
+        of the rows are ``'times'`` in the dictionary.
+        """
         method = self._read(options)
+        events, names = _own_events(options.pop("events", None), args)
+        span = (t[0], t[-1])
+        if (chosen := options.pop("t_eval", None)) is not None:
+            t = monotonic(chosen, "`t_eval`")
+            if not len(t) or not (min(span) <= min(t[0], t[-1]) <= max(t[0], t[-1]) <= max(span)):
+                raise ValueError(
+                    f"`t_eval` must hold times within those of the System, {span[0]} to {span[1]}, "
+                    f"got {shown(chosen)}."
+                )
         info: dict[str, Any] = {}
         times, rows = np.unique(t, return_inverse=True)  # neighbours may be equal
-        if len(times) == 1:
+        if span[1] < span[0]:
+            times, rows = times[::-1], len(times) - 1 - rows
+        if span[0] == span[1]:
             states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
             return (states, info) if full_output else states
         if options.get("first_step") is None:
             _check_scales(options, x0)
-        span = (times[0], times[-1])
         rates = _Rates(lambda t, x: f(x, t, *args))
         try:
             found = scipy.integrate.solve_ivp(
-                rates, span, x0, method=method, t_eval=times, **check_scipy_options(options)
-            )
+                rates, span, x0, method=method, t_eval=times, events=events,
+                **check_scipy_options(options),
+            )  # fmt: skip
         except (FloatingPointError, ValueError, IndexError) as error:
             if rates.undefined is None or rates.called:  # what the user's function raises arrives
                 raise
@@ -269,10 +352,12 @@ class SolveIvp:
                 x,
                 {"method": method.__name__, "code": NOT_FINITE, "reached": 1},
             ) from error
-        if not len(found.t):  # it failed at once, and left out the start
+        if not len(found.t) and found.status < 0:  # it failed at once, and left out the start
             found.t, found.y = times[:1], np.array(x0, dtype=float)[:, None]
-        states = found.y.T
-        if not np.isfinite(states[0]).all():  # LSODA's interpolant of a step that is NaN
+        states = np.reshape(found.y, (len(x0), -1)).T  # no row is an empty list
+        if (
+            len(states) and not np.isfinite(states[0]).all()
+        ):  # LSODA's interpolant of a step that is NaN
             states[0] = x0
         # A step, or one that was rejected, takes a whole number of evaluations.
         steps = found.nfev // getattr(method, "n_stages", 1)
@@ -283,6 +368,12 @@ class SolveIvp:
             self._refuse(found, states, finite, {**info, "status": found.message})
         if found.sol is not None:
             info["dense_output"] = lambda times: found.sol(times).T
+        rows = rows[rows < len(found.t)]  # an event may have ended it
+        if len(rows) < len(t) or chosen is not None:
+            info["times"] = np.array(t[: len(rows)], dtype=float)
+        if events is not None:
+            info["t_events"], info["y_events"] = found.t_events, found.y_events
+            info["events"] = _records(names, found)
         states = states[rows]
         return (states, info) if full_output else states
 

@@ -28,6 +28,7 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._system.causes import explain_columns
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
+from pydy._system.scipy_solvers import SolveIvp, of_states
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import with_all
 from pydy.analysis.dependence import follow
@@ -437,6 +438,8 @@ class Wanted:
             compiled = replace(compiled, untimed=self.untimed)
             options = {**options, "sensitivities": compiled}
         else:
+            if isinstance(solver, SolveIvp) and "events" in options:
+                options = {**options, "events": of_states(options["events"], columns.states)}
             for name in options.keys() & {"rtol", "atol"}:
                 if np.size(options[name]) == columns.states > 1:  # others as of their states
                     every = np.repeat(np.asarray(options[name]), columns.count)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -14,7 +15,12 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import choice, flag, positive, real_array
-from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
+from pydy._errors import (
+    IntegrationError,
+    IntegrationInterrupted,
+    SingularMatrixError,
+    warn_user,
+)
 from pydy._system.causes import explain, warn_of_outputs
 from pydy._system.dependents import (
     check_dependents,
@@ -25,6 +31,7 @@ from pydy._system.dependents import (
 from pydy._system.jumps import Asked, warn_of_impulses, warn_of_jumps, warn_of_pulses
 from pydy._system.kept import Motion, check_kept, check_resets, check_start
 from pydy._system.scipy_solvers import (
+    MORE_STEPS,
     SolveIvp,
     call_odeint,
     came_to_the_end,
@@ -33,6 +40,7 @@ from pydy._system.scipy_solvers import (
 )
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
+from pydy._system.sliding import stuck_at
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import (
     check_events,
@@ -42,9 +50,11 @@ from pydy._system.solving import (
 )
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.events import identified
-from pydy.solvers.options import Options, check_option_names
+from pydy.solvers.events import Event, identified
+from pydy.solvers.options import Options, check_option_names, named_for_odeint
+from pydy.solvers.outcome import NO_CONVERGENCE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.solver import Prepared, Solver
+from pydy.solvers.tuning import MANY_STEPS
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
@@ -76,6 +86,8 @@ class Ready:
     ) -> tuple[CompiledModel, dict[str, Any]]:
         """Return the model with options that change the equations compiled in, and the others."""
         options, equations = dict(self._given), definition.equations
+        if is_odeint(self._solver):
+            options = named_for_odeint(options)
         constraints, events, gain = (
             options.pop(name, None) for name in ("constraints", "events", "gain")
         )
@@ -96,6 +108,8 @@ class Ready:
             gain = positive(gain, "`gain`", finite=True)
             model = model.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
         projected = constraints == "project"
+        if events is not None and self._looks_itself(events):
+            options["events"], events = events, None
         if not isinstance(self._solver, Solver) and (projected or events is not None):
             what = "constraints='project'" if projected else "events"
             raise ValueError(
@@ -108,6 +122,15 @@ class Ready:
         if checked := check_events(events, definition.places["states"]):
             options["events"] = compile_events(model, definition, checked)
         return model, options
+
+    def _looks_itself(self, events: Any) -> bool:
+        """Return whether the solver has events of its own: a user's, and solve_ivp's functions."""
+        if isinstance(self._solver, Solver) or is_odeint(self._solver):
+            return False
+        if not isinstance(self._solver, SolveIvp):
+            return True
+        several = events if isinstance(events, (list, tuple)) else [events]
+        return not any(isinstance(event, Event) for event in several)
 
     def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
         """Return whether a call differs in numbers alone, as far as that can be seen."""
@@ -167,6 +190,7 @@ def _run(
     if prepared is None or not prepared.renumber(now.p, plan.values, times):
         f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
         prepared = solver.prepare(f, now.x, times, (r, now.p), **ready.options)
+    prepared.on_many_steps = partial(_warn_of_many_steps, now, ready)
     states = prepared(now.x)
     if prepared.reusable:
         ready.free = [prepared]
@@ -209,10 +233,15 @@ def _solve(
                 whole = {**options, "full_output": True}
                 result = solver(f, x0, times, args=args, **whole)
             else:
+                if "args" in options:
+                    raise TypeError(
+                        "`args` are the specifieds and constants, which a System hands to its "
+                        "`ode_solver`: set `specifieds` and `constants`."
+                    )
                 result, pair = solver(f, x0, times, args=args, **options), False
             if asked is not None and (motion := _motion(now, solver, times, result, options, True)):
                 tolerances = motion.ran.rtol, motion.ran.atol
-                warn_of_pulses(now, asked.times, motion.states, tolerances)
+                warn_of_pulses(now, asked.times, motion.times, motion.states, tolerances)
         if ready.constrained:
             if native:
                 states, info = result
@@ -256,6 +285,7 @@ def simulated(
     dense = statistics.pop("dense_output", None)
     if wanted is not None and not native:
         dense = None
+        events = [replace(e, before=e.before[:n], after=e.after[:n]) for e in events]
     times = np.array(times, dtype=float)
     own = "What the `ode_solver` returns, states or (states, info),"
     states = np.array(real_array(states, own))
@@ -263,7 +293,8 @@ def simulated(
     if states.shape != (len(times), width):
         raise ValueError(
             f"The `ode_solver` must return the shape {(len(times), n)}, one row "
-            f"for each of the `times`, got {states.shape}."
+            f"for each of the `times`, got {states.shape}. One that ends early tells the times of "
+            "its rows: return (states, {'times': times})."
         )
     if len(times):  # what is NaN to the end comes after a terminal event
         reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
@@ -290,10 +321,33 @@ def judge_motion(
 
 def explain_failure(error: Any, now: Snapshot, ready: Ready, free: bool) -> None:
     """Say why a motion failed, and warn of resets that left the constraints before."""
+    if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
+        stuck = _stuck_at(now, ready, error.time, error.state)
+        if stuck is not None:
+            text = str(error)
+            for remedy in (MORE_STEPS, OUTCOMES[error.info["code"]].remedy):
+                text = text.removesuffix(remedy)
+            error.args = (f"{text.rstrip()} {stuck}",)
+            return
     explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
     if ready.constrained and free and isinstance(error, IntegrationError):
         told: Any = error.info
         check_resets(told["events"], now.at)
+
+
+_GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
+
+
+def _stuck_at(now: Snapshot, ready: Ready, t: float, x: np.ndarray) -> str | None:
+    """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
+    at = replace(now.at(np.array([t]), np.array([x])), model=ready.model)
+    return stuck_at(at, float(now.times[-1] - now.times[0]))
+
+
+def _warn_of_many_steps(now: Snapshot, ready: Ready, t: float, x: np.ndarray) -> None:
+    stuck = _stuck_at(now, ready, t, x)
+    if stuck is not None:
+        warn_user(f"The solver has taken more than {MANY_STEPS} steps by t = {t:.4g}. {stuck}")
 
 
 def _motion(
@@ -322,7 +376,8 @@ def _motion(
         if states.ndim != 2 or len(states) != len(times):
             return None
     n = len(now.definition.states)
-    if states.shape[1] < n:
+    times = info.get("times", times) if isinstance(info, dict) else times
+    if states.shape[1] < n or not len(states):
         return None
     return Motion(now, times, states[:, :n], options, info, mended)
 

@@ -57,9 +57,9 @@ def generate_ode_function(
     ----------
     right_hand_side : Matrix, shape (n, 1), or sequence of expressions
         F; n is the number of states for [1] and [2], the number of speeds for [3].
-    coordinates : sequence of functions of time
+    coordinates : sequence of functions of time, or a Matrix with one column
         The generalized coordinates q.
-    speeds : sequence of functions of time
+    speeds : sequence of functions of time, or a Matrix with one column
         The generalized speeds u.
     constants : sequence of Symbol, optional
         In the order of the array p.
@@ -124,6 +124,8 @@ def generate_ode_function(
     time = dynamicsymbols._t
     time_first = flag(time_first, "`time_first`")
     force = _column("right_hand_side", right_hand_side)
+    if mass_matrix is not None:
+        mass_matrix = _explicit("mass_matrix", mass_matrix)
     first = None
     if coordinate_derivatives is not None:
         first = _column("coordinate_derivatives", coordinate_derivatives)
@@ -200,6 +202,7 @@ def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list
 
 def _column(argument: str, value: Any) -> list[Any]:
     """Return a column matrix or a sequence of expressions as a list."""
+    value = _explicit(argument, value)
     if isinstance(value, sm.MatrixBase):
         if 1 not in value.shape and 0 not in value.shape:
             raise ValueError(f"`{argument}` must be a column, got the shape {value.shape}.")
@@ -210,6 +213,19 @@ def _column(argument: str, value: Any) -> list[Any]:
     # Rows of a column are taken too.
     rows = [e[0] if isinstance(e, np.ndarray) and e.shape == (1,) else e for e in entries]
     return [checked_expression(e, f"`{argument}`") for e in rows]
+
+
+def _explicit(argument: str, value: Any) -> Any:
+    """Return a matrix expression, such as a BlockMatrix, as a matrix; all else as it is."""
+    if not isinstance(value, sm.MatrixExpr):
+        return value
+    try:
+        return value.as_explicit()
+    except (ValueError, TypeError, NotImplementedError) as error:
+        raise ValueError(
+            f"`{argument}` must be a matrix of expressions, got the {type(value).__name__} "
+            f"{shown(value)}, whose entries are not known: {error}"
+        ) from error
 
 
 def _check_form(

@@ -15,6 +15,7 @@ from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
 from pydy._system.causes import warn_of_outputs
+from pydy._system.definition import refuse_descending
 from pydy._system.jumps import warn_of_jumps
 from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
@@ -342,6 +343,9 @@ class Contacts:
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         times = now.checked_times()
+        refuse_descending(
+            times, "contacts cannot run backward: impacts and friction cannot be undone"
+        )
         if len(times) < 2 or times[0] == times[-1]:
             raise ValueError(
                 "`times` must have at least two values that differ, got "

@@ -24,7 +24,8 @@ class Event:
         A function of states, specifieds, constants, time, and the time derivatives of the
         coordinates.
     direction : {0, 1, -1}, optional
-        1: only from negative to positive; −1: only from positive to negative; 0: both.
+        1: only from negative to positive; −1: only from positive to negative; 0: both. That is
+        along the motion as it is integrated: where times descend, backward in time.
     terminal : bool, optional
         Whether the integration ends there.
     reset : dict, optional

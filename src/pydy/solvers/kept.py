@@ -91,7 +91,7 @@ class Ran:
     def summed(self, values: np.ndarray) -> np.ndarray:
         """Integrate values over time from the beginning to each state, shape (m, values)."""
         whole: np.ndarray = np.zeros_like(values)
-        parts = (values[1:] + values[:-1]) / 2.0 * np.diff(self.times)[:, None]
+        parts = (values[1:] + values[:-1]) / 2.0 * np.abs(np.diff(self.times))[:, None]
         np.cumsum(parts, axis=0, out=whole[1:])
         return whole
 
@@ -193,7 +193,7 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
     if (beside > limits).any() or (ran.mended and not sound):
         return None
     allowed = allowed + beside.sum(axis=0) + ran.summed(_moved(found["turns"], errors))
-    allowed = allowed + (t - t[0])[:, None] * np.abs(start["rates"]).sum(axis=0)
+    allowed = allowed + np.abs(t - t[0])[:, None] * np.abs(start["rates"]).sum(axis=0)
     if (np.abs(found["rows"]) > np.fmax(allowed, limits)).any():
         allowed = allowed + _unseen(ran, part, found["slopes"])
     off = np.abs(found["rows"]) / np.fmax(allowed, np.where(limits > 0.0, limits, 1.0))

@@ -69,6 +69,9 @@ FACTORED, PREDICTING, SIZE_BEFORE, ERROR_BEFORE = range(4)
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
 # What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing is done, or all.
 LEFT, ACTED = range(2)
+# How many numbers stand before the constants of a Kernel that is reflected in time: the place of
+# its address, and how many outputs change their sign.
+REFLECTED = 8
 # Progress.counts[FAILURE] is the code of what the last rejected step met.
 
 

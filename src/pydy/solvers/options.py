@@ -129,7 +129,29 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
 _SAME = (
     *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
     *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
+    # Of methods with steps of one size: the largest.
+    *(("max_step", "step"), ("hmax", "step")),
 )
+_FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
+
+
+def named_for_odeint(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return options with odeint's names in place of those of the other solvers.
+
+    No limit, which is 0 there, is infinity or None.
+    """
+    named: dict[str, Any] = {}
+    for name, value in given.items():
+        own = _FOR_ODEINT.get(name, name)
+        if own != name and own in given:
+            raise TypeError(
+                f"`{name}` and `{own}` are the same option of `odeint`: give one of them."
+            )
+        unlimited = value is None or (isinstance(value, float) and value == np.inf)
+        if own != name and unlimited:
+            value = 0.0
+        named[own] = value
+    return named
 
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from pydy._checks import ascending, real_array
+from pydy._checks import monotonic, real_array
 from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
@@ -131,8 +131,8 @@ class Solver:
             function is called back.
         x0 : array_like, shape (n,)
         t : array_like, shape (m,)
-            Times at which the states are returned, ascending; the state at the first one is `x0`.
-            Equal times may follow each other.
+            Times at which the states are returned, ascending or descending; the state at the first
+            one is `x0`, and descending times integrate backward. Equal times may follow each other.
         args : tuple, optional
             Further arguments of `f`.
         rtol, atol : float or array_like, shape (n,), optional
@@ -148,7 +148,7 @@ class Solver:
             Show a progress bar of simulated time.
         dense_output : bool, optional
             Keep the steps, up to 128 MB of them: with `full_output`, ``info['dense_output']`` is
-            then a function of ascending times, shape (k,), that returns the states, shape (k, n),
+            then a function of monotonic times, shape (k,), that returns the states, shape (k, n),
             by the interpolant of the method; None where they needed more memory.
         events, constraints
             Made by `System.integrate` from its arguments of these names.
@@ -169,7 +169,7 @@ class Solver:
         TypeError
             An option is unknown or has the wrong type.
         ValueError
-            A value is not valid.
+            A value is not valid; or times descend, and an event has a reset.
         IntegrationError
             The integration could not continue; the error contains the results so far.
         IntegrationInterrupted
@@ -238,7 +238,7 @@ def _prepared(name: str, f: Any, x0: np.ndarray, *rest: Any) -> Prepared:
 
 
 def _checked_times(times: Any) -> np.ndarray:
-    array = ascending(times, "`t`")
+    array = monotonic(times, "`t`")
     if not array.size:
         raise ValueError("`t` must have one time or more, got none.")
     return array
@@ -285,6 +285,8 @@ class Prepared:
         Whether ``rebind(call, times)`` may make it another call's of the same function.
     renumber : callable
         ``renumber(p, r, times)`` takes other numbers, where it may, and tells whether.
+    on_many_steps : callable, optional
+        ``on_many_steps(t, x)`` is called once in a run that takes very many steps.
     """
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
@@ -329,9 +331,18 @@ class Prepared:
         return _prepared, self.made_of
 
     @property
+    def on_many_steps(self) -> Callable[[float, np.ndarray], None] | None:
+        """What is called once in a run that takes very many steps."""
+        return self._integration.on_many_steps
+
+    @on_many_steps.setter
+    def on_many_steps(self, call: Callable[[float, np.ndarray], None] | None) -> None:
+        self._integration.on_many_steps = call
+
+    @property
     def times(self) -> np.ndarray:
         """When the states are given, shape (m,)."""
-        return self._integration.progress.times
+        return self._integration.times
 
     @property
     def info(self) -> dict[str, Any]:

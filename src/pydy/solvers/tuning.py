@@ -34,6 +34,9 @@ SOUND = _rank.SOUND
 """A row that is this much shorter without the others' directions makes room for one that was left
 out of the equations as redundant."""
 
+MANY_STEPS = 100_000
+"""Steps of a run after which its caller is told, once, to look whether it makes progress."""
+
 STARTING_MOVE = 1e-3
 """How far an initial state is moved onto the constraints unasked, in units of itself and of the
 largest of its kind, at most one: further, a value is more likely mistaken than rounded."""

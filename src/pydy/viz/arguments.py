@@ -13,6 +13,7 @@ from sympy.physics.mechanics import Particle, RigidBody
 from pydy._checks import (
     Places,
     check_mapping,
+    descends,
     number,
     positive,
     real_array,
@@ -107,10 +108,9 @@ def ground_height(value: Any) -> bool | float | None:
 
 
 def columns_of(
-    series: Mapping[str, Any] | None, own: np.ndarray | None, times: np.ndarray
+    series: Mapping[str, Any] | None, own: np.ndarray, times: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return evaluated series, a value for each of its own times, by default these, at `times`."""
-    own = times if own is None else own
+    """Return evaluated series, a value for each of its own times, at ascending `times`."""
     columns, count = {}, len(own)
     for label, values in check_mapping("series", series).items():
         column = real_array(values, f"`series[{label!r}]`")
@@ -119,7 +119,8 @@ def columns_of(
                 f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "
                 f"{column.shape}."
             )
-        columns[str(label)] = column if count == len(times) else np.interp(times, own, column)
+        known, column = (own[::-1], column[::-1]) if descends(own) else (own, column)
+        columns[str(label)] = column if count == len(times) else np.interp(times, known, column)
     return columns
 
 

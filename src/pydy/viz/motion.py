@@ -15,10 +15,10 @@ from sympy.physics.mechanics import dynamicsymbols
 from pydy._backends.registry import compile_program
 from pydy._checks import (
     Places,
-    ascending,
     check_mapping,
     describe,
     listed,
+    monotonic,
     number,
     real_array,
     refuse_twice,
@@ -264,7 +264,7 @@ class Model:
 
 def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
     """Check times (m,) and states (m, width), and return them as arrays."""
-    t, x = ascending(times, "`times`"), real_array(states, "`states`")
+    t, x = monotonic(times, "`times`"), real_array(states, "`states`")
     if not len(t):
         raise ValueError("`times` must be a sequence of one time or more, got none.")
     if x.shape != (len(t), width):

@@ -12,7 +12,19 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import Keyed, choice, file_of, flag, instance, listed, number, shown, text, vector
+from pydy._checks import (
+    Keyed,
+    choice,
+    descends,
+    file_of,
+    flag,
+    instance,
+    listed,
+    number,
+    shown,
+    text,
+    vector,
+)
 from pydy._files import write_files
 from pydy._interpolation import evenly
 from pydy._names import nearest
@@ -350,6 +362,9 @@ class Scene:
         if states is None:
             trajectory = filmed(trajectory, fps, speed)
         motion = self._motion_of(trajectory, states, symbols, (constants, specifieds), wanted)
+        own = motion.times if own is None else own
+        if descends(motion.times):  # a film runs forward
+            motion = motion.taken(np.arange(len(motion.times))[::-1])
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         rows = sampled(motion.times, step)
         given = columns_of(series, own, motion.times)

@@ -9,7 +9,16 @@ from typing import Any
 import numpy as np
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, text
-from fuzz.table import empty_or_none, flags, hashable, key, mapping, number, target, two_instants
+from fuzz.table import (
+    ascending_instants,
+    empty_or_none,
+    flags,
+    hashable,
+    key,
+    mapping,
+    number,
+    target,
+)
 from fuzz.world import TIMES, driven, world
 
 
@@ -41,7 +50,7 @@ for _name, _key in (("initial_conditions", "x"), ("constants", "k"), ("specified
         return _ensemble(**{name: {hashable(v): [1.0, 2.0]}})
 
 
-@target("integrate_ensemble.times", two_instants.or_none())
+@target("integrate_ensemble.times", ascending_instants.or_none())
 def _(v):
     return _ensemble(times=v)
 

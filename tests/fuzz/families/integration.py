@@ -15,6 +15,7 @@ from fuzz.table import (
     flags,
     hashable,
     key,
+    monotonic,
     one_of,
     target,
 )
@@ -89,6 +90,24 @@ for _name in ("full_output", "progress", "dense_output"):
 @target("integrate.events", nothing("symbols", "texts", allowed=empty_or_none))
 def _(v):
     return world().o.native.integrate(events=v)
+
+
+@target(
+    "integrate.events[solve_ivp]", nothing("symbols", "texts", allowed=empty_or_none), "`events`"
+)
+def _(v):
+    return driven(world().o, ode_solver="RK45").integrate(events=v)
+
+
+@target(
+    "integrate.t_eval",
+    array(
+        (None,), check=lambda t: monotonic(t) and t.size and t.min() >= 0 and t.max() <= 1
+    ).or_none(),
+    "`t_eval`",
+)
+def _(v):
+    return driven(world().o, ode_solver="RK45").integrate(t_eval=v)
 
 
 @target("simulate.sensitivities", nothing("symbols", "texts", allowed=one_of(None)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing
-from fuzz.table import empty_or_none, flags, is_number, mapping, target
+from fuzz.table import empty_or_none, flags, is_number, mapping, monotonic, target
 from fuzz.world import world
 from pydy import linearize, models
 from pydy.inputs import SampledInput
@@ -58,7 +58,7 @@ def _(v):
 
 
 def _inside(t: np.ndarray) -> bool:
-    return bool((np.diff(t) >= 0).all() and ((t >= 0) & (t <= 1)).all())
+    return bool(monotonic(t) and ((t >= 0) & (t <= 1)).all())
 
 
 @target(
@@ -100,7 +100,7 @@ _one = {"coordinate": ["x"]}
 
 @target(
     "Trajectory.times",
-    array((2,), check=lambda t: bool((np.diff(t) >= 0).all())),
+    array((2,), check=monotonic),
     "`times",
     "`states",
 )

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sm
 
 from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real, text
-from fuzz.table import empty_or_none, flags, is_number, key, number, one_of, target
+from fuzz.table import empty_or_none, flags, is_number, key, monotonic, number, one_of, target
 from fuzz.world import TIMES, world
 from pydy import viz
 
@@ -282,7 +282,7 @@ def _animated(**changes: Any) -> Any:
 
 @target(
     "animate.times",
-    array((3,), check=lambda t: np.isfinite(t).all() and (np.diff(t) >= 0).all()),
+    array((3,), check=monotonic),
     "`times",
     "`states",
 )

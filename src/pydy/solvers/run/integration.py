@@ -18,6 +18,7 @@ from weakref import WeakSet
 import numpy as np
 
 from pydy._array_layout import address
+from pydy._checks import descends
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
@@ -54,6 +55,7 @@ from pydy.solvers.outcome import (
     TERMINATED,
     TOLERANCE_TOO_SMALL,
 )
+from pydy.solvers.reflection import reflected, reversed_times
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Twin, Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
@@ -62,6 +64,7 @@ from pydy.solvers.tuning import (
     CROWDED,
     FAR_ORIGIN,
     LEAST_TOLERANCE,
+    MANY_STEPS,
     NEARLY_SINGULAR,
     NO_LATER,
     ROUNDING,
@@ -104,20 +107,33 @@ class Extension:
 
     The steps are kept with their states alone, in `rows` of `layout.Steps`. Where a time is wanted,
     the step over it is taken again, with the same bits, and projected as an output is: in a
-    `twin` of the run's Workspace. At the time of an event it is the state after it.
+    `twin` of the run's Workspace. At the time of an event it is the state after it. Where the run
+    went `backward`, the rows are in reversed time.
     """
 
-    def __init__(self, twin: Twin, rows: np.ndarray, n: int) -> None:
-        self._twin, self._rows, self._n = twin, rows, n
+    def __init__(self, twin: Twin, rows: np.ndarray, n: int, backward: bool = False) -> None:
+        self._twin, self._rows, self._n, self._backward = twin, rows, n, backward
         # Not the ends of steps that an event cut short.
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
-        self.starts = rows[self._steps, 0]  # the times at which the steps begin
+        self._starts = rows[self._steps, 0]
+
+    @property
+    def starts(self) -> np.ndarray:
+        """The ascending times between the steps, and at both ends."""
+        return reversed_times(self._starts[::-1]) if self._backward else self._starts
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
-        """Return states and sensitivities at ascending times of the run, shape (m, n)."""
+        """Return states and sensitivities at monotonic times of the run, shape (m, n)."""
+        if descends(times):
+            return self(times[::-1])[::-1]
+        if self._backward:
+            return self._along(reversed_times(times[::-1]))[::-1]
+        return self._along(times)
+
+    def _along(self, times: np.ndarray) -> np.ndarray:
         n, m = self._n, len(times)
-        places = np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
-        if np.array_equal(self.starts[places], times):
+        places = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        if np.array_equal(self._starts[places], times):
             return self._rows[self._steps[places], 2 : 2 + n]
         work, out = self._twin.taken(), np.full(m * n + BLOCK, np.nan)
         wanted = Wanted(self._rows, np.array(times, dtype=float), self._steps[places], out)
@@ -143,6 +159,9 @@ class Integration(Workspace):
 
     Where it is `reusable`, `rebind` may make it another call's. `stopped` is asked now and then;
     True is as good as a Ctrl-C.
+
+    Where times descend it runs the motion that is reflected in time (`pydy.solvers.reflection`),
+    and reports in the user's time: `progress`, `watch` and the other arrays are in reversed time.
     """
 
     def __init__(
@@ -155,6 +174,10 @@ class Integration(Workspace):
         options: Options,
         stopped: Callable[[], bool] = lambda: False,
     ) -> None:
+        self.backward = descends(times)
+        if self.backward:
+            f, options = reflected(f, n, args, options)
+            times = reversed_times(times)
         super().__init__(method, f, n, times, args, options, Interrupts(stopped))
         beside = options.sensitivities
         self.states = n if beside is None else beside.states  # without what is beside them
@@ -163,11 +186,12 @@ class Integration(Workspace):
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         wanted = options.constraints is not None or options.progress
         self._attended = wanted or bool(self.callbacks) or self._tight
-        self.reusable = not (self.callbacks or self.call is None)
+        self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
         # Rows are written in whole blocks.
@@ -176,6 +200,15 @@ class Integration(Workspace):
         self._rows = _NO_ROWS  # of the run that is under way, or failed
         entry = "advance_implicit" if method == IMPLICIT else "advance"
         self._advance = stepper(entry, self.place, bool(self.callbacks))
+
+    @property
+    def times(self) -> np.ndarray:
+        """The times at which the states are given, shape (m,)."""
+        return self._reported(self.progress.times)
+
+    def _reported(self, t: Any) -> Any:
+        """Return times of the run as the user's."""
+        return reversed_times(t) if self.backward else t
 
     @property
     def span(self) -> float:
@@ -248,7 +281,7 @@ class Integration(Workspace):
         """Go on to the end, from what the first slice came back with."""
         state, count = self.progress.state, self.progress.counts
         budget, taken, elapsed = self._budget, 0, 0.0
-        bar = None
+        bar, ask = None, self.on_many_steps
         if self.options.progress:
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
@@ -268,6 +301,10 @@ class Integration(Workspace):
                     self.put_steps_aside()
                 elif code != at.PAUSED:
                     self._fail(code)
+                if ask is not None and count[at.STEPS] + count[at.REJECTED] >= MANY_STEPS:
+                    t, x = self._reported(float(state[at.TIME])), self.memory.x[: self.states]
+                    ask(t, x.copy())
+                    ask = None
                 if code == at.PAUSED and elapsed > 0.0:
                     taken = count[at.STEPS] + count[at.REJECTED] - taken
                     budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
@@ -324,10 +361,11 @@ class Integration(Workspace):
             return
         _TOLD.add(wanted.kernel)
         t = float(self.progress.state[at.TIME])
+        when = self._reported(t)
         names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
         if names:
             warn_user(
-                f"Redundant constraints at t = {t!r}: {few(names)}. They are enforced but do "
+                f"Redundant constraints at t = {when!r}: {few(names)}. They are enforced but do "
                 "not raise the rank. Leave them out if that is so in every state."
             )
 
@@ -415,7 +453,7 @@ class Integration(Workspace):
         reaches |= values == 0.0
         if not reaches.any():
             return
-        told = {r.index for r in self.records if r.time == t}
+        told = {r.index for r in self.records if r.time == self._reported(t)}
         for k, side in enumerate(sides.tolist()):
             wrong = wanted.directions[k] == side
             self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in told
@@ -519,7 +557,10 @@ class Integration(Workspace):
         wanted = self.options.events
         if wanted is None:
             return []
-        return [*self.set_off.values(), *stretches(wanted, self.watch.rests, self.span)]
+        rests = self.watch.rests
+        if self.backward:
+            rests = reversed_times(rests.reshape(-1, 2)[:, ::-1].ravel())
+        return [*self.set_off.values(), *stretches(wanted, rests, self.span)]
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
@@ -537,7 +578,8 @@ class Integration(Workspace):
         """Return the record of an event, from the states with their sensitivities."""
         wanted, beside, n = self.options.events, self.options.sensitivities, self.states
         assert wanted is not None
-        record = EventRecord(t, wanted.names[event], event, before[:n].copy(), after[:n].copy())
+        states, name = (before[:n].copy(), after[:n].copy()), wanted.names[event]
+        record = EventRecord(self._reported(t), name, event, *states)
         if beside is None or self.options.recorded is not None:  # where they but guide the steps
             return record
         assert self.call is not None
@@ -561,7 +603,7 @@ class Integration(Workspace):
             moved = beside.table(whole)
         return replace(
             record,
-            time_sensitivity=jump.time,
+            time_sensitivity=self._reported(jump.time),
             sensitivity_before=table,
             sensitivity_after=moved,
         )
@@ -579,7 +621,7 @@ class Integration(Workspace):
             "method": self.name,
             "code": self.code,
             "status": self.status,
-            "time": float(state[at.TIME]),
+            "time": self._reported(float(state[at.TIME])),
             "steps": int(count[at.STEPS]),
             "rejected": int(count[at.REJECTED]),
             "evaluations": int(count[at.EVALUATIONS]),
@@ -602,7 +644,7 @@ class Integration(Workspace):
         rows = self.kept_steps()
         if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
             return None
-        return Extension(Twin(self), rows, self.n)
+        return Extension(Twin(self), rows, self.n, self.backward)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()
@@ -672,7 +714,7 @@ class Integration(Workspace):
         """Raise the error of an outcome."""
         self._empty_log()
         self._end(code, **details)
-        t = float(self.progress.state[at.TIME])
+        t = self._reported(float(self.progress.state[at.TIME]))
         x = self.memory.x[: self.states].copy()
         state = numbers_of([self._state_name(k) for k in range(self.states)], x)
         remedy = OUTCOMES[code].remedy.format(**details)
@@ -687,4 +729,5 @@ class Integration(Workspace):
     def _finished(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the times that were reached, and the states there."""
         reached = int(self.progress.counts[at.NEXT])
-        return self.progress.times[:reached].copy(), self._rows[:reached, : self.states].copy()
+        times = self._reported(self.progress.times[:reached].copy())
+        return times, self._rows[:reached, : self.states].copy()

@@ -17,7 +17,8 @@ from pydy._forks import once
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.inputs import jumps_of
-from pydy.solvers.layout import Problem
+from pydy.solvers.layout import REFLECTED, Problem
+from pydy.solvers.run import shipped
 from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
@@ -42,10 +43,15 @@ class Bound:
         cell = kernel.cell
         assert cell is not None
         self._kernel, self._cell = kernel, cell  # the code lives as long as they do
-        self.place = address(cell)
-        self.c = np.zeros(max(1, len(kernel.program.carried)))
+        self.place, first = address(cell), 0
+        carried = max(1, len(kernel.program.carried))
+        if kernel.negated is not None:
+            self.place, first = address(_reflecting_cell()), REFLECTED
+        self.c = np.zeros(first + carried)
+        if kernel.negated is not None:
+            self.c[:2] = np.array([address(cell), kernel.negated]).view(float)
         self._p = np.empty(np.shape(p))
-        self._places = address(self._p), address(self.c)
+        self._places = address(self._p), address(self.c) + 8 * first
         self.take(p)
 
     def take(self, p: np.ndarray) -> None:
@@ -66,6 +72,12 @@ def lined_up(*shape: int) -> np.ndarray:
 def _python_cell() -> np.ndarray:
     """Return the address of what calls Python functions, as Kernels have theirs."""
     return np.array([gates().code.addresses["call_python"]], dtype=np.int64)
+
+
+@once
+def _reflecting_cell() -> np.ndarray:
+    """Return the address of what calls a Kernel at the reversed time."""
+    return np.array([shipped.address_of("reflect"), 0], dtype=np.int64)
 
 
 @lru_cache(maxsize=256)

@@ -225,6 +225,7 @@ class Workspace:
             or ((call.sampled or before.sampled) and call.sampled is not before.sampled)
             or call.inputs is not None
             or len(times) != len(self.progress.times)
+            or times[-1] < times[0]
             or self.callbacks
         ):
             return False

@@ -1,0 +1,113 @@
+"""Functions that only SciPy computes, such as gamma or an integral, as operations.
+
+They are made where they are read (`pydy._graph.from_sympy`). The name of such an operation holds
+its code, which SymPy's printer for SciPy has written, with the operands `_0`, `_1`, … in it: in
+another process it is made again from its name. Only NumPy's back end evaluates them, sample by
+sample.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph.operations import Nodes, Operation, register
+from pydy._names import few
+
+_PREFIX = "scipy "
+KNOWN: dict[str, str] = {}
+"""The names of such operations so far, and what they stand for in messages."""
+
+
+class OfSciPy(Operation):
+    """An operation without code for compilers: whoever asks for it is told so."""
+
+    def __init__(self, name: str, arity: int, partials: Callable[..., Nodes] | None) -> None:
+        code = name.removeprefix(_PREFIX)
+        own = {"name": name, "arity": arity, "numpy": _evaluator(code, arity)}
+        for field, value in {**own, "partials": partials or _no_partials(code)}.items():
+            object.__setattr__(self, field, value)
+
+    def __repr__(self) -> str:
+        return f"OfSciPy({self.name!r})"
+
+    @property
+    def c(self) -> str:  # type: ignore[override]
+        """Refuse to be written in C."""
+        raise refusal([self.name])
+
+    @property
+    def llvm(self) -> str:  # type: ignore[override]
+        """Refuse to be written for LLVM."""
+        raise refusal([self.name])
+
+    @property
+    def written(self) -> str:
+        """There is no code but the name."""
+        return ""
+
+
+def operation_of(
+    code: str, arity: int, shown: str = "", partials: Callable[..., Nodes] | None = None
+) -> str:
+    """Return the name of the operation that some code stands for, and register it."""
+    name = _PREFIX + code
+    if name not in KNOWN or partials is not None:
+        register(OfSciPy(name, arity, partials))
+        KNOWN[name] = shown or f"`{code}`"
+    return name
+
+
+def remember(ops: Iterable[str]) -> None:
+    """Register the operations of a Program that was made in another process."""
+    for name in {op for op in set(ops) if op.startswith(_PREFIX)} - KNOWN.keys():
+        code = name.removeprefix(_PREFIX)
+        operation_of(code, 1 + max(map(int, re.findall(r"\b_(\d+)\b", code)), default=-1))
+
+
+def refusal(names: Iterable[str]) -> UnsupportedFunctionError:
+    """Return the error for a back end that takes no functions of SciPy."""
+    return UnsupportedFunctionError(
+        f"The expressions hold {few(sorted({KNOWN[name] for name in names}))}, which only SciPy "
+        "computes. The generator 'lambdify' takes that, and is slower: "
+        "system.generate_ode_function(generator='lambdify'). Compiled code does not, nor do "
+        "exports, contacts, ensembles and optimal control: rewrite it with elementary functions, "
+        "or interpolate it over the range that occurs, `sympy.interpolating_spline(3, x, points, "
+        "values)`."
+    )
+
+
+def check(backend: Any, ops: Iterable[str]) -> None:
+    """Refuse functions of SciPy for a back end that does not take them."""
+    if KNOWN and not getattr(backend, "scipy", False) and (found := KNOWN.keys() & {*ops}):
+        raise refusal(found)
+
+
+def _no_partials(code: str) -> Callable[..., Nodes]:
+    def partials(*_: Any) -> Nodes:
+        raise UnsupportedFunctionError(
+            f"The derivative of `{code}` is needed, but not known in this process."
+        )
+
+    return partials
+
+
+def _evaluator(code: str, arity: int) -> Callable[..., Any]:
+    modules = {m: import_module(m) for m in ("builtins", "functools", "math", "numpy", "scipy")}
+    for name in re.findall(r"\bscipy\.\w+", code):
+        import_module(name)
+    operands = ", ".join(f"_{k}" for k in range(arity))
+    function = eval(f"lambda {operands}: {code}", modules)
+
+    def real(*values: Any) -> float:
+        found = complex(function(*map(float, values)))
+        return found.real if found.imag == 0.0 else float("nan")
+
+    if not arity:
+        return lambda: real()
+    return np.vectorize(real, otypes=[float])

@@ -1,0 +1,187 @@
+"""Backward integration: the motion in reversed time s = −t, which native solvers run forward.
+
+Where x' = f(x, t), the reflected motion obeys dx/ds = −f(x, −s). Times that descend in t ascend in
+s, so the compiled loops know one direction only. Whatever depends on time is reflected with the
+right-hand side:
+
+- A Kernel is called at −s. Outputs that are derivatives by time change their sign: the rates, their
+  Jacobian and the rates of events. All others stay.
+- A sampled input is reflected with its samples, so that it jumps from the other side.
+- Functions of the user are called at −s.
+
+Results, records and messages are in the user's own time (`pydy.solvers.run.integration`). The
+direction of an event is that along the motion as it is integrated, as in
+`scipy.integrate.solve_ivp`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import vector
+from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy.inputs import SampledInput
+from pydy.solvers.events import CompiledEvents
+from pydy.solvers.options import Options
+from pydy.solvers.sensitivities import CompiledSensitivities
+
+
+def reversed_times(times: Any) -> Any:
+    """Return −t, without a negative zero."""
+    return 0.0 - times
+
+
+def reflected(
+    f: Callable[..., Any], n: int, args: tuple[Any, ...], options: Options
+) -> tuple[Callable[..., Any], Options]:
+    """Return the right-hand side of n states, and options, of the motion in reversed time.
+
+    Raises
+    ------
+    ValueError
+        An event has a reset, which cannot be undone.
+    """
+    return _right_hand_side(f, n, args), replace(
+        options,
+        events=None if options.events is None else _events(options.events),
+        constraints=None
+        if options.constraints is None
+        else replace(options.constraints, kernel=_kernel(options.constraints.kernel, 0)),
+        sensitivities=None
+        if options.sensitivities is None
+        else _sensitivities(options.sensitivities),
+    )
+
+
+# -- the right-hand side ---------------------------------------------------------------------------
+
+
+def _right_hand_side(f: Callable[..., Any], n: int, args: tuple[Any, ...]) -> Callable[..., Any]:
+    native = getattr(f, "native", None)
+    call: KernelCall | None = None if native is None else native(args)
+    if call is not None:
+        return _call(call)
+
+    def negative(x: np.ndarray, s: float, *args: Any) -> np.ndarray:
+        found = f(x, reversed_times(s), *args)
+        return -vector(found, n, "What `f(x, t)` returns, one derivative for each state of `x0`,")
+
+    return negative
+
+
+def _call(call: KernelCall) -> KernelCall:
+    """Return a call of the reflected derivatives, with reflected inputs."""
+    jacobian, inputs = call.jacobian, call.inputs
+    sampled = tuple((columns, reflected_samples(samples)) for columns, samples in call.sampled)
+    if inputs is not None:
+        given: Any = inputs  # `Inputs`, or what has the same attribute
+        functions = [(columns, _at_reversed(f)) for columns, f, *_ in given.functions]
+        inputs = Inputs(call.r, sampled, functions)
+    return replace(
+        call,
+        kernel=_kernel(call.kernel),
+        sampled=sampled,
+        inputs=inputs,
+        jacobian=None if jacobian is None else lambda: _kernel(jacobian()),
+    )
+
+
+def _at_reversed(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda x, s: function(x, reversed_times(s))
+
+
+def reflected_samples(samples: SampledInput) -> SampledInput:
+    """Return a sampled input as a function of −t; of 'previous' samples, the one before is held."""
+    times, values = reversed_times(samples.times[::-1]), samples.values[::-1]
+    if samples.interpolation == "previous":
+        values = np.concatenate([values[1:], values[-1:]])
+    return SampledInput(times, values, samples.interpolation)
+
+
+# -- Kernels ---------------------------------------------------------------------------------------
+
+
+def _kernel(kernel: Kernel, negated: int | None = None) -> Kernel:
+    """Return a Kernel at −s, of which the first outputs, or all, change their sign.
+
+    A Kernel keeps its reflections: what is known of one by its identity is known of the next run.
+    """
+    count = kernel.program.blocks[-1].stop if negated is None else negated
+    kept: dict[int, Kernel] = kernel.__dict__.setdefault("_reflections", {})
+    if count not in kept:
+        kept[count] = _rebuilt(kernel.program, kernel, count)
+    return kept[count]
+
+
+def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
+    def sweep(s: Any, x: Any, r: Any, p: Any, *out: Any) -> tuple[np.ndarray, np.ndarray]:
+        found, failed = kernel.sweep(reversed_times(s), x, r, p, *out)
+        found[:, :count] *= -1.0
+        return found, failed
+
+    return Kernel(
+        program,
+        sweep,
+        _no_gate,
+        _rebuilt,
+        (kernel, count),
+        lanes=kernel.lanes,
+        entry=kernel.entry,
+        negated=count,
+    )
+
+
+def _no_gate(*args: Any) -> int:
+    return -1  # asks the caller to sweep
+
+
+# -- what is beside the right-hand side ------------------------------------------------------------
+
+
+def _events(events: CompiledEvents) -> CompiledEvents:
+    for name, resets in zip(events.names, events.resetting, strict=True):
+        if resets:
+            raise ValueError(
+                f"`times` descend, but the event `{name}` has a reset, which cannot be undone: the "
+                "state before it does not follow from that after it. Leave the `reset` out, or let "
+                "`times` ascend."
+            )
+    (rates, *_) = events.rates.program.blocks
+    return replace(
+        events,
+        values=_kernel(events.values, 0),
+        rates=_kernel(events.rates, rates.stop),
+        reach=None if events.reach is None else _kernel(events.reach, 0),
+    )
+
+
+def _sensitivities(beside: CompiledSensitivities) -> CompiledSensitivities:
+    def events(event: int) -> tuple[Kernel, Sequence[int]]:
+        kernel, changed = beside.events(event)
+        return _event(kernel), changed
+
+    return replace(beside, events=events, constraints=lambda: _kernel(beside.constraints(), 0))
+
+
+def _event(kernel: Kernel) -> Kernel:
+    """Return the Kernel of an event's effect on derivatives: inputs' slopes change their sign too.
+
+    It is called from Python alone.
+    """
+    program = kernel.program
+    first = program.num_specifieds // 2
+    blocks = [b for b in program.blocks if b.name in ("rate", "after_rates")]
+    odd = [k for b in blocks for k in range(b.start, b.stop)]
+
+    def sweep(s: Any, x: Any, r: Any, p: Any) -> tuple[np.ndarray, np.ndarray]:
+        own = np.array(r)
+        own[:, first:] *= -1.0
+        found, failed = kernel.sweep(reversed_times(s), x, own, p)
+        found[:, odd] *= -1.0
+        return found, failed
+
+    return replace(kernel, sweep=sweep, gate=_no_gate, entry=None)
