@@ -115,7 +115,14 @@ class _Model:
             }[kind]
             of_kind = getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}")
             indices = range(getattr(self.model, count))
-            names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
+            try:
+                names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
+            except UnicodeDecodeError as error:
+                name = bytes(error.object).decode("utf-8", "backslashreplace")
+                raise RobotFileError(
+                    f"{self.path}: the {kind.lower()} named '{name}' has a name that is not UTF-8. "
+                    "Save the file as UTF-8, or rename it."
+                ) from None
             self._names[kind] = names
             for i in indices:
                 names[i] = names[i] or untaken(self.without_name(kind, i), names)

@@ -150,19 +150,40 @@ class Tree:
                             f"finite number, not negative, got {value}. If the joint is to be "
                             "driven, give it an actuator."
                         )
-            driven = [j for j in link.joints if not j.armature > 0.0 and j.mimics is None]
-            if driven and not heavy[k]:
-                raise RobotFileError(
-                    f"{driven[0].where}: nothing that the joint '{driven[0].name}' moves has mass: "
-                    "its acceleration is undetermined. Give the link "
-                    f"'{link.name}' or one that hangs on it a mass, or make the joint fixed."
-                )
             if link.parent >= 0:
                 heavy[link.parent] |= heavy[k]
+        self._check_joints_move_mass(heavy)
         self.left_out += negative
         if negative:
             more = f" So are {len(negative) - 1} others." if negative[1:] else ""
             warn_user(f"{negative[0][0].upper()}{negative[0][1:]}.{more} Correct the file.")
+
+    def _check_joints_move_mass(self, heavy: list[bool]) -> None:
+        """Refuse joints without inertia, their own or that of joints which mimic them.
+
+        `heavy` says which links have mass, themselves or farther out.
+        """
+        joints = {joint.name: joint for link in self.links for joint in link.joints}
+        inert = {
+            joint.name
+            for link, has_mass in zip(self.links, heavy, strict=True)
+            for joint in link.joints
+            if has_mass or joint.armature > 0.0
+        }
+        for name in tuple(inert):
+            mimics = joints[name].mimics
+            while mimics is not None and mimics[1] and mimics[0] not in inert:
+                inert.add(mimics[0])
+                mimics = joints[mimics[0]].mimics
+        for link in reversed(self.links):
+            for joint in link.joints:
+                if joint.mimics is None and joint.name not in inert:
+                    raise RobotFileError(
+                        f"{joint.where}: nothing that the joint '{joint.name}' moves has mass: "
+                        "its acceleration is undetermined. Give the link "
+                        f"'{link.name}', one that hangs on it, or one whose joint mimics it a "
+                        "mass, or make the joint fixed."
+                    )
 
 
 def _drop_rounding(link: Link) -> None:
