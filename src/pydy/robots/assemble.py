@@ -12,7 +12,7 @@ import sympy.physics.mechanics as me
 
 from pydy._names import untaken
 from pydy.mechanics import Definition
-from pydy.robots.tree import Joint, Link, Motor, Tie, Tree
+from pydy.robots.tree import Joint, Link, Motor, Tendon, Tie, Tree
 
 
 class Place(NamedTuple):
@@ -37,6 +37,14 @@ class JointSymbols(NamedTuple):
     effort: float | None = None
 
 
+class TendonSymbols(NamedTuple):
+    """The length of a tendon, a sum of coordinates, and its rate, the same sum of speeds."""
+
+    length: Any
+    rate: Any
+    limits: tuple[float, float] | None = None
+
+
 class _Step(NamedTuple):
     """From one frame of a chain to the next: ``x = place + turn · x_next``."""
 
@@ -53,6 +61,7 @@ class _Axis(NamedTuple):
     outer: Place
     coordinate: Any
     speed: Any
+    reference: float  # the coordinate in the pose that the file shows
 
 
 class Assembly:
@@ -67,6 +76,7 @@ class Assembly:
         self.origin.set_vel(self.world, 0)
         self.values: dict[Any, float] = {}
         self.joints: dict[str, JointSymbols] = {}
+        self.tendons: dict[str, TendonSymbols] = {}
         self.actuators: dict[str, Any] = {}
         self.input_ranges: dict[str, tuple[float, float]] = {}
         self.places = [Place(self.world, self.origin)]  # the world's, then those of the links
@@ -75,6 +85,7 @@ class Assembly:
         self._loads: list[Any] = []
         self._chains: list[list[_Step]] = [[]]
         self._axes: dict[str, _Axis] = {}
+        self._shares: dict[str, list[tuple[Any, _Axis]]] = {}  # of tendons: coefficients and joints
         self._creep = None if friction_speed is None else self._number("creep", "", friction_speed)
         self._name_joints([joint for link in tree.links for joint in link.joints])
         self._gravity = [
@@ -85,6 +96,8 @@ class Assembly:
         ]
         for link in tree.links:
             self._add_link(link)
+        for tendon in tree.tendons:
+            self._add_tendon(tendon)
         for motor in tree.motors:
             self._add_motor(motor)
         self.start = self._start()
@@ -244,7 +257,9 @@ class Assembly:
         if joint.kind == "ball":
             self._resist_ball(joint, inner, outer)
         else:
-            made = _Axis(joint.kind, vector, inner, outer, coordinates[0], speeds[0])
+            made = _Axis(
+                joint.kind, vector, inner, outer, coordinates[0], speeds[0], joint.reference
+            )
             self._axes[joint.name] = made
             self._resist(joint, made)
         return outer
@@ -295,15 +310,46 @@ class Assembly:
             size = self._number("armature", joint.name, joint.armature)
             self._add_slider(joint.name, size, q)
 
-    def _drag(self, joint: Joint, speeds: Sequence[Any]) -> list[Any]:
+    def _add_tendon(self, tendon: Tendon) -> None:
+        """Add a tendon's own loads; it pulls at each joint with the coefficient times its force."""
+        self._shares[tendon.name] = shares = [
+            (self._factor("coef", f"{tendon.name}_{joint}", coefficient), self._axes[joint])
+            for joint, coefficient in tendon.shares
+        ]
+        length = sm.Add(*(c * axis.coordinate for c, axis in shares))
+        rate = sm.Add(*(c * axis.speed for c, axis in shares))
+        self.tendons[tendon.name] = TendonSymbols(length, rate, tendon.limits)
+        force = sum(self._drag(tendon, [rate]), sm.S.Zero)
+        if tendon.stiffness:
+            low, high = (_exact(value) for value in tendon.relaxed)
+            stretch = length - low
+            if low != high:  # slack in between
+                stretch = sm.Max(length - high, 0) + sm.Min(length - low, 0)
+            force -= self._number("stiffness", tendon.name, tendon.stiffness) * stretch
+        self._pull(tendon.name, force)
+        if tendon.armature:
+            size = self._number("armature", tendon.name, tendon.armature)
+            self._add_slider(f"the tendon {tendon.name}", size, length)
+
+    def _pull(self, tendon: str, force: Any) -> None:
+        for coefficient, axis in self._shares[tendon]:
+            self._push(axis, coefficient * force)
+
+    def _factor(self, prefix: str, name: str, value: float) -> Any:
+        """Return a number as `_number` does, but 1 and −1 as such."""
+        sign = float(np.sign(value))
+        return _exact(value) if abs(value) == 1.0 else self._number(prefix, name, abs(value), sign)
+
+    def _drag(self, joint: Joint | Tendon, speeds: Sequence[Any]) -> list[Any]:
         """Return damping and dry friction along each axis of a joint, nothing if it has neither."""
         if not joint.damping and not joint.friction:
             return []
         size = self._number("damping", joint.name, joint.damping)
         found = [-size * u for u in speeds]
         if joint.friction and self._creep is None:
+            kind = "joint" if isinstance(joint, Joint) else "tendon"
             self.tree.left_out.append(
-                f"the dry friction of the joint '{joint.name}' (give `friction_speed` to have it)"
+                f"the dry friction of the {kind} '{joint.name}' (give `friction_speed` to have it)"
             )
         elif joint.friction:
             size = self._number("friction", joint.name, joint.friction)
@@ -349,7 +395,12 @@ class Assembly:
         self._bodies.append(me.RigidBody(name, self.origin, frame, 0, inertia))
 
     def _add_motor(self, motor: Motor) -> None:
-        axis = self._axes[motor.joint]
+        if motor.joint is not None:
+            axis = self._axes[motor.joint]
+            coordinate, speed = axis.coordinate, axis.speed
+        else:
+            assert motor.tendon is not None
+            coordinate, speed, _ = self.tendons[motor.tendon]
         name = self._name("f" if motor.name == motor.joint else "", motor.name)
         signal = self.actuators[motor.name] = me.dynamicsymbols(name)
         if motor.input_range is not None:
@@ -357,16 +408,14 @@ class Assembly:
         parts = (
             (motor.gain, "gain", signal),
             (motor.constant, "bias", sm.S.One),
-            (-motor.stiffness, "servo_stiffness", axis.coordinate),
-            (-motor.damping, "servo_damping", axis.speed),
+            (-motor.stiffness, "servo_stiffness", coordinate),
+            (-motor.damping, "servo_damping", speed),
         )
-        force = sm.S.Zero
-        for value, prefix, what in parts:
-            if value == 1.0:
-                force += what
-            else:
-                force += self._number(prefix, motor.name, abs(value), float(np.sign(value))) * what
-        self._push(axis, force)
+        force = sm.Add(*(self._factor(prefix, motor.name, v) * what for v, prefix, what in parts))
+        if motor.tendon is not None:
+            self._pull(motor.tendon, force)
+        else:
+            self._push(axis, force)
 
     # -- equations ---------------------------------------------------------------------------------
 
@@ -414,14 +463,9 @@ class Assembly:
 
     def _rows(self, tie: Tie) -> Iterator[Any]:
         """Yield the residuals by which two links, or two coordinates, are tied together."""
-        if tie.kind == "joint":
-            references = {j.name: j.reference for link in self.tree.links for j in link.joints}
-            (q,) = self.joints[tie.one].coordinates
-            moved = q - _exact(references[tie.one])
-            other = sm.S.Zero
-            if tie.other is not None:
-                other = self.joints[tie.other].coordinates[0] - _exact(references[tie.other])
-            yield moved - sum(
+        if tie.kind in ("joint", "tendon"):
+            other = sm.S.Zero if tie.other is None else self._moved(tie.kind, tie.other)
+            yield self._moved(tie.kind, tie.one) - sum(
                 (_exact(c) * other**k for k, c in enumerate(tie.polynomial) if c), sm.S.Zero
             )
             return
@@ -439,6 +483,11 @@ class Assembly:
             others = [_turned(chains[1], sm.eye(3)[:, k]) for k in range(3)]
             for a, b in ((0, 1), (1, 2), (2, 0)):
                 yield axes[a].dot(others[b])
+
+    def _moved(self, kind: str, name: str) -> Any:
+        """Return how far a joint or tendon has moved from the pose that the file shows."""
+        shares = self._shares[name] if kind == "tendon" else [(sm.S.One, self._axes[name])]
+        return sm.Add(*(c * (axis.coordinate - _exact(axis.reference)) for c, axis in shares))
 
     def _link_name(self, k: int) -> str:
         return "world" if k < 0 else self.tree.links[k].name

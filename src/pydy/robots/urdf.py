@@ -387,7 +387,7 @@ def _warn_of_ball_joints(links: list[Link]) -> None:
 def _last_digit(text: str) -> float:
     """Return the value of a one in the last digit of a number that is not zero."""
     mantissa, _, exponent = text.strip().lower().partition("e")
-    return 10.0 ** (float(exponent or 0) - len(mantissa.partition(".")[2]))
+    return float(10.0 ** (float(exponent or 0) - len(mantissa.partition(".")[2])))
 
 
 def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) -> list[Joint]:
