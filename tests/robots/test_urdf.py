@@ -4,6 +4,7 @@ from importlib.resources import files
 
 import numpy as np
 import pytest
+import sympy.physics.mechanics as me
 
 from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
@@ -36,6 +37,37 @@ def test_random_trees_need_the_torques_of_newton_and_euler(tmp_path, seed):
     found = system.inverse_dynamics(x[:n], x[n:], rates[n:], r=dict.fromkeys(system.specifieds, 0))
     speeds = [system.speeds.index(u) for _, u in own.values()]
     assert found[speeds] == pytest.approx([given[k] for k in own], abs=1e-11 * size)
+
+
+def test_no_path_is_searched_through_the_robot_when_it_is_read(tmp_path, monkeypatch):
+    # SymPy's searches take longer than in proportion to the number of connected points or frames.
+    connected = []
+
+    def counted(kind, method, neighbours):
+        search = getattr(kind, method)
+
+        def searched(self, other, number):
+            connected.append(len(neighbours(self)))
+            return search(self, other, number)
+
+        monkeypatch.setattr(kind, method, searched)
+
+    counted(me.Point, "_pdict_list", lambda point: point._pos_dict)
+    counted(me.ReferenceFrame, "_dict_list", lambda frame: frame._dcm_dict)
+    read_text(tmp_path, urdf(random_tree(np.random.default_rng(3), 8)))
+    assert connected
+    assert not any(connected)
+
+
+@pytest.mark.parametrize("order", [("k", "l"), ("l", "k")])
+def test_a_joint_may_mimic_one_that_mimics_another(tmp_path, order):
+    first = link(), joint("prismatic")
+    k = link(name="b"), joint("prismatic", down="b", name="k", more='<mimic joint="j"/>')
+    last = '<mimic joint="k" multiplier="3"/>'
+    parts = {"k": k, "l": (link(name="c"), joint("prismatic", down="c", name="l", more=last))}
+    robot = read_text(tmp_path, robot_of(*parts[order[0]], *first, *parts[order[1]]))
+    # Masses of 1 kg that move once, once and three times as far.
+    assert robot.system(specifieds={"f_j": 22.0}).evaluate_ode()[1] == pytest.approx(2.0)
 
 
 def test_links_are_known_by_their_names(tmp_path):

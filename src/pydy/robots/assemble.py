@@ -83,7 +83,9 @@ class Assembly:
         self._taken: set[str] = {"t"}
         self._bodies: list[Any] = []
         self._loads: list[Any] = []
-        self._chains: list[list[_Step]] = [[]]
+        # From the parent's place to that of each link, in the order of `places`, and the parents.
+        self._steps: list[list[_Step]] = [[]]
+        self._parents: list[int | None] = [None]
         self._axes: dict[str, _Axis] = {}
         self._shares: dict[str, list[tuple[Any, _Axis]]] = {}  # of tendons: coefficients and joints
         self._creep = None if friction_speed is None else self._number("creep", "", friction_speed)
@@ -147,9 +149,7 @@ class Assembly:
                 joint.limits,
                 joint.effort,
             )
-        while waiting:
-            joint = next(j for j in waiting if j.mimics and j.mimics[0] in self.joints)
-            waiting.remove(joint)
+        for joint in _masters_first(waiting):
             assert joint.mimics is not None
             master, factor, constant = joint.mimics
             (q,), (u,) = self.joints[master][:2]
@@ -179,10 +179,11 @@ class Assembly:
 
     def _add_link(self, link: Link) -> None:
         frame, point = self.places[link.parent + 1]
-        chain = list(self._chains[link.parent + 1])
-        self._chains.append(chain)
-        if [joint.kind for joint in link.joints] == ["free"]:
-            chain.clear()
+        chain: list[_Step] = []
+        self._steps.append(chain)
+        free = [joint.kind for joint in link.joints] == ["free"]
+        self._parents.append(0 if free else link.parent + 1)  # a free joint starts from the world
+        if free:
             own = self._free(link.joints[0], chain)
         else:
             own = self._fixed(link, frame, point, chain)
@@ -198,7 +199,7 @@ class Assembly:
         place = self._vector("p", link.name, link.place)
         turn = sm.Matrix(3, 3, lambda i, j: _exact(float(link.turn[i, j])))
         if (link.turn != np.eye(3)).any():
-            fixed = me.ReferenceFrame(self._name("at", link.name))
+            fixed = _new_frame(self._name("at", link.name))
             fixed.orient_explicit(frame, turn)
         else:
             fixed = frame
@@ -209,7 +210,7 @@ class Assembly:
 
     def _free(self, joint: Joint, chain: list[_Step]) -> Place:
         coordinates, speeds, *_ = self.joints[joint.name]
-        own = me.ReferenceFrame(self._name("", joint.name))
+        own = _new_frame(self._name("", joint.name))
         own.orient_quaternion(self.world, coordinates[3:])
         own.set_ang_vel(self.world, _in(own, speeds[3:]))
         place = _in(self.world, coordinates[:3])
@@ -239,7 +240,7 @@ class Assembly:
             outer = Place(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
             chain.append(_Step(sm.Matrix(axis) * move, sm.eye(3)))
         else:
-            own = me.ReferenceFrame(self._name("", name))
+            own = _new_frame(self._name("", name))
             if joint.kind == "ball":
                 own.orient_quaternion(frame, coordinates)
                 own.set_ang_vel(frame, _in(own, speeds))
@@ -267,9 +268,7 @@ class Assembly:
     def _add_body(self, link: Link, own: Place) -> None:
         mass = self._number("m", link.name, link.mass)
         centre = self._vector("c", link.name, link.centre)
-        point = own.point
-        if any(centre):
-            point = point.locatenew(self._name("", f"{link.name}_centre"), _in(own.frame, centre))
+        point = me.Point(self._name("", f"{link.name}_centre"))
         parts = [
             self._number(f"I{a}", link.name, abs(link.inertia[i, j]), np.sign(link.inertia[i, j]))
             for a, i, j in (
@@ -278,10 +277,13 @@ class Assembly:
             )
         ]
         if any(parts):
-            inertia = (me.inertia(own.frame, *parts), point)
+            inertia = (_inertia(own.frame, *parts), point)
             body = me.RigidBody(link.name, point, own.frame, mass, inertia)
         else:
             body = me.Particle(link.name, point, mass)
+        # After the body is made: SymPy's class looks for a path from the mass centre to itself, in
+        # a time that grows faster than the number of connected points.
+        point.set_pos(own.point, _in(own.frame, centre))
         self._bodies.append(body)
         self._weigh(point, _exact(1.0 - link.lightened) * mass)
 
@@ -387,7 +389,7 @@ class Assembly:
 
     def _add_rotor(self, joint: Joint, size: Any, turn: Any, spin: Any) -> None:
         """Add a ball in the world that turns as the joint does."""
-        frame = me.ReferenceFrame(self._name("rotor", joint.name))
+        frame = _new_frame(self._name("rotor", joint.name))
         frame.orient_quaternion(self.world, turn)
         frame.set_ang_vel(self.world, _in(frame, spin))
         inertia = (me.inertia(frame, size, size, size), self.origin)
@@ -471,8 +473,9 @@ class Assembly:
             return
         name = f"{self._link_name(tie.one)}_{self._link_name(tie.other)}"
         ends = [self._vector(f"tie{k}_", name, p) for k, p in enumerate(tie.places, 1)]
-        above = self._shared(tie.one, tie.other)
-        chains = [self._chains[k + 1][above:] for k in (tie.one, tie.other)]
+        chains = [self._chain(k) for k in (tie.one, tie.other)]
+        above = _shared(*chains)
+        chains = [chain[above:] for chain in chains]
         at = [_carried(chain, sm.Matrix(end)) for chain, end in zip(chains, ends, strict=True)]
         yield from at[0] - at[1]
         if tie.kind == "weld":
@@ -492,13 +495,53 @@ class Assembly:
     def _link_name(self, k: int) -> str:
         return "world" if k < 0 else self.tree.links[k].name
 
-    def _shared(self, one: int, other: int) -> int:
-        """Return how many steps from the world two links have in common."""
-        pairs = zip(self._chains[one + 1], self._chains[other + 1], strict=False)
-        return next(
-            (k for k, (a, b) in enumerate(pairs) if a is not b),
-            min(len(self._chains[one + 1]), len(self._chains[other + 1])),
-        )
+    def _chain(self, link: int) -> list[_Step]:
+        """Return the steps from the world to a link."""
+        place: int | None = link + 1
+        steps: list[_Step] = []
+        while place is not None:
+            steps += reversed(self._steps[place])
+            place = self._parents[place]
+        return steps[::-1]
+
+
+def _shared(one: Sequence[_Step], other: Sequence[_Step]) -> int:
+    """Return how many steps from the world two chains have in common."""
+    pairs = zip(one, other, strict=False)
+    return next((k for k, (a, b) in enumerate(pairs) if a is not b), min(len(one), len(other)))
+
+
+def _new_frame(name: str) -> Any:
+    """Return a frame that knows its cosines with itself.
+
+    SymPy looks for a path to a frame, itself too, in a time that grows faster than the number of
+    connected frames, and keeps what it found: look while the frame is alone.
+    """
+    frame = me.ReferenceFrame(name)
+    frame.dcm(frame)
+    return frame
+
+
+def _inertia(frame: Any, xx: Any, yy: Any, zz: Any, xy: Any, yz: Any, xz: Any) -> Any:
+    """Return what `me.inertia` does, made at once, in a fraction of the time."""
+    moments = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    axes = tuple(frame)
+    parts = [(moments[i][j], axes[i], axes[j]) for i in range(3) for j in range(3)]
+    return me.Dyadic([part for part in parts if part[0] != 0])
+
+
+def _masters_first(mimics: Sequence[Joint]) -> list[Joint]:
+    """Return joints that mimic others in the order given, but each after the one it mimics."""
+    waiting = {joint.name: joint for joint in mimics}
+    order: list[Joint] = []
+    for joint in mimics:
+        path: list[Joint] = []
+        name: str | None = joint.name
+        while name in waiting:
+            path.append(waiting.pop(name))
+            name = path[-1].mimics[0] if path[-1].mimics else None
+        order += reversed(path)
+    return order
 
 
 def _exact(value: float) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -54,6 +54,16 @@ class _Reader:
         self.path = path
         self.lines: dict[int, int] = {}
         self.root = self._parsed(path.read_bytes())
+
+    @cached_property
+    def joint_names(self) -> set[str]:
+        return {joint.get("name", "") for joint in self.root.findall("joint")}
+
+    @cached_property
+    def colours(self) -> dict[str | None, ElementTree.Element | None]:
+        """The colours of the robot's materials, by name."""
+        materials = self.root.findall("material")
+        return {material.get("name"): material.find("color") for material in materials}
 
     def _parsed(self, data: bytes) -> ElementTree.Element:
         """Parse the file as other readers of URDF do, which are less strict than XML.
@@ -199,8 +209,10 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     above = _joints_above(reader, links, joints)
     left_out: list[str] = []
     found: list[Link] = []
+    numbers: dict[str | None, int] = {}
     for name in _in_order(reader, links, above):
-        found.append(_link(reader, name, links[name], above.get(name), found, left_out))
+        numbers[name] = len(found)
+        found.append(_link(reader, name, links[name], above.get(name), numbers, left_out))
     _warn_of_inertias(reader, links)
     _warn_of_ball_joints(found)
     if floating:
@@ -302,7 +314,8 @@ def _in_order(
     while waiting:
         order.append(waiting.pop())
         waiting += reversed(below.get(order[-1], []))
-    lost = [name for name in links if name not in order]
+    reached = set(order)
+    lost = [name for name in links if name not in reached]
     if lost:
         raise RobotFileError(
             f"{reader.where(above[lost[0]])}: the links {', '.join(map(repr, lost[:3]))} form a "
@@ -316,13 +329,12 @@ def _link(
     name: str,
     element: ElementTree.Element,
     above: ElementTree.Element | None,
-    before: list[Link],
+    numbers: dict[str | None, int],
     left_out: list[str],
 ) -> Link:
     link = Link(name, -1, np.zeros(3), np.eye(3), where=reader.where(element))
     if above is not None:
-        parent = reader.child(above, "parent").get("link")
-        link.parent = next(k for k, other in enumerate(before) if other.name == parent)
+        link.parent = numbers[reader.child(above, "parent").get("link")]
         link.place, link.turn = reader.pose(above)
         link.joints = _joints(reader, above, left_out)
     inertial = reader.only(element, "inertial")
@@ -404,7 +416,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
         normal = _axis(reader, element, [1.0, 0.0, 0.0])
         along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         along /= np.linalg.norm(along)
-        taken = [other.get("name", "") for other in reader.root.findall("joint")]
+        taken = reader.joint_names
         x, y, turn = (untaken(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
         return [
             Joint(x, "slide", along, where=where),
@@ -471,9 +483,10 @@ def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -
 
 def _check_mimics(links: list[Link]) -> None:
     joints = {joint.name: joint for link in links for joint in link.joints}
+    checked: set[str] = set()
     for joint in joints.values():
-        seen = [joint.name]
-        while joint.mimics is not None:
+        seen = {joint.name: None}  # in order
+        while joint.mimics is not None and joint.name not in checked:
             name = joint.mimics[0]
             if name not in joints or joints[name].kind not in ("hinge", "slide"):
                 raise RobotFileError(
@@ -484,8 +497,9 @@ def _check_mimics(links: list[Link]) -> None:
                 raise RobotFileError(
                     f"{joint.where}: joints mimic each other in a ring: {', '.join(seen)}."
                 )
-            seen.append(name)
+            seen[name] = None
             joint = joints[name]
+        checked.update(seen)
 
 
 # -- looks -----------------------------------------------------------------------------------------
@@ -535,9 +549,7 @@ def _colours(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) 
         return {}
     colour = material.find("color")
     if colour is None:
-        for other in reader.root.findall("material"):
-            if other.get("name") == material.get("name"):
-                colour = other.find("color")
+        colour = reader.colours.get(material.get("name"))
     if colour is None:
         return {}
     try:
