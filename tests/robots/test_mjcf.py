@@ -269,6 +269,17 @@ def test_numbers_that_are_not_finite_are_told(tmp_path, of_joint, of_motor, said
         read(written(tmp_path, f"<mujoco>\n<worldbody>{bodies}</worldbody>{motor}</mujoco>"))
 
 
+@pytest.mark.parametrize(("of", "kind"), [("body", "body"), ("joint", "joint")])
+def test_a_name_that_is_not_utf_8_is_told_with_the_file(tmp_path, of, kind):
+    bodies = body('name="body-é"', '<joint name="joint-é"/>').replace(f"{of}-é", f"{of}-\xff")
+    text = f"<mujoco><worldbody>{bodies}</worldbody></mujoco>".replace("-é", "")
+    (tmp_path / "robot.xml").write_bytes(text.encode("latin-1"))
+    with pytest.raises(
+        RobotFileError, match=rf"robot\.xml: the {kind} named '{of}-\\xff' .* UTF-8"
+    ):
+        read(tmp_path / "robot.xml")
+
+
 @pytest.mark.parametrize("what", ["damping", "armature", "frictionloss"])
 def test_negative_numbers_of_joints_are_told(tmp_path, what):
     bodies = body("", f'<joint name="j" {what}="-1"/>')

@@ -4,6 +4,7 @@ from importlib.resources import files
 
 import numpy as np
 import pytest
+import sympy.physics.mechanics as me
 
 from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
@@ -35,6 +36,37 @@ def test_random_trees_need_the_torques_of_newton_and_euler(tmp_path, seed):
     found = system.inverse_dynamics(x[:n], x[n:], rates[n:], r=dict.fromkeys(system.specifieds, 0))
     speeds = [system.speeds.index(u) for _, u in own.values()]
     assert found[speeds] == pytest.approx([given[k] for k in own], abs=1e-11 * size)
+
+
+def test_no_path_is_searched_through_the_robot_when_it_is_read(tmp_path, monkeypatch):
+    # SymPy's searches take longer than in proportion to the number of connected points or frames.
+    connected = []
+
+    def counted(kind, method, neighbours):
+        search = getattr(kind, method)
+
+        def searched(self, other, number):
+            connected.append(len(neighbours(self)))
+            return search(self, other, number)
+
+        monkeypatch.setattr(kind, method, searched)
+
+    counted(me.Point, "_pdict_list", lambda point: point._pos_dict)
+    counted(me.ReferenceFrame, "_dict_list", lambda frame: frame._dcm_dict)
+    read_text(tmp_path, urdf(random_tree(np.random.default_rng(3), 8)))
+    assert connected
+    assert not any(connected)
+
+
+@pytest.mark.parametrize("order", [("k", "l"), ("l", "k")])
+def test_a_joint_may_mimic_one_that_mimics_another(tmp_path, order):
+    first = link(), joint("prismatic")
+    k = link(name="b"), joint("prismatic", down="b", name="k", more='<mimic joint="j"/>')
+    last = '<mimic joint="k" multiplier="3"/>'
+    parts = {"k": k, "l": (link(name="c"), joint("prismatic", down="c", name="l", more=last))}
+    robot = read_text(tmp_path, robot_of(*parts[order[0]], *first, *parts[order[1]]))
+    # Masses of 1 kg that move once, once and three times as far.
+    assert robot.system(specifieds={"f_j": 22.0}).evaluate_ode()[1] == pytest.approx(2.0)
 
 
 def test_links_are_known_by_their_names(tmp_path):
@@ -118,6 +150,83 @@ def test_joints_that_mimic_others_move_with_them(tmp_path):
     frame, origin = robot.frames["world"]
     height = robot.frames["two"].point.pos_from(origin).dot(frame.z)
     assert height == 0.1 - 2 * robot.joints["left"].coordinates[0]
+
+
+DRIVEN = """<robot name="gripper"><link name="base"/><link name="one"/>
+<link name="two"><inertial><mass value="{mass}"/></inertial></link>
+<joint name="left" type="prismatic"><parent link="base"/><child link="one"/><axis xyz="0 1 0"/>
+<dynamics damping="0.2"/></joint>
+<joint name="right" type="prismatic"><parent link="base"/><child link="two"/><axis xyz="0 -1 0"/>
+<mimic joint="left" multiplier="{ratio}"/><dynamics damping="0.3"/></joint>
+</robot>"""
+
+
+def test_a_joint_may_move_the_mass_of_those_that_mimic_it_alone(tmp_path):
+    system = read_text(tmp_path, DRIVEN.format(mass=0.1, ratio=2)).system(specifieds={"f_left": 1})
+    expected = (1.0 - (0.2 + 2**2 * 0.3) * 0.5) / (2**2 * 0.1)
+    assert system.evaluate_ode([0.01, 0.5])[1] == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(("mass", "ratio"), [(0, 2), (0.1, 0)])
+def test_a_joint_is_refused_if_those_that_mimic_it_move_no_mass_either(tmp_path, mass, ratio):
+    with pytest.raises(
+        RobotFileError, match=r"joint 'left' moves has mass.* or one whose joint mim"
+    ):
+        read_text(tmp_path, DRIVEN.format(mass=mass, ratio=ratio))
+
+
+def test_a_ball_joint_is_read_with_a_warning(tmp_path):
+    spherical = joint("spherical", more='<dynamics damping="0.5"/><limit effort="1"/>')
+    with pytest.warns(PyDyUserWarning, match="'j' .*urdf:4.* 'spherical', which the URDF format"):
+        robot = read_text(tmp_path, robot_of(link(), spherical))
+    assert robot.left_out == ("the <limit> of the spherical joint 'j'",)
+    # Euler's equations of a body with equal moments of inertia, 1 kg m²: damping alone.
+    spin = {"u_j_wx": 0.1, "u_j_wy": 0.2, "u_j_wz": 0.3}
+    system = robot.system(initial_conditions=spin)
+    rates = dict(zip([s.name for s in system.states], system.evaluate_ode(), strict=True))
+    assert [rates[u] for u in spin] == pytest.approx([-0.05, -0.1, -0.15], rel=1e-14)
+    assert [rates[f"q_j_e{k}"] for k in range(4)] == pytest.approx([0, 0.05, 0.1, 0.15], rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        lambda text: b"\r\n\n" + text,
+        lambda text: b"\xef\xbb\xbf\n" + text,
+        lambda text: b"<!-- made by hand -->\n" + text,
+        lambda text: text + b"\r\n\0",
+        lambda text: text + b"\0\0\n",
+        lambda text: text.decode().encode("utf-16"),
+        lambda text: text.replace(
+            b'<axis xyz="0 1 0"/>', b'<axis xyz="0 1 0"/><axis xyz="0 1  0"/>'
+        ),
+    ],
+)
+def test_a_file_may_be_as_other_readers_of_urdf_take_it(tmp_path, changed):
+    text = b'<?xml version="1.0"?>\n' + DRIVEN.format(mass=0.1, ratio=2).encode()
+    path = tmp_path / "robot.urdf"
+    path.write_bytes(changed(text))
+    assert list(read(path).joints) == ["left", "right"]
+
+
+def test_a_declaration_that_is_not_first_still_names_the_encoding(tmp_path):
+    text = '\n<?xml version="1.0" encoding="latin-1"?>' + robot_of(link(), joint(name="é"))
+    (tmp_path / "robot.urdf").write_bytes(text.encode("latin-1"))
+    assert list(read(tmp_path / "robot.urdf").joints) == ["é"]
+
+
+def test_a_wrong_scale_or_colour_stops_no_mechanics(tmp_path):
+    (tmp_path / "m.stl").touch()
+    shapes = "<mesh filename='m.stl' scale='1 1 1 1'/>"
+    material = "</geometry><material><color rgba='1 0 0'/></material>"
+    red = link(looks=BALL, name="b").replace("</geometry>", material)
+    parts = link(looks=shapes), joint(), red, joint(name="k", up="a", down="b")
+    robot = read_text(tmp_path, robot_of(*parts))
+    path = tmp_path / "robot.urdf"
+    assert robot.left_out == (
+        f"the mesh m.stl: {path}:3: 'scale' of <mesh> must be 3 finite numbers, got '1 1 1 1'.",
+        f"a colour: {path}:5: 'rgba' of <color> must be 4 finite numbers, got '1 0 0'.",
+    )
 
 
 def test_dry_friction_is_smooth_or_left_out(tmp_path):
@@ -236,7 +345,7 @@ def joint(kind="revolute", up="base", down="a", more="", name="j"):
         (robot_of(link("x"), joint()), 3, "must be a finite number, got 'x'"),
         (robot_of(link("1e999"), joint()), 3, "must be a finite number"),
         (robot_of(link(0), joint()), 4, "nothing that the joint 'j' moves has mass"),
-        (robot_of(link(), joint("spherical")), 4, "of the type 'spherical'; known are 'fixed'"),
+        (robot_of(link(), joint("helical")), 4, "of the type 'helical'; known are 'fixed'"),
         (robot_of(link(), joint(down="b")), 4, "no link 'b', which the joint 'j' has as its child"),
         (robot_of(link(), joint(up="a")), 4, "'a' form a ring that hangs on nothing"),
         (robot_of(link(), joint(), joint(name="k")), 5, "the child of two joints, 'j' and 'k'"),
@@ -255,10 +364,17 @@ def joint(kind="revolute", up="base", down="a", more="", name="j"):
         (robot_of(link(), joint(more='<dynamics friction="-1"/>')), 4, "friction .* 'j' .* got -1"),
         (robot_of(link(looks="<sphere radius='-1'/>"), joint()), 3, "`radius` of Sphere must be"),
         (robot_of(link(), joint(more="<axis xyz='1 0 0'/>\n<axis/>")), 5, "more than one <axis>"),
-        (robot_of(link(), joint(more='<parent link="base"/>')), 4, "more than one <parent>"),
+        (robot_of(link(), joint(more='<parent link="a"/>')), 4, "more than one <parent>.* differ"),
         (
-            robot_of(link().replace("</link>", "<inertial/></link>"), joint()),
+            robot_of(link().replace('ixx="1"', 'ixx="1e-999999999"'), joint()),
             3,
+            "'ixx' of <inertia> has the number 1e-999999999, which is smaller than .* Write 0",
+        ),
+        ("\n<?xml version='1.0'?>\n<robot>\n<a></robot>", 4, "not well-formed XML: mismatched tag"),
+        ("<robot>\n<?xml version='1.0'?>\n</robot>", 2, "declaration not at start"),
+        (
+            robot_of(link().replace("</link>", "\n<inertial/></link>"), joint()),
+            4,
             "more than one <inertial>",
         ),
         (robot_of(link(looks=f"<mesh filename='{'x' * 300}.obj'/>"), joint()), 3, "too long"),

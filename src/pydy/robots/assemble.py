@@ -12,7 +12,7 @@ import sympy.physics.mechanics as me
 
 from pydy._names import untaken
 from pydy.mechanics import Definition
-from pydy.robots.tree import Joint, Link, Motor, Tie, Tree
+from pydy.robots.tree import Joint, Link, Motor, Tendon, Tie, Tree
 
 
 class Place(NamedTuple):
@@ -37,6 +37,14 @@ class JointSymbols(NamedTuple):
     effort: float | None = None
 
 
+class TendonSymbols(NamedTuple):
+    """The length of a tendon, a sum of coordinates, and its rate, the same sum of speeds."""
+
+    length: Any
+    rate: Any
+    limits: tuple[float, float] | None = None
+
+
 class _Step(NamedTuple):
     """From one frame of a chain to the next: ``x = place + turn · x_next``."""
 
@@ -53,6 +61,7 @@ class _Axis(NamedTuple):
     outer: Place
     coordinate: Any
     speed: Any
+    reference: float  # the coordinate in the pose that the file shows
 
 
 class Assembly:
@@ -67,14 +76,18 @@ class Assembly:
         self.origin.set_vel(self.world, 0)
         self.values: dict[Any, float] = {}
         self.joints: dict[str, JointSymbols] = {}
+        self.tendons: dict[str, TendonSymbols] = {}
         self.actuators: dict[str, Any] = {}
         self.input_ranges: dict[str, tuple[float, float]] = {}
         self.places = [Place(self.world, self.origin)]  # the world's, then those of the links
         self._taken: set[str] = {"t"}
         self._bodies: list[Any] = []
         self._loads: list[Any] = []
-        self._chains: list[list[_Step]] = [[]]
+        # From the parent's place to that of each link, in the order of `places`, and the parents.
+        self._steps: list[list[_Step]] = [[]]
+        self._parents: list[int | None] = [None]
         self._axes: dict[str, _Axis] = {}
+        self._shares: dict[str, list[tuple[Any, _Axis]]] = {}  # of tendons: coefficients and joints
         self._creep = None if friction_speed is None else self._number("creep", "", friction_speed)
         self._name_joints([joint for link in tree.links for joint in link.joints])
         self._gravity = [
@@ -85,6 +98,8 @@ class Assembly:
         ]
         for link in tree.links:
             self._add_link(link)
+        for tendon in tree.tendons:
+            self._add_tendon(tendon)
         for motor in tree.motors:
             self._add_motor(motor)
         self.start = self._start()
@@ -134,9 +149,7 @@ class Assembly:
                 joint.limits,
                 joint.effort,
             )
-        while waiting:
-            joint = next(j for j in waiting if j.mimics and j.mimics[0] in self.joints)
-            waiting.remove(joint)
+        for joint in _masters_first(waiting):
             assert joint.mimics is not None
             master, factor, constant = joint.mimics
             (q,), (u,) = self.joints[master][:2]
@@ -166,10 +179,11 @@ class Assembly:
 
     def _add_link(self, link: Link) -> None:
         frame, point = self.places[link.parent + 1]
-        chain = list(self._chains[link.parent + 1])
-        self._chains.append(chain)
-        if [joint.kind for joint in link.joints] == ["free"]:
-            chain.clear()
+        chain: list[_Step] = []
+        self._steps.append(chain)
+        free = [joint.kind for joint in link.joints] == ["free"]
+        self._parents.append(0 if free else link.parent + 1)  # a free joint starts from the world
+        if free:
             own = self._free(link.joints[0], chain)
         else:
             own = self._fixed(link, frame, point, chain)
@@ -185,7 +199,7 @@ class Assembly:
         place = self._vector("p", link.name, link.place)
         turn = sm.Matrix(3, 3, lambda i, j: _exact(float(link.turn[i, j])))
         if (link.turn != np.eye(3)).any():
-            fixed = me.ReferenceFrame(self._name("at", link.name))
+            fixed = _new_frame(self._name("at", link.name))
             fixed.orient_explicit(frame, turn)
         else:
             fixed = frame
@@ -196,7 +210,7 @@ class Assembly:
 
     def _free(self, joint: Joint, chain: list[_Step]) -> Place:
         coordinates, speeds, *_ = self.joints[joint.name]
-        own = me.ReferenceFrame(self._name("", joint.name))
+        own = _new_frame(self._name("", joint.name))
         own.orient_quaternion(self.world, coordinates[3:])
         own.set_ang_vel(self.world, _in(own, speeds[3:]))
         place = _in(self.world, coordinates[:3])
@@ -226,7 +240,7 @@ class Assembly:
             outer = Place(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
             chain.append(_Step(sm.Matrix(axis) * move, sm.eye(3)))
         else:
-            own = me.ReferenceFrame(self._name("", name))
+            own = _new_frame(self._name("", name))
             if joint.kind == "ball":
                 own.orient_quaternion(frame, coordinates)
                 own.set_ang_vel(frame, _in(own, speeds))
@@ -244,7 +258,9 @@ class Assembly:
         if joint.kind == "ball":
             self._resist_ball(joint, inner, outer)
         else:
-            made = _Axis(joint.kind, vector, inner, outer, coordinates[0], speeds[0])
+            made = _Axis(
+                joint.kind, vector, inner, outer, coordinates[0], speeds[0], joint.reference
+            )
             self._axes[joint.name] = made
             self._resist(joint, made)
         return outer
@@ -252,9 +268,7 @@ class Assembly:
     def _add_body(self, link: Link, own: Place) -> None:
         mass = self._number("m", link.name, link.mass)
         centre = self._vector("c", link.name, link.centre)
-        point = own.point
-        if any(centre):
-            point = point.locatenew(self._name("", f"{link.name}_centre"), _in(own.frame, centre))
+        point = me.Point(self._name("", f"{link.name}_centre"))
         parts = [
             self._number(f"I{a}", link.name, abs(link.inertia[i, j]), np.sign(link.inertia[i, j]))
             for a, i, j in (
@@ -263,10 +277,13 @@ class Assembly:
             )
         ]
         if any(parts):
-            inertia = (me.inertia(own.frame, *parts), point)
+            inertia = (_inertia(own.frame, *parts), point)
             body = me.RigidBody(link.name, point, own.frame, mass, inertia)
         else:
             body = me.Particle(link.name, point, mass)
+        # After the body is made: SymPy's class looks for a path from the mass centre to itself, in
+        # a time that grows faster than the number of connected points.
+        point.set_pos(own.point, _in(own.frame, centre))
         self._bodies.append(body)
         self._weigh(point, _exact(1.0 - link.lightened) * mass)
 
@@ -295,15 +312,46 @@ class Assembly:
             size = self._number("armature", joint.name, joint.armature)
             self._add_slider(joint.name, size, q)
 
-    def _drag(self, joint: Joint, speeds: Sequence[Any]) -> list[Any]:
+    def _add_tendon(self, tendon: Tendon) -> None:
+        """Add a tendon's own loads; it pulls at each joint with the coefficient times its force."""
+        self._shares[tendon.name] = shares = [
+            (self._factor("coef", f"{tendon.name}_{joint}", coefficient), self._axes[joint])
+            for joint, coefficient in tendon.shares
+        ]
+        length = sm.Add(*(c * axis.coordinate for c, axis in shares))
+        rate = sm.Add(*(c * axis.speed for c, axis in shares))
+        self.tendons[tendon.name] = TendonSymbols(length, rate, tendon.limits)
+        force = sum(self._drag(tendon, [rate]), sm.S.Zero)
+        if tendon.stiffness:
+            low, high = (_exact(value) for value in tendon.relaxed)
+            stretch = length - low
+            if low != high:  # slack in between
+                stretch = sm.Max(length - high, 0) + sm.Min(length - low, 0)
+            force -= self._number("stiffness", tendon.name, tendon.stiffness) * stretch
+        self._pull(tendon.name, force)
+        if tendon.armature:
+            size = self._number("armature", tendon.name, tendon.armature)
+            self._add_slider(f"the tendon {tendon.name}", size, length)
+
+    def _pull(self, tendon: str, force: Any) -> None:
+        for coefficient, axis in self._shares[tendon]:
+            self._push(axis, coefficient * force)
+
+    def _factor(self, prefix: str, name: str, value: float) -> Any:
+        """Return a number as `_number` does, but 1 and −1 as such."""
+        sign = float(np.sign(value))
+        return _exact(value) if abs(value) == 1.0 else self._number(prefix, name, abs(value), sign)
+
+    def _drag(self, joint: Joint | Tendon, speeds: Sequence[Any]) -> list[Any]:
         """Return damping and dry friction along each axis of a joint, nothing if it has neither."""
         if not joint.damping and not joint.friction:
             return []
         size = self._number("damping", joint.name, joint.damping)
         found = [-size * u for u in speeds]
         if joint.friction and self._creep is None:
+            kind = "joint" if isinstance(joint, Joint) else "tendon"
             self.tree.left_out.append(
-                f"the dry friction of the joint '{joint.name}' (give `friction_speed` to have it)"
+                f"the dry friction of the {kind} '{joint.name}' (give `friction_speed` to have it)"
             )
         elif joint.friction:
             size = self._number("friction", joint.name, joint.friction)
@@ -341,7 +389,7 @@ class Assembly:
 
     def _add_rotor(self, joint: Joint, size: Any, turn: Any, spin: Any) -> None:
         """Add a ball in the world that turns as the joint does."""
-        frame = me.ReferenceFrame(self._name("rotor", joint.name))
+        frame = _new_frame(self._name("rotor", joint.name))
         frame.orient_quaternion(self.world, turn)
         frame.set_ang_vel(self.world, _in(frame, spin))
         inertia = (me.inertia(frame, size, size, size), self.origin)
@@ -349,7 +397,12 @@ class Assembly:
         self._bodies.append(me.RigidBody(name, self.origin, frame, 0, inertia))
 
     def _add_motor(self, motor: Motor) -> None:
-        axis = self._axes[motor.joint]
+        if motor.joint is not None:
+            axis = self._axes[motor.joint]
+            coordinate, speed = axis.coordinate, axis.speed
+        else:
+            assert motor.tendon is not None
+            coordinate, speed, _ = self.tendons[motor.tendon]
         name = self._name("f" if motor.name == motor.joint else "", motor.name)
         signal = self.actuators[motor.name] = me.dynamicsymbols(name)
         if motor.input_range is not None:
@@ -357,16 +410,14 @@ class Assembly:
         parts = (
             (motor.gain, "gain", signal),
             (motor.constant, "bias", sm.S.One),
-            (-motor.stiffness, "servo_stiffness", axis.coordinate),
-            (-motor.damping, "servo_damping", axis.speed),
+            (-motor.stiffness, "servo_stiffness", coordinate),
+            (-motor.damping, "servo_damping", speed),
         )
-        force = sm.S.Zero
-        for value, prefix, what in parts:
-            if value == 1.0:
-                force += what
-            else:
-                force += self._number(prefix, motor.name, abs(value), float(np.sign(value))) * what
-        self._push(axis, force)
+        force = sm.Add(*(self._factor(prefix, motor.name, v) * what for v, prefix, what in parts))
+        if motor.tendon is not None:
+            self._pull(motor.tendon, force)
+        else:
+            self._push(axis, force)
 
     # -- equations ---------------------------------------------------------------------------------
 
@@ -414,21 +465,17 @@ class Assembly:
 
     def _rows(self, tie: Tie) -> Iterator[Any]:
         """Yield the residuals by which two links, or two coordinates, are tied together."""
-        if tie.kind == "joint":
-            references = {j.name: j.reference for link in self.tree.links for j in link.joints}
-            (q,) = self.joints[tie.one].coordinates
-            moved = q - _exact(references[tie.one])
-            other = sm.S.Zero
-            if tie.other is not None:
-                other = self.joints[tie.other].coordinates[0] - _exact(references[tie.other])
-            yield moved - sum(
+        if tie.kind in ("joint", "tendon"):
+            other = sm.S.Zero if tie.other is None else self._moved(tie.kind, tie.other)
+            yield self._moved(tie.kind, tie.one) - sum(
                 (_exact(c) * other**k for k, c in enumerate(tie.polynomial) if c), sm.S.Zero
             )
             return
         name = f"{self._link_name(tie.one)}_{self._link_name(tie.other)}"
         ends = [self._vector(f"tie{k}_", name, p) for k, p in enumerate(tie.places, 1)]
-        above = self._shared(tie.one, tie.other)
-        chains = [self._chains[k + 1][above:] for k in (tie.one, tie.other)]
+        chains = [self._chain(k) for k in (tie.one, tie.other)]
+        above = _shared(*chains)
+        chains = [chain[above:] for chain in chains]
         at = [_carried(chain, sm.Matrix(end)) for chain, end in zip(chains, ends, strict=True)]
         yield from at[0] - at[1]
         if tie.kind == "weld":
@@ -440,16 +487,61 @@ class Assembly:
             for a, b in ((0, 1), (1, 2), (2, 0)):
                 yield axes[a].dot(others[b])
 
+    def _moved(self, kind: str, name: str) -> Any:
+        """Return how far a joint or tendon has moved from the pose that the file shows."""
+        shares = self._shares[name] if kind == "tendon" else [(sm.S.One, self._axes[name])]
+        return sm.Add(*(c * (axis.coordinate - _exact(axis.reference)) for c, axis in shares))
+
     def _link_name(self, k: int) -> str:
         return "world" if k < 0 else self.tree.links[k].name
 
-    def _shared(self, one: int, other: int) -> int:
-        """Return how many steps from the world two links have in common."""
-        pairs = zip(self._chains[one + 1], self._chains[other + 1], strict=False)
-        return next(
-            (k for k, (a, b) in enumerate(pairs) if a is not b),
-            min(len(self._chains[one + 1]), len(self._chains[other + 1])),
-        )
+    def _chain(self, link: int) -> list[_Step]:
+        """Return the steps from the world to a link."""
+        place: int | None = link + 1
+        steps: list[_Step] = []
+        while place is not None:
+            steps += reversed(self._steps[place])
+            place = self._parents[place]
+        return steps[::-1]
+
+
+def _shared(one: Sequence[_Step], other: Sequence[_Step]) -> int:
+    """Return how many steps from the world two chains have in common."""
+    pairs = zip(one, other, strict=False)
+    return next((k for k, (a, b) in enumerate(pairs) if a is not b), min(len(one), len(other)))
+
+
+def _new_frame(name: str) -> Any:
+    """Return a frame that knows its cosines with itself.
+
+    SymPy looks for a path to a frame, itself too, in a time that grows faster than the number of
+    connected frames, and keeps what it found: look while the frame is alone.
+    """
+    frame = me.ReferenceFrame(name)
+    frame.dcm(frame)
+    return frame
+
+
+def _inertia(frame: Any, xx: Any, yy: Any, zz: Any, xy: Any, yz: Any, xz: Any) -> Any:
+    """Return what `me.inertia` does, made at once, in a fraction of the time."""
+    moments = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    axes = tuple(frame)
+    parts = [(moments[i][j], axes[i], axes[j]) for i in range(3) for j in range(3)]
+    return me.Dyadic([part for part in parts if part[0] != 0])
+
+
+def _masters_first(mimics: Sequence[Joint]) -> list[Joint]:
+    """Return joints that mimic others in the order given, but each after the one it mimics."""
+    waiting = {joint.name: joint for joint in mimics}
+    order: list[Joint] = []
+    for joint in mimics:
+        path: list[Joint] = []
+        name: str | None = joint.name
+        while name in waiting:
+            path.append(waiting.pop(name))
+            name = path[-1].mimics[0] if path[-1].mimics else None
+        order += reversed(path)
+    return order
 
 
 def _exact(value: float) -> Any:

@@ -21,6 +21,7 @@ from pydy.robots.tree import (
     Link,
     Look,
     Motor,
+    Tendon,
     Tie,
     Tree,
     of_quaternion,
@@ -51,6 +52,13 @@ _NUMBERS = [
     "actuator_gear",
     "actuator_gainprm",
     "actuator_biasprm",
+    "tendon_stiffness",
+    "tendon_damping",
+    "tendon_armature",
+    "tendon_frictionloss",
+    "tendon_lengthspring",
+    "wrap_prm",
+    "eq_data",
 ]
 _CONSTRAINTS = {"CONTACT", "EQUALITY", "FRICTIONLOSS", "LIMIT"}
 """What MuJoCo counts as constraints, which a file may turn off all at once."""
@@ -112,10 +120,18 @@ class _Model:
                 "JOINT": "njnt",
                 "ACTUATOR": "nactuator",
                 "EQUALITY": "neq",
+                "TENDON": "ntendon",
             }[kind]
             of_kind = getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}")
             indices = range(getattr(self.model, count))
-            names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
+            try:
+                names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
+            except UnicodeDecodeError as error:
+                name = bytes(error.object).decode("utf-8", "backslashreplace")
+                raise RobotFileError(
+                    f"{self.path}: the {kind.lower()} named '{name}' has a name that is not UTF-8. "
+                    "Save the file as UTF-8, or rename it."
+                ) from None
             self._names[kind] = names
             for i in indices:
                 names[i] = names[i] or untaken(self.without_name(kind, i), names)
@@ -131,6 +147,7 @@ class _Model:
         links = [self.link(k) for k in range(1, model.nbody)]
         joints = {joint.name: joint for link in links for joint in link.joints}
         tree = Tree(self.path.stem, links, gravity=np.array(model.opt.gravity))
+        tree.tendons = [self.tendon(k) for k in range(model.ntendon) if self.is_fixed(k)]
         tree.motors = [m for k in range(model.nactuator) if (m := self.motor(k)) is not None]
         tree.ties = [tie for k in range(model.neq) if (tie := self.tie(k)) is not None]
         tree.start = {
@@ -241,6 +258,47 @@ class _Model:
                 f"that no actuator compensates the weight at the joint '{name}': it is compensated"
             )
 
+    def is_fixed(self, tendon: int) -> bool:
+        """Return whether the length of a tendon is a linear sum of coordinates."""
+        first = int(self.model.tendon_adr[tendon])
+        return bool(self.model.wrap_type[first] == self.mujoco.mjtWrap.mjWRAP_JOINT)
+
+    def tendon(self, k: int) -> Tendon:
+        model, name = self.model, self.name("TENDON", k)
+        first = int(model.tendon_adr[k])
+        parts = range(first, first + int(model.tendon_num[k]))
+        tendon = Tendon(
+            name,
+            [(self.joint_name(model.wrap_objid[w]), float(model.wrap_prm[w])) for w in parts],
+            where=self.where(f"tendon '{name}'"),
+        )
+        tendon.armature = float(model.tendon_armature[k])
+        if not self.disabled("SPRING"):
+            tendon.stiffness = float(model.tendon_stiffness[k])
+            low, high = model.tendon_lengthspring[k]
+            tendon.relaxed = (float(low), float(high))
+        if not self.disabled("DAMPER"):
+            tendon.damping = float(model.tendon_damping[k])
+        if not self.disabled("FRICTIONLOSS"):
+            tendon.friction = float(model.tendon_frictionloss[k])
+        if model.tendon_limited[k] and not self.disabled("LIMIT"):
+            low, high = model.tendon_range[k]
+            tendon.limits = (float(low), float(high))
+        self.note_of_tendon(k, tendon)
+        return tendon
+
+    def note_of_tendon(self, k: int, tendon: Tendon) -> None:
+        """List properties of a tendon that have no counterpart here."""
+        model, name = self.model, tendon.name
+        if tendon.stiffness and model.tendon_springyield[k]:
+            self.left_out.append(f"the yield of the spring of the tendon '{name}'")
+        if (not self.disabled("SPRING") and model.tendon_stiffnesspoly[k].any()) or (
+            not self.disabled("DAMPER") and model.tendon_dampingpoly[k].any()
+        ):
+            self.left_out.append(f"the polynomial stiffness or damping of the tendon '{name}'")
+        if not self.disabled("ACTUATION") and model.nactuator > 0 and model.tendon_actfrclimited[k]:
+            self.left_out.append(f"the limits of the actuators' force on the tendon '{name}'")
+
     def same(self, values: np.ndarray, joint: str, what: str) -> float:
         """Return the one value that all axes of a joint have in a file."""
         if (values != values[0]).any():
@@ -264,10 +322,13 @@ class _Model:
         ):
             return "which the file turns off"
         way = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
-        if way not in ("joint", "jointinparent"):
+        if way not in ("joint", "jointinparent", "tendon"):
             return f"which acts by '{way}'"
         j = int(model.actuator_trnid[k][0])
-        if _KINDS[mujoco.mjtJoint(model.jnt_type[j]).name] not in ("hinge", "slide"):
+        if way == "tendon":
+            if not self.is_fixed(j):
+                return f"which acts by the spatial tendon '{self.name('TENDON', j)}'"
+        elif _KINDS[mujoco.mjtJoint(model.jnt_type[j]).name] not in ("hinge", "slide"):
             return "which acts on a joint of several axes"
         if kinds[:2] != ("none", "fixed") or kinds[2] not in ("none", "affine"):
             return f"whose dynamics are {', '.join(kinds)}"
@@ -297,9 +358,12 @@ class _Model:
             model.actuator_biasprm[k][:3] if kinds[2] == "affine" else (0.0, 0.0, 0.0)
         )
         low, high = model.actuator_ctrlrange[signal]
+        end = int(model.actuator_trnid[k][0])
+        by_tendon = mujoco.mjtTrn(model.actuator_trntype[k]) == mujoco.mjtTrn.mjTRN_TENDON
         return Motor(
             name,
-            self.joint_name(int(model.actuator_trnid[k][0])),
+            None if by_tendon else self.joint_name(end),
+            tendon=self.name("TENDON", end) if by_tendon else None,
             gain=gear * float(model.actuator_gainprm[k][0]),
             constant=gear * float(constant),
             stiffness=-gear * gear * float(length),
@@ -318,6 +382,12 @@ class _Model:
         if kind == "joint":
             names = [self.joint_name(j) if j >= 0 else None for j in (one, other)]
             return Tie("joint", names[0], names[1], polynomial=tuple(data[:5].tolist()))
+        if kind == "tendon" and all(self.is_fixed(t) for t in (one, other) if t >= 0):
+            names = [self.name("TENDON", t) if t >= 0 else None for t in (one, other)]
+            return Tie("tendon", names[0], names[1], polynomial=tuple(data[:5].tolist()))
+        if kind == "tendon":
+            self.left_out.append(f"the equality '{name}', of spatial tendons")
+            return None
         if kind not in ("connect", "weld"):
             self.left_out.append(f"the equality '{name}', of the kind '{kind}'")
             return None
@@ -378,8 +448,12 @@ class _Model:
             touching = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
             if len(touching) > 1 or model.npair:
                 self.left_out.append("contacts")
+        self.left_out += [
+            f"the spatial tendon '{self.name('TENDON', k)}'"
+            for k in range(model.ntendon)
+            if not self.is_fixed(k)
+        ]
         for count, what in (
-            (model.ntendon, "tendons"),
             (model.nsensor, "sensors"),
             (model.nflex, "flexible bodies"),
             (model.nplugin, "plugins"),

@@ -10,7 +10,7 @@ from pydy._checks import check_mapping, choice, flag, path_of, positive
 from pydy._errors import RobotFileError
 from pydy._names import few
 from pydy.mechanics import Definition
-from pydy.robots.assemble import Assembly, JointSymbols, Place
+from pydy.robots.assemble import Assembly, JointSymbols, Place, TendonSymbols
 from pydy.robots.mjcf import read_mjcf
 from pydy.robots.tree import Tree
 from pydy.robots.urdf import read_urdf
@@ -37,6 +37,8 @@ class Robot:
         By the name of a link, and ``'world'``: its `frame` and its `point`, SymPy's.
     joints : dict
         By name: `coordinates`, `speeds`, `limits` and `effort`.
+    tendons : dict
+        By the name of an MJCF file's fixed tendon: `length`, `rate` and `limits`.
     actuators : dict
         By name: the specified function of time that drives it; zero unless you give it a value.
     input_ranges : dict
@@ -55,6 +57,7 @@ class Robot:
         names = ["world", *(link.name for link in tree.links)]
         self._places = list(zip(names, made.places, strict=True))
         self.joints: dict[str, JointSymbols] = made.joints
+        self.tendons: dict[str, TendonSymbols] = made.tendons
         self.actuators: dict[str, Any] = made.actuators
         self.input_ranges: dict[str, tuple[float, float]] = made.input_ranges
         self.left_out = tuple(dict.fromkeys(tree.left_out))
@@ -105,16 +108,15 @@ class Robot:
 
     @property
     def limits(self) -> list[Event]:
-        """Events that end a simulation where a joint reaches the end of its range."""
+        """Events that end a simulation where a joint or tendon reaches the end of its range."""
         found = []
-        for name, joint in self.joints.items():
-            if joint.limits is not None:
-                (q,) = joint.coordinates
-                for value, way, where in zip(
-                    joint.limits, (-1, 1), ("lower", "upper"), strict=True
-                ):
+        ranges = [(name, j.coordinates[0], j.limits) for name, j in self.joints.items()]
+        ranges += [(f"tendon {name}", t.length, t.limits) for name, t in self.tendons.items()]
+        for name, length, limits in ranges:
+            if limits is not None:
+                for value, way, where in zip(limits, (-1, 1), ("lower", "upper"), strict=True):
                     label = f"{name} at its {where} limit"
-                    found.append(Event(q - value, direction=way, terminal=True, name=label))
+                    found.append(Event(length - value, direction=way, terminal=True, name=label))
         return found
 
     def scene(self, **options: Any) -> Scene:
@@ -176,10 +178,10 @@ def read(
 ) -> Robot:
     """Read a robot from a URDF or MJCF file.
 
-    Joints, masses, inertias, damping, springs, armatures, gravity, actuators, loops (MJCF's
-    ``connect``, ``weld`` and ``joint`` equalities) and joints that mimic others (URDF) become
-    bodies, loads and constraints. Contacts, tendons and sensors do not: what a file has beyond is
-    in `Robot.left_out`.
+    Joints, masses, inertias, damping, springs, armatures, gravity, actuators, fixed tendons, loops
+    (MJCF's ``connect``, ``weld``, ``joint`` and ``tendon`` equalities) and joints that mimic others
+    (URDF) become bodies, loads and constraints. Contacts, spatial tendons and sensors do not: what
+    a file has beyond is in `Robot.left_out`.
 
     Parameters
     ----------

@@ -74,33 +74,53 @@ class Link:
 
 
 @dataclass
-class Motor:
-    """A force along a joint: gain × input − stiffness × coordinate − damping × rate + constant."""
+class Tendon:
+    """A sum of coordinates, each times a coefficient, as its length: MJCF's fixed tendon."""
 
     name: str
-    joint: str
+    shares: list[tuple[str, float]]  # joints and coefficients
+    limits: tuple[float, float] | None = None
+    damping: float = 0.0
+    stiffness: float = 0.0
+    relaxed: tuple[float, float] = (0.0, 0.0)  # between these lengths the spring has no force
+    armature: float = 0.0
+    friction: float = 0.0
+    where: str = ""
+
+
+@dataclass
+class Motor:
+    """A force along a joint or tendon.
+
+    It is gain × input − stiffness × coordinate or length − damping × its rate + constant.
+    """
+
+    name: str
+    joint: str | None  # None for a tendon
     gain: float = 1.0
     constant: float = 0.0
     stiffness: float = 0.0
     damping: float = 0.0
     input_range: tuple[float, float] | None = None
+    tendon: str | None = None
 
 
 @dataclass
 class Tie:
-    """An equality between two links, or between two joints."""
+    """An equality between two links, two joints or two tendons."""
 
     # ``'connect'`` (two points coincide), ``'weld'`` (two frames coincide), ``'joint'`` (a
-    # coordinate is a polynomial of another).
+    # coordinate is a polynomial of another), ``'tendon'`` (a length is a polynomial of another).
     kind: str
-    # Links by index, or joints by name; `other` may be None for joints.
+    # Links by index, or joints or tendons by name; `other` may be None for these.
     one: Any
     other: Any
     # The points, each in its link.
     places: tuple[np.ndarray, np.ndarray] = (np.zeros(3), np.zeros(3))
     # Axes of the other link in those of the one.
     turn: np.ndarray = field(default_factory=lambda: np.eye(3))
-    polynomial: tuple[float, ...] = ()  # of the difference of the other coordinate to its reference
+    # From the change of the other coordinate or length to that of the one, since the file's pose.
+    polynomial: tuple[float, ...] = ()
 
 
 @dataclass
@@ -110,6 +130,7 @@ class Tree:
     name: str
     links: list[Link]  # each after its parent
     motors: list[Motor] = field(default_factory=list)
+    tendons: list[Tendon] = field(default_factory=list)
     ties: list[Tie] = field(default_factory=list)
     gravity: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
     # Values of coordinates that are not zero in the pose that the file shows, by joint.
@@ -142,27 +163,54 @@ class Tree:
                     f"{least:.3g}: no body has it; it is taken as it is ({link.where})"
                 )
             for joint in link.joints:
-                for what in ("damping", "armature", "friction"):
-                    value = getattr(joint, what)
-                    if not value >= 0.0 or not np.isfinite(value):
-                        raise RobotFileError(
-                            f"{joint.where}: the {what} of the joint '{joint.name}' must be a "
-                            f"finite number, not negative, got {value}. If the joint is to be "
-                            "driven, give it an actuator."
-                        )
-            driven = [j for j in link.joints if not j.armature > 0.0 and j.mimics is None]
-            if driven and not heavy[k]:
-                raise RobotFileError(
-                    f"{driven[0].where}: nothing that the joint '{driven[0].name}' moves has mass: "
-                    "its acceleration is undetermined. Give the link "
-                    f"'{link.name}' or one that hangs on it a mass, or make the joint fixed."
-                )
+                _check_resistance("joint", joint)
             if link.parent >= 0:
                 heavy[link.parent] |= heavy[k]
+        for tendon in self.tendons:
+            _check_resistance("tendon", tendon)
+        self._check_joints_move_mass(heavy)
         self.left_out += negative
         if negative:
             more = f" So are {len(negative) - 1} others." if negative[1:] else ""
             warn_user(f"{negative[0][0].upper()}{negative[0][1:]}.{more} Correct the file.")
+
+    def _check_joints_move_mass(self, heavy: list[bool]) -> None:
+        """Refuse joints without inertia, their own or that of joints which mimic them.
+
+        `heavy` says which links have mass, themselves or farther out.
+        """
+        joints = {joint.name: joint for link in self.links for joint in link.joints}
+        inert = {
+            joint.name
+            for link, has_mass in zip(self.links, heavy, strict=True)
+            for joint in link.joints
+            if has_mass or joint.armature > 0.0
+        }
+        for name in tuple(inert):
+            mimics = joints[name].mimics
+            while mimics is not None and mimics[1] and mimics[0] not in inert:
+                inert.add(mimics[0])
+                mimics = joints[mimics[0]].mimics
+        for link in reversed(self.links):
+            for joint in link.joints:
+                if joint.mimics is None and joint.name not in inert:
+                    raise RobotFileError(
+                        f"{joint.where}: nothing that the joint '{joint.name}' moves has mass: "
+                        "its acceleration is undetermined. Give the link "
+                        f"'{link.name}', one that hangs on it, or one whose joint mimics it a "
+                        "mass, or make the joint fixed."
+                    )
+
+
+def _check_resistance(kind: str, element: Joint | Tendon) -> None:
+    for what in ("damping", "armature", "friction"):
+        value = getattr(element, what)
+        if not value >= 0.0 or not np.isfinite(value):
+            raise RobotFileError(
+                f"{element.where}: the {what} of the {kind} '{element.name}' must be a finite "
+                f"number, not negative, got {value}. If the {kind} is to be driven, give it an "
+                "actuator."
+            )
 
 
 def _drop_rounding(link: Link) -> None:

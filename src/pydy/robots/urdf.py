@@ -7,9 +7,9 @@ meshes), all of which have well-defined equations of motion: these files are rea
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from decimal import Decimal
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -32,7 +32,13 @@ from pydy.robots.tree import (
 )
 from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere, read_mesh
 
-_MOVING = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "floating": "free"}
+_MOVING = {
+    "revolute": "hinge",
+    "continuous": "hinge",
+    "prismatic": "slide",
+    "floating": "free",
+    "spherical": "ball",  # not in the format's description; written by some exporters
+}
 _SHOWN = (".stl", ".obj")
 _SIZES: dict[str, list[tuple[str, None, int]]] = {  # attributes, as `_Reader.numbers` takes them
     "box": [("size", None, 3)],
@@ -49,8 +55,44 @@ class _Reader:
         self.lines: dict[int, int] = {}
         self.root = self._parsed(path.read_bytes())
 
+    @cached_property
+    def joint_names(self) -> set[str]:
+        return {joint.get("name", "") for joint in self.root.findall("joint")}
+
+    @cached_property
+    def colours(self) -> dict[str | None, ElementTree.Element | None]:
+        """The colours of the robot's materials, by name."""
+        materials = self.root.findall("material")
+        return {material.get("name"): material.find("color") for material in materials}
+
     def _parsed(self, data: bytes) -> ElementTree.Element:
-        builder, parser = ElementTree.TreeBuilder(), expat.ParserCreate()
+        """Parse the file as other readers of URDF do, which are less strict than XML.
+
+        NUL characters may follow the last element, and blank lines and comments may precede the XML
+        declaration.
+        """
+        if b"\0" not in data[:4]:  # in UTF-16, every other byte is NUL
+            data = data.rstrip(b"\0 \t\r\n")
+        try:
+            return self._parsed_strictly(data, None)
+        except expat.ExpatError as error:
+            declaration = re.compile(rb"<\?xml\s[^>]*\?>").search(data)
+            misplaced = expat.errors.codes[expat.errors.XML_ERROR_MISPLACED_XML_PI]
+            if error.code != misplaced or self.lines or declaration is None:
+                raise self._not_well_formed(error) from None
+        encoding = re.search(rb"encoding\s*=\s*[\"']([\w.-]+)", declaration[0])
+        blank = re.sub(rb"[^\r\n]", b" ", declaration[0])  # lines keep their numbers
+        data = data[: declaration.start()] + blank + data[declaration.end() :]
+        try:
+            return self._parsed_strictly(data, encoding and encoding[1].decode("ascii"))
+        except expat.ExpatError as error:
+            raise self._not_well_formed(error) from None
+
+    def _not_well_formed(self, error: expat.ExpatError) -> RobotFileError:
+        return RobotFileError(f"{self.path}:{error.lineno}: not well-formed XML: {error}.")
+
+    def _parsed_strictly(self, data: bytes, encoding: str | None) -> ElementTree.Element:
+        builder, parser = ElementTree.TreeBuilder(), expat.ParserCreate(encoding)
 
         def start(tag: str, attributes: dict[str, str]) -> None:
             element = builder.start(tag, attributes)
@@ -65,12 +107,8 @@ class _Reader:
         parser.EndElementHandler = builder.end
         try:
             parser.Parse(data, True)
-        except RobotFileError:
+        except (expat.ExpatError, RobotFileError):
             raise
-        except expat.ExpatError as error:
-            raise RobotFileError(
-                f"{self.path}:{error.lineno}: not well-formed XML: {error}."
-            ) from None
         except (LookupError, ValueError) as error:
             raise RobotFileError(
                 f"{self.path}:1: the encoding that the file declares cannot be read: {error}. Save "
@@ -90,11 +128,12 @@ class _Reader:
         return found
 
     def only(self, element: ElementTree.Element, tag: str) -> ElementTree.Element | None:
-        """Return the child of this kind, or None; of two, none is to be preferred."""
+        """Return the child of this kind, or None; of two that differ, none is to be preferred."""
         found = element.findall(tag)
-        if len(found) > 1:
+        if any(_content(other) != _content(found[0]) for other in found[1:]):
             raise RobotFileError(
-                f"{self.where(found[1])}: <{element.tag}> holds more than one <{tag}>."
+                f"{self.where(found[1])}: <{element.tag}> holds more than one <{tag}>, and they "
+                "differ. Keep one of them."
             )
         return found[0] if found else None
 
@@ -123,6 +162,12 @@ class _Reader:
             found = np.empty(0)
         if "_" in text or not text.isascii():  # numbers in Python alone
             found = np.empty(0)
+        for part, value in zip(text.split(), found, strict=False):
+            if not value and re.search("[1-9]", part.lower().partition("e")[0]):
+                raise RobotFileError(
+                    f"{self.where(element)}: '{attribute}' of <{element.tag}> has the number "
+                    f"{part}, which is smaller than any floating-point number. Write 0 for it."
+                )
         if len(found) != count or not np.isfinite(found).all():
             what = "a finite number" if count == 1 else f"{count} finite numbers"
             raise RobotFileError(
@@ -138,6 +183,12 @@ class _Reader:
         origin = self.only(element, "origin")
         place = self.numbers(origin, "xyz", 0.0, 3)
         return place, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
+
+
+def _content(element: ElementTree.Element) -> Any:
+    """Return what an element says: two of equal content are one that was written twice."""
+    attributes = {key: value.split() for key, value in element.attrib.items()}
+    return element.tag, attributes, [_content(child) for child in element]
 
 
 def read_urdf(path: Path, floating: bool = False) -> Tree:
@@ -158,9 +209,12 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     above = _joints_above(reader, links, joints)
     left_out: list[str] = []
     found: list[Link] = []
+    numbers: dict[str | None, int] = {}
     for name in _in_order(reader, links, above):
-        found.append(_link(reader, name, links[name], above.get(name), found, left_out))
+        numbers[name] = len(found)
+        found.append(_link(reader, name, links[name], above.get(name), numbers, left_out))
     _warn_of_inertias(reader, links)
+    _warn_of_ball_joints(found)
     if floating:
         name = untaken("root", [joint.get("name", "") for joint in joints])
         found[0].joints = [Joint(name, "free", where=found[0].where)]
@@ -260,7 +314,8 @@ def _in_order(
     while waiting:
         order.append(waiting.pop())
         waiting += reversed(below.get(order[-1], []))
-    lost = [name for name in links if name not in order]
+    reached = set(order)
+    lost = [name for name in links if name not in reached]
     if lost:
         raise RobotFileError(
             f"{reader.where(above[lost[0]])}: the links {', '.join(map(repr, lost[:3]))} form a "
@@ -274,13 +329,12 @@ def _link(
     name: str,
     element: ElementTree.Element,
     above: ElementTree.Element | None,
-    before: list[Link],
+    numbers: dict[str | None, int],
     left_out: list[str],
 ) -> Link:
     link = Link(name, -1, np.zeros(3), np.eye(3), where=reader.where(element))
     if above is not None:
-        parent = reader.child(above, "parent").get("link")
-        link.parent = next(k for k, other in enumerate(before) if other.name == parent)
+        link.parent = numbers[reader.child(above, "parent").get("link")]
         link.place, link.turn = reader.pose(above)
         link.joints = _joints(reader, above, left_out)
     inertial = reader.only(element, "inertial")
@@ -315,9 +369,9 @@ def _warn_of_inertias(reader: _Reader, links: dict[str, ElementTree.Element]) ->
         for (i, j), text in zip(
             ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)), texts, strict=True
         ):
-            exponent = Decimal(text).as_tuple().exponent
             matrix[i, j] = matrix[j, i] = float(text)
-            unsure[i, j] = unsure[j, i] = 0.5 * 10.0 ** int(exponent) if float(text) else 0.0
+            if matrix[i, j]:
+                unsure[i, j] = unsure[j, i] = 0.5 * _last_digit(text)
         a, b, c = np.linalg.eigvalsh(matrix)
         if a >= 0.0 and c - a - b > 3.0 * np.linalg.norm(unsure) + ROUNDED * c:
             found.append(f"'{name}' ({reader.where(about)}; {c:.6g} > {a:.6g} + {b:.6g})")
@@ -330,19 +384,39 @@ def _warn_of_inertias(reader: _Reader, links: dict[str, ElementTree.Element]) ->
         )
 
 
+def _warn_of_ball_joints(links: list[Link]) -> None:
+    """Warn, once, of joints that move otherwise in programs that do not know their type."""
+    found = [joint for link in links for joint in link.joints if joint.kind == "ball"]
+    if found:
+        others = f", as are {len(found) - 1} others" if found[1:] else ""
+        warn_user(
+            f"The joint '{found[0].name}' ({found[0].where}){others} is of the type 'spherical', "
+            "which the URDF format does not have. It is read as a ball joint, with a quaternion "
+            "and three components of the angular velocity."
+        )
+
+
+def _last_digit(text: str) -> float:
+    """Return the value of a one in the last digit of a number that is not zero."""
+    mantissa, _, exponent = text.strip().lower().partition("e")
+    return float(10.0 ** (float(exponent or 0) - len(mantissa.partition(".")[2])))
+
+
 def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) -> list[Joint]:
     name, kind = reader.text(element, "name"), reader.text(element, "type")
     where = reader.where(element)
     if kind == "fixed":
         return []
-    if kind in ("planar", "floating"):
+    if kind in ("planar", "floating", "spherical"):
         more = [tag for tag in ("limit", "dynamics", "mimic") if element.find(tag) is not None]
+        if kind == "spherical":
+            more = [tag for tag in more if tag != "dynamics"]
         left_out += [f"the <{tag}> of the {kind} joint '{name}'" for tag in more]
     if kind == "planar":
         normal = _axis(reader, element, [1.0, 0.0, 0.0])
         along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         along /= np.linalg.norm(along)
-        taken = [other.get("name", "") for other in reader.root.findall("joint")]
+        taken = reader.joint_names
         x, y, turn = (untaken(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
         return [
             Joint(x, "slide", along, where=where),
@@ -352,13 +426,18 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
     if kind not in _MOVING:
         raise RobotFileError(
             f"{where}: the joint '{name}' is of the type {kind!r}; known are "
-            f"{', '.join(map(repr, ('fixed', *_MOVING, 'planar')))}."
+            f"{', '.join(map(repr, ('fixed', *_MOVING, 'planar')))}. Replace it in the file by the "
+            "one that moves in the same way."
         )
     joint = Joint(name, _MOVING[kind], where=where)
     if joint.kind == "free":
         return [joint]
-    joint.axis = _axis(reader, element, [1.0, 0.0, 0.0])
     limit, dynamics = (reader.only(element, tag) for tag in ("limit", "dynamics"))
+    joint.damping = reader.number(dynamics, "damping", 0.0)
+    joint.friction = reader.number(dynamics, "friction", 0.0)
+    if joint.kind == "ball":
+        return [joint]
+    joint.axis = _axis(reader, element, [1.0, 0.0, 0.0])
     if limit is not None:
         joint.effort = reader.number(limit, "effort", 0.0) or None
         if joint.effort is not None and joint.effort < 0.0:
@@ -373,8 +452,6 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
             left_out.append(f"the limits of the joint '{name}', the lower of which is the upper")
         elif kind != "continuous" and low:
             left_out.append(f"the limits of the joint '{name}', which are equal, {low:g}")
-    joint.damping = reader.number(dynamics, "damping", 0.0)
-    joint.friction = reader.number(dynamics, "friction", 0.0)
     mimic = reader.only(element, "mimic")
     if mimic is not None:
         joint.mimics = (
@@ -406,9 +483,10 @@ def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -
 
 def _check_mimics(links: list[Link]) -> None:
     joints = {joint.name: joint for link in links for joint in link.joints}
+    checked: set[str] = set()
     for joint in joints.values():
-        seen = [joint.name]
-        while joint.mimics is not None:
+        seen = {joint.name: None}  # in order
+        while joint.mimics is not None and joint.name not in checked:
             name = joint.mimics[0]
             if name not in joints or joints[name].kind not in ("hinge", "slide"):
                 raise RobotFileError(
@@ -419,8 +497,9 @@ def _check_mimics(links: list[Link]) -> None:
                 raise RobotFileError(
                     f"{joint.where}: joints mimic each other in a ring: {', '.join(seen)}."
                 )
-            seen.append(name)
+            seen[name] = None
             joint = joints[name]
+        checked.update(seen)
 
 
 # -- looks -----------------------------------------------------------------------------------------
@@ -443,7 +522,7 @@ def _shape(
     geometry: ElementTree.Element,
     left_out: list[str],
 ) -> Any:
-    options = _colours(reader, visual)
+    options = _colours(reader, visual, left_out)
     shape: Any = None
     for element in geometry:
         if element.tag in _SIZES:
@@ -463,19 +542,21 @@ def _shape(
     return shape
 
 
-def _colours(reader: _Reader, visual: ElementTree.Element) -> dict[str, Any]:
+def _colours(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> dict[str, Any]:
     """Return the options of a shape: its material, or the robot's material of that name."""
     material = visual.find("material")
     if material is None:
         return {}
     colour = material.find("color")
     if colour is None:
-        for other in reader.root.findall("material"):
-            if other.get("name") == material.get("name"):
-                colour = other.find("color")
+        colour = reader.colours.get(material.get("name"))
     if colour is None:
         return {}
-    rgba = reader.numbers(colour, "rgba", None, 4).clip(0.0, 1.0)
+    try:
+        rgba = reader.numbers(colour, "rgba", None, 4).clip(0.0, 1.0)
+    except RobotFileError as error:  # the mechanics need no colour
+        left_out.append(f"a colour: {error}")
+        return {}
     return {"colour": tuple(rgba[:3].tolist()), "opacity": float(rgba[3])}
 
 
@@ -490,7 +571,11 @@ def _mesh(
     if path.suffix.lower() not in _SHOWN:
         left_out.append(f"the mesh {name}: STL and OBJ files are shown")
         return None
-    scale = reader.numbers(element, "scale", 1.0, 3)
+    try:
+        scale = reader.numbers(element, "scale", 1.0, 3)
+    except RobotFileError as error:  # the mechanics need no mesh
+        left_out.append(f"the mesh {name}: {error}")
+        return None
     return partial(_read_mesh, reader.where(element), path, scale, options)
 
 
