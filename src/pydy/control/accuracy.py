@@ -106,9 +106,12 @@ def _objective(found: Any, tolerance: float, objective: float) -> tuple[np.ndarr
     if not np.isfinite(parts).all():
         return parts, 0.0, True
     z = solution.z
-    # What the barrier leaves: each unknown times the distance from its bound.
-    sides = ((solution.below, z - nlp.lower), (solution.above, nlp.upper - z))
-    left = sum(float(a[np.isfinite(d)] @ np.abs(d[np.isfinite(d)])) for a, d in sides)
+    # What the barrier leaves: each multiplier times the distance from its bound.
+    sides = [(solution.below, z - nlp.lower), (solution.above, nlp.upper - z)]
+    rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
+    (low, high), weights = nlp.row_bounds, solution.multipliers
+    sides += [(np.minimum(weights, 0.0), rows - low), (np.maximum(weights, 0.0), high - rows)]
+    left = sum(float(np.abs(a[ok := np.isfinite(d)]) @ np.abs(d[ok])) for a, d in sides)
     size = max(abs(found.objective), abs(objective), float(_quadrature(made, nlp, z, True).sum()))
     return parts, size, parts.sum() <= tolerance * size + left + TOLERANCE * nlp.cost_size
 

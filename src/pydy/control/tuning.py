@@ -96,3 +96,12 @@ PULLS = 0.1, 1e-3
 """Standard deviations of parameters' relative changes, one over them as shares of the samples over
 their noise, in searches that come before the one without: with the first one, no samples are
 matched better by constants that are all zero, and after the second one the last step is small."""
+
+SURFACE_POINTS, SURFACE_STEPS = 96, 60
+"""Points from which a surface where an expression may jump is looked for, and steps of Newton's
+method towards it: each step takes what a linear switch leaves of an unknown that is zero there down
+by the rounding, so that some twenty are enough to underflow; others are for curved ones."""
+
+ON_SURFACE = 4.0
+"""Rounding bounds that a switch may be beside zero, and the square of it those of the difference of
+both sides there: the last step of Newton's method moves a point by a few roundings."""
