@@ -151,8 +151,9 @@ class OptimalTrajectory(Trajectory):
         miss between the collocation points, and what controls within their bounds would gain
         there, each by the multipliers. The larger of the two counts, since one need not make up for
         the other: where controls jump or states meet bounds inside intervals, it is a bound rather
-        than an estimate. NaN for systems with constraints under 'midpoint' and
-        'hermite-simpson'.
+        than an estimate. Intervals that do not resolve the motion, such as boundary layers, are
+        solved anew on a finer mesh, four at most. NaN for systems with constraints under 'midpoint'
+        and 'hermite-simpson'.
         """
         return objective_errors(self._transcription, self._nlp, self.solution)
 

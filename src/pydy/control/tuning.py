@@ -105,3 +105,12 @@ by the rounding, so that some twenty are enough to underflow; others are for cur
 ON_SURFACE = 4.0
 """Rounding bounds that a switch may be beside zero, and the square of it those of the difference of
 both sides there: the last step of Newton's method moves a point by a few roundings."""
+
+RESOLVED, LAYERS = 0.1, 4
+"""By how much moments of a motion have to decrease from one degree to the next for the estimate of
+the objective's error by multipliers: in exp(−z s), z is then 1.4, and the next degree has a
+fourteenth. Of other intervals, the number that are solved anew on a finer mesh, at most."""
+
+HALVINGS = 9
+"""How often a finer mesh of one interval is halved towards both of its ends: a layer of a
+five-hundredth of the interval then has an interval of its own."""
