@@ -197,7 +197,7 @@ def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(options):
     found = system.optimize_trajectory(cost, 20.0, start=start, end=end, **options)
     gain = found.objective - least
     assert gain > 3.0
-    assert 0.85 * gain < np.abs(found.objective_error).sum() < 1.5 * gain
+    assert 0.85 * gain < np.abs(found.objective_error).sum() < 3.0 * gain
 
 
 @pytest.mark.parametrize(
