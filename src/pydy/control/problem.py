@@ -86,7 +86,8 @@ class OptimalControl(Search[OptimalTrajectory]):
         no bound. Those of states and controls may be arrays, of values at equal distances over the
         motion, or `pydy.inputs.SampledInput`.
     free : sequence of constants, optional
-        Constants that are found. The search begins at the system's values.
+        Constants that are found. The search begins at the system's values. A symbol that stands in
+        the objective and the conditions alone begins at 1, or in the middle of its `bounds`.
     mesh : int or array_like, optional
         The number of equal intervals, or ascending nodes, which are scaled to the duration.
         Instants of `objective` and `boundary` inside the motion become nodes too, and so do up to
@@ -151,7 +152,12 @@ class OptimalControl(Search[OptimalTrajectory]):
     ) -> None:
         if not hasattr(system, "_now"):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
-        self._now = now = system._now()
+        free, boundary = listed("free", free), listed("boundary", boundary, "relations")
+        path = listed("path", () if path is None else path, "relations")
+        own = _own_constants(
+            system._now().definition, free, (objective, *boundary, *path), duration
+        )
+        self._own, self._now = own, (now := system._now(further=own))
         definition, plan = now.definition, now.plan
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")
@@ -163,7 +169,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         self._mesh = checked_mesh(mesh)
         self._controls = _controls_of(definition, plan)
         constants = definition.places["constants"]
-        self._free = tuple(constants.chosen(listed("free", free), "free"))
+        self._free = tuple(constants.chosen(free, "free"))
         self._duration, self._symbol = _duration_of(duration, definition)
         last = () if self._symbol is None else (self._symbol,)
         self._unknown = Places(
@@ -216,8 +222,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "`hessian` is 'gauss-newton', but `objective` has no squares. Use 'exact', or "
                 "'lbfgs'."
             )
-        conditions = reader.boundary(listed("boundary", boundary, "relations"))
-        path = listed("path", () if path is None else path, "relations")
+        conditions = reader.boundary(boundary)
         if equations.velocity and equations.constraint_forces is None:
             raise NotImplementedError(
                 "The system has constraints, and equations without bodies. Optimal control of "
@@ -593,7 +598,10 @@ class OptimalControl(Search[OptimalTrajectory]):
             guess.check_bounds(s, u[k], self._pair_at(s, made.control_places))
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
-            constants.append(guess.number(s, self._problem.constants[k]))
+            known = self._problem.constants[k]
+            if s in self._own:
+                known = _middle(self._bounds_at(s), known)
+            constants.append(guess.number(s, known))
             guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
         guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
         kinks = [0.0] * len(self._kinks)
@@ -681,6 +689,16 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
                 "state, or give the first a value."
             )
     return found
+
+
+def _own_constants(
+    definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
+) -> set[Any]:
+    """Return the symbols that are free and stand in the objective or in conditions alone."""
+    taken = {*definition.states, *definition.specifieds, *definition.constants, duration}
+    taken |= {*definition.outputs_symbols, definition.equations.time}
+    found = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
+    return {s for s in found - taken if s in free or s.name in free}
 
 
 def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
