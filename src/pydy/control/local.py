@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import MissingDependencyError, OptimizationError
 from pydy.control import ipopt
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
@@ -72,8 +73,13 @@ def least_between(made: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float
     widths = np.repeat(sizes[1].max(axis=1)[:, None], len(at), axis=1)
     units = local.joined(of_states, widths, sizes[2], duration)
     begin = np.clip(begin, lower, upper)
-    found = ipopt.solve(local.nlp(lower, upper, units).in_own_units(begin), begin)
-    return found.objective if found.solved and found.interrupted is None else np.nan
+    try:
+        found = ipopt.solve(local.nlp(lower, upper, units).in_own_units(begin), begin)
+    except (OptimizationError, MissingDependencyError):  # no solver in this process
+        return np.nan
+    if found.interrupted is not None:
+        raise found.interrupted
+    return found.objective if found.solved else np.nan
 
 
 def _within(first: float, length: float) -> Callable[[Any], Callable[[np.ndarray], np.ndarray]]:
