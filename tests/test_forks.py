@@ -271,7 +271,9 @@ def test_a_search_is_refused_in_a_child_that_is_forked_beside_another_one():
         return abs(problem.solve().objective - 12.0) < 1e-6
 
     def refused():
-        with pytest.raises(OptimizationError, match="forked while a thread .* Fork before the sea"):
+        with pytest.raises(
+            OptimizationError, match=r"forked while a thread .* Fork before the sea"
+        ):
             problem.solve()
         return True
 
