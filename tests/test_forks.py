@@ -12,11 +12,15 @@ import time
 import warnings
 
 import pytest
+import sympy as sm
 from llvmlite import binding
 
+import optima
 from pydy import _forks
 from pydy._backends.llvm import background
 from pydy._graph.collector import collector_paused
+from pydy.control import OptimalControl, ipopt
+from pydy.errors import OptimizationError
 
 if not hasattr(os, "fork"):
     pytest.skip("there is no fork", allow_module_level=True)
@@ -254,3 +258,27 @@ def test_threads_that_come_first_at_once_get_the_same():
         thread.join()
     assert len(set(found)) == 1
     assert sorted(made) == ["a", "b"]
+
+
+def test_a_search_is_refused_in_a_child_that_is_forked_beside_another_one():
+    pytest.importorskip("casadi")
+    system, (x, v, force) = optima.double_integrator()
+    problem = OptimalControl(
+        system, sm.Integral(force**2, optima.T), 1.0, end={x: 1.0, v: 0.0}, mesh=4
+    )
+
+    def solves():
+        return abs(problem.solve().objective - 12.0) < 1e-6
+
+    def refused():
+        with pytest.raises(
+            OptimizationError, match=r"forked while a thread .* Fork before the sea"
+        ):
+            problem.solve()
+        return True
+
+    assert solves()
+    with Holding(ipopt.solving()):
+        assert solves()  # beside it, in the same process
+        assert in_a_child(refused)
+    assert in_a_child(solves)

@@ -1,12 +1,13 @@
 """How far an objective is from the least one, against known optima."""
 
 from contextlib import nullcontext
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.linalg import solve_continuous_are
 from scipy.optimize import brentq, fsolve
 
 import optima
@@ -160,6 +161,41 @@ def test_the_estimate_is_never_far_too_small(make, options, least):
     gain = abs(least - found.objective)
     assert gain > 1e-5 * least  # the mesh is too coarse
     assert 0.5 * gain < np.abs(found.objective_error).sum() < 12.0 * gain
+
+
+@cache
+def layers():
+    """The linear part of Betts's alp rider (2nd ed., 10.1), with layers exp(−100 t) at both ends.
+
+    The layers do not meet: the least objective is what both cost alone, by Riccati equations.
+    """
+    y, (a, b) = me.dynamicsymbols("y1:5"), me.dynamicsymbols("a b")
+    A = np.array([[-10.0, 0, 0, 0], [0, -2, 0, 0], [0, 0, -3, 5], [0, 0, 5, -3]])
+    B = np.array([[1.0, 1], [1, 2], [1, -1], [1, 3]])
+    rates = sm.Matrix(A.tolist()) * sm.Matrix(y) + sm.Matrix(B.tolist()) * sm.Matrix([a, b])
+    kinematics = [q.diff() - rate for q, rate in zip(y[:3], rates, strict=False)]
+    system = optima.first_order(y[:3], y[3], rates[3], 1, kinematics)
+    cost = sm.Integral(100 * sum(q**2 for q in y) + (a**2 + b**2) / 100, T)
+    first, last = np.array([2.0, 1, 2, 1]), np.array([2.0, 3, 1, -2])
+    ends = [dict(zip(y, end.tolist(), strict=True)) for end in (first, last)]
+    least = sum(
+        x @ solve_continuous_are(sign * A, sign * B, 100 * np.eye(4), np.eye(2) / 100) @ x
+        for x, sign in ((first, 1.0), (last, -1.0))
+    )
+    return system, cost, ends, least
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"mesh": 100}, {"mesh": 200}, {"mesh": 50, "order": 5}]
+    + [{"mesh": m, "method": "hermite-simpson"} for m in (200, 800)],
+)
+def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(options):
+    system, cost, (start, end), least = layers()
+    found = system.optimize_trajectory(cost, 20.0, start=start, end=end, **options)
+    gain = found.objective - least
+    assert gain > 3.0
+    assert 0.85 * gain < np.abs(found.objective_error).sum() < 3.0 * gain
 
 
 @pytest.mark.parametrize(

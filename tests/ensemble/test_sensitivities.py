@@ -428,3 +428,22 @@ def test_a_quantity_with_the_name_of_a_dimension_is_refused():
     system.outputs = {sm.Symbol("quantity"): system.coordinates[0]}
     with pytest.raises(ValueError, match="variable or dimension `quantity` of its own"):
         system.integrate_ensemble(times=[0.0, 1.0], sensitivities=["m1"])
+
+
+@pytest.mark.parametrize("reduce", [("max", "some"), ("min", "some"), "final", None])
+def test_an_output_that_is_nan_has_no_sensitivity(reduce):
+    system = swinging()
+    angle = system.coordinates[0]
+    # One sample has a value at all times, one has none; 0/0 in neither.
+    gate = sm.Piecewise((angle, sm.Symbol("gate") > 0))
+    system.outputs = {sm.Symbol("some"): gate}
+    with pytest.warns(PyDyUserWarning, match="not finite: some"):
+        many = system.integrate_ensemble(
+            constants={"gate": [1.0, -1.0]}, sensitivities=["m1", "q1"], reduce=reduce, **FINE
+        )
+    name = f"some_{reduce[0]}" if isinstance(reduce, tuple) else "some"
+    found = many.sensitivity.sel(quantity=name).values
+    assert np.isfinite(found[0]).all()
+    assert np.isnan(found[1]).all()
+    if reduce == "final":
+        assert np.isfinite(many.sensitivity.sel(quantity="q1").values).all()

@@ -208,8 +208,17 @@ class Setup:
         self._generated = [made, *self._generated[:1]]
         return made
 
-    def _now(self, events: Any = None, constants: Any = None, contacts: Any = None) -> Snapshot:
-        """Return everything as it is now, with the symbols that one call brings."""
+    def _now(
+        self,
+        events: Any = None,
+        constants: Any = None,
+        contacts: Any = None,
+        further: Iterable[Any] = (),
+    ) -> Snapshot:
+        """Return everything as it is now, with the symbols that one call brings.
+
+        Those of events are constants, and so are `further` symbols.
+        """
         more = constants if isinstance(constants, Mapping) else {}
         if contacts is not None and self._checked_contacts(contacts):
             if not contacts.given.keys() <= self._constants.keys():
@@ -220,6 +229,8 @@ class Setup:
         if events is not None:
             found = self._define.constants_of(definition, events)
             definition = self._define.widened(definition, found) if found else definition
+        if further:
+            definition = self._define.widened(definition, further)
         made = self._compiled(definition)
         user = {
             "constants": {**self._implied, **self._constants},

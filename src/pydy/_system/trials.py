@@ -12,19 +12,17 @@ import sympy.physics.mechanics as me
 from pydy._assembly.definition import Definition
 from pydy._checks import (
     Places,
-    ascending,
     check_mapping,
     describe,
-    number,
     one_or_more,
-    real_array,
     refuse_twice,
     shown,
 )
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import some, unique_names
 from pydy._system.definition import sort_out
-from pydy.analysis.fit import Trial
+from pydy.analysis.trial import Trial, checked_noise, checked_samples, instants
+from pydy.analysis.tuning import LARGEST_RESIDUAL
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,23 +40,6 @@ class Data:
     unknown: list[Any]  # symbols of states
 
 
-def _instants(trial: Trial, label: str) -> tuple[np.ndarray, float]:
-    """Return the times of a trial, and when it starts."""
-    times = real_array(trial.times, f"`times` of {label}")
-    if times.ndim != 1 or not len(times):
-        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
-    ascending(times, f"`times` of {label}", strict=True)
-    begin = float(times[0])
-    if trial.start is not None:
-        begin = number(trial.start, f"`start` of {label}", finite=True)
-        if begin > times[0]:
-            raise ValueError(
-                f"`start` of {label} must not lie after the first of the `times`, "
-                f"{float(times[0])!r}, got {begin!r}."
-            )
-    return times, begin
-
-
 def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[Any, Any]) -> Data:
     """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
     states = definition.places["states"]
@@ -73,31 +54,11 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
             f"{shown(trial)} at {k}."
         )
     label = trial.name or label
-    times, begin = _instants(trial, label)
+    times, begin = instants(trial, label)
+    values = checked_samples(trial, label, times)
     measured = check_mapping(f"measured of {label}", trial.measured)
-    if not measured:
-        raise ValueError(f"`measured` of {label} must hold at least one quantity.")
-    keys, columns = [], []
-    for key, samples in measured.items():
-        keys.append(_key(key, label, definition, measurable, expressions))
-        column = real_array(samples, f"`measured[{key}]` of {label}")
-        if column.shape != times.shape:
-            raise ValueError(
-                f"`measured[{key}]` of {label} must have the shape {times.shape}, a sample for "
-                f"each of the `times`, got {column.shape}."
-            )
-        if np.isinf(column).any():
-            raise ValueError(
-                f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
-            )
-        columns.append(column)
+    keys = [_key(key, label, definition, measurable, expressions) for key in measured]
     refuse_twice(keys, f"measured of {label}")
-    values = np.stack(columns, axis=1)
-    if np.isnan(values).all():
-        raise ValueError(
-            f"`measured` of {label} must hold at least one sample that is not NaN, but all "
-            f"{values.size} are. Leave the trial out."
-        )
     unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
     given = trial.noise
@@ -108,12 +69,11 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
         given = dict(zip(meant, given.values(), strict=True))
     noise = _noise(given, keys, names, values.shape, label)
     sizes = np.fmax.reduce(np.abs(values) / noise)
-    largest = 2.0**255  # SciPy's search forms the third power of residuals, and sums
-    if (far := np.flatnonzero(sizes > largest)).size:
+    if (far := np.flatnonzero(sizes > LARGEST_RESIDUAL)).size:
         raise ValueError(
-            f"`measured[{names[far[0]]}]` of {label} must be at most {largest:.1e} in units "
-            f"of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are out of the range "
-            "of floats. Choose units in which they are smaller."
+            f"`measured[{names[far[0]]}]` of {label} must be at most {LARGEST_RESIDUAL:.1e} in "
+            f"units of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are beyond "
+            "floats. Choose units in which they are smaller."
         )
     return Data(trial, label, times, begin, keys, names, values, noise, unknown)
 
@@ -159,13 +119,5 @@ def _noise(
             )
         entries = [given[key] for key in keys]
     for k, entry in enumerate(entries):
-        column = real_array(entry, f"`noise` of {label}")
-        sound = ((column > 0.0) & (column < np.inf)).all()
-        if column.shape not in ((), shape[:1]) or not sound:
-            raise ValueError(
-                f"`noise` of {label} must be positive standard deviations, a finite number or "
-                f"{shape[0]} of them for each measured quantity, got {shown(entry)}. What is not "
-                "known at a time is NaN in `measured`."
-            )
-        noise[:, k] = column
+        noise[:, k] = checked_noise(entry, shape[0], label)
     return noise

@@ -6,10 +6,11 @@
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium
-from pydy.analysis.fit import FitResult, Trial
+from pydy.analysis.fit import FitResult
 from pydy.analysis.linear import LinearModel
 from pydy.analysis.orbits import PeriodicOrbit
 from pydy.analysis.sweeps import Crossing, EigenvalueSweep
+from pydy.analysis.trial import Trial
 
 __all__ = [
     "AdjointGradient",

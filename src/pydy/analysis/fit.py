@@ -1,4 +1,4 @@
-"""Parameters from measurements: trials, and the results of a fit.
+"""Parameters from measurements: the search, and the results of a fit.
 
 `System.fit` returns a `FitResult`. The estimates minimise the sum of squares of the residuals, each
 divided by the standard deviation of its noise, with exact derivatives
@@ -7,8 +7,8 @@ divided by the standard deviation of its noise, with exact derivatives
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,53 +19,8 @@ from pydy._errors import FitInterrupted, note_finished, warn_user
 from pydy._names import few, place_of, some
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
-from pydy.analysis.tuning import FITTED, NAMED_IN_FIT
+from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL, NAMED_IN_FIT
 from pydy.plot import rows_of_axes
-
-
-@dataclass(frozen=True, eq=False)
-class Trial:
-    """One measured motion.
-
-    Parameters
-    ----------
-    times : array_like, shape (m,)
-        Sampling times, ascending.
-    measured : dict
-        Maps measured quantities to their samples, shape (m,), with NaN for missing ones. The
-        quantities are states and outputs, by symbol or name, and expressions of states, specifieds
-        and constants.
-    initial_conditions, constants, specifieds : dict, optional
-        Known values for this trial; all others are the System's.
-    unknown : iterable of states, optional
-        States whose initial conditions are estimated for this trial only; the search starts from
-        `initial_conditions`.
-    noise : float, array_like or dict, optional
-        The standard deviation of the noise: of all quantities, or of each measured quantity, as a
-        number or a value for each sample. By default it is estimated from the residuals; `priors`
-        and `process_noise` need it.
-    start : float, optional
-        The time of the initial conditions; the first of the times by default.
-    name : str, optional
-        Name used in results and messages.
-    """
-
-    times: Any
-    measured: Mapping[Any, Any]
-    initial_conditions: Mapping[Any, Any] = field(default_factory=dict)
-    constants: Mapping[Any, Any] = field(default_factory=dict)
-    specifieds: Mapping[Any, Any] = field(default_factory=dict)
-    unknown: Sequence[Any] = ()
-    noise: Any = None
-    start: float | None = None
-    name: str = ""
-
-    def __post_init__(self) -> None:
-        if isinstance(self.times, np.ndarray):
-            object.__setattr__(self, "times", self.times.copy())
-        if isinstance(self.measured, Mapping):  # whose buffers may be used again
-            arrays = {k: v.copy() for k, v in self.measured.items() if isinstance(v, np.ndarray)}
-            object.__setattr__(self, "measured", {**self.measured, **arrays})
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,22 +155,36 @@ def estimate(
         if key not in known:
             for old in known.keys() - {best.tobytes()}:
                 del known[old]
-            known[key] = evaluate(z)
-            cost = float(known[key][0] @ known[key][0])
+            with np.errstate(**outer):  # a user's function keeps its warnings
+                values, slopes = evaluate(z)
+            far = np.abs(values).max(initial=0.0), np.abs(slopes).max(initial=0.0)
+            if max(far) > LARGEST_RESIDUAL:
+                if least == np.inf:
+                    raise ValueError(
+                        "The motion that the search begins with is too far from the samples, or "
+                        f"changes too fast with the parameters: {far[0]:.3g} and {far[1]:.3g}, in "
+                        "units of `noise`, of which floats hold no powers. Begin with other "
+                        "constants or initial conditions, or set `segments`."
+                    )
+                values = np.full_like(values, np.nan)  # no step of the search
+            known[key] = values, slopes
+            cost = float(values @ values)
             if cost < least:
                 least, best = cost, z.copy()
         return known[key]
 
-    z, left, again = start, most, True
+    z, left, again, outer = start, most, True, np.geterr()
     try:
-        size, units = _sizes(*at(z), z)
-        while again:
-            found = _search(at, z, bounds, size, units, left)
-            z, left, before = found.x * units, left - found.nfev, np.append(units, size)
+        # A step may lead to residuals whose squares are infinite: it is not taken then.
+        with np.errstate(all="ignore"):
             size, units = _sizes(*at(z), z)
-            change = np.abs(np.log2(before / np.append(units, size))).max()
-            again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
-        residuals, jacobian = at(z)
+            while again:
+                found = _search(at, z, bounds, size, units, left)
+                z, left, before = found.x * units, left - found.nfev, np.append(units, size)
+                size, units = _sizes(*at(z), z)
+                change = np.abs(np.log2(before / np.append(units, size))).max()
+                again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
+            residuals, jacobian = at(z)
     except (KeyboardInterrupt, MemoryError) as stop:
         values = dict(zip(names, best.tolist(), strict=True))
         if isinstance(stop, MemoryError):
@@ -238,8 +207,8 @@ def _sizes(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the size of residuals, and changes of parameters that change them as much."""
     size = _power_of_two(np.linalg.norm(residuals), np.ones(()))
-    with np.errstate(all="ignore"):  # parameters without an effect; residuals that are not finite
-        return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
+    # Parameters may have no effect, and residuals may not be finite.
+    return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
 
 
 def _search(

@@ -62,3 +62,21 @@ FITTED = 1e-12
 
 AT_ONCE = 256
 """Values of a sweep between two looks at whether to go on."""
+
+LARGEST_RESIDUAL = 2.0**255
+"""The largest residual, and derivative of one, that a search takes: SciPy forms third powers."""
+
+CHANCE = 1e-4
+"""How often residuals of white noise are taken for correlated: in one of ten thousand fits."""
+
+THINNED = 0.1
+"""The correlation that samples of AR(1) noise have which are taken from all for a fit: variances
+are then by (1 + 0.1)/(1 − 0.1) too small at most, standard errors by a tenth."""
+
+ON_GIVEN_MESH = 1e-6
+"""What counts as the tolerance of a motion that was collocated on a mesh of the user's own, which
+is not refined: three digits of it are taken to be right."""
+
+ABOVE_TOLERANCE = 1e3
+"""Tolerances of a motion, relative to its samples, that the residuals have to exceed to be noise:
+errors of a whole motion are some hundred times those of a step, and they are correlated."""

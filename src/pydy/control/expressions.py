@@ -208,7 +208,7 @@ def bends(objective: Any) -> str:
     if not bent:
         return ""
     return (
-        f" `objective` has `{bent[0]}`, which bends or jumps: a search that ends there finds no "
-        "minimum. Write it without: abs(a) is p + n with p - n = a, where p and n are controls of "
-        "at least zero."
+        f" `objective` has `{bent[0]}`, which bends: a search that ends there finds no minimum. "
+        "Write it without: a term max(a, b) that is minimised is a control s with the conditions "
+        "s >= a and s >= b in `path`."
     )

@@ -11,6 +11,7 @@ import numpy as np
 from pydy._checks import Places, check_mapping, number, positive, real_array, shown
 from pydy._rank import DIGITS, least_step
 from pydy.control.transcription import Transcription
+from pydy.control.tuning import INPUT_SAMPLES
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
@@ -33,6 +34,16 @@ class Limit:
         even = np.linspace(0.0, 1.0, num=len(self.values))
         between: np.ndarray = np.interp(fractions, even, self.values)
         return between
+
+    @property
+    def extremes(self) -> tuple[float, float]:
+        """The least and the largest value."""
+        values = self.values
+        if isinstance(values, SampledInput):
+            assert self.duration is not None
+            inside = np.clip(values.breaks, 0.0, self.duration) / self.duration
+            values = self(np.append(np.linspace(0.0, 1.0, num=INPUT_SAMPLES), inside))
+        return float(np.min(values)), float(np.max(values))
 
 
 def limit(value: Any, what: str, duration: float | None, *, finite: bool = False) -> Limit:

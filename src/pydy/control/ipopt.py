@@ -28,7 +28,8 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import shown
-from pydy._errors import MissingDependencyError
+from pydy._errors import MissingDependencyError, OptimizationError
+from pydy._forks import in_child
 from pydy._interrupts import Interrupts
 from pydy.control.nlp import SIGNATURES
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
@@ -122,6 +123,45 @@ class Solution:
             self.below * nlp.sizes / nlp.cost_size,
             self.above * nlp.sizes / nlp.cost_size,
         )
+
+
+_running: set[int] = set()  # the threads that are inside a solver
+_locked = False  # in a child that was forked while another thread was inside
+
+
+def _after_fork() -> None:
+    global _locked
+    here = {threading.get_ident()}
+    _locked = _locked or bool(_running - here)
+    _running.intersection_update(here)
+
+
+in_child(_after_fork)
+
+
+@contextmanager
+def solving() -> Iterator[None]:
+    """Note that this thread is inside a solver; refuse that in a child forked beside another one.
+
+    MUMPS is not reentrant: IPOPT holds a lock around it, which such a child would wait for without
+    end, as the thread that holds it does not exist there.
+    """
+    if _locked:
+        raise OptimizationError(
+            "This process was forked while a thread of its parent searched for an optimum: the "
+            "solver's locks are held by that thread, which does not exist here. Fork before the "
+            "search or after it, or start processes by "
+            "multiprocessing.get_context('spawn') or 'forkserver'.",
+            None,
+        )
+    here = threading.get_ident()
+    outer = here in _running
+    _running.add(here)
+    try:
+        yield
+    finally:
+        if not outer:
+            _running.discard(here)
 
 
 @cache
@@ -341,7 +381,7 @@ def solve(
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
         status = None
         try:
-            with interrupts, _kept(watched.raised, watched.guarded):
+            with solving(), interrupts, _kept(watched.raised, watched.guarded):
                 status = lib.IpoptSolve(
                     problem,
                     *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),

@@ -1,7 +1,7 @@
 """Equations of motion in implicit form on a graph, and machine code for functions of points.
 
-This is the one file of the package that knows the expression graph; `nlp` knows the LLVM back end,
-too.
+This file and `jumps` are the ones of the package that know the expression graph; `nlp` knows the
+LLVM back end, too.
 
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
@@ -151,13 +151,18 @@ class Equations:
         return any(self.graph.input("r", k) in found for k in places)
 
     def read(
-        self, graph: Graph, expressions: Iterable[Any], what: str, duration: Any = None
+        self,
+        graph: Graph,
+        expressions: Iterable[Any],
+        what: str,
+        named: Mapping[Any, tuple[str, int]] | None = None,
     ) -> list[int]:
         """Read expressions into a copy of the graph; `what` names them in messages.
 
-        They may hold the symbol of the duration, an input of the group 'T'.
+        They may hold further symbols, which are `named` with the inputs that they stand for.
         """
-        atoms = {**self.atoms, duration: graph.input("T", 0)}
+        further = {s: graph.input(*key) for s, key in (named or {}).items()}
+        atoms = {**self.atoms, **further}
         nodes = SymPyReader(graph, atoms, what).all(list(expressions))
         return substitute(graph, nodes, self.given)
 
@@ -228,10 +233,10 @@ class Point:
         expressions: Sequence[Any],
         what: str,
         at: Mapping[tuple[str, int], int],
-        duration: Any = None,
+        named: Mapping[Any, tuple[str, int]] | None = None,
     ) -> list[int]:
         """Return expressions of the system's quantities as nodes; `at` as in `residuals`."""
-        return self._placed(self.equations.read(self.graph, expressions, what, duration), at)
+        return self._placed(self.equations.read(self.graph, expressions, what, named), at)
 
     def read_with(
         self, expressions: Sequence[Any], what: str, atoms: Mapping[Any, int]

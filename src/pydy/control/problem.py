@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.core.function import AppliedUndef
 
 from pydy._assembly.specifieds import followed
 from pydy._checks import Places, check_mapping, choice, describe, listed, number, shown, whole
@@ -19,7 +20,16 @@ from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
 from pydy.control.ipopt import Solution
+from pydy.control.jumps import (
+    Expressions,
+    Range,
+    branching,
+    jumping_conditions,
+    refuse_jumps,
+    warn_of_crossings,
+)
 from pydy.control.kernel import Equations, violated
+from pydy.control.kinks import epigraph, split
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import (
@@ -76,7 +86,8 @@ class OptimalControl(Search[OptimalTrajectory]):
         no bound. Those of states and controls may be arrays, of values at equal distances over the
         motion, or `pydy.inputs.SampledInput`.
     free : sequence of constants, optional
-        Constants that are found. The search begins at the system's values.
+        Constants that are found. The search begins at the system's values. A symbol that stands in
+        the objective and the conditions alone begins at 1, or in the middle of its `bounds`.
     mesh : int or array_like, optional
         The number of equal intervals, or ascending nodes, which are scaled to the duration.
         Instants of `objective` and `boundary` inside the motion become nodes too, and so do up to
@@ -141,7 +152,12 @@ class OptimalControl(Search[OptimalTrajectory]):
     ) -> None:
         if not hasattr(system, "_now"):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
-        self._now = now = system._now()
+        free, boundary = listed("free", free), listed("boundary", boundary, "relations")
+        path = listed("path", () if path is None else path, "relations")
+        own = _own_constants(
+            system._now().definition, free, (objective, *boundary, *path), duration
+        )
+        self._own, self._now = own, (now := system._now(further=own))
         definition, plan = now.definition, now.plan
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")
@@ -153,7 +169,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         self._mesh = checked_mesh(mesh)
         self._controls = _controls_of(definition, plan)
         constants = definition.places["constants"]
-        self._free = tuple(constants.chosen(listed("free", free), "free"))
+        self._free = tuple(constants.chosen(free, "free"))
         self._duration, self._symbol = _duration_of(duration, definition)
         last = () if self._symbol is None else (self._symbol,)
         self._unknown = Places(
@@ -179,6 +195,10 @@ class OptimalControl(Search[OptimalTrajectory]):
         known = {*definition.constants, *last}
         reader = Reader(equations.time, definition.states, self._controls, known, duration)
         self._problem = self._read(reader, objective, boundary, path, hessian)
+        self._as_written = self._problem
+        refuse_jumps(expressions := self._expressions())
+        self._switches = expressions.switch
+        self._lift_kinks()
         # Costates jump at instants inside the motion, and slopes where known inputs do: no
         # polynomial follows.
         within = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
@@ -193,8 +213,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         """Return the problem as data."""
         now, definition, plan = self._now, self._now.definition, self._now.plan
         equations, places = definition.equations, definition.specifieds.index
-        objective = checked_expression(objective, "`objective`")
-        self._bends = bends(objective) or self._bends
+        objective = checked_expression(objective, "`objective`").xreplace(branching(definition))
         running, terminal = reader.objective(objective)
         second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
         squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
@@ -203,8 +222,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "`hessian` is 'gauss-newton', but `objective` has no squares. Use 'exact', or "
                 "'lbfgs'."
             )
-        conditions = reader.boundary(listed("boundary", boundary, "relations"))
-        path = listed("path", () if path is None else path, "relations")
+        conditions = reader.boundary(boundary)
         if equations.velocity and equations.constraint_forces is None:
             raise NotImplementedError(
                 "The system has constraints, and equations without bodies. Optimal control of "
@@ -257,6 +275,91 @@ class OptimalControl(Search[OptimalTrajectory]):
     @property
     def _problems(self) -> list[OptimalControl]:  # type: ignore[override]
         return [self]
+
+    def _expressions(self) -> Expressions:
+        """Return the problem's expressions with the bounds of what they depend on."""
+        definition, p = self._now.definition, self._as_written
+        numbers = len(definition.constants)
+        ranges = {}
+        for k, s in enumerate(definition.states):
+            ranges["x", k] = Range(str(s), *self._reach(s))
+            ranges["d", k] = Range(str(s.diff(definition.equations.time)), *_OPEN)
+        for s, k in zip(self._controls, p.controls, strict=True):
+            ranges["r", k] = Range(str(s), *self._reach(s))
+        for s, k in zip(self._free, p.free, strict=True):
+            ranges["p" if k < numbers else "r", k] = Range(str(s), *self._reach(s))
+        if self._symbol is not None:
+            low, high = self._reach(self._symbol)
+            ranges["T", 0] = Range(str(self._symbol), max(low, 0.0), high)
+        instants = []
+        for i in p.instants:
+            symbol = (definition.states if i.kind == "state" else self._controls)[i.index]
+            low, high = self._bounds_at(symbol, i.fraction)
+            limits = {0.0: self._start, 1.0: self._end}.get(i.fraction, {}) if (
+                i.kind == "state") else {}  # fmt: skip
+            least, most = limits.get(symbol, _OPEN)
+            time = sm.Float(i.fraction, 6) * (self._duration or self._symbol)
+            name = str(symbol.subs(definition.equations.time, sm.nsimplify(time)))
+            instants.append(Range(name, max(low, least), min(high, most)))
+        return Expressions(p, ranges, instants)
+
+    def _lift_kinks(self) -> None:
+        """Replace kinks of objective and conditions by smooth conditions, where these are equal."""
+        p, definition = self._as_written, self._now.definition
+        moving = {*self._controls, *self._free, self._symbol, *(i.symbol for i in p.instants)}
+        moving |= {*definition.states, *definition.equations.speed_rates}
+        moving |= {*definition.outputs_symbols}
+
+        def moves(kink: Any) -> bool:
+            return not kink.atoms(sm.Symbol, AppliedUndef, sm.Derivative).isdisjoint(moving)
+
+        constants = zip(definition.constants, self._now.p.tolist(), strict=True)
+        values = {s: v for s, v in constants if s not in self._free}
+        running, terminal = (epigraph(e, moves, values) for e in (p.running, p.terminal))
+        self._bends = bends(running.expression + terminal.expression) or self._bends
+        self._kinks = terminal.kinks
+        path, boundary = (
+            tuple(c for one in conditions for c in split(one, moves, values))
+            for conditions in (p.path, p.boundary)
+        )
+        self._problem = p
+        if running.unknown or terminal.unknown or (path, boundary) != (p.path, p.boundary):
+            self._problem = replace(
+                p,
+                running=running.expression,
+                terminal=terminal.expression,
+                path=(*path, *running.conditions),
+                boundary=(*boundary, *terminal.conditions),
+                lifted=running.unknown,
+                lifted_numbers=terminal.unknown,
+                _compiled={},
+            )
+
+    def _at_guess(self, made: Transcription, z: np.ndarray) -> list[float]:
+        """Return what the kinks at instants are at a guess."""
+        if not self._kinks:
+            return []
+        values: dict[Any, Any] = dict(zip(self._free, made.split(z)[2], strict=False))
+        known = dict(zip(self._now.definition.constants, self._now.p.tolist(), strict=True))
+        if self._symbol is not None:
+            values[self._symbol] = made.split(z)[3]
+        for i in self._problem.instants:
+            slots, weights, h = made.located(i.kind, i.fraction)
+            kind = made.scheme.states if i.kind == "state" else made.scheme.controls
+            powers = kind.basis(np.zeros(1))[1]
+            own = made.split(z)[0 if i.kind == "state" else 1][i.index, slots]
+            values[i.symbol] = float(own @ (weights * (h * made.split(z)[3]) ** powers))
+        return [float(kink.subs({**known, **values})) for kink in self._kinks]
+
+    def _reach(self, symbol: Any) -> tuple[float, float]:
+        """Return the widest bounds that an unknown has along the motion."""
+        low, high = self._bounds.get(symbol, _FREE)
+        return low.extremes[0], high.extremes[1]
+
+    @property
+    def _hint(self) -> str:
+        """What to say of a search that failed."""
+        return self._bends or jumping_conditions(self._expressions())
 
     def _check_samples(self, plan: Any) -> str:
         """Refuse samples that do not tell all of a motion, or jump as its duration changes.
@@ -452,6 +555,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 x[side, k, 0] = pick(x[side, k, 0], self._start[s][side])
                 x[side, k, M] = pick(x[side, k, M], self._end.get(s, _OPEN)[side])
             constants = [self._bounds_at(s)[side] for s in self._free]
+            constants += [_OPEN[side]] * len(self._kinks)
             least = self._bounds_at(self._symbol)[side]
             last = least if side else max(least, 0.0)
             sides.append(made.joined(x[side], u[side], constants, last))
@@ -494,10 +598,17 @@ class OptimalControl(Search[OptimalTrajectory]):
             guess.check_bounds(s, u[k], self._pair_at(s, made.control_places))
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
-            constants.append(guess.number(s, self._problem.constants[k]))
+            known = self._problem.constants[k]
+            if s in self._own:
+                known = _middle(self._bounds_at(s), known)
+            constants.append(guess.number(s, known))
             guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
         guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
-        begin = made.joined(x, u, constants, duration)
+        kinks = [0.0] * len(self._kinks)
+        begin = made.joined(x, u, [*constants, *kinks], duration)
+        if kinks:
+            kinks = self._at_guess(made, begin)
+            begin = made.joined(x, u, [*constants, *kinks], duration)
         states = self._now.definition.states
         dependent = [states.index(s) for s in equations.dependent_coordinates]
         if dependent and set(dependent) <= set(moving):
@@ -518,6 +629,11 @@ class OptimalControl(Search[OptimalTrajectory]):
         known = dict(zip(self._now.definition.constants, p.tolist(), strict=True))
         other._now = replace(self._now, user={**self._now.user, "constants": known})
         other._problem = replace(self._problem, constants=p)
+        other._as_written = replace(self._as_written, constants=p)
+        if self._switches:
+            refuse_jumps(other._expressions())
+        if (np.sign(p) != np.sign(self._now.p)).any():  # which kinks are convex may depend on that
+            other._lift_kinks()
         return other
 
     def _trajectory(
@@ -541,6 +657,11 @@ class OptimalControl(Search[OptimalTrajectory]):
         found = OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
         found._sizes = told
         return found
+
+    def _warn_of_crossings(self, found: OptimalTrajectory) -> None:
+        """Warn where the objective or a condition of the path jumps along a solution."""
+        if self._switches:
+            warn_of_crossings(self._expressions(), found)
 
     def _carried(self, found: OptimalTrajectory, tolerance: float) -> np.ndarray:
         """Return by which intervals a simulation misses the nodes; see `carried_errors`."""
@@ -568,6 +689,16 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
                 "state, or give the first a value."
             )
     return found
+
+
+def _own_constants(
+    definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
+) -> set[Any]:
+    """Return the symbols that are free and stand in the objective or in conditions alone."""
+    taken = {*definition.states, *definition.specifieds, *definition.constants, duration}
+    taken |= {*definition.outputs_symbols, definition.equations.time}
+    found = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
+    return {s for s in found - taken if s in free or s.name in free}
 
 
 def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:

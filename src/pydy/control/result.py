@@ -121,6 +121,28 @@ class OptimalTrajectory(Trajectory):
         labels = [[piece.labels for piece in one.pieces] for one in (own, made)]
         return same and own.sizes == made.sizes and labels[0] == labels[1]
 
+    def active(self, label: str) -> np.ndarray:
+        """Return whether a condition of the path decides the motion, at each of the times.
+
+        Strict complementarity: either its multiplier or its distance from its bound is the larger
+        one, in units of the program.
+        """
+        nlp, z = self._nlp, self.solution.z
+        rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
+        low, high = nlp.row_bounds
+        away = np.minimum(np.abs(rows - low), np.abs(high - rows)) / nlp.row_sizes
+        deciding = np.abs(self.solution.multipliers) * nlp.row_sizes / nlp.cost_size > away
+        found = np.zeros(len(self.times), dtype=bool)
+        for piece, values in nlp.by_piece(deciding):
+            if piece.collocated:
+                at = np.searchsorted(self.times, piece.fractions * self.duration)
+                at = np.clip(at, 0, len(found) - 1)
+                for row in [
+                    v for v, name in zip(values, piece.labels, strict=True) if name == label
+                ]:
+                    found[at] |= row
+        return found
+
     @cached_property
     def objective_error(self) -> np.ndarray:
         """How much each interval adds to the least objective minus this one, shape (M,).
@@ -129,8 +151,9 @@ class OptimalTrajectory(Trajectory):
         miss between the collocation points, and what controls within their bounds would gain
         there, each by the multipliers. The larger of the two counts, since one need not make up for
         the other: where controls jump or states meet bounds inside intervals, it is a bound rather
-        than an estimate. NaN for systems with constraints under 'midpoint' and
-        'hermite-simpson'.
+        than an estimate. Intervals that do not resolve the motion, such as boundary layers, are
+        solved anew on a finer mesh, four at most. NaN for systems with constraints under 'midpoint'
+        and 'hermite-simpson'.
         """
         return objective_errors(self._transcription, self._nlp, self.solution)
 
@@ -279,7 +302,7 @@ def moving(
     free: Sequence[Any],
 ) -> Any:
     """Return a System's snapshot with the controls and constants that were found."""
-    constants = transcription.split(z)[2]
+    constants = transcription.split(z)[2][: len(free)]
     user: Mapping[str, dict[Any, Any]] = now.user
     specifieds, _ = one_format(user["specifieds"], "specifieds")
     if controls:
@@ -297,7 +320,10 @@ def _multipliers(
     when: dict[str, list[np.ndarray]] = {}
     fractions: list[np.ndarray] = []
     for piece, values in nlp.by_piece(-solution.multipliers):
-        names = unique_names(piece.labels)
+        # The parts of a condition with kinks follow each other; the multiplier is their sum.
+        first = [k for k, s in enumerate(piece.labels) if not k or s != piece.labels[k - 1]]
+        values = np.add.reduceat(values, first) if first else values
+        names = unique_names([piece.labels[k] for k in first])
         for name, row in zip(names, values, strict=True):
             parts.setdefault(name, []).append(row)
             when.setdefault(name, []).append(piece.fractions)

@@ -159,8 +159,9 @@ class Search(Generic[Found]):
                         found, phases = met
                     break
                 guesses, meshes = phases, finer
-        for phase in phases:
+        for problem, phase in zip(self._problems, phases, strict=True):
             warn_of_chatter(phase)
+            problem._warn_of_crossings(phase)
         result: Found = found
         return result
 
@@ -290,11 +291,13 @@ class Search(Generic[Found]):
         size = 0
         for problem, program in zip(self._problems, programs, strict=True):
             last = () if problem._symbol is None else (problem._symbol,)
-            shared = [*problem._free, *last]
+            # Kinks at instants belong to their phase, even where a problem is there twice.
+            shared = [*problem._free, *[None] * len(problem._problem.lifted_numbers), *last]
             at = np.arange(size, size + program.size)
             for k, symbol in enumerate(shared, start=program.size - len(shared)):
                 # Constants and durations of the same symbol are one unknown.
-                at[k] = known.setdefault(symbol, at[k])
+                if symbol is not None:
+                    at[k] = known.setdefault(symbol, at[k])
             own.append(at)
             size += program.size
         # Unknowns of which others took the place are left out.
@@ -335,6 +338,7 @@ class Search(Generic[Found]):
         solution: Solution = search(nlp, start, watch=watch, warm=warm)
         if solution.solved:
             solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
+            solution = _at_kinks(nlp, solution, parts)
         phases, first = [], 0
         for problem, (one, program, at, told) in zip(self._problems, parts, strict=True):
             part = solution
@@ -367,7 +371,7 @@ class Search(Generic[Found]):
                 f"{f' in {len(parts)} phases' if several else ''} ended after "
                 f"{solution.iterations} iterations: {why_in_vain(solution, begun)}. "
                 f"{worst_rows(nlp, solution, np.nan if several else found.duration)}"
-                + next((one._bends for one in self._problems if one._bends), ""),
+                + next((hint for one in self._problems if (hint := one._hint)), ""),
                 found,
             )
         return found, phases
@@ -377,6 +381,18 @@ def _metric(guess: Any, sizes: np.ndarray) -> Any:
     """Return how slack velocities move states: on all meshes of a search in the same way."""
     last = guess._transcription.problem.metric if isinstance(guess, OptimalTrajectory) else 1.0
     return last if np.shape(last) == sizes.shape else metric_of(sizes)
+
+
+def _at_kinks(nlp: Nlp, solution: Solution, parts: Sequence[Part]) -> Solution:
+    """Return the solution with unknowns that stand for kinks as large as these, and its cost."""
+    z = solution.z.copy()
+    for made, _, own, _ in parts:
+        if made.problem.lifted or made.problem.lifted_numbers:
+            z[own] = made.tightened(z[own])
+    if (z == solution.z).all():
+        return solution
+    cost = float(nlp.native("cost", z / nlp.sizes)[0][0]) * nlp.cost_size
+    return replace(solution, z=z, objective=cost)
 
 
 def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray:

@@ -30,6 +30,7 @@ from pydy.control.ipopt import (
     option_values,
     program_bounds,
     solver_options,
+    solving,
 )
 from pydy.control.nlp import Nlp
 
@@ -121,7 +122,7 @@ def _by_package(
     )
     told: Any = None
     try:
-        with interrupts:
+        with solving(), interrupts:
             y, told = problem.solve(np.array(z / nlp.sizes), **start)
             if program.raised:
                 raise program.raised[0]

@@ -43,6 +43,18 @@ class Instant:
     fraction: float  # the time, as a fraction of the duration
 
 
+@dataclass(frozen=True)
+class Lifted:
+    """An unknown in place of a kink of the objective, the largest or least of some parts.
+
+    Its conditions, one for each part, are ``sign · (symbol − part) ≥ 0``; see `kinks`.
+    """
+
+    symbol: Any
+    sign: int
+    parts: int
+
+
 @dataclass(frozen=True, eq=False)
 class Problem:
     """An optimal control problem as ordered data."""
@@ -83,12 +95,22 @@ class Problem:
     state_bounds: tuple[tuple[Any, Any], ...] = ()
     # (states,), in which shares slack velocities move coordinates; see `metric_of`.
     metric: Any = 1.0
+    # Functions of time in `running`, whose conditions are the last ones of `path`, and numbers in
+    # `terminal`, whose conditions are the last ones of `boundary`.
+    lifted: tuple[Lifted, ...] = ()
+    lifted_numbers: tuple[Lifted, ...] = ()
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @property
     def algebraic(self) -> int:
-        """Number of controls, slack velocities and multipliers, which have the same slots."""
-        return len(self.controls) + len(self.equations.constraints)
+        """Number of controls, slack velocities, multipliers and kinks, in the same slots."""
+        return len(self.controls) + len(self.equations.constraints) + len(self.lifted)
+
+    @property
+    def named(self) -> dict[Any, tuple[str, int]]:
+        """The inputs that stand for further symbols in the objective and path conditions."""
+        found = {one.symbol: ("e", k) for k, one in enumerate(self.lifted)}
+        return found if self.duration_symbol is None else {**found, self.duration_symbol: ("T", 0)}
 
     @property
     def numbers(self) -> np.ndarray:
@@ -142,18 +164,19 @@ class Problem:
         time = self._time(point, T, fraction)
         at = {("T", 0): T, **self._inputs(point, time, x, numbers, controls)}
         at |= {("d", k): node for k, node in enumerate(slopes)}
-        own = len(self.controls)
-        at |= {("s", k): node for k, node in enumerate(controls[own:])}
+        own, held = len(self.controls), len(self.equations.constraints)
+        at |= {("s", k): node for k, node in enumerate(controls[own : own + held])}
+        at |= {("e", k): node for k, node in enumerate(controls[own + held :])}
         rows = point.residuals(at, points.rows)
         if points.rows == "constraints":
             return point.functions(rows, None, hessian=self.hessian)
         if self.path:
             path = [c.expression for c in self.path]
-            rows += point.read(path, "`path`", at, self.duration_symbol)
+            rows += point.read(path, "`path`", at, self.named)
         cost, squares = None, []
         if self.running != 0:
             wanted = [self.running, *(e for pair in self.squares for e in pair)]
-            nodes = point.read(wanted, "`objective`", at, self.duration_symbol)
+            nodes = point.read(wanted, "`objective`", at, self.named)
             cost = g.mul(T, weight, nodes[0])
             factors = [g.mul(T, weight, factor) for factor in nodes[1::2]]
             squares = [*zip(factors, nodes[2::2], strict=True)]
@@ -222,11 +245,12 @@ class Problem:
         return Point(self.equations, len(self.numbers))
 
     def unknown_numbers(self, point: Point) -> tuple[list[int], int]:
-        """Return the nodes of (p, r) and of the duration."""
+        """Return the nodes of (p, r), those of `lifted_numbers` after them, and the duration."""
         count = len(self.constants) + len(self.specifieds)
         nodes = [point.constant(k) for k in range(count)]
         for k, node in zip(self.free, point.variables(len(self.free)), strict=True):
             nodes[k] = node
+        nodes += point.variables(len(self.lifted_numbers))
         if self.duration is None:
             return nodes, point.variables(1)[0]
         return nodes, point.constant(point.constants - 2)
@@ -286,6 +310,8 @@ class Problem:
         point = self._point()
         constants, T = self.unknown_numbers(point)
         atoms = {s: constants[k] for s, k in self.symbols.items()}
+        first = len(constants) - len(self.lifted_numbers)
+        atoms |= {one.symbol: constants[first + k] for k, one in enumerate(self.lifted_numbers)}
         if self.duration_symbol is not None:
             atoms[self.duration_symbol] = T
         for instant in self.instants:
@@ -335,12 +361,14 @@ class Transcription:
         """Numbers of unknowns: of states, controls, constants and the duration."""
         p = self.problem
         states, controls = len(self.places[0]), len(self.control_places)
-        return (p.states * states, p.algebraic * controls, len(p.free), p.duration is None)
+        numbers = len(p.free) + len(p.lifted_numbers)
+        return (p.states * states, p.algebraic * controls, numbers, p.duration is None)
 
     def split(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
         """Return states (n, slots), controls (c, slots), free constants and the duration.
 
-        Slack velocities and multipliers of constraints follow the controls.
+        Slack velocities, multipliers of constraints and kinks follow the controls; kinks of values
+        at instants follow the constants.
         """
         p, (states, controls, constants, _) = self.problem, self.sizes
         return (
@@ -497,11 +525,35 @@ class Transcription:
             Piece(residuals, places, data, p.numbers, names, fractions),
         )
 
+    def tightened(self, z: np.ndarray) -> np.ndarray:
+        """Return unknowns of which those in place of kinks are as the kinks are.
+
+        A solver leaves them beside by its tolerance, with an objective that is wrong by as much.
+        """
+        p, found = self.problem, z.copy()
+        first = self.sizes[0] + (p.algebraic - len(p.lifted)) * len(self.control_places)
+        sites = [
+            (p.lifted, piece, first, len(self.control_places), points.controls)
+            for piece, points in zip(self.pieces, self.points, strict=False)
+            if piece.collocated
+        ]
+        numbers = sum(self.sizes[:2]) + len(p.free)
+        sites.append((p.lifted_numbers, self.pieces[-1], numbers, 1, np.zeros(1, dtype=int)))
+        for lifted, piece, begin, width, slots in sites:
+            if lifted:
+                rows = piece.evaluate("rows", z)
+                row = len(rows) - sum(one.parts for one in lifted)
+            for k, one in enumerate(lifted):
+                beyond = rows[row : row + one.parts].min(axis=0)
+                found[begin + k * width + slots] -= one.sign * beyond
+                row += one.parts
+        return found
+
     def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the constants p and the specifieds r, including the ones found."""
         p = self.problem
         numbers = np.concatenate([p.constants, p.specifieds])
-        numbers[list(p.free)] = self.split(z)[2]
+        numbers[list(p.free)] = self.split(z)[2][: len(p.free)]
         return numbers[: len(p.constants)], numbers[len(p.constants) :]
 
     def located(self, kind: str, fraction: float) -> tuple[np.ndarray, np.ndarray, float]:

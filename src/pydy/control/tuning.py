@@ -96,3 +96,21 @@ PULLS = 0.1, 1e-3
 """Standard deviations of parameters' relative changes, one over them as shares of the samples over
 their noise, in searches that come before the one without: with the first one, no samples are
 matched better by constants that are all zero, and after the second one the last step is small."""
+
+SURFACE_POINTS, SURFACE_STEPS = 96, 60
+"""Points from which a surface where an expression may jump is looked for, and steps of Newton's
+method towards it: each step takes what a linear switch leaves of an unknown that is zero there down
+by the rounding, so that some twenty are enough to underflow; others are for curved ones."""
+
+ON_SURFACE = 4.0
+"""Rounding bounds that a switch may be beside zero, and the square of it those of the difference of
+both sides there: the last step of Newton's method moves a point by a few roundings."""
+
+RESOLVED, LAYERS = 0.1, 4
+"""By how much moments of a motion have to decrease from one degree to the next for the estimate of
+the objective's error by multipliers: in exp(−z s), z is then 1.4, and the next degree has a
+fourteenth. Of other intervals, the number that are solved anew on a finer mesh, at most."""
+
+HALVINGS = 9
+"""How often a finer mesh of one interval is halved towards both of its ends: a layer of a
+five-hundredth of the interval then has an interval of its own."""

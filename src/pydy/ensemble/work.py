@@ -309,8 +309,10 @@ class Work:
             values = self._values(self.names, states, times, outputs)
             found = {name: Variable(("time",), values[name]) for name in self.names}
             if columns is not None:
-                every = derivatives(slice(None)).transpose(2, 3, 0, 1)
-                found[SENSITIVITY] = kept(("time",), every)
+                every = derivatives(slice(None))
+                for name, slope in zip(self.names, every, strict=True):
+                    _drop_where_unknown(slope, values[name])
+                found[SENSITIVITY] = kept(("time",), every.transpose(2, 3, 0, 1))
             return found
         extremes = [e for e in self.reductions if isinstance(e, Extreme)]
         along = self._values([e.name for e in extremes], states, times, outputs)
@@ -325,12 +327,17 @@ class Work:
                 if whole is not None:
                     upward = values_along if entry.kind == "max" else -values_along
                     when = np.where(np.isnan(upward), -np.inf, upward).argmax(axis=1)
-                    rows.append(whole[self.names.index(entry.name)][:, np.arange(len(when)), when])
+                    slope = whole[self.names.index(entry.name)][:, np.arange(len(when)), when]
+                    _drop_where_unknown(slope, extreme.values)
+                    rows.append(slope)
             elif isinstance(entry, _Final):
                 last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
                 found |= {name: Variable((), last[name][:, 0]) for name in self.names}
                 if columns is not None:
-                    rows += list(derivatives(slice(-1, None))[..., 0])
+                    ends = derivatives(slice(-1, None))[..., 0]
+                    for name, slope in zip(self.names, ends, strict=True):
+                        _drop_where_unknown(slope, last[name][:, 0])
+                    rows += list(ends)
             elif isinstance(entry, _EventTimes):
                 found |= self._events(results, entry.occurrences)
         if rows:
@@ -404,6 +411,16 @@ class Work:
             array = array.transpose(*dims, ...)
             found[str(name)] = Variable(array.dims, np.asarray(array), dict(array.attrs))
         return {**{name: variables[name] for name in COUNTS}, **found}
+
+
+def _drop_where_unknown(slopes: np.ndarray, values: np.ndarray) -> None:
+    """Set the derivatives (k, ...) of values (...) that are NaN to NaN, in place.
+
+    A Piecewise without a branch there is a NaN that depends on nothing.
+    """
+    unknown = np.isnan(values)
+    if unknown.any():
+        slopes[:, unknown] = np.nan
 
 
 def _moved(result: Any, name: Any, given: Any) -> bool:

@@ -1,0 +1,385 @@
+"""Where an objective or a condition jumps as the unknowns of a problem change.
+
+A search follows derivatives, which know nothing of a jump: `Heaviside(F)` has the slope zero on
+both sides, so that its cost is invisible. A kink, such as that of `Abs(F)`, is another matter: both
+sides meet there.
+
+Each side of a switch is continued beyond it (`sides`). Where both continuations are one node, the
+expression is continuous there. Otherwise Newton's method moves points within the bounds onto the
+switching surface, and the difference of both sides is compared with its own rounding bound. Points
+begin on both sides of all other switches, so that nested switches are met in each of their
+branches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sm
+from sympy.core.function import AppliedUndef
+
+from pydy._errors import warn_user
+from pydy._graph.branches import sides, switches
+from pydy._graph.derivative import dense_jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.interpret import evaluator
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
+from pydy._rank import HALF, ROUNDING
+from pydy.control.transcription import Problem
+from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
+
+_DECADES = 9.0  # unknowns without bounds are looked for up to this power of ten
+# What a jump may be written as; others are found too, but are shown as a part of the whole.
+_JUMPING = (sm.Heaviside, sm.sign, sm.floor, sm.ceiling, sm.frac, sm.Mod, sm.Piecewise, sm.atan2)
+
+
+class Range(NamedTuple):
+    """An unknown: its name and its bounds."""
+
+    name: str
+    low: float
+    high: float
+
+
+class Jump(NamedTuple):
+    """A place where an expression jumps."""
+
+    node: int  # the switch, which is zero there
+    place: str
+    step: float  # by how much
+
+    def text(self, part: str) -> str:
+        """Return what to say of it; `part` is what jumps."""
+        return f"`{part}`, which jumps by {self.step:.3g} at {self.place}"
+
+
+@dataclass(frozen=True, eq=False)
+class _Surfaces:
+    """Points of unknowns, inputs ``('x', k)``, beside values that the search does not change."""
+
+    graph: Graph
+    ranges: Sequence[Range]
+    known: Mapping[int, np.ndarray]  # inputs, each with values for all points
+
+    def values(self, nodes: Sequence[int], X: np.ndarray) -> np.ndarray:
+        """Return values of nodes at points X (m, n), shape (m, nodes)."""
+        m = len(X)
+        inputs = {self.graph.input("x", k): column for k, column in enumerate(X.T)}
+        inputs |= {node: np.resize(row, m) for node, row in self.known.items()}
+        return evaluator(self.graph, nodes)(inputs, m)
+
+    def starts(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return points within the bounds, and the sizes of their entries, (m, n) each."""
+        random, m = np.random.default_rng(0), SURFACE_POINTS
+        columns, sizes = [], []
+        together = 10.0 ** random.uniform(-_DECADES, _DECADES, m)
+        for _, low, high in self.ranges:
+            if np.isfinite(low) and np.isfinite(high):
+                columns.append(random.uniform(low, high, m))
+                sizes.append(np.full(m, high - low))
+                continue
+            alone = 10.0 ** random.uniform(-_DECADES, _DECADES, m)
+            kinds = [np.ones(m), together, alone]
+            size = np.choose(np.arange(m) % 3, kinds)
+            near = low if np.isfinite(low) else high if np.isfinite(high) else 0.0
+            away = random.uniform(-1.0, 1.0, m) * size
+            columns.append(np.clip(near + away, low, high))
+            sizes.append(size)
+        return np.array(columns).T, np.array(sizes).T
+
+    def onto(
+        self, switch: int, X: np.ndarray, sizes: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Move points onto a surface; return those that arrived, their sizes and the slopes."""
+        graph, n = self.graph, len(self.ranges)
+        low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
+        by = [graph.input("x", k) for k in range(n)]
+        nodes = [switch, *rounding_bounds(graph, [switch]), *dense_jacobian(graph, [switch], by)]
+        weights = sizes**2
+        with np.errstate(all="ignore"):  # points that do not arrive may go anywhere
+            for _ in range(SURFACE_STEPS):
+                found = self.values(nodes, X)
+                value, slopes = found[:, 0], found[:, 2:]
+                along = weights * slopes
+                move = -value[:, None] * along / (along * slopes).sum(axis=1, keepdims=True)
+                to = X + np.where(np.isfinite(move), move, 0.0)
+                moved = np.clip(to, low, high)
+                weights = np.where(moved == to, weights, 0.0)  # what meets its bound stays there
+                if (moved == X).all():
+                    break
+                X = moved
+            found = self.values(nodes, X)
+            there = np.abs(found[:, 0]) <= ON_SURFACE * ROUNDING * found[:, 1]
+            there &= np.isfinite(found).all(axis=1) & (found[:, 2:] != 0.0).any(axis=1)
+        return X[there], sizes[there], found[there, 2:]
+
+    def beside(
+        self, switch: int, X: np.ndarray, sizes: np.ndarray, slopes: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return points above and below a surface, as far as the bounds allow."""
+        low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
+        away = HALF * sizes * np.sign(slopes)
+        return np.clip(X + away, low, high), np.clip(X - away, low, high)
+
+
+def jumps_of(
+    graph: Graph, node: int, ranges: Sequence[Range], known: Mapping[int, np.ndarray]
+) -> Iterator[Jump]:
+    """Yield where a node jumps as inputs ``('x', k)`` move within their ranges."""
+    found = [s for s in switches(graph, [node], whole=True) if "x" in graph.inputs_of([s])]
+    surfaces = _Surfaces(graph, ranges, known)
+    for switch in found:
+        (above,), (below,) = sides(graph, [node], switch)
+        if above == below:
+            continue
+        starts = [surfaces.starts()]
+        for other in found:
+            if other != switch:
+                X, sizes, slopes = surfaces.onto(other, *starts[0])
+                starts += [(x, sizes) for x in surfaces.beside(other, X, sizes, slopes)]
+        X, sizes = (np.concatenate(parts) for parts in zip(*starts, strict=True))
+        X, sizes, slopes = surfaces.onto(switch, X, sizes)
+        if not len(X):
+            continue  # nowhere within the bounds
+        step = graph.sub(above, below)
+        nodes = [node, above, below, step, *rounding_bounds(graph, [step])]
+        own, high, low, steps, bounds = surfaces.values(nodes, X).T
+        upper, lower = surfaces.beside(switch, X, sizes, slopes)
+        with np.errstate(all="ignore"):
+            # Where bounds leave one side alone, it is left for the surface itself at most.
+            reached = [surfaces.values([switch], x)[:, 0] for x in (upper, lower)]
+            steps = np.where(reached[1] >= 0.0, high - own, steps)
+            steps = np.where(reached[0] <= 0.0, low - own, steps)
+            jumping = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
+        if jumping.any():
+            k = int(np.flatnonzero(jumping)[0])
+            yield Jump(switch, _place(graph, switch, ranges, X[k], sizes[k]), float(abs(steps[k])))
+
+
+def _place(
+    graph: Graph, switch: int, ranges: Sequence[Range], x: np.ndarray, sizes: np.ndarray
+) -> str:
+    """Return the unknowns that a switch depends on, with their values."""
+    own = set(graph.inputs([switch]))
+    found = []
+    for k, (name, *_) in enumerate(ranges):
+        if graph.input("x", k) in own:
+            value = 0.0 if abs(x[k]) <= ROUNDING * sizes[k] else float(x[k])
+            found.append(f"{name} = {value:.6g}")
+    return ", ".join(found)
+
+
+def _switches_at(graph: Graph, node: int, switch: int) -> bool:
+    """Return whether a node has two branches at a switch."""
+    if switch not in switches(graph, [node], whole=True):
+        return False
+    above, below = sides(graph, [node], switch)
+    return above != below
+
+
+def branching(definition: Any) -> dict[Any, Any]:
+    """Return outputs with branches, such as an absolute value, by their expressions."""
+    known = {*definition.states, *definition.specifieds, *definition.constants}
+    kinds = (sm.Abs, sm.Max, sm.Min, *_JUMPING)
+    found = {}
+    for group in definition.groups:
+        for name, expression in zip(group.names, group.expressions, strict=True):
+            if isinstance(expression, sm.Expr) and expression.has(*kinds):
+                rest = expression.xreplace(dict.fromkeys(known, sm.S.One))
+                strange = rest.has(AppliedUndef, sm.Derivative)
+                if rest.free_symbols <= {definition.equations.time} and not strange:
+                    found[name] = expression
+    return found
+
+
+# -- the expressions of a problem ------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Expressions:
+    """Reads the expressions of a problem into a graph whose unknowns are inputs ``('x', k)``."""
+
+    problem: Problem
+    # Names and bounds of states, their rates, controls, free constants and the duration.
+    ranges: Mapping[tuple[str, int], Range]
+    at_instants: Sequence[Range]  # of values at instants
+
+    def jump(self, expression: Any, what: str, *, instants: bool = False) -> str:
+        """Return what to say of the first place where an expression jumps, or ''.
+
+        The cut of an angle, `atan2`, does not count: a motion on either side of it is smooth.
+        """
+        graph = self.problem.equations.graph.copy()
+        put, ranges, known = self._inputs(graph, instants)
+
+        def read(one: Any) -> int:
+            return substitute(graph, self._read(graph, one, what, instants), put)[0]
+
+        node = read(expression)
+        own = {part: read(part) for part in expression.atoms(*_JUMPING)}
+        names = dict(zip((i.symbol for i in self.problem.instants), self.at_instants, strict=True))
+        for found in jumps_of(graph, node, ranges, known):
+            switching = [e for e, n in own.items() if _switches_at(graph, n, found.node)]
+            part = min(switching or [expression], key=lambda e: (e.count_ops(), str(e)))
+            if not isinstance(part, sm.atan2):
+                named = {symbol: sm.Symbol(one.name) for symbol, one in names.items()}
+                return found.text(str(part.xreplace(named)))
+        return ""
+
+    @property
+    def switch(self) -> bool:
+        """Whether the integrand or a condition of the path has branches at all."""
+        p, graph = self.problem, self.problem.equations.graph.copy()
+        every = [(p.running, "`objective`"), *((c.expression, "`path`") for c in p.path)]
+        nodes = [n for e, what in every for n in self._read(graph, e, what, False)]
+        return bool(switches(graph, nodes, whole=True))
+
+    def crossing(self, expression: Any, what: str, found: Any, active: np.ndarray) -> str:
+        """Return what to say of the first jump of an expression of the path along a motion, or ''.
+
+        Those count that are next to times, (m,), at which it is `active`.
+        """
+        graph, times = self.problem.equations.graph.copy(), found.times
+        put, ranges, known = self._inputs(graph, False, times / found.duration, found.duration)
+        node = substitute(graph, self._read(graph, expression, what, False), put)[0]
+        X = None
+        for jump in jumps_of(graph, node, ranges, known):
+            if X is None:
+                X = self._along(found)
+            surfaces = _Surfaces(graph, ranges, known)
+            value = surfaces.values([jump.node], X)[:, 0]
+            (above,), (below,) = sides(graph, [node], jump.node)
+            step = graph.sub(above, below)
+            steps, bounds = surfaces.values([step, *rounding_bounds(graph, [step])], X).T
+            apart = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
+            # A point that lies on the surface belongs to the side before it.
+            last = np.maximum.accumulate(np.where(value != 0.0, np.arange(len(value)), 0))
+            side = np.sign(value[last])
+            crossed = (side[1:] * side[:-1] < 0.0) & apart[1:] & apart[:-1]
+            crossed &= active[1:] | active[:-1]
+            if crossed.any():
+                k = int(np.flatnonzero(crossed)[0])
+                return (
+                    f"`{expression}`, which jumps by {abs(steps[k]):.3g} between t = "
+                    f"{times[k]:.6g} and {times[k + 1]:.6g}"
+                )
+        return ""
+
+    def _along(self, found: Any) -> np.ndarray:
+        """Return the unknowns along a motion, (m, n)."""
+        rates = found._model.derivatives(found.times, found.states)
+        _, _, constants, duration = found._transcription.split(found.solution.z)
+        moves = found._transcription.controls_at(found.solution.z, found.times)
+        free = dict(zip(self.problem.free, constants, strict=False))
+        columns = {
+            "x": lambda k: found.states[:, k],
+            "d": lambda k: rates[:, k],
+            "r": lambda k: moves[:, self.problem.controls.index(k)],
+            "p": lambda k: np.full(len(found.times), free[k]),
+            "T": lambda k: np.full(len(found.times), duration),
+        }
+        return np.array([columns[group](k) for group, k in self.ranges]).T
+
+    def _read(self, graph: Graph, expression: Any, what: str, instants: bool) -> list[int]:
+        p = self.problem
+        if not instants:
+            return p.equations.read(graph, [expression], what, p.named)
+        atoms = {s: graph.input("p", k) for s, k in p.symbols.items()}
+        atoms[p.duration_symbol] = graph.input("T", 0)
+        atoms |= {i.symbol: graph.input("i", k) for k, i in enumerate(p.instants)}
+        return SymPyReader(graph, atoms, what).all([expression])
+
+    def _inputs(
+        self, graph: Graph, instants: bool, fractions: Any = None, duration: Any = None
+    ) -> tuple[dict[int, int], list[Range], dict[int, np.ndarray]]:
+        """Return what takes the places of inputs, and their ranges and values.
+
+        Values that a search does not change are those at `fractions` of the motion, or at random.
+        """
+        p = self.problem
+        put: dict[int, int] = {}
+        for group, values in (("p", p.constants), ("r", p.specifieds)):
+            put |= {graph.input(group, k): graph.const(float(v)) for k, v in enumerate(values)}
+        ranges: list[Range] = []
+        own = {("i", k): one for k, one in enumerate(self.at_instants)} if instants else {}
+        for key, one in {**self.ranges, **own}.items():
+            put[graph.input(*key)] = graph.input("x", len(ranges))
+            ranges.append(one)
+        if fractions is None:
+            fractions = np.random.default_rng(1).uniform(0.0, 1.0, SURFACE_POINTS)
+        known: dict[int, np.ndarray] = {}
+        time = graph.input("t", 0)
+        if p.duration is None:
+            # Each point keeps its fraction of a duration that is found.
+            (low, high), at = self.ranges["T", 0][1:], graph.input("r", 0)
+            duration = duration or (high if np.isfinite(high) else max(low, 1.0))
+            put[time] = graph.mul(put[graph.input("T", 0)], at)
+            known[at] = fractions
+        else:
+            duration = p.duration
+            put[time] = graph.input("r", 0)
+            put[graph.input("T", 0)] = graph.const(duration)
+            known[put[time]] = duration * fractions
+        for columns, samples in p.signals:
+            for k, row in zip(columns.tolist(), samples.rows(duration * fractions).T, strict=True):
+                put[graph.input("r", k)] = node = graph.input("r", len(known))
+                known[node] = row
+        return put, ranges, known
+
+
+def refuse_jumps(expressions: Expressions) -> None:
+    """Refuse an objective that jumps."""
+    p = expressions.problem
+    for term, instants in ((p.running, False), (p.terminal, True)):
+        told = expressions.jump(sm.sympify(term), "`objective`", instants=instants)
+        if told:
+            raise ValueError(
+                f"`objective` has {told}. A search follows derivatives, which do not contain "
+                "the jump: it would end anywhere. Use a smooth expression, such as "
+                "(1 + tanh(a/w))/2 for Heaviside(a) with a small width w, keep away from the jump "
+                "with `bounds`, or solve `phases` of which each lies on one side."
+            )
+
+
+def warn_of_crossings(expressions: Expressions, found: Any) -> None:
+    """Warn where a condition that decides a solution, or the objective, jumps along it."""
+    p = expressions.problem
+    told = expressions.crossing(
+        sm.sympify(p.running), "`objective`", found, np.ones(len(found.times), dtype=bool)
+    )
+    part = "`objective`"
+    for condition in () if told else p.path:
+        active = found.active(condition.label)
+        told = expressions.crossing(condition.expression, "`path`", found, active)
+        if told:
+            part = "a condition of `path`"
+            break
+    if told:
+        warn_user(
+            f"The solution crosses a jump: {part} holds {told}. Derivatives do not contain the "
+            "jump: this motion is the best of those that cross it near the same times; others may "
+            "be better. Compare other guesses, or solve `phases` that end at the jump."
+        )
+
+
+def jumping_conditions(expressions: Expressions) -> str:
+    """Return what to say of path and boundary conditions that jump where a search failed."""
+    p = expressions.problem
+    for argument, conditions in (("path", p.path), ("boundary", p.boundary)):
+        for condition in conditions:
+            told = expressions.jump(
+                condition.expression, f"`{argument}`", instants=argument == "boundary"
+            )
+            if told:
+                return (
+                    f" The condition `{condition.label}` of `{argument}` has {told}: its "
+                    "derivatives do not contain the jump, so that a search that has to stay on "
+                    "one side of it finds no way. Give a condition on what it depends on, such as "
+                    "a <= 0 for Heaviside(a) <= 1/2."
+                )
+    return ""

@@ -1,0 +1,91 @@
+"""The least objective between two nodes of a motion, on a finer mesh of that interval alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import MissingDependencyError, OptimizationError
+from pydy.control import ipopt
+from pydy.control.nlp import Nlp
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import HALVINGS
+
+
+def least_between(made: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float:
+    """Return the least integral of the objective with which interval k joins its nodes' states.
+
+    NaN where it is not found, or where it is no problem of its own: of systems with constraints,
+    and of integrands that contain the duration of the whole motion.
+    """
+    p, T = made.problem, made.split(z)[3]
+    symbols = {s for e in (p.running, *(c.expression for c in p.path)) for s in _symbols(e)}
+    if p.equations.constraints or p.duration_symbol in symbols:
+        return np.nan
+    first, last = made.mesh[k : k + 2]
+    length = last - first
+    part = replace(
+        p,
+        begin=p.begin + first * T,
+        duration=None if p.duration is None else length * T,
+        control_bounds=tuple(tuple(map(_within(first, length), b)) for b in p.control_bounds),
+        state_bounds=tuple(tuple(map(_within(first, length), b)) for b in p.state_bounds),
+        terminal=0,
+        boundary=(),
+        instants=(),
+        constraints=(),
+    )
+    halves = 0.5 * 2.0 ** np.arange(-HALVINGS, 1)
+    mesh = np.concatenate([[0.0], halves, 1.0 - halves[-2::-1], [1.0]])
+    local = Transcription(part, made.scheme, mesh)
+    states, controls, numbers, _ = made.split(z)
+    places, slopes = local.places
+    times = (first + places * length) * T
+    x = made.states_at(z, np.clip(times, first * T, last * T)).T
+    ends = states[:, [k, k + 1]]
+    at = local.control_places
+    u = made._between(controls, made.scheme.controls, np.full(len(at), k), at, T).T
+    intervals = len(mesh) - 1
+    x[:, [0, intervals]] = ends
+    sizes = made.split(nlp.sizes)
+    of_states = np.repeat(sizes[0].max(axis=1, where=~made.places[1], initial=0.0)[:, None],
+                          len(places), axis=1)  # fmt: skip
+    for row in x if slopes.any() else ():
+        row[slopes] = np.gradient(row[~slopes], mesh * length * T)
+    of_states[:, slopes] /= length * T
+    low, high = (np.array([b[side](places) for b in part.state_bounds]) for side in (0, 1))
+    low[:, slopes], high[:, slopes] = -np.inf, np.inf
+    for side in (low, high):
+        side[:, [0, intervals]] = ends
+    open_ = np.full((p.algebraic - len(p.controls), len(at)), np.inf)
+    limits = [np.array([b[side](at) for b in part.control_bounds]) for side in (0, 1)]
+    limits = [np.concatenate([own.reshape(-1, len(at)), sign * open_])
+              for own, sign in zip(limits, (-1.0, 1.0), strict=True)]  # fmt: skip
+    duration = length * T
+    begin = local.joined(x, u, numbers, duration)
+    lower, upper = (
+        local.joined(own, other, numbers, duration)
+        for own, other in ((low, limits[0]), (high, limits[1]))
+    )
+    widths = np.repeat(sizes[1].max(axis=1)[:, None], len(at), axis=1)
+    units = local.joined(of_states, widths, sizes[2], duration)
+    begin = np.clip(begin, lower, upper)
+    try:
+        found = ipopt.solve(local.nlp(lower, upper, units).in_own_units(begin), begin)
+    except (OptimizationError, MissingDependencyError):  # no solver in this process
+        return np.nan
+    if found.interrupted is not None:
+        raise found.interrupted
+    return found.objective if found.solved else np.nan
+
+
+def _within(first: float, length: float) -> Callable[[Any], Callable[[np.ndarray], np.ndarray]]:
+    """Return what makes a limit over the whole motion one over a part of it."""
+    return lambda limit: lambda fractions: limit(first + length * fractions)
+
+
+def _symbols(expression: Any) -> Any:
+    return getattr(expression, "free_symbols", ())
