@@ -145,6 +145,8 @@ class Equations:
     # Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
     auxiliary_speeds: tuple[Any, ...] = ()
     auxiliary_equations: tuple[Any, ...] = ()
+    # The rate of a loop whose share in the auxiliary equations cannot be found; these are empty.
+    auxiliary_unknown: Any = None
     zeros: tuple[Any, ...] = field(default=(), repr=False)
     # The bodies and loads behind the equations, where the method knows them.
     mechanism: Mechanism | None = field(default=None, repr=False)

@@ -28,8 +28,9 @@ from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import operations, simplify
 from pydy._graph.solve.choose import difference_basis, solve_accelerations
+from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
+from pydy._mechanics.form import Formed, forms, useful_axes
 from pydy._mechanics.generic import (
     AROUND,
     Block,
@@ -76,14 +77,8 @@ def equations_of(body: Multibody) -> Equations:
     base = kinematics_of(body)
     found = chosen(body)
     energy = found.energy(body.time, body.coordinates, body.speeds)
-    return classify(
-        replace(
-            base,
-            formed=found,
-            mechanism=Mechanism(body.frame, body.bodies, body.loads, energy),
-            auxiliary_equations=tuple(auxiliary_equations(body)) if body.auxiliary else (),
-        )
-    )
+    mechanism = Mechanism(body.frame, body.bodies, body.loads, energy)
+    return with_auxiliary(classify(replace(base, formed=found, mechanism=mechanism)))
 
 
 # -- the form -------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from weakref import WeakKeyDictionary
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from pydy._checks import describe
+from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
@@ -106,7 +107,9 @@ def equations_of_kane(
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )
-    return base if source == "method" else replace(base, formed=_alike(kane, base, body))
+    if source == "method":
+        return with_auxiliary(base)
+    return with_auxiliary(replace(base, formed=_alike(kane, base, body)))
 
 
 # What was found out about a method, with its equations: they may be derived anew, or written over.

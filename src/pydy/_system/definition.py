@@ -463,6 +463,15 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
     """Return the symbols of noncontributing forces that a user gave by themselves or by name."""
     if forces is None:
         return []
+    if equations.auxiliary_unknown is not None and forces != [] and forces != ():
+        raise ValueError(
+            "`noncontributing_forces` cannot be computed: the velocity constraint "
+            f"`{shown(equations.auxiliary_unknown)}` = 0 closes a loop, holds no auxiliary speed, "
+            "and is the rate of no distance, component or angle between points and frames of the "
+            "mechanism, so that the loop's share in these forces is unknown. Pass "
+            "`velocity_constraints` that are made of velocities of points, such as "
+            "`(Q.vel(N) - D.vel(N)).dot(N.x)`, which hold the auxiliary speeds."
+        )
     several = isinstance(forces, Iterable) and not isinstance(forces, str)
     names = resolved(
         "noncontributing_forces",
