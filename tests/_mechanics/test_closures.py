@@ -231,7 +231,7 @@ def slider_crank():
 
 
 def test_a_guide_carries_what_the_rod_of_a_slider_crank_pushes_down():
-    method, (q, p, s, u, w, v) = slider_crank()
+    method, (q, p, s, *_, v) = slider_crank()
     system = System(method, noncontributing_forces=[RY])
     angle = -np.arcsin(0.3 * np.sin(0.7) / 0.8)
     place = 0.3 * np.cos(0.7) + 0.8 * np.cos(angle)
