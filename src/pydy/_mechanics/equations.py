@@ -158,6 +158,8 @@ class Equations:
     implicit: Any = field(default=None, repr=False)
     # The places of the holonomic constraints whose rates the velocity constraints imply.
     enforced: tuple[int, ...] = ()
+    # Those whose rates no velocity constraint and no kinematic equation implies.
+    forgotten: tuple[int, ...] = ()
     # The velocity constraints that follow from those and from `nonholonomic`.
     repeated: tuple[Any, ...] = ()
 

@@ -261,11 +261,9 @@ def _magnitudes(matrix: np.ndarray) -> np.ndarray:
 
 
 def classify(equations: Equations) -> Equations:
-    """Return the equations with `nonholonomic`, `enforced` and `repeated` filled in."""
+    """Return the equations with `nonholonomic`, `enforced`, `forgotten`, `repeated` filled in."""
     redundant = equations.left_out[1]
     equations = replace(equations, repeated=redundant)
-    if not equations.velocity:
-        return equations
     if not equations.holonomic:
         return replace(equations, nonholonomic=equations.velocity)
     states = GenericStates(equations, redundant, "the constraints")
@@ -289,7 +287,10 @@ def classify(equations: Equations) -> Equations:
     moves = _Space(len(motion), motion.shape[1])
     for row in motion:
         moves.extend(row)
-    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not moves.beyond(row).any())
+    beyond = [bool(moves.beyond(row).any()) for row in rows]
+    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not beyond[k])
+    given = equations.following[0]  # by residuals, which are solved
+    forgotten = tuple(k for k, lost in enumerate(beyond) if lost and k not in given)
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
@@ -303,6 +304,7 @@ def classify(equations: Equations) -> Equations:
         equations,
         nonholonomic=tuple(equations.velocity[k] for k in chosen),
         enforced=enforced,
+        forgotten=forgotten,
         repeated=tuple(pool[k][0] for k in own),
     )
 
@@ -318,6 +320,8 @@ def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarra
         if not every:
             continue
         motion, terms = (np.array([s[name] for s in every]) for name in ("motion", "terms"))
+        if not motion.shape[1]:
+            return every[0]
         motion[is_zero(motion, terms)] = 0.0
         scaled = motion * column_units(motion) / row_units(motion)[:, None]
         least = np.linalg.svd(scaled, compute_uv=False)[:, -1]

@@ -24,6 +24,7 @@ from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
 from pydy._system.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
 from pydy._system.energy import EnergyModel, check_potential
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.scipy_solvers import resolve_ode_solver
 from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
@@ -568,6 +569,8 @@ class Setup:
         """
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
+        if self._equations.forgotten:
+            warn_of_forgotten(self._now())
         function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
         return function
