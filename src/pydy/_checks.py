@@ -6,12 +6,12 @@ import contextlib
 import os
 from collections import UserDict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -556,3 +556,22 @@ class Places:
         except (TypeError, ValueError, OverflowError):
             pass  # `read` says which one it is
         return None
+
+
+P, R = ParamSpec("P"), TypeVar("R")
+
+
+def names_meant(what: str, meant: Mapping[str, str]) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Name the argument that is meant by another library's name for it, in a TypeError."""
+
+    def named(call: Callable[P, R]) -> Callable[P, R]:
+        @wraps(call)
+        def checked(*args: P.args, **options: P.kwargs) -> R:
+            for name in options:
+                if name in meant:
+                    raise TypeError(f"{what} has no argument `{name}`: {meant[name]}.")
+            return call(*args, **options)
+
+        return checked
+
+    return named

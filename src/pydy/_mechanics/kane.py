@@ -15,7 +15,7 @@ from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.rates import divide_alike, solve_rates
-from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+from pydy._mechanics.reader import Multibody, activation_states, check_bodies, read_loads
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:
@@ -46,6 +46,7 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
         auxiliary=tuple(kane._uaux),
         dependent_coordinates=tuple(kane._qdep),
         dependent_speeds=tuple(kane._udep),
+        activations=tuple(activation_states(kane.loads or (), tuple(kane.q))),
     )
 
 
