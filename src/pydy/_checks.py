@@ -11,7 +11,7 @@ from math import isfinite
 from operator import itemgetter
 from os import PathLike
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -558,20 +558,20 @@ class Places:
         return None
 
 
-P, R = ParamSpec("P"), TypeVar("R")
+C = TypeVar("C", bound=Callable[..., Any])
 
 
-def names_meant(what: str, meant: Mapping[str, str]) -> Callable[[Callable[P, R]], Callable[P, R]]:
+def names_meant(what: str, meant: Mapping[str, str]) -> Callable[[C], C]:
     """Name the argument that is meant by another library's name for it, in a TypeError."""
 
-    def named(call: Callable[P, R]) -> Callable[P, R]:
+    def named(call: C) -> C:
         @wraps(call)
-        def checked(*args: P.args, **options: P.kwargs) -> R:
+        def checked(*args: Any, **options: Any) -> Any:
             for name in options:
                 if name in meant:
                     raise TypeError(f"{what} has no argument `{name}`: {meant[name]}.")
             return call(*args, **options)
 
-        return checked
+        return cast(C, checked)
 
     return named

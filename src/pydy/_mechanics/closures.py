@@ -479,8 +479,9 @@ def _whose(row: np.ndarray, held: np.ndarray, values: np.ndarray) -> np.ndarray 
 
 def _columns(rates: np.ndarray) -> np.ndarray:
     """Bring rates (2, states, ways, components, n) into the order of `_Closures`."""
-    found = np.moveaxis(rates, 1, 3)
-    return np.nan_to_num(found.reshape(*found.shape[:3], -1))
+    moved = np.moveaxis(rates, 1, 3)
+    found: np.ndarray = np.nan_to_num(moved.reshape(*moved.shape[:3], -1))
+    return found
 
 
 def _combinations(columns: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -46,7 +46,9 @@ def warn_of_reversed_forces(equations: Equations, actuators: Iterable[Any] = ())
         warn_of_reversed(f"A {type(told).__name__}")
         return
     body = equations.multibody
-    for three in () if body is None else _of_three(body):
+    if body is None:
+        return
+    for three in _of_three(body):
         if _is_negative(body, three):
             places = ", ".join(str(where) for where, _ in three)
             warn_of_reversed(f"The force of a spring or damper, at {places},")
