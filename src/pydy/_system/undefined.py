@@ -73,7 +73,7 @@ def _described(
         if any(values[n] == 0.0 for n, e in factors if e < 0):
             value = f"{over:g}/0"
     at = numbers_of([symbols[n] for n in inputs], [values[n] for n in inputs])
-    example = ": divide a slip by `sqrt(v**2 + eps**2)` in place of v" * value.endswith("/0")
+    example = ": divide a slip by `sqrt(v**2 + eps**2)` in place of v" * (value == "0/0")
     return (
         f"The first expression that is not finite is `{shown(expression)}` = {value}, at {at}. "
         f"Start where it is finite, or write one that is finite there too{example}."
