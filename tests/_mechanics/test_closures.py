@@ -242,3 +242,56 @@ def test_a_guide_carries_what_the_rod_of_a_slider_crank_pushes_down():
     # accelerate horizontally; the guide carries the rest of their weight.
     along = 3.0 * rates[v]
     np.testing.assert_allclose(found, 3.0 * 9.81 - along * np.tan(angle), rtol=1e-9)
+
+
+def test_the_bearing_of_a_gear_carries_the_force_between_the_teeth():
+    """Wheels of radius 0.1 and 0.2 roll on each other; the first is driven by a torque of 5 N m."""
+    a, b, v, w = me.dynamicsymbols("a b v w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    first, second = O.locatenew("C1", 0 * N.x), O.locatenew("C2", 0.3 * N.x)
+    first.set_vel(N, UX * N.x + UY * N.y)
+    second.set_vel(N, 0)
+    bodies = []
+    for name, angle, speed, centre, radius in (
+        ("one", a, v, first, 0.1), ("two", b, w, second, 0.2)
+    ):  # fmt: skip
+        frame = N.orientnew(name, "Axis", (angle, N.z))
+        frame.set_ang_vel(N, speed * N.z)
+        inertia = me.inertia(frame, 0, 0, radius**2)
+        bodies.append(me.RigidBody(name, centre, frame, 2.0, (inertia, centre)))
+    loads = [(first, RX * N.x + RY * N.y), (bodies[0].frame, 5.0 * N.z)]
+    method = Definition(
+        N, [a, b], [v, w], bodies=bodies, loads=loads, auxiliary_speeds=[UX, UY],
+        holonomic_constraints=[0.1 * a + 0.2 * b],
+    )  # fmt: skip
+    system = System(method, noncontributing_forces=[RX, RY])
+    # I₁ a'' = T − r₁ F and I₂ b'' = −r₂ F with I = r² of each and r₂ b'' = −r₁ a''
+    acceleration = dict(zip(system.states, system.evaluate_ode(), strict=True))[v]
+    force = (5.0 - 0.01 * acceleration) / 0.1
+    found = np.ravel(system.evaluate_outputs())[-2:]
+    np.testing.assert_allclose(acceleration, 250.0, rtol=1e-12)
+    np.testing.assert_allclose(found, [0.0, force], atol=1e-10)
+
+
+def test_joints_that_are_coupled_in_a_chain_are_refused():
+    """Nothing says through which bodies a finger's joint is driven by the one before it."""
+    a, b, v, w = me.dynamicsymbols("a b v w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A, B = N.orientnew("A", "Axis", (a, N.z)), N.orientnew("B", "Axis", (b, N.z))
+    A.set_ang_vel(N, v * N.z)
+    B.set_ang_vel(N, w * N.z)
+    base = O.locatenew("P", 0 * N.x)
+    base.set_vel(N, UX * N.x + UY * N.y)
+    middle = base.locatenew("Q", 0.5 * A.x)
+    middle.v2pt_theory(base, N, A)
+    tip = middle.locatenew("R", 0.4 * B.x)
+    tip.v2pt_theory(middle, N, B)
+    method = Definition(
+        N, [a, b], [v, w], bodies=[me.Particle("m", middle, 1), me.Particle("n", tip, 1)],
+        loads=[(base, RX * N.x + RY * N.y)], auxiliary_speeds=[UX, UY],
+        holonomic_constraints=[b - 3 * a],
+    )  # fmt: skip
+    with pytest.raises(ValueError, match="closes a loop"):
+        System(method, noncontributing_forces=[RX, RY])

@@ -355,10 +355,10 @@ class LoopShares:
                 values = np.moveaxis(np.einsum("csab,cspb->cspa", e, r), 1, 3)
                 columns = _columns(along + turning)
                 yield _Closures(ends, columns, partial(self._along, frame), values, frame)
-                if frame is not self.k.inertial:
-                    columns = np.einsum("csab,cspbn->cspan", e, v)
-                    rates = partial(self._moved, frame)
-                    yield _Closures(ends, _columns(columns), rates, axes=frame)
+                # Velocities that the user set need not be those of places: where a wheel touches.
+                columns = np.einsum("csab,cspbn->cspan", e, v)
+                rates = partial(self._moved, frame)
+                yield _Closures(ends, _columns(columns), rates, axes=frame)
             square = np.einsum("cspb,cspbn->cspn", r, dr)
             lengths = np.sqrt((r**2).sum(axis=-1))[..., None]
             yield _Closures(ends, _columns(square[:, :, :, None]), self._square)
