@@ -6,12 +6,12 @@ import contextlib
 import os
 from collections import UserDict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -604,3 +604,22 @@ class Places:
         except (TypeError, ValueError, OverflowError):
             pass  # `read` says which one it is
         return None
+
+
+C = TypeVar("C", bound=Callable[..., Any])
+
+
+def names_meant(what: str, meant: Mapping[str, str]) -> Callable[[C], C]:
+    """Name the argument that is meant by another library's name for it, in a TypeError."""
+
+    def named(call: C) -> C:
+        @wraps(call)
+        def checked(*args: Any, **options: Any) -> Any:
+            for name in options:
+                if name in meant:
+                    raise TypeError(f"{what} has no argument `{name}`: {meant[name]}.")
+            return call(*args, **options)
+
+        return cast(C, checked)
+
+    return named

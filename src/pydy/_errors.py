@@ -23,9 +23,14 @@ class PyDyUserWarning(UserWarning):
 def warn_user(message: str) -> None:
     """Give a warning that points at the user's line that called this package."""
     level, frame = 1, sys._getframe()
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
+    while frame.f_back is not None and _within(frame.f_globals.get("__name__", "")):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
+
+
+def _within(module: str) -> bool:
+    """Return whether a frame is the package's own, or `np.errstate` around one of its methods."""
+    return module.startswith("pydy.") or module.endswith("._ufunc_config")
 
 
 def warn_not_finite(

@@ -430,3 +430,24 @@ def test_constraints_are_differentiated_by_the_graph():
     constrained, _ = wrapped(y - curve)
     (rate,) = constrained.velocity_constraints
     assert rate == curve.diff(T)
+
+
+NAMES_OF_SYMPY = {
+    "kd_eqs": "`kinematic_equations`", "kdes": "`kinematic_equations`", "q_ind": "`coordinates`",
+    "q_dependent": "`dependent_coordinates`", "u_ind": "`speeds`",
+    "u_dependent": "`dependent_speeds`", "u_auxiliary": "`auxiliary_speeds`",
+    "forcelist": "`loads`",
+    "configuration_constraints": "`holonomic_constraints`",
+    "nonhol_coneqs": "`nonholonomic_constraints`",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES_OF_SYMPY)
+def test_a_name_of_sympys_methods_is_refused_with_the_argument_that_is_meant(name):
+    with pytest.raises(TypeError, match=f"no argument `{name}`: .*{NAMES_OF_SYMPY[name]}"):
+        Definition(me.ReferenceFrame("N"), bodies=[], **{name: []})
+
+
+def test_what_belongs_to_a_method_is_refused_by_a_system_with_the_remedy():
+    with pytest.raises(TypeError, match="`forcelist`: it belongs to the method, pass a"):
+        System(forcelist=[])

@@ -391,3 +391,18 @@ def test_bodies_that_are_not_those_of_the_lagrangian_have_no_known_potential():
     assert system.evaluate_ode([0.3, -0.4, 0.7, 1.1])[2:] == pytest.approx([-9.81, 0.0])
     with pytest.raises(ValueError, match="in another way than the kinetic energy of the `bodies`"):
         system.evaluate_energy([0.3, -0.4, 0.7, 1.1])
+
+
+@pytest.mark.parametrize("formed", [False, True])
+def test_a_constant_that_cancels_from_a_lagrangian_without_bodies_is_a_constant(formed):
+    q = me.dynamicsymbols("q")
+    m, l, g, height = sm.symbols("m l g h")
+    energy = m * l**2 * q.diff(T) ** 2 / 2 - m * g * (l * sm.sin(q) + height)
+    method = me.LagrangesMethod(energy, [q])
+    if formed:
+        method.form_lagranges_equations()
+    system = System(method, {m: 2.0, l: 0.5, g: 9.81, height: 3.0})
+    assert height in system.constants_symbols
+    assert system.evaluate_ode([0.3, 0.0])[1] == pytest.approx(-9.81 / 0.5 * np.cos(0.3))
+    with pytest.raises(ValueError, match="which is not one of the constants"):
+        system.constants = {sm.Symbol("other"): 1.0}

@@ -40,7 +40,7 @@ class Model:
         self.origin.set_vel(self.ground, 0)
         self._elsewhere()
         self._kinematic()
-        self.auxiliary, self.forces = [], []
+        self.auxiliary, self.forces, self.noncontributing = [], [], []
         if joints:
             self._joints()
         else:
@@ -48,8 +48,7 @@ class Model:
         self.loads = self._gravity()
         for load in self.tree["loads"]:
             self.loads += LOADS[load["kind"]].symbols(self, load)
-        for _, force, k, axis in self.forces:
-            self.loads.append((self.hinges[k], force * axis))
+        self.loads += self.noncontributing
         self._rows()
 
     def _elsewhere(self):
@@ -147,7 +146,7 @@ class Model:
                 frame = tilted
             for item in self.data["auxiliary"]:
                 if item["body"] == k:
-                    self._free(k, item, point)
+                    frame, point = self._free(k, item, frame, point)
             base = frame
             self.hinges.append(point)
             self.axes.append(vector(body["axis"], frame).normalize() if "axis" in body else frame.x)
@@ -172,12 +171,23 @@ class Model:
             frame.set_ang_vel(parent, 0)
         return frame
 
-    def _free(self, k, item, point):
-        u, force = me.dynamicsymbols(f"ua{k}"), sm.Symbol(f"R{k}")
+    def _free(self, k, item, frame, point):
+        """The frame and the point of a joint, which move by an auxiliary speed."""
+        u, force = me.dynamicsymbols(f"ua{k} R{k}")
         axis = list(self.ground)[item["axis"]]
-        point.set_vel(self.ground, u * axis)
+        if item["turn"]:
+            before, frame = frame, me.ReferenceFrame(f"X{k}")
+            frame.orient_axis(before, before.x, 0)
+            frame.set_ang_vel(before, u * axis)
+            both = before, frame
+        else:
+            before, point = point, point.locatenew(f"X{k}", 0 * axis)
+            point.set_vel(self.ground, before.vel(self.ground) + u * axis)
+            both = before, point
         self.auxiliary.append(u)
-        self.forces.append((u, force, k, axis))
+        self.forces.append(force)
+        self.noncontributing += [(both[1], force * axis), (both[0], -force * axis)]
+        return frame, point
 
     def moved(self, point, way, speed, frame):
         """A point at a place in a frame; where velocities are said, with its own."""
@@ -286,7 +296,6 @@ class Model:
                 rows += part.combined(rows, loop, _added)
             else:
                 rows += part.symbols(self, loop)
-        still = dict.fromkeys(self.auxiliary, 0)
         # Where decimals cancel, rows of nothing but rounding are left, which contradict anything.
         rows = [
             (kind, sm.sympify(row) if some else sm.S.Zero)
@@ -295,9 +304,7 @@ class Model:
             )
         ]
         self.positions = [row for kind, row in rows if kind == "position"]
-        self.speeds = [
-            row.xreplace(self.rates).xreplace(still) for kind, row in rows if kind == "speed"
-        ]
+        self.speeds = [row.xreplace(self.rates) for kind, row in rows if kind == "speed"]
 
     def _hold(self):
         """Whether each row holds anything at this state or at others, the positions first."""

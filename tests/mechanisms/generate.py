@@ -74,7 +74,11 @@ def draw(seed):
             kind = str(rng.choice(kinds))
             data["loops"].append({"kind": kind} | LOOPS[kind].draw(rng, data))
     if rng.random() < 0.15 and data["bodies"][0]["joint"] == "pin":
-        data["auxiliary"].append({"body": 0, "axis": int(rng.integers(3))})
+        data["auxiliary"].append({"body": 0, "axis": int(rng.integers(3)), "turn": False})
+    inside = np.random.default_rng([29, seed])  # what it draws changes no other seeds
+    if data["loops"] and inside.random() < 0.4:
+        item = {"body": int(inside.integers(len(data["bodies"]))), "axis": int(inside.integers(3))}
+        data["auxiliary"] = [item | {"turn": bool(inside.integers(2))}]
     if rng.random() < 0.4:
         data["units"] = [float(f"1e{rng.integers(-9, 10)}") for _ in range(3)]
         if any(loop["kind"] == "again" for loop in data["loops"]):

@@ -60,15 +60,22 @@ def _each(numbers, f):
 
 
 class World:
-    """A mechanism at one state; q, u and all numbers of the data may be of 80 bits."""
+    """A mechanism at one state; q, u and all numbers of the data may be of 80 bits.
 
-    def __init__(self, data, q, u, rows=None):
+    With `freed`, an auxiliary speed, it takes the place of the first speed; there are rows alone.
+    """
+
+    def __init__(self, data, q, u, rows=None, freed=None):
         self.data = data = _each(data, LONG)
         self.parents = [body["on"] for body in data["bodies"]]
         self.kinds = [body["joint"] for body in data["bodies"]]
         self.places, self.nq, self.nu = layout(data)
         self.q, self.u, self.time = np.array(q, LONG), np.array(u, LONG), data["time"]
+        self.freed = freed
         self._kinematics()
+        if freed is not None:
+            self._rows()
+            return
         self._forces = np.zeros((len(self.parents) + 1, 6), LONG)  # about the origin
         self._sizes = np.zeros((len(self.parents) + 1, 2), LONG)
         self.force, self.force_size = np.zeros(self.nu, LONG), np.zeros(self.nu, LONG)
@@ -137,6 +144,8 @@ class World:
         series[0] = q
         series[1, 0], series[2, 0] = self.velocity, self.drift / 2
         series[1, 1:] = G[0].T
+        if self.freed is not None:
+            series[1, 1] = 0
         time = np.zeros((3, motions), LONG)
         time[0], time[1, 0] = self.time, 1
         self._turns, self._places, self._axes, self._joints = [], [], [], []
@@ -147,6 +156,8 @@ class World:
                 for axis, angle in zip(np.eye(3), body["tilt"], strict=True):
                     a = constant(angle, 1)
                     turn = turn @ turned(axis, a)[0, 0]
+            if self.freed is not None and self.freed["body"] == k:
+                place, turn = self._free(place.copy(), turn.copy())
             self._joints.append(place)
             axis = np.array(body.get("axis", [1, 0, 0]), LONG)
             self._axes.append(turn[0, 0] @ (axis / np.sqrt(axis @ axis)))
@@ -159,6 +170,14 @@ class World:
                     turn = multiply(turn, own_turn, np.matmul)
             self._turns.append(turn)
             self._places.append(place + rotate(turn, np.array(body["centre"], LONG)))
+
+    def _free(self, place, turn):
+        axis = np.eye(3, dtype=LONG)[self.freed["axis"]]
+        if self.freed["turn"]:
+            turn[1, 1] += np.cross(axis, turn[0, 0].T).T
+        else:
+            place[1, 1] += axis
+        return place, turn
 
     def turns(self, body):
         return constant(np.eye(3), self.nu + 1) if body < 0 else self._turns[body]
@@ -389,6 +408,25 @@ class World:
                 ).sum(-1)
         bound = np.concatenate([np.full(3, size), np.full(3, turn_size)])
         return np.concatenate([force, torque]), bound
+
+    def joint_force(self, item):
+        """What a joint alone carries along an auxiliary speed, and its bound.
+
+        That is the reaction without the forces of loops; None where redundant rows share them.
+        """
+        place = item["axis"] + 3 * item["turn"]
+        force, bound = (part[place] for part in self.reaction(item["body"]))
+        freed = World(self.data, self.q, self.u, freed=item)
+        shares, sizes = freed.A[:, 0], freed.A_size[:, 0]
+        kept = list(self.kept)
+        A = self.A[kept]
+        for k in (k for k in range(len(self.A)) if k not in kept):
+            factors = solved(A @ A.T, A @ self.A[k]) if kept else np.zeros(0, LONG)
+            size = np.abs(factors) @ sizes[kept] + sizes[k]
+            if abs(shares[k] - factors @ shares[kept]) > 1e-10 * size:
+                return None
+        force -= self.multipliers @ shares[kept]
+        return force, bound + self.multipliers_bound @ sizes[kept]
 
 
 def _added(rows, weights):

@@ -74,6 +74,31 @@ def test_what_is_lost_nowhere_is_not(motion, damper):
         assert states[-1, 0] + float(z(1.0)) == pytest.approx(expected, abs=1e-6)
 
 
+@pytest.mark.parametrize("inertia", [0.0, 0.5])
+def test_steering_is_told_of_an_impulse_only_where_its_acceleration_acts(inertia):
+    """A car's wheel that a ramp turns: its δ'' moves the car by the wheel's own inertia alone."""
+    psi, r, steer, I = *me.dynamicsymbols("psi r delta"), sm.Symbol("I")
+    frame, origin = inertial_frame()
+    car = frame.orientnew("C", "Axis", (psi, frame.z))
+    wheel = car.orientnew("W", "Axis", (steer, car.z))
+    axle = origin.locatenew("F", 1.2 * car.x)
+    bodies = [
+        me.RigidBody("car", origin, car, 1, (me.inertia(car, 0, 0, 2), origin)),
+        me.RigidBody("wheel", axle, wheel, 1, (me.inertia(wheel, 0, 0, I), axle)),
+    ]
+    method = Definition(frame, [psi], [r], bodies=bodies, loads=[(axle, wheel.y)])
+    ramp = sm.Max(0, T - A / 2)
+    system = System(method, {I: inertia, A: 1.0}, {steer: ramp}, "dop853", times=[0.0, 1.0])
+    if not inertia:
+        (_, (angle, _)) = system.integrate()  # a warning would be an error
+        # r' = 1.2 cos δ / (2 + 1.2²), with δ = 0 in the first half second
+        expected = 1.2 / (2.0 + 1.2**2) * (0.5**2 / 2 + 0.5**2 + 1 - np.cos(0.5))
+        assert angle == pytest.approx(expected, rel=1e-6)
+        return
+    with pytest.warns(PyDyUserWarning, match=r"a derivative of `specifieds\[delta\(t\)\]` jumps"):
+        system.integrate()
+
+
 @pytest.mark.parametrize(
     ("row", "what"),
     [

@@ -9,6 +9,7 @@ import zoo
 from cases import close
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import inertial_frame
 
@@ -97,6 +98,28 @@ def test_a_motion_that_drops_out_may_be_given_with_its_derivatives(kane, specifi
 def test_what_is_no_part_of_the_motion_is_still_refused(kane, wrong):
     with pytest.raises(ValueError, match="not one of the specifieds of the system"):
         System(kane, specifieds={wrong: 1.0})
+
+
+@pytest.mark.parametrize("given", ["together", "apart", "format 2"])
+def test_a_second_derivative_that_cancels_may_be_given_with_the_motion(given):
+    """A bob at the end of a rope of length l(t): its angle's derivative holds l and l' alone."""
+    q, u, l = me.dynamicsymbols("q u l")
+    frame, origin = inertial_frame()
+    turned = frame.orientnew("A", "Axis", (q, frame.z))
+    bob = origin.locatenew("B", -l * turned.y)
+    method = Definition(
+        frame, [q], [u], bodies=[me.Particle("bob", bob, 1)], loads=[(bob, -9.81 * frame.y)]
+    )
+    symbols = (l, l.diff(T), l.diff(T, 2))
+    assert System(method).specifieds_symbols == {*symbols[:2]}
+    numbers = [2.0, 0.3, 5.0]
+    specifieds = {
+        "together": {symbols: lambda x, t: np.array(numbers)},
+        "apart": dict(zip(symbols, numbers, strict=True)),
+        "format 2": {"symbols": symbols, "values": lambda x, t: np.array(numbers)},
+    }[given]
+    found = System(method, specifieds=specifieds).evaluate_ode([0.1, 0.7])
+    close(found, [0.7, -9.81 * np.sin(0.1) / 2.0 - 2.0 * 0.3 * 0.7 / 2.0])
 
 
 def test_an_output_may_not_have_the_name_of_the_motion(kane):

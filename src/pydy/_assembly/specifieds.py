@@ -66,16 +66,23 @@ def followed(definition: Definition, plan: Plan) -> set[Any]:
     return {formula.symbol for formula in _formulas(definition, plan)}
 
 
-def differentiated(assembly: Assembly, definition: Definition, plan: Plan) -> dict[int, Any]:
-    """Return the nodes of `assembly` that are differentiated by time, with their specifieds."""
+def differentiated(
+    assembly: Assembly, definition: Definition, plan: Plan
+) -> dict[int, tuple[Any, list[int]]]:
+    """Return the nodes of `assembly` that are differentiated by time.
+
+    Each has the specified whose expression it is, or is a derivative of, and the places in r of the
+    derivatives beyond it.
+    """
     formulas, graph = _formulas(definition, plan), assembly.graph
     kinematics = assembly.rates[: len(definition.equations.coordinates)]
     given = _resolve(graph, definition, formulas, kinematics, False)
-    found: dict[int, Any] = {}
+    found: dict[int, tuple[Any, list[int]]] = {}
+    places = {symbol: k for k, symbol in enumerate(definition.layout.specifieds)}
     for f in (f for f in formulas if f.order):
-        node = given[graph.input("r", definition.layout.specifieds.index(f.source))]
+        node = given[graph.input("r", places[f.source])]
         for _ in range(f.order):
-            found[node] = f.source
+            found.setdefault(node, (f.source, []))[1].append(places[f.symbol])
             node = jacobian(graph, [node], [graph.input("t", 0)])[0].get(0, graph.zero)
     return found
 

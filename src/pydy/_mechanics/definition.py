@@ -10,15 +10,44 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from pydy._checks import Places, check_mapping, describe, instance, listed, number, shown
+from pydy._checks import (
+    Places,
+    check_mapping,
+    describe,
+    instance,
+    listed,
+    names_meant,
+    number,
+    shown,
+)
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.rates import solve_rates
-from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+from pydy._mechanics.reader import Multibody, activation_states, check_bodies, read_loads
 from pydy._mechanics.symbols import find_symbols, rate_of
+
+_COORDINATES = "pass all of them in `coordinates`, and the dependent ones also in"
+_SPEEDS = "pass all of them in `speeds`, and the dependent ones also in"
+_NAMES_OF_SYMPY = {
+    **dict.fromkeys(("kd_eqs", "kdes"), "pass these equations as `kinematic_equations`"),
+    **dict.fromkeys(("q", "qs", "q_ind"), f"{_COORDINATES} `dependent_coordinates`"),
+    **dict.fromkeys(("q_dep", "q_dependent"), f"{_COORDINATES} `dependent_coordinates`"),
+    **dict.fromkeys(("u", "u_ind"), f"{_SPEEDS} `dependent_speeds`"),
+    **dict.fromkeys(("u_dep", "u_dependent"), f"{_SPEEDS} `dependent_speeds`"),
+    **dict.fromkeys(("u_aux", "u_auxiliary"), "pass them as `auxiliary_speeds`"),
+    **dict.fromkeys(
+        ("configuration_constraints", "hol_coneqs"), "pass them as `holonomic_constraints`"
+    ),
+    "nonhol_coneqs": "pass them as `nonholonomic_constraints`",
+    "acceleration_constraints": "they follow from the others, leave them out",
+    **dict.fromkeys(("forcelist", "force_list", "actuators"), "pass them as `loads`"),
+    **dict.fromkeys(("inertial", "inertial_frame"), "pass it as `frame`"),
+    "fixed_point": "the place of a body's mass centre leads to it, leave it out",
+    "joints": "pass a System of sympy.physics.mechanics, which has joints, to pydy.system.System",
+}
 
 
 class Definition:
@@ -86,6 +115,7 @@ class Definition:
     array([ 0., -2.])
     """
 
+    @names_meant("Definition", _NAMES_OF_SYMPY)
     def __init__(
         self,
         frame: ReferenceFrame,
@@ -114,7 +144,9 @@ class Definition:
         self.bodies = check_bodies(listed("bodies", bodies, "Particle and RigidBody objects"))
         if not self.bodies:
             raise ValueError("`bodies` must have at least one Particle or RigidBody.")
-        self.loads = read_loads(listed("loads", loads, "loads"))
+        given = listed("loads", loads, "loads")
+        self.loads = read_loads(given)
+        self._activations = tuple(activation_states(given, self.coordinates))
         self.auxiliary_speeds = _functions("auxiliary_speeds", auxiliary_speeds)
         self._each_a_rate = kinematic_equations is None
         self.kinematic_equations = self._kinematic(kinematic_equations, rates)
@@ -244,6 +276,7 @@ class Definition:
             coordinate_rates=rates,
             coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
             auxiliary=self.auxiliary_speeds,
+            activations=self._activations,
         )
         if implicit is not None:
             body = implicit.joined(body)

@@ -145,6 +145,8 @@ class Equations:
     # Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
     auxiliary_speeds: tuple[Any, ...] = ()
     auxiliary_equations: tuple[Any, ...] = ()
+    # The rate of a loop whose share in the auxiliary equations cannot be found; these are empty.
+    auxiliary_unknown: Any = None
     zeros: tuple[Any, ...] = field(default=(), repr=False)
     # The bodies and loads behind the equations, where the method knows them.
     mechanism: Mechanism | None = field(default=None, repr=False)
@@ -156,6 +158,8 @@ class Equations:
     implicit: Any = field(default=None, repr=False)
     # The places of the holonomic constraints whose rates the velocity constraints imply.
     enforced: tuple[int, ...] = ()
+    # Those whose rates no velocity constraint and no kinematic equation implies.
+    forgotten: tuple[int, ...] = ()
     # The velocity constraints that follow from those and from `nonholonomic`.
     repeated: tuple[Any, ...] = ()
 

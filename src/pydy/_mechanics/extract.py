@@ -25,6 +25,8 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
+from pydy._mechanics.reader import activation_dynamics
+from pydy._mechanics.wrapping import warn_of_reversed_forces
 
 
 def equations_of_system(
@@ -35,9 +37,19 @@ def equations_of_system(
     Where ``form_eoms()`` was called, they are those of its method. Else they are formed from its
     bodies: by Kane's equations, or, where its speeds are the derivatives of its coordinates, which
     KanesMethod refuses, by Lagrange's.
+
+    Its method knows nothing of activations and fibre lengths of musculotendons: where there are
+    some, Kane's equations are formed from the bodies, and they are coordinates without a speed.
     """
     ways = (lambda: _definition(system), lambda: _lagrange(system))
-    read = _read(system.eom_method, source, implicit, *ways)
+    dynamics = activation_dynamics(system.actuators)
+    formed = system.eom_method
+    if dynamics and source != "method" and isinstance(formed, KanesMethod):
+        formed = None
+    read = _read(formed, source, implicit, *ways)
+    if left := tuple(s for s in dynamics if s not in read.coordinates):
+        body = read.multibody
+        read = replace(read, multibody=body and replace(body, activations=left))
     if read.mechanism is None:
         return read
     return replace(read, mechanism=replace(read.mechanism, joints=tuple(system.joints)))
@@ -99,13 +111,17 @@ def _read(
 
 
 def _definition(system: System) -> Definition:
+    dynamics = activation_dynamics(system.actuators)
+    if any(isinstance(u, Derivative) for u in system.u):
+        dynamics = {}  # Lagrange's equations have a speed for each coordinate
+    states = [s for s in dynamics if s not in tuple(system.q)]
     return Definition(
         system.frame,
-        list(system.q),
+        [*system.q, *states],
         list(system.u),
         bodies=system.bodies,
         loads=[*system.loads, *system.actuators],
-        kinematic_equations=list(system.kdes),
+        kinematic_equations=[*system.kdes, *(s.diff() - dynamics[s] for s in states)],
         holonomic_constraints=list(system.holonomic_constraints),
         velocity_constraints=list(system.velocity_constraints),
         dependent_coordinates=list(system.q_dep) or None,
@@ -159,6 +175,9 @@ def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
         found = read(*args)
         check_velocities(found)
         warn_of_kinematics(found)
+        # Those of a System that has no equations yet were among the loads that were read.
+        formed = isinstance(args[0], System) and args[0].eom_method is not None
+        warn_of_reversed_forces(found, args[0].actuators if formed else ())
         return found
 
     return reader

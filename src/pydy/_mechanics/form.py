@@ -17,7 +17,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import hessian, jacobian, jacobian_rows
+from pydy._graph.derivative import hessian, jacobian
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures, vanish
 from pydy._graph.node import Graph, input_nodes, input_symbols
@@ -208,25 +208,6 @@ def useful_axes(body: Multibody) -> list[bool]:
     frames = {f for vector in vectors for _, f in vector.args}
     frames |= {f for point in k.placed() for _, f in k.parts(point)}
     return [not frames <= {k.inertial}]
-
-
-def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
-    """Return the residual for each auxiliary speed: its active minus its inertia force."""
-    kinematics = moving(body, in_bodies=True, auxiliary=True, driven=True)
-    g, n = kinematics.graph, len(kinematics.speeds)
-    _, rest = composite(kinematics, [], loads_and_inertias(kinematics)[1])
-    found = rest[n:]
-    if d := len(body.velocity):
-        nodes = kinematics.read.all(body.velocity)
-        held = [row[n - d :] for row in jacobian_rows(g, nodes, kinematics.speeds)]
-        moved = jacobian_rows(g, nodes, kinematics.auxiliary)
-        columns = [[g.neg(row[k]) for row in moved] for k in range(len(found))]
-        shares = g.solve(held, columns, "lu")
-        for k, share in enumerate(shares):
-            terms = [(g.mul(a, f), 1.0) for a, f in zip(share, rest[n - d : n], strict=True)]
-            found[k] = g.sum([(found[k], 1.0), *terms])
-    found = substitute(g, found, dict.fromkeys(kinematics.auxiliary, g.zero))
-    return [NodeExpression.of(g, node, kinematics.symbols()) for node in found]
 
 
 def _check_masses(

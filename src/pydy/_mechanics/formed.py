@@ -28,8 +28,9 @@ from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import operations, simplify
 from pydy._graph.solve.choose import difference_basis, solve_accelerations
+from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
+from pydy._mechanics.form import Formed, forms, useful_axes
 from pydy._mechanics.generic import (
     AROUND,
     Block,
@@ -76,14 +77,8 @@ def equations_of(body: Multibody) -> Equations:
     base = kinematics_of(body)
     found = chosen(body)
     energy = found.energy(body.time, body.coordinates, body.speeds)
-    return classify(
-        replace(
-            base,
-            formed=found,
-            mechanism=Mechanism(body.frame, body.bodies, body.loads, energy),
-            auxiliary_equations=tuple(auxiliary_equations(body)) if body.auxiliary else (),
-        )
-    )
+    mechanism = Mechanism(body.frame, body.bodies, body.loads, energy)
+    return with_auxiliary(classify(replace(base, formed=found, mechanism=mechanism)))
 
 
 # -- the form -------------------------------------------------------------------------------------
@@ -266,11 +261,9 @@ def _magnitudes(matrix: np.ndarray) -> np.ndarray:
 
 
 def classify(equations: Equations) -> Equations:
-    """Return the equations with `nonholonomic`, `enforced` and `repeated` filled in."""
+    """Return the equations with `nonholonomic`, `enforced`, `forgotten`, `repeated` filled in."""
     redundant = equations.left_out[1]
     equations = replace(equations, repeated=redundant)
-    if not equations.velocity:
-        return equations
     if not equations.holonomic:
         return replace(equations, nonholonomic=equations.velocity)
     states = GenericStates(equations, redundant, "the constraints")
@@ -294,7 +287,10 @@ def classify(equations: Equations) -> Equations:
     moves = _Space(len(motion), motion.shape[1])
     for row in motion:
         moves.extend(row)
-    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not moves.beyond(row).any())
+    beyond = [bool(moves.beyond(row).any()) for row in rows]
+    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not beyond[k])
+    given = equations.following[0]  # by residuals, which are solved
+    forgotten = tuple(k for k, lost in enumerate(beyond) if lost and k not in given)
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
@@ -308,6 +304,7 @@ def classify(equations: Equations) -> Equations:
         equations,
         nonholonomic=tuple(equations.velocity[k] for k in chosen),
         enforced=enforced,
+        forgotten=forgotten,
         repeated=tuple(pool[k][0] for k in own),
     )
 
@@ -323,6 +320,8 @@ def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarra
         if not every:
             continue
         motion, terms = (np.array([s[name] for s in every]) for name in ("motion", "terms"))
+        if not motion.shape[1]:
+            return every[0]
         motion[is_zero(motion, terms)] = 0.0
         scaled = motion * column_units(motion) / row_units(motion)[:, None]
         least = np.linalg.svd(scaled, compute_uv=False)[:, -1]

@@ -9,12 +9,13 @@ from weakref import WeakKeyDictionary
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from pydy._checks import describe
+from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.rates import divide_alike, solve_rates
-from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+from pydy._mechanics.reader import Multibody, activation_states, check_bodies, read_loads
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:
@@ -45,6 +46,7 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
         auxiliary=tuple(kane._uaux),
         dependent_coordinates=tuple(kane._qdep),
         dependent_speeds=tuple(kane._udep),
+        activations=tuple(activation_states(kane.loads or (), tuple(kane.q))),
     )
 
 
@@ -106,7 +108,9 @@ def equations_of_kane(
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )
-    return base if source == "method" else replace(base, formed=_alike(kane, base, body))
+    if source == "method":
+        return with_auxiliary(base)
+    return with_auxiliary(replace(base, formed=_alike(kane, base, body)))
 
 
 # What was found out about a method, with its equations: they may be derived anew, or written over.

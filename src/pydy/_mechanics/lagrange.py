@@ -12,7 +12,7 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import form_lagrangian
 from pydy._mechanics.formed import classify, kinematics_of
 from pydy._mechanics.implicit import Implicit
-from pydy._mechanics.reader import Multibody, check_bodies, is_rigid, read_loads
+from pydy._mechanics.reader import Multibody, activation_states, check_bodies, is_rigid, read_loads
 
 
 def equations_of_lagrange(
@@ -46,6 +46,7 @@ def equations_of_lagrange(
         coordinate_rates=rates,
         coordinate_derivatives=rates,
         lagrangian=method._L[0],
+        activations=tuple(activation_states(method.loads or (), coordinates)),
     )
     if source == "method":
         if velocity:

@@ -70,6 +70,7 @@ class Multibody:
     # or what they can be solved for, may change as the system moves.
     changing: bool = False
     implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
+    activations: tuple[Any, ...] = ()  # states of musculotendons that are specifieds here
     # The bodies as they were when they were first read, which SymPy lets change afterwards.
     noted: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
 
@@ -119,7 +120,7 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
     found: list[tuple[Any, Any]] = []
     for load in loads:
         if hasattr(load, "to_loads"):
-            found += read_loads(_loads_of(load))
+            found += [(where, vector) for where, vector in read_loads(_loads_of(load))]
             continue
         if not isinstance(load, tuple) or len(load) != 2:
             raise TypeError(
@@ -134,7 +135,9 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
                 f"or the ReferenceFrame that the torque acts on, got a {type(where).__name__}."
             )
         if vector != 0:
-            found.append((where, checked_vector(vector, f"The load at {where}")))
+            checked_vector(vector, f"The load at {where}")
+            # What an actuator made is a Force, which `pydy._mechanics.wrapping` looks at.
+            found.append(load)
     return tuple(found)
 
 
@@ -157,14 +160,8 @@ def _loads_of(actuator: Any) -> Any:
     SymPy differentiates a damper's length, the root of all terms of its square. The length times
     its rate is the way between the points times that way's own rate, which is a velocity.
     """
-    kind, path = type(actuator), getattr(actuator, "pathway", None)
-    if kind is not ForceActuator and isinstance(path, WrappingPathway) and _wrapped_force_pulls():
-        warn_user(
-            f"A {kind.__name__} along a WrappingPathway pushes where it should pull, and pulls "
-            "where it should push: SymPy applies a positive force inwards there, and outwards "
-            "along other pathways. Pass `ForceActuator(-actuator.force, actuator.pathway)`, a "
-            "force whose sign you choose, in its place."
-        )
+    if is_reversed(actuator):
+        warn_of_reversed(f"A {type(actuator).__name__}")
     if type(actuator) is not LinearDamper or type(actuator.pathway) is not LinearPathway:
         return actuator.to_loads()
     start, end = actuator.pathway.attachments
@@ -175,8 +172,49 @@ def _loads_of(actuator: Any) -> Any:
     return [(start, force), (end, -force)]
 
 
+def is_reversed(actuator: Any) -> bool:
+    """Return whether an actuator pushes where it should pull; a ForceActuator's sign is chosen."""
+    path = getattr(actuator, "pathway", None)
+    if type(actuator) is ForceActuator or not isinstance(path, WrappingPathway):
+        return False
+    return wrapped_force_pulls()
+
+
+def warn_of_reversed(what: str) -> None:
+    """Warn of a force along a WrappingPathway that has the wrong sign."""
+    warn_user(
+        f"{what} along a WrappingPathway pushes where it should pull, and pulls where it should "
+        "push: SymPy applies a positive force inwards there, and outwards along other pathways. "
+        "Pass `ForceActuator(-actuator.force, actuator.pathway)`, a force whose sign you choose, "
+        "in its place."
+    )
+
+
+def activation_states(loads: Iterable[Any], coordinates: Container[Any]) -> list[Any]:
+    """Return states of musculotendons, activations and fibre lengths, that are no coordinates."""
+    every = (s for muscle in _with_states(loads) for s in muscle.x)
+    return [s for s in dict.fromkeys(every) if s not in coordinates]
+
+
+def activation_dynamics(loads: Iterable[Any]) -> dict[Any, Any]:
+    """Return the derivatives of the states of musculotendons."""
+    found: dict[Any, Any] = {}
+    for muscle in _with_states(loads):
+        found.update(zip(muscle.x, muscle.rhs(), strict=True))
+    return found
+
+
+def _with_states(loads: Iterable[Any]) -> list[Any]:
+    """Return the musculotendons among loads, which have states `x` and derivatives `rhs()`."""
+    return [
+        load
+        for load in loads
+        if isinstance(getattr(load, "x", None), sm.MatrixBase) and hasattr(load, "rhs")
+    ]
+
+
 @cache
-def _wrapped_force_pulls() -> bool:
+def wrapped_force_pulls() -> bool:
     """Return whether a positive force along a quarter of a cylinder pulls at its ends.
 
     Springs, dampers and muscles mean one that pushes; that SymPy's geometry does not may be mended.

@@ -12,6 +12,7 @@ from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._names import unique_names
 from pydy._system.balance import Point
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.jumps import warn_of_kinks
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
@@ -148,6 +149,7 @@ class LinearModels(Setup):
         1.414214
         """
         now = self._now()
+        warn_of_forgotten(now)
         definition = now.definition
         n, s = len(definition.states), len(definition.specifieds)
         plan, p = now.plan, now.p

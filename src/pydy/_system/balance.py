@@ -22,6 +22,7 @@ from pydy._kernel import Kernel
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._names import some, unique_names
 from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, left_ahead, solve_equilibrium
@@ -717,6 +718,7 @@ class Equilibria(Setup):
         >>> system.initial_conditions = found.initial_conditions
         """
         now = self._now()
+        warn_of_forgotten(now)
         balance = Balance(now, unknowns, given, moving)
         wanted = balance.wanted
         return balance.equilibrium(

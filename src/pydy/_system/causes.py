@@ -20,6 +20,7 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy._system.snapshot import At, Snapshot
+from pydy._system.undefined import first_undefined
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     NOT_FINITE,
@@ -55,8 +56,11 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
         )
 
 
-def cause_of(at: At) -> str | None:
-    """Describe the singularity at a state, or return None if it is of no known kind."""
+def cause_of(at: At, outputs: bool = False) -> str | None:
+    """Describe the singularity at a state, or return None if it is of no known kind.
+
+    It may be one of `outputs`, where the equations have none.
+    """
     definition, model = at.definition, at.model
     for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
         if not np.isfinite(value):
@@ -83,6 +87,7 @@ def cause_of(at: At) -> str | None:
         _in_kinematics(at, values["kinematics"])
         or (_in_constraints(equations, rows, values["matrix"]) if len(rows) else None)
         or (None if len(rows) else _in_masses(at, values["matrix"]))
+        or first_undefined(at, outputs)
     )
 
 
@@ -239,7 +244,7 @@ def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
 
     def place(k: int) -> tuple[str, str | None]:
         state = numbers_of(at.definition.states, at.x[k])
-        return f"t = {float(at.t[k])!r} in the state {state}", cause_of(at.some([k]))
+        return f"t = {float(at.t[k])!r} in the state {state}", cause_of(at.some([k]), outputs=True)
 
     _errors.warn_not_finite(wrong, names, place)
 

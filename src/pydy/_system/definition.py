@@ -251,6 +251,12 @@ def _ordered(
         others = sort_symbols({*others, *extra})
         places = Places([*found, *others], "specifieds of the system")
         keys = [places.get(key, "specifieds") for key in given.keys]
+    if None in keys and (higher := _higher([*found, *others]) - outputs):
+        # Of a motion and its derivatives that are given together the highest may cancel.
+        wider = Places([*places.symbols, *sort_symbols(higher)], "specifieds of the system")
+        keys = [wider.get(key, "specifieds") for key in given.keys]
+        asked = {wider.symbols[k] for k in keys if k is not None}
+        others, places = sort_symbols({*others, *(higher & asked)}), wider
     chosen = [places.symbols[k] for k in keys if k is not None]
     if given.ordered:
         return tuple(dict.fromkeys([*chosen, *found]))
@@ -261,6 +267,16 @@ def _ordered(
         if s in chosen or (s.is_Derivative and not moving.isdisjoint(lower_derivatives(s)))
     ]
     return tuple(sort_symbols([*found, *motions]) if motions else found)
+
+
+def _higher(symbols: Iterable[Any]) -> set[Any]:
+    """Return first and second derivatives of functions of time that are not there.
+
+    Positions, velocities and accelerations hold no others.
+    """
+    known, t = {*symbols}, dynamicsymbols._t
+    functions = {s.expr if isinstance(s, sm.Derivative) else s for s in known}
+    return {f.diff(t, k) for f in functions for k in (1, 2)} - known
 
 
 # -- What users hand over, as plain data ----------------------------------------------------------
@@ -471,6 +487,15 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
     """Return the symbols of noncontributing forces that a user gave by themselves or by name."""
     if forces is None:
         return []
+    if equations.auxiliary_unknown is not None and forces != [] and forces != ():
+        raise ValueError(
+            "`noncontributing_forces` cannot be computed: the velocity constraint "
+            f"`{shown(equations.auxiliary_unknown)}` = 0 closes a loop, holds no auxiliary speed, "
+            "and is the rate of no distance, component or angle between points and frames of the "
+            "mechanism, so that the loop's share in these forces is unknown. Pass "
+            "`velocity_constraints` that are made of velocities of points, such as "
+            "`(Q.vel(N) - D.vel(N)).dot(N.x)`, which hold the auxiliary speeds."
+        )
     several = isinstance(forces, Iterable) and not isinstance(forces, str)
     names = resolved(
         "noncontributing_forces",

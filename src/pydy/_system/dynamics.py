@@ -32,6 +32,7 @@ from pydy._mechanics.inverse import (
 )
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
@@ -329,6 +330,7 @@ class Dynamics(Setup):
     ) -> np.ndarray:
         """Evaluate at the user's q, v, a and t."""
         now = self._now(constants=p)
+        warn_of_forgotten(now)
         # Values of constants that the motion does not depend on.
         definition, silent = now.definition, getattr(self._eom_method, "values", {})
         equations = definition.equations

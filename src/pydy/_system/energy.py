@@ -84,8 +84,10 @@ class EnergyModel:
         """The symbols in energies and positions that are neither time nor states."""
         parts: list[Any] = [] if self.given is None else [self.given]
         equations, mechanism = self.equations, self.equations.mechanism
+        if equations.multibody is not None and equations.multibody.lagrangian is not None:
+            parts.append(equations.multibody.lagrangian)  # it may come without bodies
         if mechanism is not None:
-            parts += [*mechanism.parts, mechanism.lagrangian or 0]
+            parts += [*mechanism.parts]
             parts += [body.potential_energy for body in mechanism.bodies]
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:

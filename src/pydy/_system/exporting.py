@@ -22,6 +22,7 @@ from pydy._graph.program import Program
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._system.dependents import latest_dependents
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import (
@@ -233,6 +234,7 @@ class Exporting(Setup):
         from pydy.export.model import EventData, Model, Variable, identifiers
 
         now = self._now(events)
+        warn_of_forgotten(now)
         definition, times = now.definition, now.times
         start = float(times[0]) if len(times) else 0.0
         places = _input_places(definition, now.plan, inputs)

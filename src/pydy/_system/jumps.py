@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._interpolation import in_order
-from pydy._rank import HALF, ROUNDING
+from pydy._rank import HALF, ROUNDING, is_zero
 from pydy._system.snapshot import At, Snapshot
 from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
 
@@ -120,7 +120,7 @@ class Impulses:
         """Return the nodes that are differentiated by time, with their names."""
         found: dict[int, str] = {}
         sources: set[Any] = set()
-        for node, source in differentiated(assembly, self.definition, self.plan).items():
+        for node, (source, _) in differentiated(assembly, self.definition, self.plan).items():
             of = "a derivative of " if source in sources else ""
             found[node] = f"{of}`specifieds[{source}]`"
             sources.add(source)
@@ -222,7 +222,9 @@ def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
     parts = Impulses(now.definition, now.plan)
     if not _switches(now.at(times[:1], now.x[None]), parts):
         return
-    names = [*parts.nodes(now.driven.assembly.fork()).values()]
+    assembly = now.driven.assembly.fork()
+    names = parts.nodes(assembly)
+    beyond = differentiated(assembly, now.definition, now.plan)
 
     def evaluate(times: np.ndarray) -> Values:
         return now.at(times, np.tile(now.x, (len(times), 1))).values(parts)
@@ -231,14 +233,38 @@ def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=4096)))
     for k, beside, found, sizes in passages(evaluate, every):
         step = found["steps"][:, k].min(axis=0)
-        for what, one, size in zip(names, step, sizes, strict=True):
-            if one > HALF * size:
+        for (node, what), one, size in zip(names.items(), step, sizes, strict=True):
+            if one > HALF * size and (node not in beyond or _acts(now, beyond[node][1], beside[0])):
                 warn_user(
                     f"At t = {beside[0]:.6g} {what} jumps by {one:.3g}. The equations hold its "
                     "derivative, in which that is an impulse, which the motion misses. Give a "
                     "smooth expression."
                 )
                 return
+
+
+@dataclass(frozen=True)
+class _Slopes:
+    """The derivatives of the rates by specifieds."""
+
+    places: tuple[int, ...]
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        by = [assembly.graph.input("r", k) for k in self.places]
+        slopes = dense_jacobian(assembly.graph, assembly.rates, by)
+        return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
+
+
+def _acts(now: Snapshot, places: Sequence[int], t: float) -> bool:
+    """Return whether specifieds move the states, with these constants, at this or other states.
+
+    The second derivative of a steering angle is in the equations with an inertia that may be zero.
+    """
+    x = np.array([now.x, *now.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(now.x)))])
+    times = np.full(len(x), t)
+    at = replace(now.at(times, x), model=now.model, r=now.specifieds(times, x))
+    found = at.values(_Slopes(tuple(places)))
+    return not is_zero(found["slopes"], found["bounds"]).all()
 
 
 class Asked:

@@ -19,6 +19,7 @@ from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.definition import refuse_descending
 from pydy._system.dependents import latest_dependents
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
@@ -437,6 +438,7 @@ class _Frozen:
 
     def __init__(self, system: Any, contacts: Any, options: dict[str, Any]) -> None:
         self._now = system._now(options.get("events"), contacts=contacts)
+        warn_of_forgotten(self._now)
         self._system, self._contacts, self._options = copy(system), contacts, options
         self._made: dict[Any, Function] = {}
 

@@ -25,6 +25,7 @@ from pydy._mechanics.to_sympy import written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
 from pydy._names import name_of
 from pydy._system.dynamics import without_bodies
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 
 
@@ -260,6 +261,8 @@ class Reading(Setup):
         c1 = cos(q1)
         s1 = sin(q1)
         """
+        if self._equations.forgotten:
+            warn_of_forgotten(self._now())
         made = equations_to_read(self._equations, tuple(self._forces))
         if flag(short, "`short`"):
             return made

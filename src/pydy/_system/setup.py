@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag, instance, shown
+from pydy._checks import Keyed, check_mapping, flag, instance, names_meant, shown
 from pydy._errors import warn_user
 from pydy._graph.passes import rewriting
 from pydy._html import html_table
@@ -24,6 +24,7 @@ from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
 from pydy._system.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
 from pydy._system.energy import EnergyModel, check_potential
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.scipy_solvers import resolve_ode_solver
 from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
@@ -101,9 +102,22 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
     return Generated(definition, model, arguments)
 
 
+_NAMES_OF_METHODS = dict.fromkeys(
+    (
+        "frame", "fixed_point", "bodies", "loads", "forcelist", "joints", "actuators", "kd_eqs",
+        "kdes", "kinematic_equations", "coordinates", "speeds", "q_ind", "u_ind", "q_dependent",
+        "u_dependent", "u_auxiliary", "auxiliary_speeds", "configuration_constraints",
+        "velocity_constraints", "holonomic_constraints", "nonholonomic_constraints",
+    ),
+    "it belongs to the method, pass a KanesMethod, a System of sympy.physics.mechanics or a "
+    "pydy.mechanics.Definition that has it as `eom_method`",
+)  # fmt: skip
+
+
 class Setup:
     """The state of a System, checked when set and when used: it may be edited in place."""
 
+    @names_meant("System", _NAMES_OF_METHODS)
     def __init__(
         self,
         eom_method: Any,
@@ -579,6 +593,8 @@ class Setup:
         """
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
+        if self._equations.forgotten:
+            warn_of_forgotten(self._now())
         function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
         return function

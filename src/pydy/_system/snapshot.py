@@ -227,6 +227,13 @@ class Snapshot:
     @cached_property
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
+        plan = self._own_plan
+        _warn_of_activations(self.definition, plan, self.told)
+        return plan
+
+    @cached_property
+    def _own_plan(self) -> SpecifiedsPlan:
+        """The same without a look at what has no value: a call may bring some."""
         given, latest = self.user["specifieds"], self.model.latest
         told, known = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
@@ -288,7 +295,8 @@ class Snapshot:
         places = self.definition.places["specifieds"]
         if callable(r):
             return SpecifiedsPlan({places.symbols: r}, places, argument="r")
-        plan = self.plan.updated(SpecifiedsPlan(r, places, argument="r"))
+        plan = self._own_plan.updated(SpecifiedsPlan(r, places, argument="r"))
+        _warn_of_activations(self.definition, plan, self.told)
         return _warned_of(self.definition, plan, self.told)
 
     # -- along a trajectory -----------------------------------------------------------------------
@@ -415,3 +423,17 @@ def samples(
             f"{source} the shape {instants.shape}."
         )
     return (states[None] if single else states), np.ascontiguousarray(instants), single
+
+
+def _warn_of_activations(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> None:
+    """Warn once of states of muscles that are specifieds without a value: activations."""
+    body = definition.equations.multibody
+    for state in () if body is None else body.activations:
+        if state in definition.specifieds and state not in plan.given and state not in told:
+            told.add(state)
+            warn_user(
+                f"`{state}` is a state of a musculotendon, but the equations do not hold its "
+                "derivative, `rhs()`: it is a specified without a value, and stays zero. Add it to "
+                "the coordinates and its derivative to the kinematic equations of a "
+                f"pydy.mechanics.Definition, or give `{state}` in `specifieds`."
+            )

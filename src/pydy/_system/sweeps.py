@@ -14,6 +14,7 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._system.balance import Balance, located
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot, samples
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
@@ -255,6 +256,7 @@ class Sweeps(Setup):
         [(0.0, 1j, True)]
         """
         now = self._now()
+        warn_of_forgotten(now)
         definition = now.definition
         given_at, at = at, now.x_with(at, "at")
         if at is not None:
@@ -351,6 +353,7 @@ class Sweeps(Setup):
         ('Hopf', 0.0, 1.0)
         """
         now = self._now()
+        warn_of_forgotten(now)
         definition = now.definition
         parameter, values = parameter_of(definition, over)
         longest = positive(step, "`step`", finite=True)

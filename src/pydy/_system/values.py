@@ -25,6 +25,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._system.balance import GROUPS, located, members
 from pydy._system.causes import explain, warn_not_finite
 from pydy._system.energy import Energy
+from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.kept import warn_of_left_out
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot, samples
@@ -129,6 +130,8 @@ def evaluate_block(
     now: Snapshot, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
+    if block in ("rates", "outputs"):
+        warn_of_forgotten(now)
 
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled(block) if wrt is None else model.compiled_jacobian(block, wrt)
@@ -148,6 +151,8 @@ def evaluate_product(
     definition = now.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
     target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
+    if target.block in ("", "rates", "outputs"):
+        warn_of_forgotten(now)
     by = variables(definition, wrt)
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):

@@ -1,0 +1,80 @@
+"""Auxiliary equations: the noncontributing forces that auxiliary speeds bring into evidence."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian_rows
+from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.closures import LoopShares, loop_points
+from pydy._mechanics.elimination import composite
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import moving
+from pydy._mechanics.inertia import loads_and_inertias
+from pydy._mechanics.kinematics import Kinematics, Vec
+
+
+@collector_paused()
+def with_auxiliary(equations: Equations) -> Equations:
+    """Return the equations with those of the auxiliary speeds.
+
+    A method's own are kept where its velocity constraints leave no auxiliary speed out.
+    """
+    body = equations.multibody
+    if body is None or not body.auxiliary:
+        return equations
+    k = moving(body, in_bodies=True, auxiliary=True, driven=True)
+    moved = jacobian_rows(k.graph, k.read.all(body.velocity), k.auxiliary)
+    loops = _leaving_out(k, equations, moved)
+    if loops:
+        points = loop_points(body)
+        k = moving(body, in_bodies=True, auxiliary=True, driven=True, more=points)
+        rows = k.read.all(body.velocity)
+        moved = jacobian_rows(k.graph, rows, k.auxiliary)
+        shares = LoopShares(k, points, [rows[j] for j in loops]).found(equations)
+        # Whoever wrote some of the rows with auxiliary speeds wrote all with them.
+        written = any(j not in loops for j in range(len(rows)) if _of_loop(equations, j))
+        for j, share in zip(loops, shares, strict=True):
+            if share is not None:
+                moved[j] = share
+            elif not written:
+                return replace(
+                    equations, auxiliary_equations=(), auxiliary_unknown=body.velocity[j]
+                )
+        loops = [j for j in loops if any(n != k.graph.zero for n in moved[j])]
+    if equations.auxiliary_equations and not loops:
+        return equations
+    return replace(equations, auxiliary_equations=tuple(_residuals(k, moved)))
+
+
+def _leaving_out(k: Kinematics, equations: Equations, moved: list[Vec]) -> list[int]:
+    """Return the rows that follow from holonomic constraints and hold no auxiliary speed."""
+    still = [all(n == k.graph.zero for n in row) for row in moved]
+    return [j for j, none in enumerate(still) if none and _of_loop(equations, j)]
+
+
+def _of_loop(equations: Equations, j: int) -> bool:
+    return not any(equations.velocity[j] is e for e in equations.nonholonomic)
+
+
+def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
+    """Return the residual for each auxiliary speed: its active minus its inertia force.
+
+    The velocity constraints' derivatives by the auxiliary speeds are `moved`.
+    """
+    g, n, body = k.graph, len(k.speeds), k.body
+    _, rest = composite(k, [], loads_and_inertias(k)[1])
+    found = rest[n:]
+    if d := len(body.velocity):
+        nodes = k.read.all(body.velocity)
+        held = [row[n - d :] for row in jacobian_rows(g, nodes, k.speeds)]
+        columns = [[g.neg(row[a]) for row in moved] for a in range(len(found))]
+        shares = g.solve(held, columns, "lu")
+        for a, share in enumerate(shares):
+            terms = [(g.mul(s, f), 1.0) for s, f in zip(share, rest[n - d : n], strict=True)]
+            found[a] = g.sum([(found[a], 1.0), *terms])
+    found = substitute(g, found, dict.fromkeys(k.auxiliary, g.zero))
+    return [NodeExpression.of(g, node, k.symbols()) for node in found]

@@ -1,0 +1,533 @@
+"""Auxiliary speeds in the rates of closed loops.
+
+An auxiliary speed moves points that no coordinate moves. The derivative of a loop's constraint, an
+expression of the coordinates, leaves it out, and with it the loop's share of the joint force. That
+expression does not say which bodies it connects. Its rate is looked up among the rates of what
+connects two points, frames or bodies:
+
+    e·r              components of the vector r between two points, along axes e of any frame,
+    e·v              components of their relative velocity,
+    r·r, |r|         their distance,
+    e·(ω₁ − ω₂)      the relative angular velocity of two frames,
+    e₁·e₂            the cosines between their axes,
+    f·v + τ·ω        a constant force and torque between two bodies: rolling, gears.
+
+Where the coefficients are the same at all states, the constraint is this one, and its rate by an
+auxiliary speed follows from the velocities of these points and frames. Of several that differ in
+it, those count that are equal to the constraint itself, not only in their rates; then single
+components; then those of ends that other rows of the loop connect. Where that fails, the loop's
+share is unknown.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import combinations, permutations
+from typing import Any
+
+import numpy as np
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import Point
+
+from pydy._graph.derivative import jacobian_rows
+from pydy._graph.interpret import evaluator
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.components import dot, flat, identity, turned
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.reader import Multibody, Tree, breadth_first_from, is_rigid, places
+from pydy._mechanics.symbols import find_symbols
+from pydy._rank import HALF, ROUNDED, or_one
+
+_STATES = 4  # generic states at which rates are compared, for each of two sets of constants
+
+
+def loop_points(body: Multibody) -> dict[Any, Any]:
+    """Return the points that constraints may connect, each with the one it is placed from.
+
+    Points of other mechanisms that hang on the same origin move with other functions of time.
+    """
+    tree = Tree(body.frame)
+    written = find_symbols((*body.holonomic, *body.velocity, *body.coordinate_derivatives))
+    known = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
+
+    def near(point: Any) -> list[Any]:
+        return [
+            other
+            for other, way in places(point).items()
+            if all(frame in tree.oriented and frame in tree.turning for _, frame in way.args)
+            and {s for part, _ in way.args for s in part.atoms(AppliedUndef)} <= known
+        ]
+
+    found: dict[Any, Any] = {}
+    at_loads = [where for where, _ in body.loads if isinstance(where, Point)]
+    for root in (*(b.masscenter for b in body.bodies), *at_loads):
+        if root not in found:
+            found |= breadth_first_from([root], near)
+    return found
+
+
+@dataclass
+class _Closures:
+    """Ways to connect two ends, all of one kind, by the same number of components.
+
+    Rates of the components by the speeds, at generic states, are `columns` (2 sets of constants,
+    ways, components, states · speeds), and the components themselves, where known, `values` (2,
+    ways, components, states). `rates` gives the rates of one way as nodes.
+    """
+
+    ends: list[tuple[Any, Any]]
+    columns: np.ndarray
+    rates: Callable[[Any, Any], Vec]
+    values: np.ndarray | None = None
+    axes: Any = None  # the frame of the components
+    between_bodies: bool = False
+
+
+@dataclass
+class _Fit:
+    """What has the rate of a constraint: how well, and the constraint's rate by auxiliary speeds.
+
+    The lower the rank, the more of the constraint it explains.
+    """
+
+    rank: int
+    ends: frozenset[Any]
+    axes: Any
+    shares: Vec
+
+
+class LoopShares:
+    """Rates of loop constraints by the auxiliary speeds that their expressions leave out.
+
+    The kinematics hold the auxiliary speeds and the `loop_points`; `rows` are nodes of its graph,
+    linear in the speeds.
+    """
+
+    def __init__(self, k: Kinematics, points: dict[Any, Any], rows: Sequence[int]) -> None:
+        self.k, g = k, k.graph
+        self._place: dict[Any, Vec] = {}
+        self._root: dict[Any, Any] = {}
+        for point, before in points.items():
+            self._place[point], self._root[point] = [g.zero] * 3, point
+            if before is not None:
+                step = k.vector(places(point)[before], k.inertial)
+                self._place[point] = k.plus(self._place[before], step)
+                self._root[point] = self._root[before]
+        frames = [f for f in k.tree.oriented if f in k.tree.turning]
+        self._axes = {f: [k.expressed(e, f, k.inertial) for e in identity(g)] for f in frames}
+        self._motion = {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(points)}
+        self._motion |= {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(frames)}
+        self._points, self._frames = list(points), frames
+        self._rows = jacobian_rows(g, rows, k.speeds)
+        self._number(k.read.all(k.body.holonomic))
+
+    def _moving(self, places: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
+        return ((where, self.k.at(where)) for where in places)
+
+    def _number(self, holonomic: Vec) -> None:
+        """Evaluate places and axes, and slopes of all rates by speeds and auxiliary speeds."""
+        k, g, n = self.k, self.k.graph, len(self.k.speeds)
+        place = flat([*self._place.values()])
+        axes = [c for own in self._axes.values() for axis in own for c in axis]
+        rates = [*k.dt([*place, *axes]), *flat([*self._motion.values()])]
+        slopes = flat(jacobian_rows(g, rates, [*k.speeds, *k.auxiliary]))
+        of_places = flat(jacobian_rows(g, k.dt(holonomic), k.speeds))
+        nodes = [*place, *axes, *slopes, *flat(self._rows), *of_places, *holonomic]
+        self._states = _generic(g, g.inputs(nodes))
+        values = np.array([evaluator(g, nodes)(own, _STATES) for own in self._states])
+        p, f, width = len(self._points), len(self._frames), n + len(k.auxiliary)
+        shapes = [
+            (p, 3), (f, 3, 3), (p, 3, width), (f, 3, 3, width), (p, 3, width), (f, 3, width),
+            (len(self._rows), n), (len(holonomic), n), (len(holonomic),),
+        ]  # fmt: skip
+        sizes = np.cumsum([np.prod(shape, dtype=int) for shape in shapes])
+        parts = [
+            part.reshape(2, _STATES, *shape)
+            for part, shape in zip(np.split(values, sizes[:-1], axis=2), shapes, strict=True)
+        ]
+        self._r, self._e, dr, de, self._v, self._w, self._slopes, held, values = parts
+        self._values = [_whose(row, held, values) for row in np.moveaxis(self._slopes, 2, 0)]
+        self._dr, self._de = dr[..., :n], de[..., :n]
+        # Points at one place that move alike are one; those that auxiliary speeds part are two.
+        both = np.concatenate([self._r[..., None], dr, self._v], axis=-1)
+        self._distinct = _unequal(np.moveaxis(both, 2, 0))
+
+    # -- the choice -------------------------------------------------------------------------------
+
+    def found(self, equations: Equations) -> list[Vec | None]:
+        """Return the shares of each row by the auxiliary speeds, None where they are unknown."""
+        g, count = self.k.graph, len(self._rows)
+        fits = [self._fitting(j, self._usual()) for j in range(count)]
+        for j, own in enumerate(fits):
+            fits[j] = own or self._fitting(j, self._between_bodies())
+        fits = [[f for f in own if f.rank == min(o.rank for o in own)] for own in fits]
+        held = {None, self.k.inertial, *(b.frame for b in self.k.body.bodies if is_rigid(b))}
+        votes = Counter(ends for own in fits for ends in {f.ends for f in own})
+        chosen: list[Vec | None] = []
+        for j, own in enumerate(fits):
+            groups = self._alike(own, equations)
+            if len(groups) > 1:  # frames may turn alike but for an auxiliary speed
+                own = [f for f in own if f.axes in held] or own
+                groups = self._alike(own, equations)
+            if len(groups) > 1:
+                most = max(votes[f.ends] for f in own)
+                own = [f for f in own if votes[f.ends] == most > 1]
+                groups = self._alike(own, equations)
+            if len(groups) == 1:
+                chosen.append(groups[0])
+            else:
+                unmoved = not own and self._unmoved(j)
+                chosen.append([g.zero] * len(self.k.auxiliary) if unmoved else None)
+        return chosen
+
+    def _fitting(self, j: int, kinds: Iterable[_Closures]) -> list[_Fit]:
+        """Return what has the rate of a row."""
+        row = self._slopes[:, :, j].reshape(2, -1)
+        found = []
+        for kind in kinds:
+            count = kind.columns.shape[2]
+            singles = [(c,) for c in range(count)] if count > 1 else []
+            left = np.ones(len(kind.ends), dtype=bool)
+            for part in (*singles, tuple(range(count))):
+                columns = kind.columns[:, :, part]
+                weights, fit = _combinations(columns, row)
+                for way in np.flatnonzero(fit & left):
+                    own = columns[:, way], weights[:, way]
+                    values = None if kind.values is None else kind.values[:, way][:, part]
+                    made = self._fit(j, kind, part, kind.ends[way], *own, values)
+                    if made is not None:
+                        found.append(made)
+                left &= ~fit
+        return found
+
+    def _fit(
+        self,
+        j: int,
+        kind: _Closures,
+        part: Sequence[int],
+        ends: tuple[Any, Any],
+        columns: np.ndarray,
+        weights: np.ndarray,
+        values: np.ndarray | None,
+    ) -> _Fit | None:
+        g = self.k.graph
+        rates = kind.rates(*ends)
+        rates = [rates[c] for c in part]
+        slopes = jacobian_rows(g, rates, self.k.auxiliary)
+        if len(part) > 1 and not self._determined(slopes, columns[0], kind.between_bodies):
+            return None
+        factors = self._factors(j, rates, columns, weights)
+        if factors is None:
+            return None
+        exact, own = False, self._values[j]
+        if values is not None and own is not None:
+            terms = weights[:, :, None] * values
+            sizes = np.abs(terms).sum(axis=1) + np.abs(own)
+            exact = bool((np.abs(terms.sum(axis=1) - own) <= HALF * sizes).all())
+        rank = 2 * (not exact) + (len(part) > 1)
+        shares = turned(g, [*zip(*slopes, strict=True)], factors)
+        return _Fit(rank, frozenset(ends), kind.axes, shares)
+
+    def _determined(self, slopes: list[Vec], columns: np.ndarray, or_none: bool) -> bool:
+        """Return whether what the speeds do not move, auxiliary speeds do not move either.
+
+        A force in such directions is unknown. Between bodies it is none, where auxiliary speeds
+        move nothing else: a wheel that rolls is not pressed onto its plane by that.
+        """
+        nodes = flat(slopes)
+        values = evaluator(self.k.graph, nodes)(self._numbers(nodes), _STATES)
+        moved = values.reshape(_STATES, len(slopes), -1)
+        units = _units(columns[None, None])[0, 0]
+        _, sizes, axes = np.linalg.svd((columns / units[:, None]).T)
+        rank = int((sizes > HALF * sizes.max(initial=0.0)).sum())
+        moved = moved / units[:, None]
+        still = np.abs(np.einsum("zc,scn->szn", axes[rank:], moved)).max(axis=(0, 1), initial=0.0)
+        along = np.abs(np.einsum("zc,scn->szn", axes[:rank], moved)).max(axis=(0, 1), initial=0.0)
+        free = still <= HALF * (still + along)
+        return bool((free | (along <= HALF * still) if or_none else free).all())
+
+    def _numbers(self, nodes: Sequence[int]) -> dict[int, np.ndarray]:
+        """Return the first set of numbers, with zeros for inputs that it does not have."""
+        known = self._states[0]
+        nothing = np.zeros(_STATES)
+        return {n: known.get(n, nothing) for n in self.k.graph.inputs(nodes)}
+
+    def _factors(self, j: int, rates: Vec, columns: np.ndarray, weights: np.ndarray) -> Vec | None:
+        """Return the coefficients of components: numbers, or expressions of constants."""
+        g = self.k.graph
+        row = self._slopes[:, :, j].reshape(2, -1)
+        sizes, whole = np.linalg.norm(columns, axis=2), np.linalg.norm(row, axis=1)[:, None]
+        used = np.flatnonzero((np.abs(weights) * sizes > HALF * whole).any(axis=0))
+        apart = np.abs(weights[0] - weights[1]) * sizes.max(axis=0)
+        factors = [g.zero] * len(rates)
+        if (apart <= HALF * whole.max()).all():
+            for i in used:
+                factors[i] = g.const(_plain(float(weights[0, i])))
+            return factors
+        places = _independent(columns[0][used].T)
+        if len(places) < len(used):
+            return None
+        slopes = jacobian_rows(g, [rates[i] for i in used], self.k.speeds)
+        matrix, right = [], []
+        for place in places:
+            state, speed = divmod(place, len(self.k.speeds))
+            nodes = [*(own[speed] for own in slopes), self._rows[j][speed]]
+            *cells, cell = substitute(g, nodes, self._at(state))
+            matrix.append(cells)
+            right.append(cell)
+        for i, node in zip(used, g.solve(matrix, [right], "lu")[0], strict=True):
+            factors[i] = node
+        return factors
+
+    def _at(self, state: int) -> dict[int, int]:
+        """Return the numbers of a generic state, constants excepted, as nodes."""
+        g = self.k.graph
+        return {
+            node: g.const(float(value[state]))
+            for node, value in self._states[0].items()
+            if not g.constant[node]
+        }
+
+    def _alike(self, fits: Sequence[_Fit], equations: Equations) -> list[Vec]:
+        """Return shares that differ at states that keep the constraints."""
+        every = [fit.shares for fit in fits]
+        k, width = self.k, len(self.k.auxiliary)
+        if len({*map(tuple, every)}) <= 1:
+            return [*every[:1]]
+        symbols = [*k.read.constants, *k.read.specifieds]
+        states = GenericStates(equations, symbols, "the loops")
+        inputs = states.consistent(_STATES)
+        numbers = states.by_symbol(inputs)
+        nodes = flat(every)
+        known = {node: numbers[s] for node, s in k.symbols().items() if s in numbers}
+        known |= {n: np.zeros(_STATES) for n in k.graph.inputs(nodes) if n not in known}
+        values = evaluator(k.graph, nodes)(known, _STATES).reshape(_STATES, -1, width)
+        finite = np.array(np.isfinite(values).all(axis=(1, 2)))
+        values = values[states.closed(inputs, finite)]
+        sizes = np.abs(values).max(axis=(0, 1))
+        found: list[int] = []
+        for i in range(len(every)):
+            apart = [np.abs(values[:, i] - values[:, other]).max(axis=0) for other in found]
+            if all((own > HALF * sizes).any() for own in apart):
+                found.append(i)
+        return [every[i] for i in found]
+
+    def _unmoved(self, j: int) -> bool:
+        """Return whether a row cannot connect what the auxiliary speeds move.
+
+        They move bodies alone that none of the row's speeds moves, but others do.
+        """
+        n = len(self.k.speeds)
+        own = np.abs(self._slopes[:, :, j]).max(axis=(0, 1)) > 0.0
+        moving = []
+        for body in self.k.body.bodies:
+            motions = [self._v[:, :, self._points.index(body.masscenter)]]
+            if is_rigid(body):
+                motions.append(self._w[:, :, self._frames.index(body.frame)])
+            moving.append(np.any([(np.abs(m) > 0.0).any(axis=(0, 1, 2)) for m in motions], axis=0))
+        carried = [m for m in moving if m[n:].any()]
+        return bool(carried) and all(m[:n].any() and not m[:n][own].any() for m in carried)
+
+    # -- the kinds --------------------------------------------------------------------------------
+
+    def _usual(self) -> Iterator[_Closures]:
+        n = len(self.k.speeds)
+        pairs = [
+            (i, j)
+            for i, j in combinations(self._distinct, 2)
+            if self._root[self._points[i]] is self._root[self._points[j]]
+        ]
+        if pairs:
+            i, j = np.array(pairs).T
+            ends = [(self._points[a], self._points[b]) for a, b in pairs]
+            r, dr = self._r[:, :, i] - self._r[:, :, j], self._dr[:, :, i] - self._dr[:, :, j]
+            v = (self._v[:, :, i] - self._v[:, :, j])[..., :n]
+            for f, frame in enumerate(self._frames):
+                e, de = self._e[:, :, f], self._de[:, :, f]
+                along = np.einsum("csab,cspbn->cspan", e, dr)
+                turning = np.einsum("csabn,cspb->cspan", de, r)
+                values = np.moveaxis(np.einsum("csab,cspb->cspa", e, r), 1, 3)
+                columns = _columns(along + turning)
+                yield _Closures(ends, columns, partial(self._along, frame), values, frame)
+                # Velocities that the user set need not be those of places: where a wheel touches.
+                columns = np.einsum("csab,cspbn->cspan", e, v)
+                rates = partial(self._moved, frame)
+                yield _Closures(ends, _columns(columns), rates, axes=frame)
+            square = np.einsum("cspb,cspbn->cspn", r, dr)
+            lengths = np.sqrt((r**2).sum(axis=-1))[..., None]
+            yield _Closures(ends, _columns(square[:, :, :, None]), self._square)
+            columns = square / or_one(lengths)
+            yield _Closures(ends, _columns(columns[:, :, :, None]), self._distance)
+        w = self._w[..., :n]
+        for i, j in permutations(range(len(self._frames)), 2):
+            a, b = self._frames[i], self._frames[j]
+            spin = w[:, :, i] - w[:, :, j]
+            columns = np.einsum("csab,csbn->csan", self._e[:, :, i], spin)
+            yield _Closures([(a, b)], _columns(columns[:, :, None]), self._turned)
+            if i < j:
+                columns = np.einsum("csabn,csdb->csadn", self._de[:, :, i], self._e[:, :, j])
+                columns = columns + np.einsum(
+                    "csab,csdbn->csadn", self._e[:, :, i], self._de[:, :, j]
+                )
+                cells = columns.reshape(2, _STATES, 1, 9, n)
+                values = np.einsum("csab,csdb->csad", self._e[:, :, i], self._e[:, :, j])
+                values = np.moveaxis(values.reshape(2, _STATES, 1, 9), 1, 3)
+                yield _Closures([(a, b)], _columns(cells), self._cosines, values)
+
+    def _between_bodies(self) -> Iterator[_Closures]:
+        n = len(self.k.speeds)
+        ends: list[tuple[int | None, int | None]] = []
+        for body in self.k.body.bodies:
+            turns = self._frames.index(body.frame) if is_rigid(body) else None
+            ends.append((self._points.index(body.masscenter), turns))
+        zero = np.zeros((2, _STATES, 3))
+        still = np.zeros((2, _STATES, 3, n))
+        for (a, fa), (b, fb) in permutations([*ends, (None, None)], 2):
+            if a is None:
+                continue
+            wa = still if fa is None else self._w[:, :, fa, :, :n]
+            wb = still if fb is None else self._w[:, :, fb, :, :n]
+            vb = still if b is None else self._v[:, :, b, :, :n]
+            arm = zero if b is None else self._r[:, :, a] - self._r[:, :, b]
+            v = self._v[:, :, a, :, :n] - vb - np.cross(wb, arm[..., None], axis=2)
+            one = self._points[a], None if fa is None else self._frames[fa]
+            two = (
+                None if b is None else self._points[b],
+                None if fb is None else self._frames[fb],
+            )
+            for axes in dict.fromkeys((self.k.inertial, one[1] or self.k.inertial)):
+                e = self._e[:, :, self._frames.index(axes)]
+                parts = [np.einsum("csab,csbn->csan", e, own) for own in (v, wa - wb)]
+                columns = np.concatenate(parts, axis=2)[:, :, None]
+                rates = partial(self._wrench, axes)
+                yield _Closures([(one, two)], _columns(columns), rates, between_bodies=True)
+
+    # -- their rates, auxiliary speeds included ---------------------------------------------------
+
+    def _minus(self, a: Vec, b: Vec) -> Vec:
+        return [self.k.graph.sub(x, y) for x, y in zip(a, b, strict=True)]
+
+    def _between(self, a: Any, b: Any) -> tuple[Vec, Vec]:
+        """Return the vector between two points and the relative velocity."""
+        place, motion = self._place, self._motion
+        return self._minus(place[a], place[b]), self._minus(motion[a], motion[b])
+
+    def _along(self, frame: Any, a: Any, b: Any) -> Vec:
+        k, (r, v) = self.k, self._between(a, b)
+        rate = self._minus(v, k.cross(self._motion[frame], r))
+        return turned(k.graph, self._axes[frame], rate)
+
+    def _moved(self, frame: Any, a: Any, b: Any) -> Vec:
+        return turned(self.k.graph, self._axes[frame], self._between(a, b)[1])
+
+    def _square(self, a: Any, b: Any) -> Vec:
+        return [dot(self.k.graph, *self._between(a, b))]
+
+    def _distance(self, a: Any, b: Any) -> Vec:
+        g, (r, v) = self.k.graph, self._between(a, b)
+        return [g.div(dot(g, r, v), g.call("sqrt", dot(g, r, r)))]
+
+    def _turned(self, a: Any, b: Any) -> Vec:
+        spin = self._minus(self._motion[a], self._motion[b])
+        return turned(self.k.graph, self._axes[a], spin)
+
+    def _cosines(self, a: Any, b: Any) -> Vec:
+        k, spin = self.k, self._minus(self._motion[a], self._motion[b])
+        return [dot(k.graph, spin, k.cross(x, y)) for x in self._axes[a] for y in self._axes[b]]
+
+    def _wrench(self, axes: Any, one: Any, two: Any) -> Vec:
+        k, nothing = self.k, [self.k.graph.zero] * 3
+        (a, fa), (b, fb) = one, two
+        wa, wb = (nothing if f is None else self._motion[f] for f in (fa, fb))
+        v = self._motion[a]
+        if b is not None:
+            arm, v = self._between(a, b)
+            v = self._minus(v, k.cross(wb, arm))
+        return [
+            *turned(k.graph, self._axes[axes], v),
+            *turned(k.graph, self._axes[axes], self._minus(wa, wb)),
+        ]
+
+
+def _generic(graph: Graph, inputs: Sequence[int]) -> list[dict[int, np.ndarray]]:
+    """Return numbers of inputs at generic states, with two sets of constants."""
+    rng = np.random.default_rng(0)
+    found = []
+    for _ in range(2):
+        values = rng.uniform(0.5, 1.5, (len(inputs), _STATES))
+        for k, node in enumerate(inputs):
+            if graph.constant[node]:
+                values[k] = values[k, 0]
+        found.append(dict(zip(inputs, values, strict=True)))
+    return found
+
+
+def _whose(row: np.ndarray, held: np.ndarray, values: np.ndarray) -> np.ndarray | None:
+    """Return the values (2, states) of the constraint that has a row's rate."""
+    for k in range(values.shape[2]):
+        if np.linalg.norm(held[:, :, k] - row) <= HALF * np.linalg.norm(row):
+            found: np.ndarray = values[:, :, k]
+            return found
+    return None
+
+
+def _columns(rates: np.ndarray) -> np.ndarray:
+    """Bring rates (2, states, ways, components, n) into the order of `_Closures`."""
+    moved = np.moveaxis(rates, 1, 3)
+    found: np.ndarray = np.nan_to_num(moved.reshape(*moved.shape[:3], -1))
+    return found
+
+
+def _combinations(columns: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the coefficients (2, ways, components) that give a row, and which ways give it."""
+    units = _units(columns)
+    scaled = np.swapaxes(columns / units[..., None], 2, 3)
+    weights = np.einsum("cpkm,cm->cpk", np.linalg.pinv(scaled, rcond=HALF), row)
+    rest = np.einsum("cpmk,cpk->cpm", scaled, weights) - row[:, None]
+    length = np.linalg.norm(row, axis=1)[:, None]
+    fit = (np.linalg.norm(rest, axis=2) <= HALF * length) & (length > 0.0)
+    return weights / units, fit.all(axis=0)
+
+
+def _units(columns: np.ndarray) -> np.ndarray:
+    """Return a unit for each column: of components of one vector, and with all constants, one."""
+    sizes = np.linalg.norm(columns, axis=3).max(axis=0, keepdims=True)
+    vectors = [sizes[..., k : k + 3] for k in range(0, sizes.shape[2], 3)]
+    most = [np.broadcast_to(v.max(axis=2, keepdims=True), v.shape) for v in vectors]
+    found: np.ndarray = or_one(np.concatenate(most, axis=2))
+    return found
+
+
+def _independent(matrix: np.ndarray) -> list[int]:
+    """Return rows of a matrix (m, k) that give all k unknowns, as far as there are such."""
+    work = matrix / or_one(np.abs(matrix).max(axis=0))
+    found: list[int] = []
+    for _ in range(work.shape[1]):
+        row, column = np.unravel_index(int(np.abs(work).argmax()), work.shape)
+        if abs(work[row, column]) <= HALF:
+            break
+        found.append(int(row))
+        work = work - np.outer(work[:, column] / work[row, column], work[row])
+    return found
+
+
+def _unequal(items: np.ndarray) -> list[int]:
+    """Return the places of items that differ from those before them."""
+    sizes = or_one(np.abs(items).max(axis=0))
+    found: list[int] = []
+    for k, item in enumerate(items):
+        if all((np.abs(item - items[other]) > ROUNDED * sizes).any() for other in found):
+            found.append(k)
+    return found
+
+
+def _plain(value: float) -> float:
+    """Return the multiple of a half that a coefficient is up to rounding, or itself."""
+    near = round(2.0 * value) / 2.0
+    return near if abs(value - near) <= HALF * abs(value) else value
