@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sm
 
+from pydy._assembly.assumptions import Assumptions
 from pydy._assembly.system import Group
 from pydy._checks import Places
 from pydy._forks import cached_property
@@ -81,11 +82,16 @@ class Definition:
         return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
 
     @cached_property
-    def assumed(self) -> dict[str, list[int]]:
-        """The places of constants that were made with an assumption on their values, by this."""
-        names = ("is_nonnegative", "is_nonpositive", "is_integer")
-        found = {n: [k for k, s in enumerate(self.constants) if getattr(s, n)] for n in names}
-        return {name: places for name, places in found.items() if places}
+    def assumptions(self) -> dict[str, Assumptions]:
+        """What is assumed of the values of states, specifieds and constants, where anything is."""
+        names = ("states", "specifieds", "constants")
+        found = {name: Assumptions.of(getattr(self.layout, name)) for name in names}
+        return {name: own for name, own in found.items() if own is not None}
+
+    @cached_property
+    def assumes_motions(self) -> bool:
+        """Whether anything is assumed of the values of states or specifieds."""
+        return not self.assumptions.keys() <= {"constants"}
 
     @cached_property
     def of_one_name(self) -> list[tuple[Any, ...]]:

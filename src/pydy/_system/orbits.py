@@ -377,10 +377,13 @@ class _Search:
         initial, runner = dict(self.runner.initial_conditions), self.runner
         runner.times = np.linspace(self.t0, self.t0 + period, num=_SAMPLES)
         runner._searching = False
+        runner._contradicted = None  # where the orbit begins was computed, with errors
         if self.contacts is not None:  # what contacts hold is projected at the start
             trajectory = self.contacts.resumed(self.held, **self.options)
             return dict(zip(initial, trajectory.states[0].tolist(), strict=True)), trajectory
         trajectory = runner.simulate(**self.options)
+        if self.now.definition.assumes_motions:
+            self.now.check_motion(trajectory.times, trajectory.states)
         warn_of_jumps(self.now, lambda: trajectory)
         if self.until is None and not self.autonomous:
             _check_period(runner, trajectory, period)

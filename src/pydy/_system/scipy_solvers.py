@@ -196,6 +196,23 @@ def _check_scales(options: dict[str, Any], x0: Any) -> None:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class _Dense:
+    """The continuous extension of a run of `solve_ivp`."""
+
+    solution: Any  # an OdeSolution
+
+    @property
+    def starts(self) -> np.ndarray:
+        """The times at which steps begin or end."""
+        return np.array(self.solution.ts)
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        """Return the states at some times, shape (m, n)."""
+        found: np.ndarray = self.solution(times).T
+        return found
+
+
 @dataclass(frozen=True)
 class SolveIvp:
     """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
@@ -282,7 +299,7 @@ class SolveIvp:
         if found.status < 0 or not finite.all():
             self._refuse(found, states, finite, {**info, "status": found.message})
         if found.sol is not None:
-            info["dense_output"] = lambda times: found.sol(times).T
+            info["dense_output"] = _Dense(found.sol)
         states = states[rows]
         return (states, info) if full_output else states
 

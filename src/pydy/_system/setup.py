@@ -104,6 +104,9 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
 class Setup:
     """The state of a System, checked when set and when used: it may be edited in place."""
 
+    # Whether numbers are tried, as in a fit, whose outputs and assumptions need not be sound.
+    _searching = False
+
     def __init__(
         self,
         eom_method: Any,
@@ -136,6 +139,9 @@ class Setup:
         self._initial_conditions: dict[Any, Any] = {}
         self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
         self._told: set[Any] = set()  # derivatives of specifieds that were warned of
+        # Symbols of which the user knows that values contradict their assumptions; None where
+        # that is not judged.
+        self._contradicted: set[str] | None = set()
         self._outputs: dict[Any, Any] = {}
         self._forces: list[Any] = []
         self._set_outputs(outputs, noncontributing_forces)
@@ -226,7 +232,17 @@ class Setup:
             "specifieds": dict(self._specifieds),
             "initial_conditions": dict(self._initial_conditions),
         }
-        return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
+        told = None if self._searching else self._contradicted
+        energies, derivatives = self._energies, self._told
+        return Snapshot(made.definition, made.model, user, self._times, energies, derivatives, told)
+
+    def _told_again(self, definition: Definition, what: str) -> set[str] | None:
+        """Forget that values of a kind contradict assumptions; return what remains told."""
+        if self._searching:
+            return None
+        if self._contradicted and (assumed := definition.assumptions.get(what)) is not None:
+            self._contradicted -= {assumed.names[k] for k in assumed.columns}
+        return self._contradicted
 
     def _checked_contacts(self, contacts: Any) -> Any:
         """Return an argument `contacts`, None or Contacts of this System."""
@@ -405,7 +421,9 @@ class Setup:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        read_numbers(self._defined(values), "constants", values)
+        definition = self._defined(values)
+        told = self._told_again(definition, "constants")
+        read_numbers(definition, "constants", values, told)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
@@ -436,7 +454,9 @@ class Setup:
         values = check_mapping("specifieds", specifieds)
         definition = self._define(self._outputs, self._forces, values)
         told: set[Any] = set()
-        check_expressions(definition, checked_plan(definition, values, told))
+        contradicted = self._told_again(definition, "specifieds")
+        plan = checked_plan(definition, values, told, contradicted)
+        check_expressions(definition, plan)
         self._specifieds, self._told = values, told
 
     @property
@@ -451,7 +471,9 @@ class Setup:
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
-        read_numbers(self._definition, "initial_conditions", values)
+        definition = self._definition
+        told = self._told_again(definition, "states")
+        read_numbers(definition, "initial_conditions", values, told)
         self._initial_conditions = values
 
     @property

@@ -44,6 +44,13 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     return definition.places[kind].symbols[place], values
 
 
+def check_swept(now: Snapshot, parameter: Any, values: np.ndarray) -> None:
+    """Warn of values of a parameter that contradict its assumptions."""
+    kind, _ = located(now.definition, parameter, "over")
+    for value in (values.min(), values.max()):
+        now.check_values(kind, {parameter: float(value)}, "`over` for ")
+
+
 class Family:
     """Equilibria and state matrices of a System as functions of a parameter."""
 
@@ -262,6 +269,7 @@ class Sweeps(Setup):
             at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
             at = at[0] if single else at
         parameter, values = parameter_of(definition, over)
+        check_swept(now, parameter, values)
         if at is not None:
             unknowns = definition.states if unknowns is None else unknowns
             unknowns = [s for s in unknowns if s != parameter]
@@ -353,6 +361,7 @@ class Sweeps(Setup):
         now = self._now()
         definition = now.definition
         parameter, values = parameter_of(definition, over)
+        check_swept(now, parameter, values)
         longest = positive(step, "`step`", finite=True)
         family = Family(now, parameter, unknowns, given, moving)
         balance = family.balance

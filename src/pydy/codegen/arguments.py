@@ -323,6 +323,13 @@ class SpecifiedsPlan:
         """The places in r, a function of a state and time that checks the user's, and its label."""
         return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
 
+    @property
+    def changing(self) -> set[int]:
+        """The places in r of what is no number: of samples, functions and expressions."""
+        parts = [columns for columns, _ in (*self.sampled, *self._functions)]
+        found = {k for columns in parts for k in columns.tolist()}
+        return found | {k for k, s in enumerate(self.symbols) if s in self.expressions}
+
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that surely differs in floats alone, or None."""
         keys, before = self._given
