@@ -312,22 +312,27 @@ def file_of(value: Any, what: str) -> Path:
 
 
 class Keyed(UserDict[Any, Any]):
-    """A view of a user's dictionary, in which a symbol and its name are one key: the first."""
+    """A view of a user's dictionary, in which a symbol and its name are one key."""
 
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
     def _own(self, key: Any) -> Any:
-        """Return the equivalent key that the dictionary already has, or this one."""
-        if key in self.data:
+        """Return the equivalent key that the dictionary already has, or this one.
+
+        A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: then the later one.
+        """
+        if key in self.data and not any(isinstance(k, str) for k in self.data):
             return key
         spelled = _spellings(key)
         alike = [
             k
             for k in self.data
-            if (isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k)
+            if k == key
+            or ((isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k))
         ]
-        return alike[0] if len(alike) == 1 else key
+        symbols = [k for k in alike if not isinstance(k, str)]
+        return alike[-1] if alike and len(symbols) < 2 else key
 
     def __contains__(self, key: Any) -> bool:
         return self._own(key) in self.data
@@ -349,6 +354,28 @@ class Keyed(UserDict[Any, Any]):
         result = Keyed(dict(self.data))
         result.update(other)
         return result
+
+
+def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
+    """Return a dictionary in which a symbol and its name are one key: the later value stands.
+
+    So is ``{**system.constants, 'l': 0.7}`` meant. Tuples of symbols are left alone, and a name
+    that several of the keys have.
+    """
+    groups: dict[str, list[Any]] = {}
+    named = False  # types of functions compare slowly, so that they are not looked for in a set
+    for key in values:
+        named |= isinstance(key, str)
+    if not named or len(values) < 2:
+        return values
+    for key in values:
+        if not (isinstance(key, (tuple, list)) or hasattr(key, "dummy_index")):
+            groups.setdefault(name_of(key).removesuffix("(t)"), []).append(key)
+    former: set[Any] = set()
+    for group in groups.values():
+        if len(group) > 1 and sum(not isinstance(key, str) for key in group) < 2:
+            former.update(group[:-1])
+    return {k: v for k, v in values.items() if k not in former} if former else values
 
 
 def _spellings(key: Any) -> set[str]:
@@ -517,6 +544,8 @@ class Places:
             array = self.plain(values, finite=base is not None)
             if array is not None:
                 return array
+            values = merged(values)
+            keys = [*values]
             columns = self.columns(keys, argument)
             self._some = (keys, columns)
         if base is None and len(columns) < len(self.symbols):

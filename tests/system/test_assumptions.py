@@ -8,8 +8,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.integrate import odeint, solve_ivp
-from tests import zoo
 
+import zoo
 from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
 from pydy.errors import PyDyUserWarning

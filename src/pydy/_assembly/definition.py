@@ -39,6 +39,8 @@ class Definition:
     # The outputs that are residuals of constraints and noncontributing forces.
     residuals: tuple[Any, ...] = ()
     forces: tuple[Any, ...] = ()
+    # Labels of outputs that are called like something else, with the names that the user gave.
+    labels: tuple[tuple[Any, Any], ...] = ()
 
     @cached_property
     def states(self) -> tuple[Any, ...]:
@@ -55,6 +57,12 @@ class Definition:
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)
+
+    @cached_property
+    def outputs_given(self) -> tuple[Any, ...]:
+        """The same, as the user called them."""
+        names = dict(self.labels)
+        return tuple(names.get(label, label) for label in self.outputs_symbols)
 
     @cached_property
     def symbols_by_kind(self) -> dict[str, tuple[Any, ...]]:

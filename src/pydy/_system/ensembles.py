@@ -14,6 +14,7 @@ from pydy._checks import (
     Places,
     check_mapping,
     flag,
+    merged,
     number,
     real_array,
     refuse_twice,
@@ -248,7 +249,8 @@ def _split_specifieds(
     """Return the specifieds that vary from sample to sample, and those of all samples."""
     varied: dict[Any, Any] = {}
     common: dict[Any, Any] = {}
-    for key, value in check_mapping("specifieds", given).items():
+    given = check_mapping("specifieds", given)
+    for key, value in (merged(given) if len(given) > 1 else given).items():
         together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
         plain = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
@@ -502,6 +504,8 @@ class Ensembles(Setup):
         axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
+        if len(initial) > 1 or len(constants) > 1:
+            initial, constants = merged(initial), merged(constants)
         places = definition.places
         x = _columns("initial_conditions", initial, places["states"], now.x, axes, "initial")
         p = _columns("constants", constants, places["constants"], now.p, axes, "constant")

@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag, instance, shown
+from pydy._checks import Keyed, check_mapping, flag, instance, merged, shown
 from pydy._errors import warn_user
 from pydy._graph.passes import rewriting
 from pydy._html import html_table
@@ -171,7 +171,7 @@ class Setup:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
         definition, solver = self._define.latest, self.ode_solver
-        constants = {**self._implied, **self._constants}
+        constants = merged({**self._implied, **self._constants})
         equations, t = definition.equations, self._times
         inside = {n for s in definition.constants for n in (s, name_of(s))}
         of_events = self._define.of_events
@@ -180,7 +180,7 @@ class Setup:
         lines = [
             ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
              f"{len(equations.speeds)} speeds"),
-            ("states", _values(definition.states, self._initial_conditions, "0.0")),
+            ("states", _values(definition.states, merged(self._initial_conditions), "0.0")),
             ("constants", _values(definition.constants, constants, "1.0")),
             ("elsewhere", _values([*more.values()], constants, "1.0")),
             ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
@@ -378,8 +378,12 @@ class Setup:
 
     @property
     def outputs_symbols(self) -> list[Any]:
-        """List of the names of all outputs, in the order of `evaluate_outputs`."""
-        return list(self._definition.outputs_symbols)
+        """List of the names of all outputs, in the order of `evaluate_outputs`.
+
+        An output may be called like a state, constant or specified. Where names are labels, in
+        trajectories, tables, plots and files, it is then called ``q_output``.
+        """
+        return list(self._definition.outputs_given)
 
     num_coordinates = property(lambda self: len(self.coordinates), doc="Number of coordinates.")
     num_speeds = property(lambda self: len(self.speeds), doc="Number of speeds.")
@@ -424,6 +428,8 @@ class Setup:
         definition = self._defined(values)
         told = self._told_again(definition, "constants")
         read_numbers(definition, "constants", values, told)
+        if self._constants and values:
+            self._warn_of_dropped("constants", self._constants, values, 1.0)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
@@ -457,6 +463,8 @@ class Setup:
         contradicted = self._told_again(definition, "specifieds")
         plan = checked_plan(definition, values, told, contradicted)
         check_expressions(definition, plan)
+        if self._specifieds and values:
+            self._warn_of_dropped("specifieds", _flat(self._specifieds), _flat(values), 0.0)
         self._specifieds, self._told = values, told
 
     @property
@@ -474,7 +482,32 @@ class Setup:
         definition = self._definition
         told = self._told_again(definition, "states")
         read_numbers(definition, "initial_conditions", values, told)
+        if self._initial_conditions and values:
+            self._warn_of_dropped("initial_conditions", self._initial_conditions, values, 0.0)
         self._initial_conditions = values
+
+    def _warn_of_dropped(
+        self, argument: str, before: Mapping[Any, Any], values: Mapping[Any, Any], default: float
+    ) -> None:
+        """Warn of values that an assignment sets back to the default; an empty one says so."""
+        if self._contradicted is None or self._searching or before is values:
+            return
+        known = Keyed({**values})
+        dropped = {
+            key: value
+            for key, value in merged(before).items()
+            if key not in values
+            and not (isinstance(value, (int, float)) and value == default)
+            and key not in known
+        }
+        if dropped:
+            lost = some([f"{name_of(key)} = {_short(value)}" for key, value in dropped.items()])
+            warn_user(
+                f"`{argument}` was assigned without {lost}: an assignment replaces all values, and "
+                f"what is not in it is {default} again. To change some and leave the others, write "
+                f"`system.{argument}[...] = ...` or `system.{argument}.update(...)`; to drop all, "
+                "assign {} first."
+            )
 
     @property
     def times(self) -> np.ndarray:
@@ -600,7 +633,7 @@ def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
     if isinstance(specifieds.get("symbols"), (tuple, list)):
         specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
     given: dict[Any, Any] = {}
-    for key, value in specifieds.items():
+    for key, value in merged(specifieds).items():
         several = isinstance(key, tuple)
         if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
             given.update(zip(key, value, strict=True))

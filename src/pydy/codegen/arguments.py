@@ -17,7 +17,17 @@ import numpy as np
 import sympy as sm
 from sympy.logic.boolalg import Boolean
 
-from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
+from pydy._checks import (
+    Places,
+    choice,
+    describe,
+    listed,
+    merged,
+    number,
+    real_array,
+    shown,
+    vector,
+)
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
@@ -96,7 +106,12 @@ class SpecifiedsArgument(_Argument):
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
         if {*map(type, r.values())} <= _USUAL:
-            groups = self.places.groups(r, "r")
+            try:
+                groups = self.places.groups(r, "r")
+            except ValueError:
+                if (later := merged(r)) is r:
+                    raise
+                return self(later, x, t)
             if sum(len(names) for names, *_ in groups) == len(symbols):
                 return self._called(groups, r.values(), x, t)
         plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
@@ -240,6 +255,9 @@ class SpecifiedsPlan:
         functions: list[tuple[np.ndarray, _Checked]] = []
         self._given = [*values], [*values.values()]
         values, together = one_format(values, argument)
+        if len(values) > 1 and (later := merged(values)) is not values:
+            values = later
+            self._given = [*values], [*values.values()]
         groups = places.groups(values, argument)
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):

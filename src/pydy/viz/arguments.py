@@ -13,6 +13,7 @@ from sympy.physics.mechanics import Particle, RigidBody
 from pydy._checks import (
     Places,
     check_mapping,
+    merged,
     number,
     positive,
     real_array,
@@ -154,7 +155,7 @@ def named_constants(
     A key that stands for none of them must occur in what the scene, a reference frame, an origin
     and visuals, draws, or in its series.
     """
-    given = check_mapping("constants", constants)
+    given = merged(check_mapping("constants", constants))
     if not own:  # a trajectory that tells nothing of constants
         return given
     # A trajectory from a file has names in the place of symbols.

@@ -19,6 +19,7 @@ from pydy._checks import (
     check_mapping,
     describe,
     listed,
+    merged,
     number,
     real_array,
     refuse_twice,
@@ -342,8 +343,7 @@ def motion_of_arrays(
     refuse_twice(_alike(symbols, "symbols"), "symbols")
     t, x = checked_samples(times, states, len(symbols))
     columns = []
-    given = check_mapping("specifieds", specifieds)
-    refuse_twice(_alike(given, "specifieds"), "specifieds")
+    given = merged(check_mapping("specifieds", specifieds))
     for symbol, value in given.items():
         column = real_array(value, f"`specifieds[{symbol}]`")
         if column.shape not in ((), (len(t),)):
@@ -364,8 +364,7 @@ def constants_of(trajectory: Any) -> dict[Any, Any]:
 
 
 def _constants(constants: Any) -> dict[Any, float]:
-    given = check_mapping("constants", constants)
-    refuse_twice(_alike(given, "constants"), "constants")
+    given = merged(check_mapping("constants", constants))
     return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in given.items()}
 
 
