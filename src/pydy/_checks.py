@@ -15,29 +15,34 @@ from typing import Any
 
 import numpy as np
 
-from pydy._names import name_of, nearest, some, told_apart, written_out
+from pydy._names import name_of, nearest, some, text_of, told_apart, written_out
 
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"
+_MOST = 2**27  # numbers that are copied where they are not in memory yet: a gibibyte
+_MOST_DIMENSIONS = 64  # of NumPy's arrays
+_BEYOND = 2**63  # integers of compiled code
 
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    return some(told_apart(symbols, [str(s) for s in symbols])) or "none"
+    return some(told_apart(symbols, [*map(text_of, symbols)])) or "none"
 
 
 def listed(
     argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
     """Check that an argument is a sequence of symbols and return it as a list."""
+    if isinstance(value, np.ndarray) and value.size > _MOST:
+        raise TypeError(f"`{argument}` must be a sequence of {what}, got {_sized(value)}.")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
             if hashable:
                 set(entries)
             return entries
-        except TypeError:  # an array without dimensions, or a list in it
+        except (TypeError, RecursionError):  # an array without dimensions, or a list in it
             pass
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
@@ -63,6 +68,8 @@ def shown(value: Any) -> str:
         text = repr(value)
     except (TypeError, ValueError):  # an integer of more than 4300 digits, NaN times a vector
         text = f"a {type(value).__name__}"
+    except RecursionError:
+        text = f"a {type(value).__name__} that is nested too deeply"
     return text if len(text) <= 200 else f"{text[:200]} …"
 
 
@@ -114,8 +121,8 @@ def limits(value: Any, what: str) -> tuple[float, float]:
 
 def real_array(value: Any, what: str) -> np.ndarray:
     """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
-    if type(value) is not np.ndarray:
-        _refuse_dropped(value, what)
+    if type(value) is not np.ndarray or value.size > _MOST:
+        check_copied(value, what)
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":
@@ -170,14 +177,35 @@ def _as_float(value: Any) -> float:
     return result
 
 
-def _refuse_dropped(value: Any, what: str) -> None:
+def check_copied(value: Any, what: str) -> None:
+    """Refuse what no library can copy into an array: nested too deeply, broadcast to gigabytes."""
+    if type(value) is not np.ndarray:
+        _refuse_dropped(value, what)
+    elif value.size > _MOST and 0 in value.strides:
+        raise ValueError(f"{what} must hold numbers that fit in memory, got {_sized(value)}.")
+
+
+def _sized(array: np.ndarray) -> str:
+    """Describe an array that is too large, which a broadcast one may be without any memory."""
+    size = f"{array.size:,} numbers, of the shape {array.shape}"
+    if 0 in array.strides:
+        return f"an array that is broadcast to {size}"
+    return f"an array of {size}"
+
+
+def _refuse_dropped(value: Any, what: str, depth: int = 0) -> None:
     """Refuse what NumPy drops from arrays without a word: masks, and units of quantities."""
     kind = type(value)
     if isinstance(value, (list, tuple)):
+        if depth > _MOST_DIMENSIONS:
+            raise ValueError(
+                f"{what} must hold real numbers, got a {kind.__name__} that is nested more than "
+                f"{_MOST_DIMENSIONS} deep."
+            )
         if not {*map(type, value)} <= _PLAIN:
             for entry in value:
                 if entry is not value:  # a list may be in itself
-                    _refuse_dropped(entry, what)
+                    _refuse_dropped(entry, what, depth + 1)
     elif kind in _PLAIN or kind is np.ndarray:
         return
     elif hasattr(kind, "magnitude") or isinstance(value, np.ndarray):
@@ -204,6 +232,8 @@ def whole(value: Any, what: str, least: int = 1) -> int:
     result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, what)
     if not result >= least or result != np.floor(result) or np.isinf(result):
         raise ValueError(f"{what} must be a whole number from {least} on, got {shown(value)}.")
+    if result >= _BEYOND:
+        raise ValueError(f"{what} must be a whole number below 2⁶³, got {shown(value)}.")
     return int(result)
 
 
@@ -427,7 +457,7 @@ class Places:
         """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
             place = self._place.get(key)
-        except TypeError:  # a list, or an array
+        except (TypeError, RecursionError):  # a list, an array, or a tuple nested too deeply
             return None
         if place is None and isinstance(key, str):
             alike = self._named.get(key, ())
@@ -458,8 +488,9 @@ class Places:
         """Return the position of a symbol or name; errors tell apart symbols of one name."""
         place = self.get(key, argument)
         if place is None:
+            label = shown(key) if isinstance(key, (tuple, list)) else key
             raise ValueError(
-                f"`{argument}` has the key `{key}`, which is not one of the {self.what}: "
+                f"`{argument}` has the key `{label}`, which is not one of the {self.what}: "
                 f"{describe(self.symbols)}.{self.meant(key)}"
             )
         return place
@@ -578,9 +609,10 @@ class Places:
                 return None
             reorder = None if (np.diff(columns) == 1).all() else itemgetter(*np.argsort(columns))
             self._known = (keys, reorder)
+        if not _PLAIN.issuperset(map(type, numbers)):  # an array of gigabytes would be summed
+            return None
         try:
-            total = sum(numbers)  # of a type that is no float where one of the numbers is not
-            if type(total) in _PLAIN and (not finite or isfinite(total)):
+            if not finite or isfinite(sum(numbers)):
                 return np.array(numbers if reorder is None else reorder(numbers), dtype=float)
         except (TypeError, ValueError, OverflowError):
             pass  # `read` says which one it is

@@ -18,6 +18,7 @@ from pydy._checks import (
     number,
     real_array,
     refuse_twice,
+    shown,
     text,
     whole,
 )
@@ -314,7 +315,7 @@ def _native(ode_solver: Any) -> Solver:
     if not isinstance(solver, Solver) or solver.name not in SOLVERS:
         raise ValueError(
             f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
-            f"{ode_solver!r}. For another one, integrate in a loop."
+            f"{shown(ode_solver)}. For another one, integrate in a loop."
         )
     return solver
 

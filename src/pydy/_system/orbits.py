@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, instance, listed, positive
+from pydy._checks import flag, instance, listed, positive, shown
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
@@ -140,7 +140,7 @@ class _Search:
         if not now.t + self.guess / _SAMPLES > now.t:
             raise ValueError(
                 f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
-                f"as floats, got {self.guess!r}."
+                f"as floats, got {shown(self.guess)}."
             )
         if until is not None:
             instance(until, Event, "`until`", "a pydy.solvers.Event")

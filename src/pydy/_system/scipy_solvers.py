@@ -140,7 +140,7 @@ def resolve_ode_solver(solver: Any) -> Any:
     names = ("odeint", *SOLVERS, "solve_ivp", *METHODS)
     raise ValueError(
         f"`ode_solver` must be one of {', '.join(map(repr, names))}, or a function, got "
-        f"{solver!r}. {nearest(solver, names, or_all=False)}".rstrip()
+        f"{shown(solver)}. {nearest(solver, names, or_all=False)}".rstrip()
     )
 
 

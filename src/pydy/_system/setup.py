@@ -123,7 +123,7 @@ class Setup:
         implicit: Implicit | None = None,
     ) -> None:
         if equations not in (None, "graph", "method"):
-            raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
+            raise ValueError(f"`equations` must be 'graph' or 'method', got {shown(equations)}.")
         if implicit is not None:
             instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)

@@ -502,9 +502,8 @@ class Simulation(Setup):
         array([1.      , 0.895595, 0.6597  ])
         """
         now = self._now(solver_kwargs.get("events"))
-        wanted = None
+        wanted, control = None, flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
-            control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
         trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))
         if not (self._searching or np.isfinite(trajectory.outputs).all()):

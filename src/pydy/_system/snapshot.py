@@ -65,7 +65,8 @@ def read_numbers(
                 f"`system.constants[{name!r}] = ...`, right before the first call with them."
             ) from None
         raise
-    if told is not None and (assumed := definition.assumptions.get(what)) is not None:
+    if definition.assumptions and told is not None and what in definition.assumptions:
+        assumed = definition.assumptions[what]
         check_given(assumed, places, argument, numbers[None], values, told)
     return numbers
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import check_mapping, flag, positive, real_array, whole
+from pydy._checks import check_mapping, flag, positive, real_array, shown, whole
 from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
@@ -34,7 +34,7 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     values = real_array(given, f"`over[{key}]`")
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
         raise ValueError(
-            f"`over[{key}]` must be at least two finite values, got {given!r}."
+            f"`over[{key}]` must be at least two finite values, got {shown(given)}."
             if values.ndim != 1 or len(values) < 2
             else f"`over[{key}]` must be finite, got {values[~np.isfinite(values)][0]!r}."
         )

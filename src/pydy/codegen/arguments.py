@@ -16,6 +16,7 @@ from weakref import WeakSet
 import numpy as np
 import sympy as sm
 from sympy.logic.boolalg import Boolean
+from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import (
     Places,
@@ -110,8 +111,9 @@ class SpecifiedsArgument(_Argument):
                 groups = self.places.groups(r, "r")
             except ValueError:
                 if (later := merged(r)) is r:
-                    raise
-                return self(later, x, t)
+                    groups = _groups(self.places, r, "r")  # which raises with more words
+                else:
+                    return self(later, x, t)
             if sum(len(names) for names, *_ in groups) == len(symbols):
                 return self._called(groups, r.values(), x, t)
         plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
@@ -133,6 +135,21 @@ class SpecifiedsArgument(_Argument):
                 value = evaluate_function(value, names, x, t, self.time_first)
             result[columns] = value
         return result
+
+
+def _groups(places: Places, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
+    """Return what `Places.groups` does, and say of the time that it is known."""
+    try:
+        return places.groups(values, argument)
+    except ValueError as error:
+        time = dynamicsymbols._t
+        keys = [k for key in values for k in (key if isinstance(key, (tuple, list)) else (key,))]
+        given = [k for k in keys if isinstance(k, (str, sm.Symbol)) and k in (time, str(time))]
+        if not given or places.get(given[0], argument) is not None:
+            raise
+        raise ValueError(
+            f"{error} `{time}` is the time, which is known wherever it occurs: leave it out."
+        ) from None
 
 
 def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
@@ -258,7 +275,7 @@ class SpecifiedsPlan:
         if len(values) > 1 and (later := merged(values)) is not values:
             values = later
             self._given = [*values], [*values.values()]
-        groups = places.groups(values, argument)
+        groups = _groups(places, values, argument)
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:

@@ -354,9 +354,8 @@ class Contacts:
 
 def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:
     """Return the sensitivities to compute, or None."""
-    if wanted is None:
-        return None
-    return partial(Carried, wanted, flag(controlled, "`control_sensitivities`"))
+    controlled = flag(controlled, "`control_sensitivities`")
+    return None if wanted is None else partial(Carried, wanted, controlled)
 
 
 class Motions:

@@ -37,7 +37,7 @@ def as_visual(thing: Any) -> Visual:
         return Visual(None, thing)
     raise TypeError(
         "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {thing!r}."
+        f"{type(thing).__name__} {shown(thing)}."
     )
 
 

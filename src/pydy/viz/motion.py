@@ -23,6 +23,7 @@ from pydy._checks import (
     number,
     real_array,
     refuse_twice,
+    shown,
 )
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
@@ -302,7 +303,7 @@ def motion_of_trajectory(
     if missing:
         raise TypeError(
             "`animate` takes a Trajectory, or times and states, got the "
-            f"{type(trajectory).__name__} {trajectory!r}."
+            f"{type(trajectory).__name__} {shown(trajectory)}."
         )
     symbols = tuple(trajectory.state_symbols)
     # A trajectory from a file has names in the place of symbols.
