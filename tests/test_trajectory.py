@@ -432,10 +432,23 @@ def test_files_without_labels_are_read_as_they_were_written(tmp_path):
     np.testing.assert_array_equal(loaded["q"], [1.0, 2.0])
 
 
-def test_an_output_may_not_have_the_name_of_a_state():
+def test_an_output_named_like_a_state_keeps_its_label_in_a_file(tmp_path):
+    pytest.importorskip("xarray")
     system = multi_mass_spring_damper()
-    with pytest.raises(ValueError, match=r"the name `x0`, but results already have the state `x0"):
-        system.outputs = {sm.Symbol("x0"): 2 * system.coordinates[0]}
+    x0, v0 = system.states
+    m0 = sm.Symbol("m0")
+    system.outputs = {x0: 2 * x0, "v0": v0 - 1, m0: m0 + 1, "x0_output": 7 * x0}
+    assert system.outputs_symbols == [x0, v0, m0, sm.Symbol("x0_output")]
+    assert system.outputs[x0] == 2 * x0
+    system.initial_conditions, system.times = {x0: 1.0}, [0.0, 1.0]
+    trajectory = system.simulate()
+    trajectory.save(tmp_path / "a.nc")
+    for found in (trajectory, Trajectory.load(tmp_path / "a.nc")):
+        np.testing.assert_array_equal(found["x0_output_2"], 2 * found["x0"])
+        np.testing.assert_array_equal(found["v0_output"], found["v0"] - 1)
+        np.testing.assert_array_equal(found["m0_output"], [2.0, 2.0])
+        np.testing.assert_array_equal(found["x0_output"], 7 * found["x0"])
+    np.testing.assert_array_equal(trajectory[x0], trajectory.states[:, 0])
 
 
 def test_a_file_of_something_else_is_refused(tmp_path):

@@ -15,16 +15,19 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from pydy._names import name_of, nearest, some, told_apart, written_out
+from pydy._names import name_of, nearest, some, text_of, told_apart, written_out
 
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"
+_MOST = 2**27  # numbers that are copied where they are not in memory yet: a gibibyte
+_MOST_DIMENSIONS = 64  # of NumPy's arrays
+_BEYOND = 2**63  # integers of compiled code
 
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    return some(told_apart(symbols, [str(s) for s in symbols])) or "none"
+    return some(told_apart(symbols, [*map(text_of, symbols)])) or "none"
 
 
 def listed(
@@ -36,13 +39,15 @@ def listed(
     """
     if getattr(value, "is_Matrix", False) and not isinstance(value, type):
         value = _entries(value)
+    if isinstance(value, np.ndarray) and value.size > _MOST:
+        raise TypeError(f"`{argument}` must be a sequence of {what}, got {_sized(value)}.")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
             if hashable:
                 set(entries)
             return entries
-        except TypeError:  # an array without dimensions, or a list in it
+        except (TypeError, RecursionError):  # an array without dimensions, or a list in it
             pass
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
@@ -79,6 +84,8 @@ def shown(value: Any) -> str:
         text = repr(value)
     except (TypeError, ValueError):  # an integer of more than 4300 digits, NaN times a vector
         text = f"a {type(value).__name__}"
+    except RecursionError:
+        text = f"a {type(value).__name__} that is nested too deeply"
     return text if len(text) <= 200 else f"{text[:200]} …"
 
 
@@ -130,8 +137,8 @@ def limits(value: Any, what: str) -> tuple[float, float]:
 
 def real_array(value: Any, what: str) -> np.ndarray:
     """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
-    if type(value) is not np.ndarray:
-        _refuse_dropped(value, what)
+    if type(value) is not np.ndarray or value.size > _MOST:
+        check_copied(value, what)
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":
@@ -218,14 +225,35 @@ def _as_float(value: Any) -> float:
     return result
 
 
-def _refuse_dropped(value: Any, what: str) -> None:
+def check_copied(value: Any, what: str) -> None:
+    """Refuse what no library can copy into an array: nested too deeply, broadcast to gigabytes."""
+    if type(value) is not np.ndarray:
+        _refuse_dropped(value, what)
+    elif value.size > _MOST and 0 in value.strides:
+        raise ValueError(f"{what} must hold numbers that fit in memory, got {_sized(value)}.")
+
+
+def _sized(array: np.ndarray) -> str:
+    """Describe an array that is too large, which a broadcast one may be without any memory."""
+    size = f"{array.size:,} numbers, of the shape {array.shape}"
+    if 0 in array.strides:
+        return f"an array that is broadcast to {size}"
+    return f"an array of {size}"
+
+
+def _refuse_dropped(value: Any, what: str, depth: int = 0) -> None:
     """Refuse what NumPy drops from arrays without a word: masks, and units of quantities."""
     kind = type(value)
     if isinstance(value, (list, tuple)):
+        if depth > _MOST_DIMENSIONS:
+            raise ValueError(
+                f"{what} must hold real numbers, got a {kind.__name__} that is nested more than "
+                f"{_MOST_DIMENSIONS} deep."
+            )
         if not {*map(type, value)} <= _PLAIN:
             for entry in value:
                 if entry is not value:  # a list may be in itself
-                    _refuse_dropped(entry, what)
+                    _refuse_dropped(entry, what, depth + 1)
     elif kind in _PLAIN or kind is np.ndarray:
         return
     elif hasattr(kind, "magnitude") or isinstance(value, np.ndarray):
@@ -252,6 +280,8 @@ def whole(value: Any, what: str, least: int = 1) -> int:
     result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, what)
     if not result >= least or result != np.floor(result) or np.isinf(result):
         raise ValueError(f"{what} must be a whole number from {least} on, got {shown(value)}.")
+    if result >= _BEYOND:
+        raise ValueError(f"{what} must be a whole number below 2⁶³, got {shown(value)}.")
     return int(result)
 
 
@@ -360,22 +390,27 @@ def file_of(value: Any, what: str) -> Path:
 
 
 class Keyed(UserDict[Any, Any]):
-    """A view of a user's dictionary, in which a symbol and its name are one key: the first."""
+    """A view of a user's dictionary, in which a symbol and its name are one key."""
 
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
     def _own(self, key: Any) -> Any:
-        """Return the equivalent key that the dictionary already has, or this one."""
-        if key in self.data:
+        """Return the equivalent key that the dictionary already has, or this one.
+
+        A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: then the later one.
+        """
+        if key in self.data and not any(isinstance(k, str) for k in self.data):
             return key
         spelled = _spellings(key)
         alike = [
             k
             for k in self.data
-            if (isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k)
+            if k == key
+            or ((isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k))
         ]
-        return alike[0] if len(alike) == 1 else key
+        symbols = [k for k in alike if not isinstance(k, str)]
+        return alike[-1] if alike and len(symbols) < 2 else key
 
     def __contains__(self, key: Any) -> bool:
         return self._own(key) in self.data
@@ -397,6 +432,28 @@ class Keyed(UserDict[Any, Any]):
         result = Keyed(dict(self.data))
         result.update(other)
         return result
+
+
+def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
+    """Return a dictionary in which a symbol and its name are one key: the later value stands.
+
+    So is ``{**system.constants, 'l': 0.7}`` meant. Tuples of symbols are left alone, and a name
+    that several of the keys have.
+    """
+    groups: dict[str, list[Any]] = {}
+    named = False  # types of functions compare slowly, so that they are not looked for in a set
+    for key in values:
+        named |= isinstance(key, str)
+    if not named or len(values) < 2:
+        return values
+    for key in values:
+        if not (isinstance(key, (tuple, list)) or hasattr(key, "dummy_index")):
+            groups.setdefault(name_of(key).removesuffix("(t)"), []).append(key)
+    former: set[Any] = set()
+    for group in groups.values():
+        if len(group) > 1 and sum(not isinstance(key, str) for key in group) < 2:
+            former.update(group[:-1])
+    return {k: v for k, v in values.items() if k not in former} if former else values
 
 
 def _spellings(key: Any) -> set[str]:
@@ -448,7 +505,7 @@ class Places:
         """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
             place = self._place.get(key)
-        except TypeError:  # a list, or an array
+        except (TypeError, RecursionError):  # a list, an array, or a tuple nested too deeply
             return None
         if place is None and isinstance(key, str):
             alike = self._named.get(key, ())
@@ -479,8 +536,9 @@ class Places:
         """Return the position of a symbol or name; errors tell apart symbols of one name."""
         place = self.get(key, argument)
         if place is None:
+            label = shown(key) if isinstance(key, (tuple, list)) else key
             raise ValueError(
-                f"`{argument}` has the key `{key}`, which is not one of the {self.what}: "
+                f"`{argument}` has the key `{label}`, which is not one of the {self.what}: "
                 f"{describe(self.symbols)}.{self.meant(key)}"
             )
         return place
@@ -565,6 +623,8 @@ class Places:
             array = self.plain(values, finite=base is not None)
             if array is not None:
                 return array
+            values = merged(values)
+            keys = [*values]
             columns = self.columns(keys, argument)
             self._some = (keys, columns)
         if base is None and len(columns) < len(self.symbols):
@@ -597,9 +657,10 @@ class Places:
                 return None
             reorder = None if (np.diff(columns) == 1).all() else itemgetter(*np.argsort(columns))
             self._known = (keys, reorder)
+        if not _PLAIN.issuperset(map(type, numbers)):  # an array of gigabytes would be summed
+            return None
         try:
-            total = sum(numbers)  # of a type that is no float where one of the numbers is not
-            if type(total) in _PLAIN and (not finite or isfinite(total)):
+            if not finite or isfinite(sum(numbers)):
                 return np.array(numbers if reorder is None else reorder(numbers), dtype=float)
         except (TypeError, ValueError, OverflowError):
             pass  # `read` says which one it is

@@ -192,7 +192,7 @@ def _checked(path: Any) -> str:
     except TypeError:
         name = "\0"
     if "\0" in name:
-        raise TypeError(f"`path` must be the name of a file, a string or a path, got {path!r}.")
+        raise TypeError(f"`path` must be the name of a file or a path, got {shown(path)}.")
     return name
 
 

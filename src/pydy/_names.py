@@ -14,7 +14,15 @@ def name_of(symbol: Any) -> str:
     if isinstance(symbol, str):
         return symbol
     name = getattr(symbol, "name", None)
-    return name if isinstance(name, str) else str(symbol)
+    return name if isinstance(name, str) else text_of(symbol)
+
+
+def text_of(symbol: Any) -> str:
+    """Return how a symbol prints; what users give in place of one may be nested too deeply."""
+    try:
+        return str(symbol)
+    except RecursionError:
+        return f"a {type(symbol).__name__} that is nested too deeply"
 
 
 def place_of(key: Any, names: Sequence[str], what: str) -> int:

@@ -30,6 +30,15 @@ from pydy._system.values import Evaluation
 __all__ = ["System"]
 
 
+# Names in other versions of PyDy, and what has their place.
+_OF_OTHER_VERSIONS = {
+    "evaluate_holonomic": "`evaluate_holonomic_constraints`",
+    "evaluate_nonholonomic": "`evaluate_constraints`, whose last `num_nonholonomic_constraints` "
+    "entries are the nonholonomic ones; `evaluate_velocity_constraints` has these after the "
+    "differentiated holonomic ones",
+}
+
+
 class System(
     Layers,
     Sweeps,
@@ -124,6 +133,12 @@ class System(
                     obj=self,
                 )
             object.__setattr__(self, name, value)
+
+        def __getattr__(self, name: str) -> Any:
+            # Called for what there is not: names of other versions get the one that is meant.
+            if (meant := _OF_OTHER_VERSIONS.get(name)) is not None:
+                raise AttributeError(f"System has no `{name}`. Use {meant}.", name=name)
+            return object.__getattribute__(self, name)  # its error says the rest
 
 
 # Errors, `help` and pickles name what users write, `System.fit`, not the theme that holds it.

@@ -131,9 +131,10 @@ def test_a_name_stands_for_a_symbol(rhs, p, r):
     assert rhs(STATE, 0.0, r, p).tolist() == expected.tolist()
 
 
-def test_a_symbol_and_its_name_together_are_refused(rhs):
-    with pytest.raises(ValueError, match="`p` gives `m` more than once, by the symbol or by its"):
-        rhs(STATE, 0.0, [0.3], {"m": 1.0, M: 1.0, K: 2.0, C: 0.7})
+def test_of_a_symbol_and_its_name_the_later_value_stands(rhs):
+    expected = rhs(STATE, 0.0, [0.3], [1.3, 2.0, 0.7])
+    p = {"m": 9.0, M: 1.3, K: 2.0, C: 0.7}
+    assert rhs(STATE, 0.0, {"f": 9.0, "f(t)": lambda x, t: 0.3}, p).tolist() == expected.tolist()
 
 
 def test_a_name_of_several_symbols_is_refused_with_what_differs():

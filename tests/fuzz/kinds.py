@@ -131,6 +131,8 @@ def integer(least: int, *, floor: bool = False) -> Kind:
             return 2**62
         if not np.isfinite(number) or number < least or not (floor or number == int(number)):
             raise RefusedError
+        if number >= 2**63 and not floor:
+            raise RefusedError
         return min(int(number), 2**62)
 
     return Kind(read, ("common", "numbers"))
@@ -144,6 +146,8 @@ def _entries(value: Any) -> np.ndarray:
     if isinstance(value, sm.MatrixBase):
         value = np.array(value.tolist(), dtype=object)
     if hasattr(value, "data_vars"):
+        raise RefusedError
+    if isinstance(value, np.ndarray) and value.size > 2**27:
         raise RefusedError
     if isinstance(value, memoryview):
         value = np.asarray(value)

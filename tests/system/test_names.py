@@ -12,6 +12,7 @@ from cases import close
 from pydy.analysis import Trial
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning, UnsupportedFunctionError
+from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_coordinates
 from pydy.solvers import Event
@@ -72,15 +73,48 @@ def test_a_name_edited_in_place_counts(system):
         system.evaluate_ode()
 
 
-@pytest.mark.parametrize("argument", ["constants", "initial_conditions", "specifieds"])
-def test_a_symbol_and_its_name_together_are_refused(system, argument):
-    symbol = {
-        "constants": sm.Symbol("m0"),
-        "initial_conditions": system.states[0],
-        "specifieds": me.dynamicsymbols("f0"),
-    }[argument]
-    with pytest.raises(ValueError, match=f"`{argument}` gives .* more than once"):
-        setattr(system, argument, {symbol: 1.0, str(symbol): 1.0})
+@pytest.mark.parametrize(
+    ("argument", "values", "expected"),
+    [
+        ("constants", {M0: 9.0, "m0": 4.0}, 0.0),
+        ("constants", {"m0": 9.0, M0: 4.0}, 0.0),
+        ("initial_conditions", {"x0": 9.0, "x0(t)": 2.0}, -2.0),
+        ("initial_conditions", {me.dynamicsymbols("x0"): 9.0, "x0": 2.0}, -2.0),
+        ("specifieds", {F0: 9.0, "f0": 3.0}, 3.0),
+        ("specifieds", {F0: lambda x, t: 9.0, "f0": 3.0}, 3.0),
+        ("specifieds", {F0: 9.0, "f0": lambda x, t: 3.0}, 3.0),
+        ("specifieds", {F0: sm.Symbol("gain"), "f0": 3.0}, 3.0),
+        ("specifieds", {"f0": SampledInput([0.0, 1.0], [9.0, 9.0]), F0: 3.0}, 3.0),
+    ],
+)
+def test_of_a_symbol_and_its_name_the_later_value_stands(system, argument, values, expected):
+    setattr(system, argument, values)
+    close(system.evaluate_ode()[1], expected)
+    assert sm.Symbol("gain") not in system.constants_symbols
+    known = getattr(system, argument)
+    assert len({str(known[key]) for key in values}) == 1  # by the symbol and by the name
+    known[next(iter(values))] = 0.5
+    assert all(known[key] == 0.5 for key in values)
+
+
+def test_merged_dictionaries_are_taken_wherever_values_are(system):
+    m0, both = sm.Symbol("m0"), {sm.Symbol("m0"): 9.0, "m0": 2.0}
+    system.specifieds = {"f0": 3.0}
+    system.times, system.ode_solver = [0.0, 1.0], "dop853"
+    close(system.evaluate_ode(p=both), [0.0, 1.5])
+    close(system.evaluate_ode({"v0": 9.0, "v0(t)": 2.0}), [2.0, 1.0])
+    close(system.evaluate_ode(r={F0: 9.0, "f0": 4.0}), [0.0, 4.0])
+    results = system.integrate_ensemble(constants={m0: [9.0, 9.0], "m0": [1.0, 2.0]})
+    close(results.m0, [1.0, 2.0])
+    system.constants = both
+    assert "m0 = 2" in str(system)
+    close(system.simulate().constants[m0], 2.0)
+
+
+def test_a_specified_in_two_tuples_is_refused(system):
+    for values in ({(F0,): [1.0], ("f0",): [2.0]}, {(F0,): [1.0], "f0": 2.0}):
+        with pytest.raises(ValueError, match=r"`specifieds` gives `f0\(t\)` more than once"):
+            system.specifieds = values
 
 
 def test_a_symbol_and_its_name_are_one_key(system):
@@ -110,6 +144,35 @@ def test_a_symbol_and_its_name_are_one_key(system):
     system.outputs = {"twice": 2 * x0}
     system.outputs["twice"] = 4 * x0
     close(system.evaluate_outputs(), [1.2])
+
+
+@pytest.mark.parametrize(
+    ("argument", "before", "after", "lost"),
+    [
+        ("constants", {M0: 3.0, "k0": 2.0}, {"k0": 4.0}, "m0 = 3: .* 1.0 again"),
+        ("initial_conditions", {"x0": 3.0}, {"v0": 1.0}, "x0 = 3: .* 0.0 again"),
+        ("specifieds", {F0: lambda x, t: 1.0}, {"g0": 2.0}, "f0 = <lambda>"),
+    ],
+)
+def test_an_assignment_that_drops_values_is_told_once(argument, before, after, lost):
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    if argument == "specifieds":
+        system.outputs = {"sum": F0 + me.dynamicsymbols("g0")}
+    setattr(system, argument, before)
+    text = f"`{argument}` was assigned without {lost}.*system.{argument}.update"
+    with pytest.warns(PyDyUserWarning, match=text):
+        setattr(system, argument, after)
+    setattr(system, argument, after)  # nothing is lost
+    setattr(system, argument, {})  # deliberately
+    setattr(system, argument, before)
+
+
+def test_nothing_is_told_of_values_that_stay_or_are_the_defaults():
+    system = multi_mass_spring_damper(1)
+    system.constants = {"m0": 3.0, "k0": 1.0}
+    system.constants = {sm.Symbol("m0"): 5.0, "c0": 1.0}
+    system.constants = {**system.constants, "m0": 2.0}
+    assert system.constants["m0"] == 2.0
 
 
 def test_symbols_of_one_name_stay_two_keys():
@@ -151,8 +214,6 @@ def test_a_fit_takes_symbols_and_names_together(system):
         lambda s, both, trial: s.fit("k0", trial({}), priors={"k0": (1, 2), K0: (1, 3)}),
         lambda s, both, trial: s.fit("k0", trial({"noise": both})),
         lambda s, both, trial: s.fit("k0", trial({"unknown": [*both]})),
-        lambda s, both, trial: s.fit("k0", trial({"constants": {"m0": 1.0, M0: 2.0}})),
-        lambda s, both, trial: s.fit("k0", trial({"specifieds": {"f0": 1.0, F0: 2.0}})),
         lambda s, both, trial: s.fit(["k0", K0], trial({})),
         lambda s, both, trial: s.find_equilibrium(given=both),
         lambda s, both, trial: s.find_equilibrium(bounds=dict.fromkeys(both, (-1, 1))),

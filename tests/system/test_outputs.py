@@ -259,3 +259,28 @@ def test_a_fit_and_a_search_do_not_warn_of_what_they_try():
     system.ode_solver = "dop853"
     measured = Trial(system.times, {x: system.integrate()[:, 0]})
     assert system.fit(["k0"], measured)["k0"] == pytest.approx(1.0)
+
+
+def test_outputs_may_be_named_like_states_constants_and_specifieds():
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    x0, v0 = system.states
+    (f0,), m0 = system.specifieds_symbols, sm.Symbol("m0")
+    system.outputs = {x0: 3 * x0, (v0, m0): (v0 + m0, -m0), "f0": f0 + v0.diff()}
+    system.constants, system.specifieds = {m0: 2.0}, {f0: 5.0}
+    values = system.evaluate_outputs([1.0, 4.0])  # v' = (5 - 1 - 4) / 2
+    np.testing.assert_array_equal(values, [3.0, 6.0, -2.0, 5.0])
+    np.testing.assert_array_equal(system.evaluate_ode([1.0, 4.0]), [4.0, 0.0])
+    np.testing.assert_array_equal(system.evaluate_jacobian([1.0, 4.0], of=[x0]), [[1.0, 0.0]])
+    found = system.evaluate_jacobian([1.0, 4.0], of=["x0_output"])
+    np.testing.assert_array_equal(found, [[3.0, 0.0]])
+    system.outputs[x0] = 4 * x0
+    assert system.evaluate_outputs([1.0, 4.0])[0] == 4.0
+    with pytest.raises(ValueError, match=r"`outputs` has the name `t`, which is the time"):
+        system.outputs = {me.dynamicsymbols._t: x0}
+
+
+def test_samples_have_labels_of_outputs_that_are_named_like_states():
+    system = multi_mass_spring_damper(1)
+    system.outputs, system.times = {system.states[0]: 2 * system.states[0]}, [0.0, 1.0]
+    results = system.integrate_ensemble(initial_conditions={"x0": [1.0, 2.0]}, ode_solver="dop853")
+    np.testing.assert_array_equal(results.x0_output, 2 * results.x0)

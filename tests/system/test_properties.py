@@ -212,6 +212,21 @@ def test_a_misspelt_attribute_is_refused_with_the_nearest_name(name, meant):
     assert not hasattr(system, name)
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("evaluate_holonomic", "Use `evaluate_holonomic_constraints`"),
+        ("evaluate_nonholonomic", "Use `evaluate_constraints`, whose last"),
+        ("integrat", "has no attribute 'integrat'"),
+    ],
+)
+def test_a_name_of_another_version_is_refused_with_the_one_that_is_meant(name, meant):
+    system = System(zoo.timed().kane)
+    with pytest.raises(AttributeError, match=meant):
+        getattr(system, name)
+    assert not hasattr(system, name)
+
+
 def test_a_class_of_the_users_has_attributes_of_its_own():
     class Mine(System):
         """With a name."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sm
 
+from pydy._assembly.assumptions import Assumptions
 from pydy._assembly.system import Group
 from pydy._checks import Places
 from pydy._forks import cached_property
@@ -38,6 +39,8 @@ class Definition:
     # The outputs that are residuals of constraints and noncontributing forces.
     residuals: tuple[Any, ...] = ()
     forces: tuple[Any, ...] = ()
+    # Labels of outputs that are called like something else, with the names that the user gave.
+    labels: tuple[tuple[Any, Any], ...] = ()
 
     @cached_property
     def states(self) -> tuple[Any, ...]:
@@ -54,6 +57,12 @@ class Definition:
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)
+
+    @cached_property
+    def outputs_given(self) -> tuple[Any, ...]:
+        """The same, as the user called them."""
+        names = dict(self.labels)
+        return tuple(names.get(label, label) for label in self.outputs_symbols)
 
     @cached_property
     def symbols_by_kind(self) -> dict[str, tuple[Any, ...]]:
@@ -81,11 +90,16 @@ class Definition:
         return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
 
     @cached_property
-    def assumed(self) -> dict[str, list[int]]:
-        """The places of constants that were made with an assumption on their values, by this."""
-        names = ("is_nonnegative", "is_nonpositive", "is_integer")
-        found = {n: [k for k, s in enumerate(self.constants) if getattr(s, n)] for n in names}
-        return {name: places for name, places in found.items() if places}
+    def assumptions(self) -> dict[str, Assumptions]:
+        """What is assumed of the values of states, specifieds and constants, where anything is."""
+        names = ("states", "specifieds", "constants")
+        found = {name: Assumptions.of(getattr(self.layout, name)) for name in names}
+        return {name: own for name, own in found.items() if own is not None}
+
+    @cached_property
+    def assumes_motions(self) -> bool:
+        """Whether anything is assumed of the values of states or specifieds."""
+        return not self.assumptions.keys() <= {"constants"}
 
     @cached_property
     def of_one_name(self) -> list[tuple[Any, ...]]:

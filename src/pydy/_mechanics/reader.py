@@ -124,7 +124,8 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
             continue
         if not isinstance(load, tuple) or len(load) != 2:
             raise TypeError(
-                f"The load {load!r} is not one of the loads that System knows: give a pair of a "
+                f"The load {shown(load)} is not one of the loads that System knows: give a pair of "
+                "a "
                 "Point and a force Vector, a pair of a ReferenceFrame and a torque Vector, a "
                 "Force, a Torque, or an actuator with `to_loads()`."
             )
@@ -242,7 +243,7 @@ def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
         seen.add(id(body))
         if not isinstance(body, (RigidBody, Particle)):
             raise TypeError(
-                f"`bodies` must hold Particle and RigidBody objects, got {body!r} of type "
+                f"`bodies` must hold Particle and RigidBody objects, got {shown(body)} of type "
                 f"{type(body).__name__}."
             )
         if is_rigid(body):

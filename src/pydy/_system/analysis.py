@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assumptions import errors_of
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._names import unique_names
+from pydy._rank import ROUNDED
 from pydy._system.balance import Point
 from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.jumps import warn_of_kinks
@@ -153,6 +155,7 @@ class LinearModels(Setup):
         definition = now.definition
         n, s = len(definition.states), len(definition.specifieds)
         plan, p = now.plan, now.p
+        chosen = at is not None and not isinstance(at, Equilibrium)
         if isinstance(at, Equilibrium):
             found = {**at.given, **at.constants, **at.specifieds}
             kinds = ("specifieds", "constants")
@@ -160,6 +163,8 @@ class LinearModels(Setup):
             plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
         x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, n)
         made = driven(now.model, definition, plan, perturbed=True)
+        if chosen:  # those of a search for an equilibrium may be roundings of zero
+            now.check_columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
         point = Point(definition, made, t, x, plan.rows(x, t), p, plan)
         point = point.with_unknowns(at, plan.rows)
         value, slopes, blocks = point.value, point.slopes, point.blocks

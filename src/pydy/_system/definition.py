@@ -19,6 +19,7 @@ from pydy._checks import (
     descends,
     describe,
     listed,
+    merged,
     monotonic,
     real_array,
     resolved,
@@ -27,7 +28,7 @@ from pydy._checks import (
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
-from pydy._names import name_of, told_apart
+from pydy._names import name_of, told_apart, untaken
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import checked_expression, one_format, symbolic_entries
 from pydy.solvers.events import Event, identified
@@ -51,6 +52,8 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
         specifieds, _ = one_format(specifieds, "specifieds")
     keys: list[Any] = []
     expressions: dict[Any, Any] = {}
+    if len(specifieds) > 1:
+        specifieds = merged(specifieds)
     for key, value in specifieds.items():
         names = key if isinstance(key, (tuple, list)) else (key,)
         keys += names
@@ -106,27 +109,18 @@ class Definer:
     def _made(self, outputs: Mapping[Any, Any], forces: Sequence[Any], given: Given) -> Definition:
         """Check outputs and sort symbols, including those of expressions for specifieds."""
         equations, (constants, specifieds) = self._equations, self._base
-        groups = output_groups({**outputs, **self.residuals})
+        own, labels = self._labelled(outputs, forces)
+        groups = output_groups({**own, **self.residuals})
         if forces:
             groups.append(Group(tuple(forces), equations.auxiliary_equations))
         results = [n for group in groups for n in group.names]
-        taken = {*equations.coordinates, *equations.speeds, *constants, *specifieds, equations.time}
-        states = {name_of(s): s for s in (*equations.coordinates, *equations.speeds)}
-        own = {n for key in outputs for n in (key if isinstance(key, tuple) else (key,))}
         for k, name in enumerate(results):
-            if name in taken:
+            if name == equations.time:
                 raise ValueError(
-                    f"`outputs` has the name `{name}`, which is a state, constant or specified of "
-                    "the system already. Choose another name."
+                    f"`outputs` has the name `{name}`, which is the time. Choose another name."
                 )
             if name in results[:k]:
-                raise ValueError(f"`outputs` gives `{name}` more than once.")
-            if name in own and name_of(name) in states:
-                raise ValueError(
-                    f"`outputs` has the name `{name}`, but results already have the state "
-                    f"`{states[name_of(name)]}` under the name {name_of(name)!r}. Choose another "
-                    "name."
-                )
+                raise ValueError(f"`outputs` gives `{labels.get(name, name)}` more than once.")
         more = sort_out(equations, [e for group in groups for e in group.expressions], results)
         integrated = auxiliary_groups(equations, groups)
         auxiliaries = tuple(
@@ -157,7 +151,37 @@ class Definer:
             _ordered(r, given, {*results}, lambda: self.energies.motions),
             tuple(self.residuals),
             tuple(forces),
+            tuple(labels.items()),
         )
+
+    def _labelled(
+        self, outputs: Mapping[Any, Any], forces: Sequence[Any]
+    ) -> tuple[dict[Any, Any], dict[Any, Any]]:
+        """Return outputs whose names nothing else has, and the user's names by those labels.
+
+        An output called like a state, constant or specified gets the label ``q_output``: within
+        expressions, and for all that takes names, q is the state.
+        """
+        equations, (constants, specifieds) = self._equations, self._base
+        known = (*equations.coordinates, *equations.speeds, *constants, *specifieds)
+        taken = {name_of(s) for s in known}
+        names = [n for key in outputs for n in (key if isinstance(key, (tuple, list)) else (key,))]
+        clashing = [n for n in dict.fromkeys(names) if n in known or name_of(n) in taken]
+        if not clashing:
+            return dict(outputs), {}
+        taken |= {name_of(n) for n in (*names, *forces)}
+        labels: dict[Any, Any] = {}
+        for name in clashing:
+            label = untaken(f"{name_of(name)}_output", taken)
+            taken.add(label)
+            labels[name] = sm.Symbol(label)
+        own = {
+            tuple(labels.get(n, n) for n in key)
+            if isinstance(key, (tuple, list))
+            else labels.get(key, key): value
+            for key, value in outputs.items()
+        }
+        return own, {label: name for name, label in labels.items()}
 
     def _check_multipliers(self, found: Iterable[Any], known: Iterable[Any]) -> None:
         """Refuse symbols that print like multipliers, which would be new constants, 1."""

@@ -12,7 +12,7 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._checks import Places, describe, one_or_more, real_array, shown
+from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.products import derivative_program
@@ -85,6 +85,7 @@ def _columns(
         kind = "coordinates" if argument == "q" else "speeds"
         places = Places(symbols, f"{kind} of the system")
         if isinstance(value, Mapping):
+            value = merged(value)
             found = places.read(argument, value, default())
             return found, {*range(n)}.difference(places.columns(value, argument).tolist())
         places.check_order(value, argument)

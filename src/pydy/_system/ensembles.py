@@ -14,9 +14,11 @@ from pydy._checks import (
     Places,
     check_mapping,
     flag,
+    merged,
     number,
     real_array,
     refuse_twice,
+    shown,
     text,
     whole,
 )
@@ -28,7 +30,7 @@ from pydy._system.kept import check_samples, kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import Ready
-from pydy._system.snapshot import At, Snapshot
+from pydy._system.snapshot import At, Snapshot, check_specifieds
 from pydy._system.solving import ConstraintNames, native_solver, with_residuals_held
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
@@ -248,7 +250,8 @@ def _split_specifieds(
     """Return the specifieds that vary from sample to sample, and those of all samples."""
     varied: dict[Any, Any] = {}
     common: dict[Any, Any] = {}
-    for key, value in check_mapping("specifieds", given).items():
+    given = check_mapping("specifieds", given)
+    for key, value in (merged(given) if len(given) > 1 else given).items():
         together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
         plain = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
@@ -283,6 +286,20 @@ def _columns(
     return columns
 
 
+def _check_assumptions(
+    now: Snapshot, columns: list[tuple[Any, Any]], kind: str, given: Mapping[Any, Any], what: str
+) -> None:
+    """Warn once of samples, (dims, values) for each symbol, that contradict assumptions."""
+    assumed, told = now.definition.assumptions.get(kind), now.contradicted
+    if not given or assumed is None or told is None:
+        return
+    for place in {now.definition.places[kind].find(key, what) for key in given} & assumed.columns:
+        values = np.ravel(columns[place][1])
+        rows = np.full((len(values), len(columns)), np.nan)
+        rows[:, place] = values
+        assumed.tell(rows, told, f"`{what}` for ", where=lambda row: " in one sample or more")
+
+
 def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[np.ndarray, ...]:
     """Return own arrays, which are computed with later, with one axis for each dimension."""
     result = []
@@ -298,7 +315,7 @@ def _native(ode_solver: Any) -> Solver:
     if not isinstance(solver, Solver) or solver.name not in SOLVERS:
         raise ValueError(
             f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
-            f"{ode_solver!r}. For another one, integrate in a loop."
+            f"{shown(ode_solver)}. For another one, integrate in a loop."
         )
     return solver
 
@@ -464,6 +481,8 @@ class Ensembles(Setup):
         plan = now.plan
         for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
             new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
+            if values is common:
+                check_specifieds(definition, new, now.contradicted)
             plan = plan.updated(new)
         times = now.checked_times() if times is None else check_times(times)
         refuse_descending(times, "ensembles integrate forward only")
@@ -487,10 +506,16 @@ class Ensembles(Setup):
         axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
+        if len(initial) > 1 or len(constants) > 1:
+            initial, constants = merged(initial), merged(constants)
         places = definition.places
         x = _columns("initial_conditions", initial, places["states"], now.x, axes, "initial")
         p = _columns("constants", constants, places["constants"], now.p, axes, "constant")
         r = _columns("specifieds", varied, places["specifieds"], plan.values, axes, "specified")
+        if definition.assumptions:
+            _check_assumptions(now, x, "states", initial, "initial_conditions")
+            _check_assumptions(now, p, "constants", constants, "constants")
+            _check_assumptions(now, r, "specifieds", varied, "specifieds")
         axes.check_names()
         for (label, attrs), (dims, value) in zip(names.constants, p, strict=True):
             if not dims:
@@ -553,7 +578,9 @@ class Ensembles(Setup):
         )
         reductions = read_reductions(reduce, model, names.name)
         described = names.attributes if units is None else names.described(units)
-        work = Work(model, reductions, described)
+        assumed = definition.assumptions.get("states")
+        told = self._contradicted
+        work = Work(model, reductions, described, assumed=assumed, contradicted=told)
         about = {
             "ode_solver": solver.name,
             "lanes": LANES if model.in_lanes else 1,

@@ -19,6 +19,7 @@ from pydy._checks import (
     flag,
     limits,
     listed,
+    merged,
     one_or_more,
     positive,
     real_array,
@@ -131,22 +132,28 @@ class _Fit:
             raise ValueError(
                 f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
             )
-        merged: dict[Any, Any] = {}
+        values: dict[Any, Any] = {}
         for what, owner in ((argument, self.system), (label, d.trial)):
-            given = check_mapping(what, getattr(owner, argument))
+            given = merged(check_mapping(what, getattr(owner, argument)))
             own = places.by_symbol(given, what, others=True)
+            if owner is d.trial:
+                numbers = {s: v for s, v in own.items() if isinstance(v, (int, float))}
+                self.now.check_values(argument, numbers, f"`{what}` for ")
             if len(self.data) > 1 and owner is d.trial and (both := parameters & own.keys()):
                 raise ValueError(
                     f"`{what}` gives {describe([*both])} a value of its own, but `parameters` "
                     "names it, for all trials. Leave one of them out."
                 )
-            merged |= own
-        return {key: value for key, value in merged.items() if key not in parameters}
+            values |= own
+        return {key: value for key, value in values.items() if key not in parameters}
 
     def _initial(self, d: Data) -> dict[Any, float]:
         now, argument = self.now, f"initial_conditions of {d.label}"
         states = now.definition.places["states"]
-        x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
+        given = merged(check_mapping(argument, d.trial.initial_conditions))
+        x = now.x_with(given, argument)
+        own = {s: x[k] for k, s in enumerate(states.symbols) if s in states.chosen(given, argument)}
+        now.check_values("states", own, f"`{argument}` for ")
         start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.plan.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
@@ -543,6 +550,9 @@ def _result(
         if told := told_of_correlation(scaled, least, not work.own_noise):
             warn_user(told)
     shared = list(zip(work.shared, z.tolist(), strict=False))
+    for what in ("constants", "states", "specifieds"):
+        estimates = {s: v for (kind, s), v in shared if kind == what}
+        work.now.check_values(what, estimates, "The estimate of ")
     return FitResult(
         names=names,
         estimates=z[:k].copy(),

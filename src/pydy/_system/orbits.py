@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, instance, listed, positive
+from pydy._checks import flag, instance, listed, positive, shown
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
@@ -140,7 +140,7 @@ class _Search:
         if not now.t + self.guess / _SAMPLES > now.t:
             raise ValueError(
                 f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
-                f"as floats, got {self.guess!r}."
+                f"as floats, got {shown(self.guess)}."
             )
         if until is not None:
             instance(until, Event, "`until`", "a pydy.solvers.Event")
@@ -377,10 +377,13 @@ class _Search:
         initial, runner = dict(self.runner.initial_conditions), self.runner
         runner.times = np.linspace(self.t0, self.t0 + period, num=_SAMPLES)
         runner._searching = False
+        runner._contradicted = None  # where the orbit begins was computed, with errors
         if self.contacts is not None:  # what contacts hold is projected at the start
             trajectory = self.contacts.resumed(self.held, **self.options)
             return dict(zip(initial, trajectory.states[0].tolist(), strict=True)), trajectory
         trajectory = runner.simulate(**self.options)
+        if self.now.definition.assumes_motions:
+            self.now.check_motion(trajectory.times, trajectory.states)
         warn_of_jumps(self.now, lambda: trajectory)
         if self.until is None and not self.autonomous:
             _check_period(runner, trajectory, period)

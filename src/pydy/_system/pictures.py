@@ -68,7 +68,7 @@ class Pictures(Simulation, Exporting):
         from pydy._system.scene import make_scene
 
         definition = self._definition
-        constants = read_numbers(definition, "constants", self._constants)
+        constants = read_numbers(definition, "constants", self._constants, None)
         given = {"reference_frame": reference_frame, "origin": origin, **options}
         numbers = dict(zip(definition.constants, constants.tolist(), strict=True))
         return make_scene(self, definition, numbers, visuals, given)

@@ -147,7 +147,7 @@ def resolve_ode_solver(solver: Any) -> Any:
     names = ("odeint", *SOLVERS, "solve_ivp", *METHODS)
     raise ValueError(
         f"`ode_solver` must be one of {', '.join(map(repr, names))}, or a function, got "
-        f"{solver!r}. {nearest(solver, names, or_all=False)}".rstrip()
+        f"{shown(solver)}. {nearest(solver, names, or_all=False)}".rstrip()
     )
 
 
@@ -264,6 +264,23 @@ def _records(names: Sequence[str], found: Any) -> list[EventRecord]:
     return sorted(records, key=lambda record: way * record.time)
 
 
+@dataclass(frozen=True, eq=False)
+class _Dense:
+    """The continuous extension of a run of `solve_ivp`."""
+
+    solution: Any  # an OdeSolution
+
+    @property
+    def starts(self) -> np.ndarray:
+        """The times at which steps begin or end."""
+        return np.array(self.solution.ts)
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        """Return the states at some times, shape (m, n)."""
+        found: np.ndarray = self.solution(times).T
+        return found
+
+
 @dataclass(frozen=True)
 class SolveIvp:
     """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
@@ -367,7 +384,7 @@ class SolveIvp:
         if found.status < 0 or not finite.all():
             self._refuse(found, states, finite, {**info, "status": found.message})
         if found.sol is not None:
-            info["dense_output"] = lambda times: found.sol(times).T
+            info["dense_output"] = _Dense(found.sol)
         rows = rows[rows < len(found.t)]  # an event may have ended it
         if len(rows) < len(t) or chosen is not None:
             info["times"] = np.array(t[: len(rows)], dtype=float)

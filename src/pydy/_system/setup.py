@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag, instance, names_meant, shown
+from pydy._checks import Keyed, check_mapping, flag, instance, merged, names_meant, shown
 from pydy._errors import warn_user
 from pydy._graph.passes import rewriting
 from pydy._html import html_table
@@ -117,6 +117,9 @@ _NAMES_OF_METHODS = dict.fromkeys(
 class Setup:
     """The state of a System, checked when set and when used: it may be edited in place."""
 
+    # Whether numbers are tried, as in a fit, whose outputs and assumptions need not be sound.
+    _searching = False
+
     @names_meant("System", _NAMES_OF_METHODS)
     def __init__(
         self,
@@ -134,7 +137,7 @@ class Setup:
         implicit: Implicit | None = None,
     ) -> None:
         if equations not in (None, "graph", "method"):
-            raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
+            raise ValueError(f"`equations` must be 'graph' or 'method', got {shown(equations)}.")
         if implicit is not None:
             instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)
@@ -150,6 +153,9 @@ class Setup:
         self._initial_conditions: dict[Any, Any] = {}
         self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
         self._told: set[Any] = set()  # derivatives of specifieds that were warned of
+        # Symbols of which the user knows that values contradict their assumptions; None where
+        # that is not judged.
+        self._contradicted: set[str] | None = set()
         self._outputs: dict[Any, Any] = {}
         self._forces: list[Any] = []
         self._set_outputs(outputs, noncontributing_forces)
@@ -179,7 +185,7 @@ class Setup:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
         definition, solver = self._define.latest, self.ode_solver
-        constants = {**self._implied, **self._constants}
+        constants = merged({**self._implied, **self._constants})
         equations, t = definition.equations, self._times
         inside = {n for s in definition.constants for n in (s, name_of(s))}
         of_events = self._define.of_events
@@ -188,7 +194,7 @@ class Setup:
         lines = [
             ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
              f"{len(equations.speeds)} speeds"),
-            ("states", _values(definition.states, self._initial_conditions, "0.0")),
+            ("states", _values(definition.states, merged(self._initial_conditions), "0.0")),
             ("constants", _values(definition.constants, constants, "1.0")),
             ("elsewhere", _values([*more.values()], constants, "1.0")),
             ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
@@ -251,7 +257,17 @@ class Setup:
             "specifieds": dict(self._specifieds),
             "initial_conditions": dict(self._initial_conditions),
         }
-        return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
+        told = None if self._searching else self._contradicted
+        energies, derivatives = self._energies, self._told
+        return Snapshot(made.definition, made.model, user, self._times, energies, derivatives, told)
+
+    def _told_again(self, definition: Definition, what: str) -> set[str] | None:
+        """Forget that values of a kind contradict assumptions; return what remains told."""
+        if self._searching:
+            return None
+        if self._contradicted and (assumed := definition.assumptions.get(what)) is not None:
+            self._contradicted -= {assumed.names[k] for k in assumed.columns}
+        return self._contradicted
 
     def _checked_contacts(self, contacts: Any) -> Any:
         """Return an argument `contacts`, None or Contacts of this System."""
@@ -387,8 +403,12 @@ class Setup:
 
     @property
     def outputs_symbols(self) -> list[Any]:
-        """List of the names of all outputs, in the order of `evaluate_outputs`."""
-        return list(self._definition.outputs_symbols)
+        """List of the names of all outputs, in the order of `evaluate_outputs`.
+
+        An output may be called like a state, constant or specified. Where names are labels, in
+        trajectories, tables, plots and files, it is then called ``q_output``.
+        """
+        return list(self._definition.outputs_given)
 
     num_coordinates = property(lambda self: len(self.coordinates), doc="Number of coordinates.")
     num_speeds = property(lambda self: len(self.speeds), doc="Number of speeds.")
@@ -430,7 +450,11 @@ class Setup:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        read_numbers(self._defined(values), "constants", values)
+        definition = self._defined(values)
+        told = self._told_again(definition, "constants")
+        read_numbers(definition, "constants", values, told)
+        if self._constants and values:
+            self._warn_of_dropped("constants", self._constants, values, 1.0)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
@@ -461,7 +485,11 @@ class Setup:
         values = check_mapping("specifieds", specifieds)
         definition = self._define(self._outputs, self._forces, values)
         told: set[Any] = set()
-        check_expressions(definition, checked_plan(definition, values, told))
+        contradicted = self._told_again(definition, "specifieds")
+        plan = checked_plan(definition, values, told, contradicted)
+        check_expressions(definition, plan)
+        if self._specifieds and values:
+            self._warn_of_dropped("specifieds", _flat(self._specifieds), _flat(values), 0.0)
         self._specifieds, self._told = values, told
 
     @property
@@ -476,8 +504,35 @@ class Setup:
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
-        read_numbers(self._definition, "initial_conditions", values)
+        definition = self._definition
+        told = self._told_again(definition, "states")
+        read_numbers(definition, "initial_conditions", values, told)
+        if self._initial_conditions and values:
+            self._warn_of_dropped("initial_conditions", self._initial_conditions, values, 0.0)
         self._initial_conditions = values
+
+    def _warn_of_dropped(
+        self, argument: str, before: Mapping[Any, Any], values: Mapping[Any, Any], default: float
+    ) -> None:
+        """Warn of values that an assignment sets back to the default; an empty one says so."""
+        if self._contradicted is None or self._searching or before is values:
+            return
+        known = Keyed({**values})
+        dropped = {
+            key: value
+            for key, value in merged(before).items()
+            if key not in values
+            and not (isinstance(value, (int, float)) and value == default)
+            and key not in known
+        }
+        if dropped:
+            lost = some([f"{name_of(key)} = {_short(value)}" for key, value in dropped.items()])
+            warn_user(
+                f"`{argument}` was assigned without {lost}: an assignment replaces all values, and "
+                f"what is not in it is {default} again. To change some and leave the others, write "
+                f"`system.{argument}[...] = ...` or `system.{argument}.update(...)`; to drop all, "
+                "assign {} first."
+            )
 
     @property
     def times(self) -> np.ndarray:
@@ -605,7 +660,7 @@ def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
     if isinstance(specifieds.get("symbols"), (tuple, list)):
         specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
     given: dict[Any, Any] = {}
-    for key, value in specifieds.items():
+    for key, value in merged(specifieds).items():
         several = isinstance(key, tuple)
         if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
             given.update(zip(key, value, strict=True))

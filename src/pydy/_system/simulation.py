@@ -21,6 +21,7 @@ from pydy._errors import (
     SingularMatrixError,
     warn_user,
 )
+from pydy._system.assumed import Watch
 from pydy._system.causes import explain, warn_of_outputs
 from pydy._system.dependents import (
     check_dependents,
@@ -209,6 +210,10 @@ def _solve(
     if now.definition.equations.implicit is not None:
         given = with_residuals_held(now.definition, solver, given)
     free, full = given.get("constraints") is None, given.get("full_output", False)
+    watch = None
+    if now.definition.assumes_motions and now.contradicted is not None:
+        watch = Watch.of(now, solver, given, wanted is None)
+        given = watch.options
     ready, times = begin(now, solver, given)
     native = isinstance(solver, Solver)
     watched = ready.constrained and isinstance(solver, (Solver, SolveIvp))
@@ -216,7 +221,8 @@ def _solve(
     try:
         if wanted is None and isinstance(solver, Solver):
             states, prepared = _run(ready, solver, now, times)
-            info, options = prepared.info if full or watched else {}, ready.options
+            needed = full or watched or watch is not None
+            info, options = prepared.info if needed else {}, ready.options
             result: Any = states, info
         else:
             f, x0, options = rates_function(ready.model, now.plan), now.x, ready.options
@@ -227,9 +233,11 @@ def _solve(
             of_scipy = isinstance(solver, SolveIvp) or is_odeint(solver)
             if of_scipy and now.plan.sampled and now.jumps().size:
                 f = asked = Asked(f)
+            if watch is not None:
+                f = watch.watching(f)
             if checked and is_odeint(solver):
                 result = call_odeint(f, x0, times, args, now.definition.states, options)
-            elif watched:
+            elif watched or (watch is not None and isinstance(solver, SolveIvp)):
                 whole = {**options, "full_output": True}
                 result = solver(f, x0, times, args=args, **whole)
             else:
@@ -242,6 +250,8 @@ def _solve(
             if asked is not None and (motion := _motion(now, solver, times, result, options, True)):
                 tolerances = motion.ran.rtol, motion.ran.atol
                 warn_of_pulses(now, asked.times, motion.times, motion.states, tolerances)
+        if watch is not None:
+            result = watch.judged(times, result)
         if ready.constrained:
             if native:
                 states, info = result
@@ -384,9 +394,6 @@ def _motion(
 
 class Simulation(Setup):
     """Integration, and the initial conditions that it begins with."""
-
-    # Whether motions are tried, as in a fit, whose outputs need not be sound.
-    _searching = False
 
     def set_dependent_initial_conditions(
         self, dep_vars: Iterable[Any] | None = None, use_jac: bool = False, **root_kwargs: Any
@@ -550,9 +557,8 @@ class Simulation(Setup):
         array([1.      , 0.895595, 0.6597  ])
         """
         now = self._now(solver_kwargs.get("events"))
-        wanted = None
+        wanted, control = None, flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
-            control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
         trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))
         if not (self._searching or np.isfinite(trajectory.outputs).all()):

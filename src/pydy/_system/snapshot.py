@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -10,16 +10,18 @@ import numpy as np
 import scipy
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.assumptions import Assumptions, errors_of
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import describe, real_array, vector
+from pydy._checks import Places, describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rounding import rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
+from pydy._rank import ROUNDED
 from pydy._system.definition import check_times
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -30,8 +32,13 @@ from pydy.trajectory import Columns, Trajectory
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
 
 
-def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) -> np.ndarray:
-    """Return 'constants' in order, 1.0 without a value, or 'initial_conditions', then 0.0."""
+def read_numbers(
+    definition: Definition, argument: str, values: dict[Any, Any], told: set[str] | None
+) -> np.ndarray:
+    """Return 'constants' in order, 1.0 without a value, or 'initial_conditions', then 0.0.
+
+    Values that contradict an assumption are reported once, unless what was `told` is None.
+    """
     what, default = _DEFAULTS[argument]
     places = definition.places[what]
     try:
@@ -58,35 +65,28 @@ def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) 
                 f"`system.constants[{name!r}] = ...`, right before the first call with them."
             ) from None
         raise
-    if what == "constants" and definition.assumed:
-        _check_assumptions(definition, numbers, values)
+    if definition.assumptions and told is not None and what in definition.assumptions:
+        assumed = definition.assumptions[what]
+        check_given(assumed, places, argument, numbers[None], values, told)
     return numbers
 
 
-# What contradicts an assumption. Zero is the limit of what is positive: gravity that is turned off.
-_WRONG: dict[str, tuple[str, Callable[[np.ndarray], np.ndarray]]] = {
-    "is_nonnegative": ("cannot be negative", lambda values: values < 0.0),
-    "is_nonpositive": ("cannot be positive", lambda values: values > 0.0),
-    "is_integer": ("is an integer", lambda values: values % 1.0 != 0.0),
-}
-
-
-def _check_assumptions(
-    definition: Definition, numbers: np.ndarray, given: Mapping[Any, Any]
+def check_given(
+    assumed: Assumptions,
+    places: Places,
+    argument: str,
+    rows: np.ndarray,
+    given: Iterable[Any],
+    told: set[str],
 ) -> None:
-    """Warn of a constant with a given value that is not what SymPy takes for granted of it."""
-    for name, places in definition.assumed.items():
-        words, wrong = _WRONG[name]
-        found = [places[k] for k in np.flatnonzero(wrong(numbers[places]))]
-        known = found and {definition.places["constants"].get(key, "constants") for key in given}
-        for k in found:
-            if k in known:
-                warn_user(
-                    f"`constants` for `{definition.constants[k]}` is {numbers[k]:g}, but its "
-                    f"symbol was made as one that {words}: where SymPy simplified by that, results "
-                    "are wrong. Make the symbol without that assumption."
-                )
-                return
+    """Warn once of numbers (m, k) that the user gave and that contradict an assumption."""
+    if (new := [c for c in assumed.contradictions(rows) if c.name not in told]) and (
+        known := {places.get(key, argument) for key in given}
+    ):
+        new = [c for c in new if c.column in known]
+        told.update(c.name for c in new)
+        for first in new[:1]:
+            first.warn(f"`{argument}` for ", "", new[1:])
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,12 +194,15 @@ class Snapshot:
     times: np.ndarray
     energies: EnergyModel
     told: set[Any]  # derivatives of specifieds that the user has been warned of
+    # Names of symbols whose values contradict their assumptions, as the user knows; None where
+    # numbers are only tried.
+    contradicted: set[str] | None = None
 
     @cached_property
     def x(self) -> np.ndarray:
         """The initial conditions in order; where residuals give some of them, these are solved."""
         given = self.user["initial_conditions"]
-        x = read_numbers(self.definition, "initial_conditions", given)
+        x = read_numbers(self.definition, "initial_conditions", given, self.contradicted)
         implicit, places = self.definition.equations.implicit, self.definition.places["states"]
         if implicit is None:
             return x
@@ -212,7 +215,8 @@ class Snapshot:
     @cached_property
     def p(self) -> np.ndarray:
         """The constants in order."""
-        return read_numbers(self.definition, "constants", self.user["constants"])
+        given = self.user["constants"]
+        return read_numbers(self.definition, "constants", given, self.contradicted)
 
     @property
     def constants(self) -> dict[Any, float]:
@@ -238,7 +242,9 @@ class Snapshot:
         told, known = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
         if plan is None:
-            plan = checked_plan(self.definition, given, self.told)
+            plan = checked_plan(self.definition, given, self.told, self.contradicted)
+        elif plan is not known and self.definition.assumes_motions:
+            check_specifieds(self.definition, plan, self.contradicted)
         latest["plan"] = self.told, plan
         return plan
 
@@ -284,9 +290,12 @@ class Snapshot:
             return self.p
         places = self.definition.places["constants"]
         if isinstance(p, Mapping):
-            return places.read("p", p, self.p)
-        places.check_order(p, "p")
-        return vector(p, len(places), "`p`")
+            numbers = places.read("p", p, self.p)
+        else:
+            places.check_order(p, "p")
+            numbers = vector(p, len(places), "`p`")
+        self.check_columns("constants", numbers[None], "`p` for ")
+        return numbers
 
     def plan_with(self, r: Any) -> SpecifiedsPlan:
         """Return how r is computed, with a user's values for one call."""
@@ -295,9 +304,77 @@ class Snapshot:
         places = self.definition.places["specifieds"]
         if callable(r):
             return SpecifiedsPlan({places.symbols: r}, places, argument="r")
-        plan = self._own_plan.updated(SpecifiedsPlan(r, places, argument="r"))
+        own = SpecifiedsPlan(r, places, argument="r")
+        check_specifieds(self.definition, own, self.contradicted, "r")
+        plan = self._own_plan.updated(own)
         _warn_of_activations(self.definition, plan, self.told)
         return _warned_of(self.definition, plan, self.told)
+
+    # -- assumptions on values --------------------------------------------------------------------
+
+    def check_columns(self, what: str, values: np.ndarray, source: str, **options: Any) -> None:
+        """Warn once of values (m, k) of all states, specifieds or constants, by assumptions."""
+        if self.contradicted is not None and what in self.definition.assumptions:
+            assumed = self.definition.assumptions[what]
+            assumed.tell(values, self.contradicted, source, **options)
+
+    def check_values(self, what: str, values: Mapping[Any, Any], source: str) -> None:
+        """Warn once of numbers for some states, specifieds or constants, by assumptions."""
+        if values and what in self.definition.assumptions:
+            row = np.full((1, len(self.definition.places[what])), np.nan)
+            for symbol, value in values.items():
+                row[0, self.definition.places[what].find(symbol, what)] = value
+            self.check_columns(what, row, source)
+
+    def check_states(self, at: At, given: bool, r: Any) -> None:
+        """Warn once of states that the user gave, and of specifieds that are computed there."""
+        assumptions = self.definition.assumptions
+        if given and "states" in assumptions:
+            # Several may be those of a computed motion.
+            allowed = errors_of(at.x, ROUNDED) if len(at.x) > 1 else 0.0
+            self.check_columns("states", at.x, "`x` for ", allowed=allowed)
+        if "specifieds" not in assumptions or self.contradicted is None:
+            return
+        columns = assumptions["specifieds"].columns
+        if r is None or callable(r) or isinstance(r, Mapping):
+            plan = self.plan_with(r)
+            columns &= plan.changing
+            columns -= {k for k, s in enumerate(plan.symbols) if s in plan.expressions}
+        self.check_columns("specifieds", at.r, "The specified ", columns=columns)
+        if r is None and self.plan.expressions:
+            rows = self.specifieds(at.t, at.x)
+            places = {k for k, s in enumerate(self.plan.symbols) if s in self.plan.expressions}
+            self.check_columns("specifieds", rows, "The specified ", columns=places)
+
+    def check_motion(
+        self, times: np.ndarray, states: np.ndarray, rtol: Any = 1.0, atol: Any = 0.0
+    ) -> None:
+        """Warn once of states and specifieds along a motion that contradict their assumptions.
+
+        A solver's tolerances say which contradictions may be errors; without error control only
+        those that are large beside the other values are reported.
+        """
+        told, assumptions = self.contradicted, self.definition.assumptions
+        if told is None or not len(times):
+            return
+
+        def where(row: int) -> str:
+            return f" at t = {times[row]:g} of a motion"
+
+        if (assumed := assumptions.get("states")) is not None:
+            allowed = errors_of(states, rtol, atol)
+            assumed.tell(states, told, "", where=where, allowed=allowed, in_time=True)
+        if (assumed := assumptions.get("specifieds")) is None:
+            return
+        plan = self.plan  # whose numbers and samples were judged when they were given
+        if columns := assumed.columns & plan.changing:
+            finite = np.isfinite(states).all(axis=1)
+            rows = np.full((len(times), len(plan.symbols)), np.nan)
+            rows[finite] = self.specifieds(times[finite], states[finite])
+            allowed = errors_of(rows, rtol)
+            assumed.tell(
+                rows, told, "", where=where, allowed=allowed, in_time=True, columns=columns
+            )
 
     # -- along a trajectory -----------------------------------------------------------------------
 
@@ -330,6 +407,8 @@ class Snapshot:
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""
+        if self.definition.assumes_motions:
+            self.check_motion(times, states)
         columns = self.model.latest.get("columns")
         if columns is None:
             columns = self.model.latest["columns"] = Columns(self.definition.symbols_by_kind)
@@ -352,12 +431,43 @@ class Snapshot:
 
 
 def checked_plan(
-    definition: Definition, specifieds: dict[Any, Any], told: set[Any]
+    definition: Definition,
+    specifieds: dict[Any, Any],
+    told: set[Any],
+    contradicted: set[str] | None,
 ) -> SpecifiedsPlan:
     """Return how a System's dictionary of specifieds, in either format, gives r."""
     places = definition.places["specifieds"]
     plan = SpecifiedsPlan(specifieds, places, argument="specifieds")
+    check_specifieds(definition, plan, contradicted)
     return _warned_of(definition, plan, told)
+
+
+def check_specifieds(
+    definition: Definition,
+    plan: SpecifiedsPlan,
+    told: set[str] | None,
+    argument: str = "specifieds",
+) -> None:
+    """Warn once of numbers and samples for specifieds that contradict an assumption.
+
+    Samples are interpolated monotonically: nothing between them is beyond them.
+    """
+    assumed = definition.assumptions.get("specifieds")
+    if assumed is None or told is None:
+        return
+    places, what = definition.places["specifieds"], f"`{argument}` for "
+    numbers = plan.given - {plan.symbols[k] for k in plan.changing}
+    check_given(assumed, places, argument, plan.values[None], numbers, told)
+    for columns, samples in plan.sampled:
+        rows = np.full((len(samples.times), len(plan.symbols)), np.nan)
+        rows[:, columns] = samples.values.reshape(len(rows), -1)
+        times = samples.times
+
+        def where(row: int, times: np.ndarray = times) -> str:
+            return f" at t = {times[row]:g}"
+
+        assumed.tell(rows, told, what, where=where)
 
 
 def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> SpecifiedsPlan:

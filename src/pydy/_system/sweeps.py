@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import check_mapping, flag, positive, real_array, whole
+from pydy._checks import check_mapping, flag, positive, real_array, shown, whole
 from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
@@ -35,7 +35,7 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     values = real_array(given, f"`over[{key}]`")
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
         raise ValueError(
-            f"`over[{key}]` must be at least two finite values, got {given!r}."
+            f"`over[{key}]` must be at least two finite values, got {shown(given)}."
             if values.ndim != 1 or len(values) < 2
             else f"`over[{key}]` must be finite, got {values[~np.isfinite(values)][0]!r}."
         )
@@ -43,6 +43,13 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     if not ((steps > 0.0).all() or (steps < 0.0).all()):
         raise ValueError(f"`over[{key}]` must ascend or descend.")
     return definition.places[kind].symbols[place], values
+
+
+def check_swept(now: Snapshot, parameter: Any, values: np.ndarray) -> None:
+    """Warn of values of a parameter that contradict its assumptions."""
+    kind, _ = located(now.definition, parameter, "over")
+    for value in (values.min(), values.max()):
+        now.check_values(kind, {parameter: float(value)}, "`over` for ")
 
 
 class Family:
@@ -264,6 +271,7 @@ class Sweeps(Setup):
             at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
             at = at[0] if single else at
         parameter, values = parameter_of(definition, over)
+        check_swept(now, parameter, values)
         if at is not None:
             unknowns = definition.states if unknowns is None else unknowns
             unknowns = [s for s in unknowns if s != parameter]
@@ -356,6 +364,7 @@ class Sweeps(Setup):
         warn_of_forgotten(now)
         definition = now.definition
         parameter, values = parameter_of(definition, over)
+        check_swept(now, parameter, values)
         longest = positive(step, "`step`", finite=True)
         family = Family(now, parameter, unknowns, given, moving)
         balance = family.balance

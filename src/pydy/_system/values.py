@@ -237,6 +237,8 @@ class Sweep:
             self.look(at)
         made, vectors = self.kernel(model), self.vectors
         try:
+            if definition.assumptions:
+                now.check_states(at, x is not None, r)
             out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
         except SingularMatrixError as error:
             k = int((at.x == error.state).all(axis=1).argmax())

@@ -16,8 +16,19 @@ from weakref import WeakSet
 import numpy as np
 import sympy as sm
 from sympy.logic.boolalg import Boolean
+from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
+from pydy._checks import (
+    Places,
+    choice,
+    describe,
+    listed,
+    merged,
+    number,
+    real_array,
+    shown,
+    vector,
+)
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
@@ -96,7 +107,13 @@ class SpecifiedsArgument(_Argument):
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
         if {*map(type, r.values())} <= _USUAL:
-            groups = self.places.groups(r, "r")
+            try:
+                groups = self.places.groups(r, "r")
+            except ValueError:
+                if (later := merged(r)) is r:
+                    groups = _groups(self.places, r, "r")  # which raises with more words
+                else:
+                    return self(later, x, t)
             if sum(len(names) for names, *_ in groups) == len(symbols):
                 return self._called(groups, r.values(), x, t)
         plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
@@ -118,6 +135,21 @@ class SpecifiedsArgument(_Argument):
                 value = evaluate_function(value, names, x, t, self.time_first)
             result[columns] = value
         return result
+
+
+def _groups(places: Places, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
+    """Return what `Places.groups` does, and say of the time that it is known."""
+    try:
+        return places.groups(values, argument)
+    except ValueError as error:
+        time = dynamicsymbols._t
+        keys = [k for key in values for k in (key if isinstance(key, (tuple, list)) else (key,))]
+        given = [k for k in keys if isinstance(k, (str, sm.Symbol)) and k in (time, str(time))]
+        if not given or places.get(given[0], argument) is not None:
+            raise
+        raise ValueError(
+            f"{error} `{time}` is the time, which is known wherever it occurs: leave it out."
+        ) from None
 
 
 def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
@@ -240,7 +272,10 @@ class SpecifiedsPlan:
         functions: list[tuple[np.ndarray, _Checked]] = []
         self._given = [*values], [*values.values()]
         values, together = one_format(values, argument)
-        groups = places.groups(values, argument)
+        if len(values) > 1 and (later := merged(values)) is not values:
+            values = later
+            self._given = [*values], [*values.values()]
+        groups = _groups(places, values, argument)
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
@@ -322,6 +357,13 @@ class SpecifiedsPlan:
     def functions(self) -> tuple[tuple[np.ndarray, Callable[..., np.ndarray], str], ...]:
         """The places in r, a function of a state and time that checks the user's, and its label."""
         return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
+
+    @property
+    def changing(self) -> set[int]:
+        """The places in r of what is no number: of samples, functions and expressions."""
+        parts = [columns for columns, _ in (*self.sampled, *self._functions)]
+        found = {k for columns in parts for k in columns.tolist()}
+        return found | {k for k, s in enumerate(self.symbols) if s in self.expressions}
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that surely differs in floats alone, or None."""

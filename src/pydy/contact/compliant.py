@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
-from pydy._checks import instance, shown
+from pydy._checks import flag, instance, shown
 from pydy.contact.laws import _axes, _check_units, _expressions
 from pydy.solvers.events import Event
 
@@ -101,6 +101,7 @@ class CompliantContact:
         for argument, function in (("force", force), ("friction", friction)):
             if not callable(function) and (function is not None or argument == "force"):
                 raise TypeError(f"`{argument}` must be a function, got {shown(function)}.")
+        flag(reaction, "`reaction`")
         directions = _axes(along)
         _check_units("normal", [normal])
         if (friction is None) != (not directions):

@@ -260,11 +260,13 @@ class Contacts:
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
         system: System = copy(kept.mode(tuple(found), held, every)[1])
+        system._contradicted = None  # the user knows of these numbers
         system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
         system.constants = dict(now.constants)
         system.specifieds = dict(self.system.specifieds)
         system.ode_solver, system.times = self.system.ode_solver, self.system.times
         system.initial_conditions = dict(self.system.initial_conditions)
+        system._contradicted = self.system._contradicted
         return system
 
     def __getattr__(self, name: str) -> Any:
@@ -357,9 +359,8 @@ class Contacts:
 
 def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:
     """Return the sensitivities to compute, or None."""
-    if wanted is None:
-        return None
-    return partial(Carried, wanted, flag(controlled, "`control_sensitivities`"))
+    controlled = flag(controlled, "`control_sensitivities`")
+    return None if wanted is None else partial(Carried, wanted, controlled)
 
 
 class Motions:
@@ -420,6 +421,7 @@ class Motions:
         if self.contacts._kept is None:  # in another process
             self.contacts._now(self._given)
         system = copy(self.contacts.system)
+        system._contradicted = None  # the ensemble judges all samples
         contacts = self.contacts.of(system)
         system.initial_conditions = dict(zip(self._states, x.tolist(), strict=True))
         system.constants = dict(zip(self._constants, p.tolist(), strict=True))

@@ -445,6 +445,7 @@ class Run:
             },
             times=np.concatenate([[state.t], self.times[later]]),
             told=self.now.told,  # what is told of specifieds is told once
+            contradicted=None,  # assumptions are judged along the whole motion
         )
         options = {**self.options, "events": events}
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
@@ -732,6 +733,8 @@ class Run:
     def result(self) -> ContactTrajectory:
         """Return the parts of the motion as one."""
         times, states = self.times[self.reached], self.states[self.reached]
+        if self.now.definition.assumes_motions:
+            self.now.check_motion(times, states)
         model, last = Pieces(self.pieces, self.now), self.pieces[-1].end
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
         carried = self.carried

@@ -709,6 +709,11 @@ def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
             raise ValueError(
                 f"`duration` must be positive, or a Symbol for one that is found, got {value!r}."
             )
+        if not 0.0 < value * value < np.inf:  # accelerations are scaled with it
+            raise ValueError(
+                f"`duration` must have a square within the range of floats, got {value!r}. Choose "
+                "another unit of time."
+            )
         return value, None
     if duration in (*definition.constants, definition.equations.time):
         raise ValueError(

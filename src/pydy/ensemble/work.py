@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assumptions import Assumptions, errors_of
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
@@ -146,6 +147,8 @@ class Work:
     reductions: tuple[Reduction, ...]  # none: all times are kept
     attrs: dict[str, dict[str, Any]]  # attributes of variables, by name
     told: dict[str, object] = field(default_factory=dict)  # what was warned of
+    assumed: Assumptions | None = None  # what SymPy assumed of the states
+    contradicted: set[str] | None = None  # symbols that were warned of by that; None: not judged
 
     @property
     def function(self) -> Callable[[Any], Any] | None:
@@ -169,7 +172,8 @@ class Work:
         """
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
-            times = times[[0, -1]]  # steps do not depend on the outputs
+            # Steps do not depend on the outputs. A few show what assumptions the states leave.
+            times = times[evenly(len(times), 2 if self.assumed is None else TRIED)]
         logs = model.kept is not None or _EventTimes in map(type, self.reductions)
         batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
@@ -183,6 +187,8 @@ class Work:
             self._tell_jumps(batch, times, watched)
         if results.stretches and self._first("stretches"):
             warn_user(results.stretches[0])
+        if self.assumed is not None and self.contradicted is not None:
+            self._tell_assumptions(self.assumed, self.contradicted, results.states, times)
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
         if (known := results.outputs) is not None:
             outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731
@@ -215,6 +221,24 @@ class Work:
                 "System unless they are passed, also where constants or other initial conditions "
                 "vary: pass those of each sample in `initial_conditions`."
             )
+
+    def _tell_assumptions(
+        self, assumed: Assumptions, told: set[str], states: np.ndarray, times: np.ndarray
+    ) -> None:
+        """Warn once of the states (n, m, times) that contradict their assumptions."""
+        options = self.model.options
+        for k in assumed.suspects(states):
+            if {assumed.names[column] for column in assumed.columns} <= told:
+                return
+            rows = states[:, k].T
+            allowed = errors_of(rows, options.rtol, options.atol)
+            if options.step is not None:
+                allowed = errors_of(rows, 1.0)  # a method without error control
+
+            def where(row: int) -> str:
+                return f" at t = {times[row]:g} in one sample or more"
+
+            assumed.tell(rows, told, "", where=where, allowed=allowed, in_time=True)
 
     def _tell_resets(self, batch: Batch, results: Results, kept: Kept) -> None:
         """Warn of the first reset of each event that leaves the constraints."""

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._checks import describe
+from pydy._checks import describe, merged
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,18 @@ class Layer:
                 parts.append(part)
                 given.append(array)
         function = self._functions.function(kind, tuple(parts))
-        return self._arrays.call(function, self._arrays.alike(given))
+        try:
+            alike = self._arrays.alike(given)
+        except ValueError:
+            shapes = [
+                f"`{part.group}` {tuple(array.shape[:-1])}"
+                for part, array in zip(parts, given, strict=True)
+            ]
+            raise ValueError(
+                "The axes in front of arguments must be broadcast against each other, got "
+                f"{', '.join(shapes)}."
+            ) from None
+        return self._arrays.call(function, alike)
 
     def _read(self, kind: str, group: str, value: Any) -> tuple[Part, Any]:
         if group == "t":
@@ -171,6 +182,7 @@ class Layer:
             return Part(group, (*range(n),), (1,) * n, True), array
         if not value:
             raise ValueError(f"`{group}` must have at least one entry, got an empty dictionary.")
+        value = merged(value)
         found = tuple(places.columns(value, group).tolist())
         counts = self._functions.counts(kind, group, found)
         columns = []

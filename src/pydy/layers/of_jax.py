@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import check_copied, shown
 from pydy._optional import require
 from pydy.layers.layer import Function
 
@@ -39,7 +40,14 @@ class JaxArrays:
         """Return an array of float64; numbers and arrays of integers are converted."""
         self._check()
         jnp = self.jax.numpy
-        array = jnp.asarray(value)
+        check_copied(value, argument)
+        try:
+            array = jnp.asarray(value)
+        except (TypeError, ValueError, OverflowError, RecursionError):
+            # JAX names neither the argument nor what it may be; its tracers raise other errors.
+            raise TypeError(
+                f"{argument} must be an array of JAX, of float64, or numbers, got {shown(value)}."
+            ) from None
         if jnp.issubdtype(array.dtype, jnp.integer):
             array = array.astype(jnp.float64)
         if array.dtype != np.float64:

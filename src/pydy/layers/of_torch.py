@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import real_array
 from pydy._optional import require
 from pydy.layers.layer import Function
 
@@ -24,7 +25,7 @@ class TorchArrays:
         """Return a tensor of float64; numbers and arrays are converted."""
         torch = self.torch
         if not isinstance(value, torch.Tensor):
-            return torch.as_tensor(np.asarray(value, dtype=float))
+            return torch.as_tensor(self._numbers(value, argument))
         if not value.is_floating_point() and not value.is_complex():
             return value.to(torch.float64)
         if value.dtype != torch.float64:
@@ -34,6 +35,17 @@ class TorchArrays:
                 "dtype=torch.float64, or call torch.set_default_dtype(torch.float64) first."
             )
         return value
+
+    def _numbers(self, value: Any, argument: str) -> np.ndarray:
+        """Return numbers as an array; a list may hold tensors of one number."""
+        if isinstance(value, (list, tuple)) and any(
+            isinstance(entry, self.torch.Tensor) for entry in value
+        ):
+            value = [getattr(entry, "tolist", lambda entry=entry: entry)() for entry in value]
+        try:
+            return real_array(value, argument)
+        except ValueError as error:
+            raise TypeError(f"{error} Pass a tensor of float64.") from None
 
     def together(self, columns: list[Any]) -> Any:
         """Return tensors (…, k) side by side."""

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, text
+from pydy._checks import flag, shown, text
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import CLOSE, ROUNDING, ROUNDINGS
 
@@ -114,7 +114,7 @@ def _check_expression(value: Any, what: str) -> None:
     ):
         raise TypeError(
             f"{what} must be a SymPy expression or a number, got the {type(value).__name__} "
-            f"{value!r}."
+            f"{shown(value)}."
         )
 
 

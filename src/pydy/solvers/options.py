@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from pydy._checks import Check, checked, flag, number, optional, positive, real_array, whole
+from pydy._checks import Check, checked, flag, number, optional, positive, real_array, shown, whole
 from pydy._names import nearest
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
@@ -95,7 +95,7 @@ def _compiled(kind: type, method: str) -> Check:
         if isinstance(value, kind | None):
             return value
         raise TypeError(
-            f"{what} cannot be passed directly to a solver, got {value!r}: they must be "
+            f"{what} cannot be passed directly to a solver, got {shown(value)}: they must be "
             f"compiled with the equations. Call system.{method}({what[1:-1]}=…), with "
             "`system.ode_solver` set to this solver."
         )
@@ -174,7 +174,7 @@ def _jacobian(value: Any, what: str) -> Any:
         return value
     raise TypeError(
         f"{what} must be a function {what[1:-1]}(t, x), a matrix of shape (n, n), or None to find "
-        f"it by differences, got {value!r}."
+        f"it by differences, got {shown(value)}."
     )
 
 
@@ -184,7 +184,7 @@ def _gradient(value: Any, what: str) -> Any:
         return value
     raise TypeError(
         f"{what} must be a function {what[1:-1]}(x, t), or None to find the Jacobian by "
-        f"differences, got {value!r}."
+        f"differences, got {shown(value)}."
     )
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from pydy._checks import monotonic, real_array
+from pydy._checks import monotonic, real_array, shown
 from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
@@ -212,7 +212,7 @@ class Solver:
         [0.877583, 1.755165]
         """
         if not callable(f):
-            raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")
+            raise TypeError(f"`f` must be a function f(x, t), got {shown(f)}.")
         read = read_options(self.name, self.adaptive, options)
         x0 = real_array(x0, "`x0`")
         if x0.ndim == 0:

@@ -14,6 +14,7 @@ from pydy._checks import (
     Places,
     check_mapping,
     descends,
+    merged,
     number,
     positive,
     real_array,
@@ -37,7 +38,7 @@ def as_visual(thing: Any) -> Visual:
         return Visual(None, thing)
     raise TypeError(
         "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {thing!r}."
+        f"{type(thing).__name__} {shown(thing)}."
     )
 
 
@@ -155,7 +156,7 @@ def named_constants(
     A key that stands for none of them must occur in what the scene, a reference frame, an origin
     and visuals, draws, or in its series.
     """
-    given = check_mapping("constants", constants)
+    given = merged(check_mapping("constants", constants))
     if not own:  # a trajectory that tells nothing of constants
         return given
     # A trajectory from a file has names in the place of symbols.

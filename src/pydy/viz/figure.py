@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from pydy._checks import shown
 from pydy._files import replacing
 from pydy._optional import bar_of, require
 from pydy.viz.animation import Animation, Framing, Item, Look, frame
@@ -231,7 +232,7 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
     elif not hasattr(axes, "add_collection3d"):
         raise TypeError(
             "`axes` must be three-dimensional, made with subplot(projection='3d'), got the "
-            f"{type(axes).__name__} {axes!r}."
+            f"{type(axes).__name__} {shown(axes)}."
         )
     _Drawing(animation, animation.at(t), seen, axes, look.title).draw(0)
     return axes

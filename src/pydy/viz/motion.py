@@ -18,10 +18,12 @@ from pydy._checks import (
     check_mapping,
     describe,
     listed,
+    merged,
     monotonic,
     number,
     real_array,
     refuse_twice,
+    shown,
 )
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
@@ -301,7 +303,7 @@ def motion_of_trajectory(
     if missing:
         raise TypeError(
             "`animate` takes a Trajectory, or times and states, got the "
-            f"{type(trajectory).__name__} {trajectory!r}."
+            f"{type(trajectory).__name__} {shown(trajectory)}."
         )
     symbols = tuple(trajectory.state_symbols)
     # A trajectory from a file has names in the place of symbols.
@@ -342,8 +344,7 @@ def motion_of_arrays(
     refuse_twice(_alike(symbols, "symbols"), "symbols")
     t, x = checked_samples(times, states, len(symbols))
     columns = []
-    given = check_mapping("specifieds", specifieds)
-    refuse_twice(_alike(given, "specifieds"), "specifieds")
+    given = merged(check_mapping("specifieds", specifieds))
     for symbol, value in given.items():
         column = real_array(value, f"`specifieds[{symbol}]`")
         if column.shape not in ((), (len(t),)):
@@ -364,8 +365,7 @@ def constants_of(trajectory: Any) -> dict[Any, Any]:
 
 
 def _constants(constants: Any) -> dict[Any, float]:
-    given = check_mapping("constants", constants)
-    refuse_twice(_alike(given, "constants"), "constants")
+    given = merged(check_mapping("constants", constants))
     return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in given.items()}
 
 

@@ -542,7 +542,7 @@ class Line(Shape):
         if len(points) < 2 or not all(isinstance(p, Point) for p in points):
             raise ValueError(
                 "`points` of Line must be a sequence of two or more points of "
-                f"sympy.physics.mechanics, got {self.points!r}."
+                f"sympy.physics.mechanics, got {shown(self.points)}."
             )
         self._set("points", points)
 
@@ -613,7 +613,7 @@ def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all():
         raise ValueError(
             "`source` of Mesh must be the path of an STL or OBJ file, or (vertices, faces) with "
-            f"finite vertices of shape (n, 3), got {source!r}."
+            f"finite vertices of shape (n, 3), got {shown(source)}."
         )
     try:
         faces = np.asarray(corners)
@@ -623,6 +623,6 @@ def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
     if not good or faces.min() < 0 or faces.max() >= len(vertices):
         raise ValueError(
             "`faces` of Mesh must be integers of shape (k, 3), each the index of one of the "
-            f"{len(vertices)} vertices, got {corners!r}."
+            f"{len(vertices)} vertices, got {shown(corners)}."
         )
     return vertices, faces
