@@ -43,10 +43,10 @@ def warn_of_reversed_forces(equations: Equations, actuators: Iterable[Any] = ())
     Actuators among the loads were told when these were read; the `actuators` are those of a System
     of SymPy, whose equations were formed from their loads.
     """
-    told = next((a for a in actuators if is_reversed(a)), None)
-    if told is not None:
-        warn_of_reversed(f"A {type(told).__name__}")
-        return
+    for actuator in actuators:
+        if is_reversed(actuator):
+            warn_of_reversed(f"A {type(actuator).__name__}")
+            return
     body = equations.multibody
     if body is None:
         return

@@ -227,18 +227,12 @@ class Snapshot:
     @cached_property
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
-        plan = self._own_plan
-        _warn_of_activations(self.definition, plan, self.told)
-        return plan
-
-    @cached_property
-    def _own_plan(self) -> SpecifiedsPlan:
-        """The same without a look at what has no value: a call may bring some."""
         given, latest = self.user["specifieds"], self.model.latest
         told, known = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
         if plan is None:
             plan = checked_plan(self.definition, given, self.told)
+            _warn_of_activations(self.definition, plan, self.told)
         latest["plan"] = self.told, plan
         return plan
 
@@ -295,7 +289,10 @@ class Snapshot:
         places = self.definition.places["specifieds"]
         if callable(r):
             return SpecifiedsPlan({places.symbols: r}, places, argument="r")
-        plan = self._own_plan.updated(SpecifiedsPlan(r, places, argument="r"))
+        body, own = self.definition.equations.multibody, self.user["specifieds"]
+        # What has no value may have one in this call.
+        plan = checked_plan(self.definition, own, self.told) if body and body.activations else None
+        plan = (plan or self.plan).updated(SpecifiedsPlan(r, places, argument="r"))
         _warn_of_activations(self.definition, plan, self.told)
         return _warned_of(self.definition, plan, self.told)
 
