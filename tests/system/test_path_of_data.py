@@ -139,7 +139,7 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 639, 55),
+        (construct, 645, 55),
         (integrate, 27, 11),
         (simulate, 92, 21),
         (with_contacts, 127, 27),

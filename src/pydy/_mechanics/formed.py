@@ -78,7 +78,8 @@ def equations_of(body: Multibody) -> Equations:
     found = chosen(body)
     energy = found.energy(body.time, body.coordinates, body.speeds)
     mechanism = Mechanism(body.frame, body.bodies, body.loads, energy)
-    return with_auxiliary(classify(replace(base, formed=found, mechanism=mechanism)))
+    made = classify(replace(base, formed=found, mechanism=mechanism))
+    return with_auxiliary(made) if body.auxiliary else made
 
 
 # -- the form -------------------------------------------------------------------------------------

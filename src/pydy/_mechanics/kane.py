@@ -108,9 +108,9 @@ def equations_of_kane(
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )
-    if source == "method":
-        return with_auxiliary(base)
-    return with_auxiliary(replace(base, formed=_alike(kane, base, body)))
+    if source != "method":
+        base = replace(base, formed=_alike(kane, base, body))
+    return with_auxiliary(base) if body.auxiliary else base
 
 
 # What was found out about a method, with its equations: they may be derived anew, or written over.

@@ -18,11 +18,15 @@ from typing import Any
 import numpy as np
 from sympy.physics.mechanics import Force
 
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph.identities import vanish
 from pydy._graph.interpret import evaluator
+from pydy._graph.node import Graph
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
 from pydy._mechanics.reader import (
+    InputReader,
     Multibody,
     is_reversed,
     warn_of_reversed,
@@ -39,17 +43,15 @@ def warn_of_reversed_forces(equations: Equations, actuators: Iterable[Any] = ())
     Actuators among the loads were told when these were read; the `actuators` are those of a System
     of SymPy, whose equations were formed from their loads.
     """
-    if not wrapped_force_pulls():
-        return
-    told = next((a for a in actuators if is_reversed(a)), None)
-    if told is not None:
-        warn_of_reversed(f"A {type(told).__name__}")
-        return
+    for actuator in actuators:
+        if is_reversed(actuator):
+            warn_of_reversed(f"A {type(actuator).__name__}")
+            return
     body = equations.multibody
     if body is None:
         return
     for three in _of_three(body):
-        if _is_negative(body, three):
+        if wrapped_force_pulls() and _is_negative(body, three):
             places = ", ".join(str(where) for where, _ in three)
             warn_of_reversed(f"The force of a spring or damper, at {places},")
             return
@@ -63,12 +65,23 @@ def _of_three(body: Multibody) -> list[tuple[Any, ...]]:
         for loads in three
         if all(isinstance(load, Force) for load in loads)
         and len({where for where, _ in loads}) == 3
-        and loads[2][1].free_symbols(body.frame) <= _symbols(loads[:2], body.frame)
+        and _in_balance([vector for _, vector in loads])
     ]
 
 
-def _symbols(loads: Iterable[Any], frame: Any) -> set[Any]:
-    return set().union(*(vector.free_symbols(frame) for _, vector in loads))
+def _in_balance(vectors: Iterable[Any]) -> bool:
+    """Return whether vectors add up to nothing, as they are written."""
+    graph = Graph()
+    read = InputReader(graph, {}, ())
+    sums: dict[Any, list[int]] = {}
+    for part, frame in (part for vector in vectors for part in vector.args):
+        own = sums.setdefault(frame, [graph.zero] * 3)
+        try:
+            nodes = read.all(part)
+        except UnsupportedFunctionError:
+            return False  # no pathway's
+        sums[frame] = [graph.add(a, b) for a, b in zip(own, nodes, strict=True)]
+    return vanish(graph, flat([*sums.values()]))
 
 
 def _is_negative(body: Multibody, loads: Sequence[Any]) -> bool:

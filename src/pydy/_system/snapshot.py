@@ -231,18 +231,12 @@ class Snapshot:
     @cached_property
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
-        plan = self._own_plan
-        _warn_of_activations(self.definition, plan, self.told)
-        return plan
-
-    @cached_property
-    def _own_plan(self) -> SpecifiedsPlan:
-        """The same without a look at what has no value: a call may bring some."""
         given, latest = self.user["specifieds"], self.model.latest
         told, known = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
         if plan is None:
             plan = checked_plan(self.definition, given, self.told, self.contradicted)
+            _warn_of_activations(self.definition, plan, self.told)
         elif plan is not known and self.definition.assumes_motions:
             check_specifieds(self.definition, plan, self.contradicted)
         latest["plan"] = self.told, plan
@@ -306,7 +300,11 @@ class Snapshot:
             return SpecifiedsPlan({places.symbols: r}, places, argument="r")
         own = SpecifiedsPlan(r, places, argument="r")
         check_specifieds(self.definition, own, self.contradicted, "r")
-        plan = self._own_plan.updated(own)
+        body, plan = self.definition.equations.multibody, None
+        if body and body.activations:  # what has no value may have one in this call
+            given = self.user["specifieds"]
+            plan = checked_plan(self.definition, given, self.told, self.contradicted)
+        plan = (plan or self.plan).updated(own)
         _warn_of_activations(self.definition, plan, self.told)
         return _warned_of(self.definition, plan, self.told)
 
