@@ -205,7 +205,7 @@ def monotonic(value: Any, what: str) -> np.ndarray:
     if array.ndim != 1 or not np.isfinite(array).all():
         return ascending(array, what)  # which refuses them
     steps = np.diff(array)
-    way = -1.0 if descends(array) else 1.0
+    way = -1.0 if array.size and array[-1] < array[0] else 1.0
     if (wrong := way * steps < 0.0).any():
         k = int(wrong.argmax())
         raise ValueError(

@@ -571,9 +571,11 @@ class Trajectory:
         """
         times = checked_times(times, self.times)
         if descends(times):
-            return turned(self.at(times[::-1]))
+            found: Trajectory = turned(self.at(times[::-1]))
+            return found
         if descends(self.times):
-            return turned(self).at(times)
+            found = turned(self).at(times)
+            return found
         known = self._sensitivity
         states, values = between(self, times)
         if self._model is not None:

@@ -141,8 +141,8 @@ def construct():
     [
         (construct, 645, 55),
         (integrate, 27, 11),
-        (simulate, 92, 21),
-        (with_contacts, 127, 27),
+        (simulate, 94, 21),
+        (with_contacts, 131, 27),
         (ensemble, 87, 24),
         (stiff_ensemble, 91, 24),
     ],

@@ -278,3 +278,45 @@ def test_copies_and_threads_share_nothing_that_counts():
         thread.join()
     for k in range(4):
         alike(found[k], [expected[k]] * 20)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        [{"rtol": 1e-4}, {"rtol": 1e-9}, {}, {"rtol": 1e-9, "max_step": 0.01}],
+        [{"atol": np.array([1e-3, 1e-9])}, {"atol": 1e-9}, {"first_step": 1e-6}],
+        [{"rtol": 1e-12, "atol": 1e-12}, {"rtol": 1e-6}, {"max_steps": 10**6}],
+    ],
+)
+@pytest.mark.parametrize("solver", ["dop853", "radau", "odeint"])
+def test_other_tolerances_give_what_a_new_system_gives(solver, options):
+    system = forced(solver=solver)
+    if solver == "odeint":
+        options = [{k: v for k, v in o.items() if k != "max_steps"} for o in options]
+    for given in [*options, *reversed(options)]:
+        found = system.integrate(full_output=True, **given)
+        expected = forced(solver=solver).integrate(full_output=True, **given)
+        np.testing.assert_array_equal(found[0], expected[0])
+        for count in ("steps", "evaluations", "nst"):
+            assert np.array_equal(found[1].get(count), expected[1].get(count))
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_wrong_tolerances_are_refused_after_right_ones(solver):
+    system = forced(solver=solver)
+    good = system.integrate(rtol=1e-6)
+    for wrong, match in (({"rtol": -1.0}, "`rtol`"), ({"atol": np.ones(5)}, r"shape \(2,\)")):
+        for _ in range(2):
+            with pytest.raises(ValueError, match=match):
+                system.integrate(**wrong)
+    with pytest.raises(TypeError, match="has no option `hmax`"):
+        system.integrate(hmax=0.1)
+    np.testing.assert_array_equal(system.integrate(rtol=1e-6), good)
+
+
+def test_other_tolerances_reserve_no_memory_again():
+    system = forced(solver="dop853")
+    system.integrate(rtol=1e-6)
+    (prepared, _) = system.model.latest["simulation"].free[0]
+    system.integrate(rtol=1e-9)
+    assert system.model.latest["simulation"].free[0][0] is prepared

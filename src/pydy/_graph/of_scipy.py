@@ -37,12 +37,12 @@ class OfSciPy(Operation):
         return f"OfSciPy({self.name!r})"
 
     @property
-    def c(self) -> str:  # type: ignore[override]
+    def c(self) -> str:
         """Refuse to be written in C."""
         raise refusal([self.name])
 
     @property
-    def llvm(self) -> str:  # type: ignore[override]
+    def llvm(self) -> str:
         """Refuse to be written for LLVM."""
         raise refusal([self.name])
 

@@ -485,7 +485,8 @@ class Ensembles(Setup):
                 check_specifieds(definition, new, now.contradicted)
             plan = plan.updated(new)
         times = now.checked_times() if times is None else check_times(times)
-        refuse_descending(times, "ensembles integrate forward only")
+        if times.size and times[-1] < times[0]:
+            refuse_descending(times, "ensembles integrate forward only")
         if len(times) < 2:
             raise ValueError(
                 f"`times` must have at least two values, got {len(times)}. Pass `times` or set "

@@ -227,7 +227,7 @@ def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
             setattr(event, name, getattr(function, name, default))
         made.append(event)
     names = [getattr(f, "__name__", f"event {k}") for k, f in enumerate(functions)]
-    return made, unique_names(names)
+    return made, [*unique_names(names)]
 
 
 _BY_PLACE = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)

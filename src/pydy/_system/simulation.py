@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from typing import Any, Literal, overload
@@ -64,6 +65,11 @@ SolverFunction = Callable[..., Any]
 _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
 
 
+_STEPPING = frozenset(
+    ("rtol", "atol", "first_step", "max_step", "max_steps", "step", "hmax", "h0", "hmin", "mxstep")
+)
+
+
 class Ready:
     """A prepared integration, which can be repeated with other numbers."""
 
@@ -80,7 +86,9 @@ class Ready:
         self.constrained = definition.equations.constrained
         self.model, self.options = self._prepared(definition, model)
         self.read: Options | None = None  # as the solver has read them
-        self.free: list[Prepared] = []  # what the latest call has reserved, if no other has it
+        self.now: Snapshot | None = None  # of the latest call
+        # What the latest call has reserved, with its options, if no other call has it.
+        self.free: list[tuple[Prepared, dict[str, Any]]] = []
 
     def _prepared(
         self, definition: Definition, model: CompiledModel
@@ -137,14 +145,36 @@ class Ready:
         """Return whether a call differs in numbers alone, as far as that can be seen."""
         if solver is not self._solver or [*given] != [*self._given]:
             return False
-        for name, value in given.items():
+        for name, value in given.items():  # at each call: what is said below, in line
             known = self._given[name]
-            if name == "events":
-                same = self._events is not None and self._events == identified(value)
-            else:
-                same = type(value) in _PLAIN and type(value) is type(known) and value == known
-            if not same:
+            plain = type(value) in _PLAIN and type(value) is type(known) and value == known
+            if not (plain or (name == "events" and self._alike(name, value))):
                 return False
+        return plan is self._plan or self._as_planned(plan)
+
+    def _alike(self, name: str, value: Any) -> bool:
+        known = self._given[name]
+        if name == "events":
+            return self._events is not None and self._events == identified(value)
+        return type(value) in _PLAIN and type(value) is type(known) and bool(value == known)
+
+    def retuned(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> Ready | None:
+        """Return the same with other tolerances or step sizes, where no more differs, or None."""
+        native = isinstance(solver, Solver)
+        if solver is not self._solver or not (native or [*given] == [*self._given]):
+            return None  # of other solvers, names were checked
+        rest = [name for name in given if name not in _STEPPING]
+        if rest != [name for name in self._given if name not in _STEPPING]:
+            return None
+        if not (all(self._alike(name, given[name]) for name in rest) and self._as_planned(plan)):
+            return None
+        other, own = copy(self), {name: v for name, v in given.items() if name in _STEPPING}
+        other._given = dict(given)
+        kept = {name: v for name, v in self.options.items() if not native or name not in _STEPPING}
+        other.options = {**kept, **(named_for_odeint(own) if is_odeint(solver) else own)}
+        return other
+
+    def _as_planned(self, plan: SpecifiedsPlan) -> bool:
         known = self._plan
         return plan is known or (
             plan.expressions is known.expressions
@@ -166,7 +196,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
         plan.check_times(times, "times")
     ready: Ready | None = latest.get("simulation")
     if ready is not None and not ready.suits(plan, solver, given):
-        ready = None
+        ready = latest["simulation"] = ready.retuned(plan, solver, given)
     if now.definition.equations.constrained if ready is None else ready.constrained:
         mended = given.get("constraints") is not None
         check_start(now.at(times[:1], now.x[None]), mended=mended)
@@ -187,14 +217,17 @@ def _run(
     plan = now.plan
     prepared: Prepared | None = None
     with suppress(IndexError):
-        prepared = ready.free.pop()  # no other thread has it then
+        prepared, options = ready.free.pop()  # no other thread has it then
+        if options is not ready.options and not prepared.retune(solver, ready.options):
+            prepared = None
     if prepared is None or not prepared.renumber(now.p, plan.values, times):
         f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
         prepared = solver.prepare(f, now.x, times, (r, now.p), **ready.options)
-    prepared.on_many_steps = partial(_warn_of_many_steps, now, ready)
+        prepared.on_many_steps = partial(_warn_of_many_steps, ready)
+    ready.now = now
     states = prepared(now.x)
     if prepared.reusable:
-        ready.free = [prepared]
+        ready.free = [(prepared, ready.options)]
     return states, prepared
 
 
@@ -335,7 +368,7 @@ def explain_failure(error: Any, now: Snapshot, ready: Ready, free: bool) -> None
         stuck = _stuck_at(now, ready, error.time, error.state)
         if stuck is not None:
             text = str(error)
-            for remedy in (MORE_STEPS, OUTCOMES[error.info["code"]].remedy):
+            for remedy in (MORE_STEPS, *(OUTCOMES[code].remedy for code in _GIVEN_UP)):
                 text = text.removesuffix(remedy)
             error.args = (f"{text.rstrip()} {stuck}",)
             return
@@ -354,8 +387,9 @@ def _stuck_at(now: Snapshot, ready: Ready, t: float, x: np.ndarray) -> str | Non
     return stuck_at(at, float(now.times[-1] - now.times[0]))
 
 
-def _warn_of_many_steps(now: Snapshot, ready: Ready, t: float, x: np.ndarray) -> None:
-    stuck = _stuck_at(now, ready, t, x)
+def _warn_of_many_steps(ready: Ready, t: float, x: np.ndarray) -> None:
+    now = ready.now
+    stuck = None if now is None else _stuck_at(now, ready, t, x)
     if stuck is not None:
         warn_user(f"The solver has taken more than {MANY_STEPS} steps by t = {t:.4g}. {stuck}")
 

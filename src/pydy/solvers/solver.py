@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -326,6 +326,18 @@ class Prepared:
                 f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}"
             )
         return states
+
+    def retune(self, solver: Solver, options: Mapping[str, Any]) -> bool:
+        """Take other tolerances and step sizes of the same solver, or return False.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As for a call of the solver.
+        """
+        read = read_options(solver.name, solver.adaptive, options)
+        self.made_of = (*self.made_of[:-1], read)
+        return self._integration.retune(read)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _prepared, self.made_of

@@ -120,7 +120,8 @@ class Extension:
     @property
     def starts(self) -> np.ndarray:
         """The ascending times between the steps, and at both ends."""
-        return reversed_times(self._starts[::-1]) if self._backward else self._starts
+        found: np.ndarray = reversed_times(self._starts[::-1]) if self._backward else self._starts
+        return found
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return states and sensitivities at monotonic times of the run, shape (m, n)."""
@@ -187,13 +188,9 @@ class Integration(Workspace):
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
         self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
-        self._tight = self._nearly_exact()
-        # Whether Python has more to do than to wait for the end.
-        wanted = options.constraints is not None or options.progress
-        self._attended = wanted or bool(self.callbacks) or self._tight
         self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
-        self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
+        self._attend()
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
@@ -204,7 +201,8 @@ class Integration(Workspace):
     @property
     def times(self) -> np.ndarray:
         """The times at which the states are given, shape (m,)."""
-        return self._reported(self.progress.times)
+        times: np.ndarray = self._reported(self.progress.times)
+        return times
 
     def _reported(self, t: Any) -> Any:
         """Return times of the run as the user's."""
@@ -214,6 +212,20 @@ class Integration(Workspace):
     def span(self) -> float:
         """The interval of time that it covers."""
         return float(self.progress.times[-1] - self.progress.times[0])
+
+    def _attend(self) -> None:
+        """Find out whether Python has more to do than to wait for the end."""
+        self._tight = self._nearly_exact()
+        wanted = self.options.constraints is not None or self.options.progress
+        self._attended = wanted or bool(self.callbacks) or self._tight
+        self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
+
+    def retune(self, options: Options) -> bool:
+        """Take other tolerances, step sizes and numbers of steps, or return False."""
+        if not (self.reusable and super().retune(options)):
+            return False
+        self._attend()
+        return True
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Take other times and other numbers for the same call, or return False."""

@@ -225,7 +225,7 @@ class Workspace:
             or ((call.sampled or before.sampled) and call.sampled is not before.sampled)
             or call.inputs is not None
             or len(times) != len(self.progress.times)
-            or times[-1] < times[0]
+            or times.item(-1) < times.item(0)  # an integration backward is another one
             or self.callbacks
         ):
             return False
@@ -235,6 +235,24 @@ class Workspace:
         self.progress.times[:] = times
         self.beginning.state[at.TIME] = times[0]
         self.call = call
+        return True
+
+    def retune(self, options: Options) -> bool:
+        """Take other tolerances, step sizes and numbers of steps, or return False."""
+        before = self.options
+        kept = ("events", "constraints", "sensitivities", "recorded", "progress", "dense_output")
+        if options.sensitivities is not None or any(
+            getattr(options, name) is not getattr(before, name) for name in kept
+        ):
+            return False
+        self.options = options
+        self._set_tolerances(self.memory)
+        state, count = self.beginning
+        state[at.LARGEST], state[at.SIZE] = (
+            options.max_step,
+            options.first_step or options.step or 0.0,
+        )
+        count[at.LIMIT] = options.max_steps
         return True
 
     def forget_steps(self) -> None:
@@ -308,9 +326,12 @@ class Workspace:
         n = self.n
         method, self._method_rows = _method(self.name, BLOCK * blocks(n))
         memory, self._memory_rows = memory_for(method, BLOCK * blocks(n))
-        memory.rtol[:n], memory.atol[:n] = self._tolerances()
-        np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
+        self._set_tolerances(memory)
         return method, memory
+
+    def _set_tolerances(self, memory: Memory) -> None:
+        memory.rtol[: self.n], memory.atol[: self.n] = self._tolerances()
+        np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
 
     def _tolerances(self) -> tuple[np.ndarray, np.ndarray]:
         options, beside = self.options, self.options.sensitivities
