@@ -629,7 +629,9 @@ def plot_fit(result: Any, axes: Any = None) -> Any:
             if name == next(iter(measured)):
                 upper.set_title(label)
                 upper.legend()
-        grid[-1, column].set_xlabel("time")
+            if name == [*measured][-1]:
+                lower.set_xlabel("time")
+                lower.tick_params(labelbottom=True)
     return grid
 
 

@@ -458,7 +458,8 @@ def test_measured_and_fitted_are_plotted_with_residuals(oscillator):
     np.testing.assert_array_equal(samples.get_ydata(), result.measured[0]["x0"])
     np.testing.assert_allclose(motion.get_ydata(), result.fitted[0]["x0"])
     np.testing.assert_array_equal(axes[1, 0].lines[1].get_ydata(), result.residuals[0]["x0"])
-    assert [axes[0, k].get_title() for k in (0, 1)] == ["trial 0", "b"]
+    assert [axes[0, 0].get_title(), axes[2, 1].get_title()] == ["trial 0", "b"]
+    assert [axes[1, 0].get_xlabel(), axes[3, 1].get_xlabel()] == ["time", "time"]
     given = plt.subplots(4, 2)[1]
     assert (plot_fit(result, given) == given).all()
     with pytest.raises(ValueError, match="must be 8, one for each quantity, its residuals and tr"):
