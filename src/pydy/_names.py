@@ -157,3 +157,13 @@ def some(names: Iterable[str]) -> str:
 def numbers_of(names: Iterable[str], values: Iterable[float], digits: int = 6) -> str:
     """Return names with values, such as a state, for a message; there may be more values."""
     return some(f"{n} = {v:.{digits}g}" for n, v in zip(names, values, strict=False))
+
+
+def table_of(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return the lines of a table with columns as wide as their longest entry."""
+    every = [heads, *rows]
+    widths = [max(len(row[k]) for row in every) for k in range(len(heads))]
+    return [
+        "  ".join(entry.ljust(width) for entry, width in zip(row, widths, strict=True)).rstrip()
+        for row in every
+    ]

@@ -26,6 +26,7 @@ __all__ = [
     "plot_constraints",
     "plot_coordinates",
     "plot_energy",
+    "plot_fit",
     "plot_outputs",
     "plot_phase",
     "plot_quantities",
@@ -563,6 +564,75 @@ def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax
+
+
+def plot_fit(result: Any, axes: Any = None) -> Any:
+    """Plot what was measured and what was fitted, with the residuals below.
+
+    Parameters
+    ----------
+    result : pydy.analysis.FitResult
+        What `System.fit` returns.
+    axes : ndarray of Axes, shape (2 q, trials), optional
+        For each of the q measured quantities a row of samples and motions, and below it one of
+        residuals; a new figure's by default.
+
+    Returns
+    -------
+    ndarray of Axes, shape (2 q, trials)
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from pydy.analysis import Trial
+    >>> from pydy.models import multi_mass_spring_damper
+    >>> from pydy.plot import plot_fit
+    >>> system = multi_mass_spring_damper()
+    >>> times = np.linspace(0.0, 10.0, num=101)
+    >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)
+    >>> result = system.fit(['k0', 'c0'], Trial(times, {'x0': swing}, {'x0': 1.0, 'v0': -0.1}))
+    >>> plot_fit(result).shape
+    (2, 1)
+    """
+    if not hasattr(result, "fitted") or not hasattr(result, "residuals"):
+        raise TypeError(
+            "`result` must be a pydy.analysis.FitResult, which `system.fit` returns, got "
+            f"{shown(result)}."
+        )
+    names = list(dict.fromkeys(name for table in result.measured for name in table))
+    shape = 2 * len(names), len(result.times)
+    if axes is None:
+        size = {"figsize": (2.0 + 3.5 * shape[1], 1.0 + 2.5 * len(names)), "squeeze": False}
+        ratios = {"height_ratios": [3, 1] * len(names), "sharex": "col"}
+        pyplot = require("matplotlib.pyplot", "plot", "pydy.plot")
+        axes = pyplot.subplots(*shape, layout="constrained", **size, **ratios)[1]
+    flat, _ = rows_of_axes(axes, shape[0] * shape[1], "quantity, its residuals and trial")
+    grid = np.array([*flat.ravel()] if isinstance(flat, np.ndarray) else [*flat], dtype=object)
+    grid = grid.reshape(shape)
+    for column, (times, measured, fitted, missed, label) in enumerate(
+        zip(result.times, result.measured, result.fitted, result.residuals, result.labels,
+            strict=True)
+    ):  # fmt: skip
+        for row, name in enumerate(names):
+            upper, lower = grid[2 * row : 2 * row + 2, column]
+            if name not in measured:
+                upper.set_visible(False)
+                lower.set_visible(False)
+                continue
+            upper.plot(times, measured[name], ".", markersize=4, color="0.6", label="measured")
+            there = np.isfinite(fitted[name])
+            upper.plot(times[there], fitted[name][there], linewidth=1.2, label="fitted")
+            upper.set_ylabel(typeset(name, ""))
+            lower.axhline(0.0, color="0.7", linewidth=0.8)
+            lower.plot(times, missed[name], ".", markersize=3)
+            lower.set_ylabel("residual")
+            if name == next(iter(measured)):
+                upper.set_title(label)
+                upper.legend()
+            if name == [*measured][-1]:
+                lower.set_xlabel("time")
+                lower.tick_params(labelbottom=True)
+    return grid
 
 
 def rows_of_axes(

@@ -148,6 +148,34 @@ def test_a_free_constant_of_the_objective_and_the_conditions_alone(mass):
         system.optimize_trajectory(c, 1.0, **given)
 
 
+def test_a_result_as_a_table(mass):
+    system, (x, v, F) = mass
+    c = sm.Symbol("c")
+    given = {"end": {x: 1.0, v: 0.0}, "mesh": 4}
+    found = system.optimize_trajectory(
+        energy(F) - c, 1.0, boundary=[x.subs(T, 0.5) >= c], free=[c], **given
+    )
+    lines = found.summary().splitlines()
+    assert lines[0].startswith("Optimal trajectory: solved after ")
+    assert lines[0].endswith(" iterations, radau on 4 intervals")
+    assert lines[2].startswith(f"objective  {found.objective:.9g} ± ")
+    assert lines[3] == "duration   1 s"
+    assert lines[6].split() == ["c", f"{found.constants[c]:.8g}"]
+    rows = {line.split()[0]: line.split()[1:] for line in lines[9:12]}
+    assert rows["x"] == ["0", "1", "0", "1"]
+    force = [float(value) for value in rows["F"]]
+    assert force == pytest.approx([6.0, -6.0, -6.0, 6.0], rel=0.1)
+    assert lines[-1].startswith("errors of intervals, relative to the states: ")
+    phases = OptimalControl.phases([OptimalControl(system, energy(F), 1.0, **given)] * 2, [{v: v}])
+    both = phases.solve()
+    text = both.summary()
+    assert text.startswith("PhasedTrajectory: 2 phases")
+    assert both[1].summary() in text
+    table = both.to_dataframe()
+    assert table.index.names == ["phase", "time"]
+    np.testing.assert_array_equal(table.loc[1]["x"], both[1]["x"])
+
+
 def test_known_signals_as_expressions_and_samples():
     x, v, F, wind = me.dynamicsymbols("x v F wind")
     system = optima.first_order([x], v, F + wind)

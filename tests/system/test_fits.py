@@ -17,6 +17,7 @@ from pydy.contact import Contacts, Stick
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.plot import plot_fit
 from pydy.solvers import Event
 from pydy.system import System
 from touching import N, ball, block, e, mu, vx, x, y
@@ -412,6 +413,67 @@ def test_residuals_are_plotted(oscillator):
         result["bogus"]
     with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
         result.confidence_intervals(95)
+
+
+def speeds(name=""):
+    """Measured speeds of `swing`, with white noise."""
+    decay, rate = np.exp(-0.1 * TIMES), np.sqrt(3.99)
+    exact = -decay * (0.1 * np.cos(rate * TIMES) + rate * np.sin(rate * TIMES))
+    noise = np.random.default_rng(7).normal(0.0, 0.01, len(TIMES))
+    return Trial(TIMES, {"v0": exact + noise}, {"x0": 1.0, "v0": -0.1}, name=name)
+
+
+def test_a_fit_as_a_table_and_as_a_data_frame(oscillator):
+    trials = [noisy(0.8, 1), speeds()]
+    trials[1].measured["v0"][3] = np.nan
+    with pytest.warns(PyDyUserWarning, match="neighbouring ones of x0"):
+        result = oscillator.fit(["k0", "c0"], trials)
+    lines = result.summary(0.9).splitlines()
+    assert lines[0] == (
+        "Fit of 2 parameters to 201 samples of 2 trials: converged after "
+        f"{result.evaluations} evaluations"
+    )
+    assert lines[2].split() == ["parameter", "estimate", "standard", "error", "90", "%", "interval"]
+    low, high = result.confidence_intervals(0.9)[0]
+    row = f"k0 {result['k0']:.8g} {result.standard_errors[0]:.2g} [{low:.6g}, {high:.6g}]"
+    assert lines[3].split() == row.split()
+    size = np.sqrt(np.mean(result.residuals[0]["x0"] ** 2))
+    assert lines[7].split()[:3] == ["x0", "101", f"{size:.4g}"]
+    assert lines[8].split()[:2] == ["v0", "100"]
+    assert lines[-1] == f"warning: {result.warnings[0]}"
+    assert result.warnings[0].startswith("The residuals are no white noise")
+    table = result.to_dataframe(0.9)
+    assert list(table.columns) == ["estimate", "standard_error", "low", "high"]
+    assert table.index.name == "parameter"
+    np.testing.assert_array_equal(table.loc["k0"], [
+        result["k0"], result.standard_errors[0], low, high,
+    ])  # fmt: skip
+    known = result.measured[0]["x0"]
+    np.testing.assert_allclose(result.fitted[0]["x0"] + result.residuals[0]["x0"], known)
+    with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
+        result.summary(95)
+
+
+def test_measured_and_fitted_are_plotted_with_residuals(oscillator):
+    import matplotlib.pyplot as plt
+
+    result = oscillator.fit(["k0", "c0"], [noisy(0.0, 0), speeds("b")])
+    axes = plot_fit(result)
+    assert axes.shape == (4, 2)
+    assert [ax.get_visible() for ax in axes.ravel()] == [True, False] * 2 + [False, True] * 2
+    samples, motion = axes[0, 0].lines
+    np.testing.assert_array_equal(samples.get_ydata(), result.measured[0]["x0"])
+    np.testing.assert_allclose(motion.get_ydata(), result.fitted[0]["x0"])
+    np.testing.assert_array_equal(axes[1, 0].lines[1].get_ydata(), result.residuals[0]["x0"])
+    assert [axes[0, 0].get_title(), axes[2, 1].get_title()] == ["trial 0", "b"]
+    assert [axes[1, 0].get_xlabel(), axes[3, 1].get_xlabel()] == ["time", "time"]
+    given = plt.subplots(4, 2)[1]
+    assert (plot_fit(result, given) == given).all()
+    with pytest.raises(ValueError, match="must be 8, one for each quantity, its residuals and tr"):
+        plot_fit(result, plt.subplots(2)[1])
+    with pytest.raises(TypeError, match=r"`result` must be a pydy.analysis.FitResult.* got 3"):
+        plot_fit(3)
+    plt.close("all")
 
 
 def bad(**more):

@@ -40,12 +40,12 @@ from pydy._system.dependents import latest_dependents
 from pydy._system.scipy_solvers import SolveIvp, call_odeint, is_odeint
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
-from pydy._system.trials import Data, checked_trial
+from pydy._system.trials import Data, checked_trial, in_units_of_noise
 from pydy._system.tuning import FIT
 from pydy.analysis.fit import FitResult, covariance_of, estimate, held_by
 from pydy.analysis.residuals import told_of_correlation
 from pydy.analysis.trial import Trial
-from pydy.analysis.tuning import ABOVE_TOLERANCE, LEAST_SIZE, ON_GIVEN_MESH
+from pydy.analysis.tuning import LEAST_SIZE, ON_GIVEN_MESH
 from pydy.solvers.solver import SOLVERS
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
@@ -478,10 +478,8 @@ def _collocated(
         tables.append(dict(zip(d.names, table.T, strict=True)))
     missed, J = work.with_priors(found.values, found.jacobian, found.z)
     end = ended.solved, ended.message, ended.iterations
-    ended_as = work, found.z, missed, J, tables, len(found.followed), end
-    # On a mesh of the user's own, errors of the motion are what they are.
     work.tolerance = ON_GIVEN_MESH if mesh is not None else FIT
-    return _result(*ended_as, white=not noise)
+    return _result(work, found.z, missed, J, tables, len(found.followed), end, not noise)
 
 
 def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
@@ -513,7 +511,7 @@ def _result(
     """Return the result of a fit; J holds the derivatives of the values by the parameters.
 
     So many `equations` were solved for a motion; it `ended` so after some evaluations. Residuals
-    should be `white` noise unless the motion is disturbed.
+    are `white` noise unless the motion is disturbed.
     """
     names, k = tuple(work.names[: work.count]), work.count
     degrees = work.samples + len(work.priors) - k
@@ -527,27 +525,23 @@ def _result(
     if work.own_noise:
         covariance = covariance * noise**2
     held = held_by(z[:k], (work.limits[0][:k], work.limits[1][:k]), names)
+    messages = [] if success else [f"The fit did not converge: {message}"]
     if undetermined:
-        warn_user(
+        messages.append(
             f"The data do not determine these relative changes of parameters: "
             f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
         )
+        warn_user(messages[-1])
     if held:
-        warn_user(
+        messages.append(
             f"The fit stopped at a bound of {some(held)}: the estimates there, and all "
             "standard errors, are not those of a free fit."
         )
+        warn_user(messages[-1])
     if white and success and not held and degrees > 0:
-        tolerance = ABOVE_TOLERANCE * max(work.tolerance, FIT)
-        least: dict[str, float] = {}
-        scaled: list[dict[str, np.ndarray]] = []
-        for d, table in zip(work.data, residuals, strict=True):
-            noise_of = dict(zip(d.names, d.noise.T, strict=True))
-            scaled.append({name: column / noise_of[name] for name, column in table.items()})
-            for name, column in zip(d.names, (d.values / d.noise).T, strict=True):
-                size = tolerance * float(np.fmax.reduce(np.abs(column), initial=0.0))
-                least[name] = max(least.get(name, 0.0), size)
+        scaled, least = in_units_of_noise(work.data, residuals, max(work.tolerance, FIT))
         if told := told_of_correlation(scaled, least, not work.own_noise):
+            messages.append(told)
             warn_user(told)
     shared = list(zip(work.shared, z.tolist(), strict=False))
     for what in ("constants", "states", "specifieds"):
@@ -568,6 +562,9 @@ def _result(
         evaluations=evaluations,
         success=success,
         message=message,
+        measured=[dict(zip(d.names, d.values.T.copy(), strict=True)) for d in work.data],
+        labels=tuple(d.label for d in work.data),
+        warnings=tuple(messages),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +22,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._names import some, unique_names
 from pydy._system.definition import sort_out
 from pydy.analysis.trial import Trial, checked_noise, checked_samples, instants
-from pydy.analysis.tuning import LARGEST_RESIDUAL
+from pydy.analysis.tuning import ABOVE_TOLERANCE, LARGEST_RESIDUAL
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,3 +121,21 @@ def _noise(
     for k, entry in enumerate(entries):
         noise[:, k] = checked_noise(entry, shape[0], label)
     return noise
+
+
+def in_units_of_noise(
+    data: Sequence[Data], residuals: Sequence[dict[str, np.ndarray]], tolerance: float
+) -> tuple[list[dict[str, np.ndarray]], dict[str, float]]:
+    """Return residuals divided by their noise, and what errors of the motions are at most there.
+
+    The motions are computed to some `tolerance`.
+    """
+    least: dict[str, float] = {}
+    scaled: list[dict[str, np.ndarray]] = []
+    for d, table in zip(data, residuals, strict=True):
+        noise = dict(zip(d.names, d.noise.T, strict=True))
+        scaled.append({name: column / noise[name] for name, column in table.items()})
+        for name, column in zip(d.names, (d.values / d.noise).T, strict=True):
+            size = ABOVE_TOLERANCE * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
+            least[name] = max(least.get(name, 0.0), float(size))
+    return scaled, least

@@ -8,7 +8,7 @@ divided by the standard deviation of its noise, with exact derivatives
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -16,9 +16,11 @@ import scipy
 
 from pydy._checks import number
 from pydy._errors import FitInterrupted, note_finished, warn_user
-from pydy._names import few, place_of, some
+from pydy._names import few, place_of, some, table_of
+from pydy._optional import require
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
+from pydy.analysis.residuals import autocorrelation
 from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL, NAMED_IN_FIT
 from pydy.plot import rows_of_axes
 
@@ -56,6 +58,12 @@ class FitResult:
         Whether the search converged.
     message : str
         Why it ended.
+    measured : list of dict
+        For each trial: the samples, by name of the measured quantity; NaN where one is missing.
+    labels : tuple of str
+        The names of the trials.
+    warnings : tuple of str
+        What the fit warned of.
     """
 
     names: tuple[str, ...]
@@ -72,6 +80,9 @@ class FitResult:
     evaluations: int
     success: bool
     message: str
+    measured: list[dict[str, np.ndarray]] = field(default_factory=list)
+    labels: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
     def __getitem__(self, parameter: Any) -> float:
         """Return an estimate, by symbol or name."""
@@ -102,6 +113,105 @@ class FitResult:
             scipy.special.stdtrit(max(self.degrees, 1), 0.5 + 0.5 * share) * self.standard_errors
         )
         return np.stack([self.estimates - reach, self.estimates + reach], axis=1)
+
+    @property
+    def fitted(self) -> list[dict[str, np.ndarray]]:
+        """The model at the sampling times of each trial, by name of the measured quantity."""
+        return [
+            {name: samples - missed[name] for name, samples in known.items()}
+            for known, missed in zip(self.measured, self.residuals, strict=True)
+        ]
+
+    def to_dataframe(self, level: float = 0.95) -> Any:
+        """Return a `pandas.DataFrame` with a row for each parameter.
+
+        Parameters
+        ----------
+        level : float, optional
+            Of the confidence intervals.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Indexed by ``parameter``, with the columns ``estimate``, ``standard_error``, and
+            ``low`` and ``high`` of the confidence interval.
+
+        Raises
+        ------
+        ImportError
+            pandas is not installed.
+        """
+        pandas = require("pandas", "labels", "FitResult.to_dataframe")
+        low, high = self.confidence_intervals(level).T
+        columns = {"estimate": self.estimates, "standard_error": self.standard_errors,
+                   "low": low, "high": high}  # fmt: skip
+        return pandas.DataFrame(columns, index=pandas.Index(self.names, name="parameter"))
+
+    def summary(self, level: float = 0.95) -> str:
+        """Return a table of estimates and residuals as text.
+
+        Parameters
+        ----------
+        level : float, optional
+            Of the confidence intervals.
+
+        Returns
+        -------
+        str
+            Each parameter with its standard error and confidence interval; each measured quantity
+            with the number of samples, the root mean square of its residuals and the correlation
+            of neighbouring ones, which is near zero for white noise; and what was warned of.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.analysis import Trial
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> times = np.linspace(0.0, 10.0, num=101)
+        >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)
+        >>> noise = np.random.default_rng(0).normal(0.0, 0.01, 101)
+        >>> trial = Trial(times, {'x0': swing + noise}, {'x0': 1.0, 'v0': -0.1})
+        >>> print(system.fit(['k0', 'c0'], trial).summary())  # doctest: +ELLIPSIS
+        Fit of 2 parameters to 101 samples of 1 trial: converged after ... evaluations
+        <BLANKLINE>
+        parameter  estimate  standard error  95 % interval
+        k0         ...
+        c0         ...
+        <BLANKLINE>
+        quantity  samples  rms of residuals  correlation of neighbours
+        x0        101      ...
+        <BLANKLINE>
+        deviation of the noise: 0.009..., 99 degrees of freedom
+        """
+        intervals = self.confidence_intervals(level)
+        rows = [
+            (name, f"{value:.8g}", f"{error:.2g}", f"[{low:.6g}, {high:.6g}]")
+            for name, value, error, (low, high) in zip(
+                self.names, self.estimates, self.standard_errors, intervals, strict=True
+            )
+        ]
+        heads = ("parameter", "estimate", "standard error", f"{100 * level:g} % interval")
+        quantities = list(dict.fromkeys(name for table in self.residuals for name in table))
+        missed, count = [], 0
+        for name in quantities:
+            series = [table[name] for table in self.residuals if name in table]
+            every = np.concatenate(series)
+            every = every[np.isfinite(every)]
+            count += len(every)
+            size = float(np.sqrt(np.mean(every**2))) if len(every) else np.nan
+            r = autocorrelation(series)[0]
+            missed.append((name, str(len(every)), f"{size:.4g}", f"{r:.2g}"))
+        other = ("quantity", "samples", "rms of residuals", "correlation of neighbours")
+        ended = "converged after" if self.success else "did not converge in"
+        trials = f"{len(self.times)} trial{'s' if len(self.times) != 1 else ''}"
+        told = [f"warning: {one}" for one in self.warnings]
+        return "\n".join([
+            f"Fit of {len(self.names)} parameter{'s' if len(self.names) != 1 else ''} to {count} "
+            f"samples of {trials}: {ended} {self.evaluations} evaluations",
+            "", *table_of(heads, rows), "", *table_of(other, missed), "",
+            f"deviation of the noise: {self.noise:.4g}, {self.degrees} degrees of freedom", *told,
+        ])  # fmt: skip
 
     def plot_residuals(self, axes: Any = None) -> Any:
         """Plot the residuals of each trial over time; return the Axes."""

@@ -110,8 +110,8 @@ def _decrease(made: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
         for k in (degree, degree - 1)
     ]
     with np.errstate(all="ignore"):
-        found: np.ndarray = moments[0] / moments[1]
-    return np.nan_to_num(found)
+        found: np.ndarray = np.nan_to_num(moments[0] / moments[1])
+    return found
 
 
 def _resolved(

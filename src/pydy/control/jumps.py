@@ -13,7 +13,7 @@ branches.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -276,7 +276,7 @@ class Expressions:
         _, _, constants, duration = found._transcription.split(found.solution.z)
         moves = found._transcription.controls_at(found.solution.z, found.times)
         free = dict(zip(self.problem.free, constants, strict=False))
-        columns = {
+        columns: dict[str, Callable[[int], np.ndarray]] = {
             "x": lambda k: found.states[:, k],
             "d": lambda k: rates[:, k],
             "r": lambda k: moves[:, self.problem.controls.index(k)],

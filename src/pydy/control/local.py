@@ -27,12 +27,13 @@ def least_between(made: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float
         return np.nan
     first, last = made.mesh[k : k + 2]
     length = last - first
+    within = _within(first, length)
     part = replace(
         p,
         begin=p.begin + first * T,
         duration=None if p.duration is None else length * T,
-        control_bounds=tuple(tuple(map(_within(first, length), b)) for b in p.control_bounds),
-        state_bounds=tuple(tuple(map(_within(first, length), b)) for b in p.state_bounds),
+        control_bounds=tuple((within(low), within(high)) for low, high in p.control_bounds),
+        state_bounds=tuple((within(low), within(high)) for low, high in p.state_bounds),
         terminal=0,
         boundary=(),
         instants=(),

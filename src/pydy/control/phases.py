@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import check_mapping, listed, shown
+from pydy._optional import require
 from pydy.codegen.arguments import checked_expression
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Point
@@ -49,6 +50,23 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
 
     def __getitem__(self, key: Any) -> Any:
         return self._phases[key]
+
+    def summary(self) -> str:
+        """Return the result as tables of text, one for each phase."""
+        parts = [f"phase {k}\n\n{phase.summary()}" for k, phase in enumerate(self)]
+        return "\n\n".join([repr(self), *parts])
+
+    def to_dataframe(self) -> Any:
+        """Return a `pandas.DataFrame` of all phases, indexed by ``phase`` and ``time``.
+
+        Raises
+        ------
+        ImportError
+            pandas is not installed.
+        """
+        pandas = require("pandas", "labels", "PhasedTrajectory.to_dataframe")
+        tables = {k: phase.to_dataframe() for k, phase in enumerate(self)}
+        return pandas.concat(tables, names=["phase", "time"])
 
     def __repr__(self) -> str:
         return (

@@ -347,8 +347,9 @@ class OptimalControl(Search[OptimalTrajectory]):
             slots, weights, h = made.located(i.kind, i.fraction)
             kind = made.scheme.states if i.kind == "state" else made.scheme.controls
             powers = kind.basis(np.zeros(1))[1]
-            own = made.split(z)[0 if i.kind == "state" else 1][i.index, slots]
-            values[i.symbol] = float(own @ (weights * (h * made.split(z)[3]) ** powers))
+            states, controls, _, duration = made.split(z)
+            own = (states if i.kind == "state" else controls)[i.index, slots]
+            values[i.symbol] = float(own @ (weights * (h * duration) ** powers))
         return [float(kink.subs({**known, **values})) for kink in self._kinks]
 
     def _reach(self, symbol: Any) -> tuple[float, float]:

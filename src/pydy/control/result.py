@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._names import unique_names
+from pydy._names import table_of, unique_names
 from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
@@ -80,7 +80,7 @@ class OptimalTrajectory(Trajectory):
         times = np.unique(places[~slopes]) * duration
         self.duration = duration
         self.objective = solution.objective
-        self.controls = tuple(controls)
+        self.controls, self._free = tuple(controls), tuple(free)
         self._states = tuple(now.definition.states)
         self.mesh = transcription.mesh * duration
         self.error = error
@@ -179,6 +179,40 @@ class OptimalTrajectory(Trajectory):
             )
         first, last = costates_of(made, self._nlp, self.solution)
         return dict(zip(self._states, np.append(first, last[:, -1:], axis=1), strict=True))
+
+    def summary(self) -> str:
+        """Return the result as a table of text.
+
+        Returns
+        -------
+        str
+            How the search ended; objective with its estimated error, and duration; free constants;
+            each state and control at the start, at the end, and between; and the errors of the
+            mesh.
+        """
+        off = float(np.abs(self.objective_error).sum())
+        z, made = self.solution.z, self._transcription
+        values = np.column_stack([self.states, made.controls_at(z, self.times)])
+        values[0, self.states.shape[1] :] = made.controls_in(z, np.zeros(1, int), np.zeros(1))
+        names = unique_names([*self._states, *self.controls])
+        rows = [
+            (name, *(f"{v:.6g}" for v in (column[0], column[-1], column.min(), column.max())))
+            for name, column in zip(names, values.T, strict=True)
+        ]
+        constants = [(str(s), f"{self.constants[s]:.8g}") for s in self._free]
+        return "\n".join([
+            f"Optimal trajectory: {self.message} after {self.solution.iterations} iterations, "
+            f"{made.scheme.name} on {made.intervals} intervals",
+            "",
+            f"objective  {self.objective:.9g}" + (f" ± {off:.1g}" if np.isfinite(off) else ""),
+            f"duration   {self.duration:.9g} s",
+            *(["", *table_of(("constant", "value"), constants)] if constants else []),
+            "",
+            *table_of(("quantity", "start", "end", "least", "largest"), rows),
+            "",
+            f"errors of intervals, relative to the states: {self.error.max():.2g} at most, "
+            f"{self.error.sum():.2g} in all",
+        ])  # fmt: skip
 
     def plot_controls(self, axes: Any = None) -> Any:
         """Plot the controls over time, dashed their bounds, and the nodes; return the Axes.

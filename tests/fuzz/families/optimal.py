@@ -312,6 +312,26 @@ def _fitted(trial: Any = None, **options: Any) -> Any:
     return system.fit(o.k, one, **options).estimates
 
 
+@cache
+def fit_result() -> Any:
+    """Return the result of a fit."""
+    system, times, values = _measured()
+    return system.fit(world().o.k, Trial(times, {world().o.x: values}))
+
+
+_share = real(above=0.0, below=1.0)
+
+
+@target("FitResult.summary.level", _share, "`level")
+def _(v):
+    return fit_result().summary(v)
+
+
+@target("FitResult.to_dataframe.level", _share, "`level")
+def _(v):
+    return fit_result().to_dataframe(v)["low"].to_numpy()
+
+
 @target("fit.parameters", nothing("symbols", "texts", "arrays"), "`parameters")
 def _(v):
     system, times, values = _measured()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from fuzz.families.optimal import fit_result
 from fuzz.families.results import named_f
 from fuzz.kinds import nothing, text
 from fuzz.table import mapping, one_of, target
@@ -25,6 +26,16 @@ for _name in ("coordinates", "speeds", "outputs", "states", "constraints", "ener
     @target(f"plot_{_name}.result", nothing("arrays"))
     def _(v, name=_name):
         return _plotted(getattr(plot, f"plot_{name}"), v)
+
+
+@target("plot_fit.result", nothing("arrays"), "`result")
+def _(v):
+    return _plotted(plot.plot_fit, v)
+
+
+@target("plot_fit.axes", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
+def _(v):
+    return _plotted(plot.plot_fit, fit_result(), v)
 
 
 _missing = "is not one of the trajectory's"
