@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 from pydy._checks import choice, flag, number, path_of, real_array, text, vector, whole
+from pydy.models import multi_mass_spring_damper
 
 MASKED = np.ma.array([1.0, 2.0], mask=[False, True])
 
@@ -184,3 +186,57 @@ def test_a_path_needs_the_current_folder_and_is_no_url(monkeypatch):
     with pytest.raises(FileNotFoundError, match=r"`path` is 'a.c', relative .* that was removed"):
         path_of("a.c", "`path`")
     assert str(path_of("/a.c", "`path`"))
+
+
+def nested():
+    value = []
+    for _ in range(100_000):
+        value = [value]
+    return value
+
+
+@pytest.mark.parametrize("argument", ["constants", "initial_conditions", "specifieds"])
+def test_a_list_that_is_nested_deeply_is_a_named_error(argument):
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    key = {"constants": "m0", "initial_conditions": "x0", "specifieds": "f0"}[argument]
+    with pytest.raises(ValueError, match=f"`{argument}.* nested more than 64 deep"):
+        setattr(system, argument, {key: nested()})
+    with pytest.raises(ValueError, match="nested more than 64 deep"):
+        system.times = nested()
+    with pytest.raises(ValueError, match="nested too deeply"):
+        system.evaluate_jacobian(wrt=nested())
+
+
+def test_an_array_that_is_broadcast_to_gigabytes_is_refused_with_its_size():
+    system, large = multi_mass_spring_damper(1), np.broadcast_to(1.0, 10**9)
+    text = "broadcast to 1,000,000,000 numbers"
+    for call in (
+        lambda: setattr(system, "times", large),
+        lambda: system.evaluate_ode(x=large),
+        lambda: system.evaluate_ode(p=large),
+        lambda: system.integrate_ensemble(constants={"m0": large}, times=[0.0, 1.0]),
+    ):
+        with pytest.raises(ValueError, match=text):
+            call()
+    with pytest.raises(TypeError, match=text):
+        system.evaluate_jacobian(wrt=large)
+    with pytest.raises(ValueError, match=r"`constants\[k0\]` must be a real number"):
+        system.constants = {"m0": 1.0, "c0": 1.0, "k0": large}
+
+
+def test_numbers_and_flags_out_of_range_are_named():
+    system = multi_mass_spring_damper(1)
+    system.times = [0.0, 1.0]
+    with pytest.raises(
+        ValueError, match=r"`workers` must be a whole number below 2⁶³, got 1e\+308"
+    ):
+        system.integrate_ensemble(workers=1e308)
+    with pytest.raises(TypeError, match="`control_sensitivities` must be True or False, got 'no'"):
+        system.simulate(control_sensitivities="no")
+
+
+def test_time_needs_no_value():
+    system, t = multi_mass_spring_damper(1, apply_external_forces=True), me.dynamicsymbols._t
+    for values in ({t: 1.0}, {"t": 1.0}, {("f0", t): [1.0, 2.0]}):
+        with pytest.raises(ValueError, match="`t` is the time, which is known"):
+            system.specifieds = values

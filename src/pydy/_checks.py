@@ -137,7 +137,9 @@ def limits(value: Any, what: str) -> tuple[float, float]:
 
 def real_array(value: Any, what: str) -> np.ndarray:
     """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
-    if type(value) is not np.ndarray or value.size > _MOST:
+    if type(value) is not np.ndarray:
+        _refuse_dropped(value, what)
+    elif value.size > _MOST:
         check_copied(value, what)
     try:
         array = np.asarray(value)

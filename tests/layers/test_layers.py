@@ -224,7 +224,7 @@ def test_a_layer_is_of_the_system_as_it_was(library):
     before = np.asarray(layer.final())
     rates = np.asarray(layer.ode())
     system.constants["m1"] = 3.0
-    system.initial_conditions = {"q1": 1.0}
+    system.initial_conditions.update({"q1": 1.0, "q0": 0.0})
     system.times = [0.0, 5.0]
     assert (np.asarray(layer.final()) == before).all()
     assert (np.asarray(layer.ode()) == rates).all()

@@ -386,6 +386,7 @@ def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
 
     def simulate(lift=0.0, **numbers):
         system.specifieds = {level: SampledInput([0.0, 1.0, 2.0], [0.1, 0.3 + lift, 0.2])}
+        system.constants = {}
         system.constants = {"start": 0.4, "g": 9.81, **numbers}
         return system.simulate(sensitivities=["start", level, "g"], events=[bounce], **TIGHT)
 
@@ -410,6 +411,7 @@ def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():
 
     def simulate(**numbers):
         system.specifieds = {level: floor}
+        system.constants = {}
         system.constants = {"g": 9.81, "e": 1.5, **numbers}
         return system.simulate(sensitivities=["g", "e"], events=[knock], **TIGHT)
 
@@ -739,6 +741,7 @@ def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expressio
     speed = system.speeds[0]
     for acts, events in [(True, [Event(expression, reset={speed: 2 * speed}, name="e")]),
                          (False, [Event(expression, name="e")])]:  # fmt: skip
+        system.constants = {}
         system.constants = {K: 1.0}
         system.constants[L] = 0.3
         if acts:

@@ -109,7 +109,7 @@ class Definer:
     def _made(self, outputs: Mapping[Any, Any], forces: Sequence[Any], given: Given) -> Definition:
         """Check outputs and sort symbols, including those of expressions for specifieds."""
         equations, (constants, specifieds) = self._equations, self._base
-        own, labels = self._labelled(outputs, forces)
+        own, labels = self._labelled(outputs, forces) if outputs else ({}, {})
         groups = output_groups({**own, **self.residuals})
         if forces:
             groups.append(Group(tuple(forces), equations.auxiliary_equations))

@@ -488,8 +488,6 @@ class Setup:
         contradicted = self._told_again(definition, "specifieds")
         plan = checked_plan(definition, values, told, contradicted)
         check_expressions(definition, plan)
-        if self._specifieds and values:
-            self._warn_of_dropped("specifieds", _flat(self._specifieds), _flat(values), 0.0)
         self._specifieds, self._told = values, told
 
     @property
@@ -507,8 +505,6 @@ class Setup:
         definition = self._definition
         told = self._told_again(definition, "states")
         read_numbers(definition, "initial_conditions", values, told)
-        if self._initial_conditions and values:
-            self._warn_of_dropped("initial_conditions", self._initial_conditions, values, 0.0)
         self._initial_conditions = values
 
     def _warn_of_dropped(

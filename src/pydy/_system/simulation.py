@@ -591,7 +591,9 @@ class Simulation(Setup):
         array([1.      , 0.895595, 0.6597  ])
         """
         now = self._now(solver_kwargs.get("events"))
-        wanted, control = None, flag(control_sensitivities, "`control_sensitivities`")
+        wanted, control = None, False
+        if control_sensitivities is not False:
+            control = flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
             wanted = Wanted(sensitivities, control, self._dependent)
         trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))

@@ -275,7 +275,7 @@ class SpecifiedsPlan:
         if len(values) > 1 and (later := merged(values)) is not values:
             values = later
             self._given = [*values], [*values.values()]
-        groups = _groups(places, values, argument)
+        groups = _groups(places, values, argument) if values else []
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:

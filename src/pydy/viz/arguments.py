@@ -158,7 +158,7 @@ def named_constants(
     """
     given = merged(check_mapping("constants", constants))
     if not own:  # a trajectory that tells nothing of constants
-        return given
+        return dict(given)
     # A trajectory from a file has names in the place of symbols.
     given = {name_of(key) if name_of(key) in own else key: v for key, v in given.items()}
     places = Places([*own], "constants of the trajectory")
