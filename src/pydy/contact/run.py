@@ -43,7 +43,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers.options import Options, read_options
+from pydy.solvers.options import Begun, Options, read_options
 from pydy.solvers.outcome import TERMINATED
 from pydy.solvers.solver import Solver, dop853, radau
 from pydy.trajectory import EventRecord
@@ -447,6 +447,8 @@ class Run:
             told=self.now.told,  # what is told of specifieds is told once
         )
         options = {**self.options, "events": events}
+        # Only events of the user's happen where the motion starts.
+        options["begun"] = Begun(None if self.pieces else frozenset(range(len(kinds))))
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)

@@ -313,8 +313,9 @@ class Prepared:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         states = self._run(x0)
         events = self._integration.options.events
-        if events is not None and (any(events.may_rest) or self._integration.set_off):
-            for told in self._integration.stretches():
+        run = self._integration
+        if events is not None and (any(events.may_rest) or run.set_off or run.idle):
+            for told in run.stretches():
                 warn_user(told)
         if self._integration.code == EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]

@@ -53,6 +53,14 @@ from pydy.solvers.outcome import (
 )
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.run.departure import (
+    acts_at_start,
+    departure,
+    follows_itself,
+    happens_at_start,
+    is_stationary,
+    on_surface,
+)
 from pydy.solvers.run.layout import Wanted, rows_of, table_of
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Twin, Workspace
@@ -163,6 +171,7 @@ class Integration(Workspace):
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        self.idle: list[int] = []  # events at the start that did not act
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         wanted = options.constraints is not None or options.progress
@@ -204,11 +213,20 @@ class Integration(Workspace):
             self.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
+            self.idle = []
             if not self._attended:
-                self.memory.x[: self.n] = x0
-                self.progress.state[at.TIME] = self.progress.times[0]
-                self._start()
+                self._begin_here(x0)
+                if self._start():
+                    ended = self.code != NOT_COMPUTED
+                    return at.PAUSED if ended else self._advance(self._rows, False)
         return self._advance(self._rows, True)
+
+    def _begin_here(self, x0: np.ndarray) -> None:
+        """Begin at a state, as compiled code does before its first step."""
+        self.memory.x[: self.n] = x0
+        self.progress.state[:] = self.beginning.state
+        self.progress.counts[:] = self.beginning.counts
+        self.watch.values[at.PROBES * len(self.watch.sides)] = np.nan
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end from a finite state, and return the states."""
@@ -221,7 +239,8 @@ class Integration(Workspace):
             with self.interrupts if code != FINISHED else nullcontext():
                 if self._attended and code == at.PAUSED:
                     self._start()
-                self._run(code)
+                if self.code == NOT_COMPUTED:  # else an event ends it where it begins
+                    self._run(code)
                 self._look_at_end()
         except KeyboardInterrupt:
             self._stop(INTERRUPTED, IntegrationInterrupted)
@@ -300,8 +319,11 @@ class Integration(Workspace):
                 f"{least:.1e}.",
             )
 
-    def _start(self) -> None:
-        """Check and project the initial state, and find the signs of events there."""
+    def _start(self) -> bool:
+        """Check and project the initial state, find the signs of events there, and act on them.
+
+        Returns whether an event has acted.
+        """
         if self._tight:
             self._check_tolerances()
         if self.options.constraints is not None:
@@ -314,7 +336,8 @@ class Integration(Workspace):
             ):
                 if constant:
                     self._stop(EVENT_CONSTANT, event=name)
-            self._look_at_start(self.options.events)
+            return self._look_at_start(self.options.events)
+        return False
 
     def _tell_dependent(self, wanted: CompiledConstraints) -> None:
         """Warn, once for each system, of redundant constraints."""
@@ -380,19 +403,44 @@ class Integration(Workspace):
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
 
-    def _look_at_start(self, wanted: CompiledEvents) -> None:
-        """Record events that are exactly zero at the start.
+    def _look_at_start(self, wanted: CompiledEvents) -> bool:
+        """Record events on whose surfaces the motion starts, and let them act.
 
-        They do not act: a ball released at rest is at an apex, and still flies to the next.
+        They happen where the motion departs to the side that their direction points to. Returns
+        whether any has acted.
         """
+        call, sides, begun = self.call, self.watch.sides, self.options.begun
+        assert call is not None
         values = self._take_sides(())
-        if values.all():
-            return
+        if begun is not None and begun.sides is not None:
+            sides[:] = begun.sides
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        for k in np.flatnonzero(values == 0.0):
-            if wanted.directions[k] in (0, self.watch.sides[k]):
-                self._happened((int(k),), t)
-                self.records.append(self._record(t, int(k), x, x))
+        bounds = call.evaluate(wanted.rates, x, t)[len(values) : 2 * len(values)]
+        self.watch.fired[:] = 0
+        for k in np.flatnonzero(on_surface(values, bounds)).tolist():
+            if begun is not None and (begun.handled is None or k in begun.handled):
+                continue
+            side, direction = departure(call, wanted, k, x, t, self.span), wanted.directions[k]
+            sides[k] = side
+            if not happens_at_start(side, direction):
+                continue
+            stationary = is_stationary(call, wanted, k, x, t)
+            if self.watch.acting[k] and acts_at_start(side, direction, stationary):
+                self.watch.fired[k] = 1
+                continue
+            if self.watch.acting[k]:
+                self.idle.append(k)
+            self._happened((k,), t)
+            self.records.append(self._record(t, k, x, x))
+        if not self.watch.fired.any():
+            return False
+        # Outputs at the time of an event are those before it.
+        reached = int(np.searchsorted(self.progress.times, t, side="right"))
+        self._rows[:reached] = x
+        self.progress.counts[at.NEXT] = reached
+        sides[self.watch.fired != 0] = 0  # where the motion came from is not known
+        self._act()
+        return True
 
     def _happened(self, events: tuple[int, ...], t: float) -> None:
         """Note when some events have happened."""
@@ -455,13 +503,20 @@ class Integration(Workspace):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
             self._end(TERMINATED, event=last)
             return True
-        known = self.watch.sides != 0
+        origins = self.watch.sides.copy()
+        known = origins != 0
         known[list(fired)] = False
         values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
+            if k in zero and wanted.redirects[k] and is_stationary(call, wanted, k, before, t):
+                side = departure(call, wanted, k, before, t, self.span)
+                if follows_itself(side, int(origins[k]), wanted.directions[k]):
+                    self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
+                    return True
+                self.watch.sides[k] = side
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
                 self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
                 return True
@@ -519,7 +574,16 @@ class Integration(Workspace):
         wanted = self.options.events
         if wanted is None:
             return []
-        return [*self.set_off.values(), *stretches(wanted, self.watch.rests, self.span)]
+        start = float(self.progress.times[0])
+        again = {r.index for r in self.records if r.time > start}
+        unused = [
+            f"The motion starts exactly on the surface of the event `{wanted.names[k]}` and does "
+            "not come back to it: as the event has `direction=0`, the start counts as the state "
+            "after it, and nothing was done. Pass the `direction` in which it happens, 1 or −1."
+            for k in self.idle
+            if k not in again
+        ]
+        return [*self.set_off.values(), *unused, *stretches(wanted, self.watch.rests, self.span)]
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
@@ -600,7 +664,9 @@ class Integration(Workspace):
 
     def _extension(self) -> Extension | None:
         rows = self.kept_steps()
-        if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+        if self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+            return None
+        if rows is None or not len(rows):
             return None
         return Extension(Twin(self), rows, self.n)
 
