@@ -1,280 +1,166 @@
-"""Branches of equilibria, against closed forms."""
+"""Motions that are continued where they ended: as simulated at once."""
 
-from types import SimpleNamespace
+import pickle
+from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
 import sympy as sm
-import sympy.physics.mechanics as me
+from sympy.physics.mechanics import Particle
 
-import pydy.analysis.continuation
-from hoop import bead_on_a_hoop
+from cases import close
 from pydy import System
-from pydy.errors import AnalysisInterrupted, EquilibriumError
+from pydy.contact import Contacts, Stick, Unilateral
+from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
-from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
-from ziegler import zieglers_pendulum
-from zoo import inertial_frame
+from pydy.solvers import Event
+from touching import N, O, ball, m, vx, vy, x, y
+
+TIGHT = {"rtol": 1e-10, "atol": 1e-10}
+BOUNCE = [
+    Event(y, direction=-1, reset={vy: -0.8 * vy}, name="bounce"),
+    Event(y - 0.5, name="half"),
+]
 
 
-def in_a_potential(force):
-    """A damped unit mass under a force of x and p."""
-    x, v = me.dynamicsymbols("x v")
-    p = sm.Symbol("p")
-    N, P, O = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
-    O.set_vel(N, 0)
-    P.set_vel(N, v * N.x)
-    kane = me.KanesMethod(N, [x], [v], [x.diff() - v])
-    kane.kanes_equations([me.Particle("b", P, sm.Integer(1))], [(P, (force(x, p) - v) * N.x)])
-    return System(kane)
+def falling(end, solver="dop853"):
+    """A ball that is let go at 1 m."""
+    system, _ = ball()
+    system.initial_conditions, system.times = {y: 1.0}, [0.0, end]
+    system.ode_solver = solver
+    return system
 
 
-def test_a_branch_goes_around_its_folds():
-    """x³ − x = p folds at x = ±1/√3, where p = ∓2/(3√3)."""
-    system = in_a_potential(lambda x, p: p - x**3 + x)
-    system.initial_conditions = {"x": -2.0}
-    branch = system.follow_equilibria({"p": [-3.0, 3.0]})
-    assert branch.ended == "bounds"
-    assert [point.kind for point in branch.special] == ["fold", "fold"]
-    first, second = branch.special
-    assert first.value == pytest.approx(2.0 / (3.0 * np.sqrt(3.0)), rel=1e-10)
-    assert second.value == pytest.approx(-2.0 / (3.0 * np.sqrt(3.0)), rel=1e-10)
-    assert first.values["x"] == pytest.approx(-1.0 / np.sqrt(3.0), abs=1e-6)
-    x = branch["x"]
-    np.testing.assert_allclose(x**3 - x, branch.values, atol=1e-10)
-    np.testing.assert_array_equal(branch.stable, 3.0 * x**2 > 1.0)
-    assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
+@cache
+def whole():
+    """The motion at once, with five events, and times on, before and after each."""
+    motion = falling(1.5).simulate(events=BOUNCE, **TIGHT)
+    moments = [event.time for event in motion.events]
+    return motion, [t for e in moments for t in (e, np.nextafter(e, 0), np.nextafter(e, 9))]
 
 
-@pytest.mark.in_parts
-@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e5), (1e-3, 1e-9)])
-def test_folds_are_found_in_any_units(metre, second):
-    """A micromachined beam that snaps through: in SI units its fold was stepped over."""
-    system = in_a_potential(lambda x, p: p - x**3 + x)
-    system.initial_conditions = {"x": -2.0}
-    own = system.follow_equilibria({"p": [-3.0, 3.0]})
-    scale = metre / second**2
-    v = me.dynamicsymbols("v")
-    system = in_a_potential(
-        lambda x, p: p + (-((x / metre) ** 3) + x / metre - v * second / metre) * scale + v
-    )
-    system.initial_conditions = {"x": -2.0 * metre}
-    branch = system.follow_equilibria({"p": [-3.0 * scale, 3.0 * scale]})
-    assert [point.kind for point in branch.special] == ["fold", "fold"]
-    np.testing.assert_allclose(branch.values / scale, own.values, rtol=0.0, atol=1e-9)
-    np.testing.assert_allclose(branch["x"] / metre, own["x"], rtol=0.0, atol=1e-9)
-    np.testing.assert_array_equal(branch.stable, own.stable)
+@pytest.mark.parametrize("place", range(15))
+def test_no_crossing_at_the_boundary_of_two_legs_is_counted_twice(place):
+    motion, ends = whole()
+    first = falling(ends[place]).simulate(events=BOUNCE, **TIGHT)
+    second = first.continue_to(1.5)
+    found = [event.name for event in (*first.events, *second.events)]
+    assert found == [event.name for event in motion.events]
+    close(second.states[-1], motion.states[-1], 1e-8)
 
 
-def test_a_bead_on_a_hoop_meets_a_branch_point_at_the_critical_rate():
-    system, _, turn = bead_on_a_hoop()
-    branch = system.follow_equilibria({turn: [1.0, 8.0]})
-    (point,) = branch.special
-    assert point.kind == "branch point"
-    assert point.value == pytest.approx(np.sqrt(9.81 / 0.5), rel=1e-9)
-    np.testing.assert_allclose(branch["theta"], 0.0, atol=1e-9)
-    np.testing.assert_array_equal(branch.stable, branch.values < point.value)
+@pytest.mark.parametrize("solver", ["radau", "tsit5"])
+def test_each_solver_goes_on_with_its_own_options(solver):
+    motion = falling(0.3, solver).simulate(**TIGHT).continue_to([0.4, 0.45])
+    np.testing.assert_array_equal(motion.times, [0.3, 0.4, 0.45])
+    close(motion["y"], 1 - 9.81 / 2 * motion.times**2, 1e-8)
 
 
-def test_the_bent_branch_is_followed_from_above():
-    system, angle, turn = bead_on_a_hoop()
-    system.initial_conditions = {angle: 1.3}
-    branch = system.follow_equilibria({turn: [9.0, 4.5]})
-    np.testing.assert_allclose(np.cos(branch["theta"]), 9.81 / (0.5 * branch.values**2), rtol=1e-9)
-    assert branch.stable.all()
+def test_a_terminal_event_is_passed():
+    level = Event(y - 0.5, terminal=True, name="level")
+    first = falling(1.0).simulate(events=[level], **TIGHT)
+    second = first.continue_to(0.4)
+    assert second.times[0] == first.events[-1].time == pytest.approx(np.sqrt(1 / 9.81))
+    assert second.events == ()
+    close(second["y"][-1], 1 - 9.81 / 2 * 0.16, 1e-9)
 
 
-def test_where_damping_turns_negative_an_oscillation_begins():
-    system = multi_mass_spring_damper()
-    system.constants = {"m0": 2.0, "k0": 8.0}
-    (point,) = system.follow_equilibria({"c0": [1.0, -0.7]}).special
-    assert point.kind == "Hopf"
-    assert point.value == pytest.approx(0.0, abs=1e-9)
-    assert point.frequency == pytest.approx(2.0, rel=1e-9)
+def test_later_changes_of_the_system_do_not_matter():
+    system = falling(0.2)
+    first = system.simulate()
+    system.constants[m], system.initial_conditions, system.times = 7.0, {}, [5.0, 6.0]
+    assert first.continue_to(0.3).times[-1] == 0.3
+    assert first.continue_to(0.3).constants[m] == first.constants[m]
 
 
-@pytest.mark.parametrize(
-    ("damping", "force", "accuracy"),
-    [
-        (0.0, 3.5 - np.sqrt(2.0), 1e-12),
-        (1e-3, 41.0 / 28.0 + 1e-6 / 2.0, 1e-9),
-        (0.3, 41.0 / 28.0 + 0.09 / 2.0, 1e-12),
-    ],
-)
-def test_zieglers_pendulum_flutters_at_the_published_force(damping, force, accuracy):
-    (point,) = zieglers_pendulum(damping).follow_equilibria({"P": [0.0, 2.5]}).special
-    assert point.kind == "Hopf"
-    assert point.value == pytest.approx(force, rel=accuracy)
+def test_what_cannot_go_on_says_why():
+    first = falling(0.2).simulate()
+    for t in (0.1, [0.1, 0.3], [0.2], [], np.nan):
+        with pytest.raises(ValueError, match=r"after the end of the motion, 0\.2|must be finite"):
+            first.continue_to(t)
+    with pytest.raises(ValueError, match="does not know how to go on"):
+        pickle.loads(pickle.dumps(first)).continue_to(1.0)
+    with pytest.raises(ValueError, match="does not know how to go on"):
+        first.at([0.1]).continue_to(1.0)
+    with pytest.raises(NotImplementedError, match="`sensitivities` of a motion"):
+        falling(0.2).simulate(sensitivities=[y]).continue_to(1.0)
+    bounce = Event(y, direction=-1, reset={vy: -0.5 * vy})
+    with pytest.warns(PyDyUserWarning, match="accumulate"):
+        rest = falling(2.0).simulate(events=[bounce])
+    with pytest.raises(ValueError, match="where events accumulate"):
+        rest.continue_to(3.0)
 
 
-def test_an_oscillation_begins_beside_one_that_is_not_damped():
-    x, y, u, v = me.dynamicsymbols("x y u v")
-    c = sm.Symbol("c")
-    N, O = inertial_frame()
+@cache
+def sliding():
+    """A block with friction above the ground, and its contacts."""
     P = O.locatenew("P", x * N.x + y * N.y)
-    loads = [(P, -(4 * x + c * u) * N.x - 9 * y * N.y)]
-    system = System(Definition(N, [x, y], [u, v], bodies=[me.Particle("p", P, 1)], loads=loads))
-    (point,) = system.follow_equilibria({"c": [1.0, -0.7]}).special
-    assert point.value == pytest.approx(0.0, abs=1e-12)
-    assert point.frequency == pytest.approx(2.0, rel=1e-9)
+    P.set_vel(N, vx * N.x + vy * N.y)
 
-
-def test_what_is_free_is_held():
-    system = n_link_pendulum_on_cart(1)
-    system.initial_conditions = {"q0": 0.3, "q1": 3.0}
-    branch = system.follow_equilibria({"m1": [1.0, 2.0]}, step=0.2)
-    np.testing.assert_allclose(branch["q0"], 0.3, atol=1e-9)
-    np.testing.assert_allclose(branch["q1"], np.pi, atol=1e-9)
-
-
-def test_branches_go_into_xarray_and_pictures():
-    import matplotlib.pyplot as plt
-
-    system, _, turn = bead_on_a_hoop()
-    branch = system.follow_equilibria({turn: [1.0, 8.0]}, step=0.1)
-    assert branch.to_xarray()["theta"].dims == ("point",)
-    ax = branch.plot("theta")
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("Omega", "theta")
-    plt.close("all")
-    assert str(branch).startswith(
-        f"{len(branch.values)} equilibria, Omega from 1 to 8: branch point"
+    g, mu = sm.symbols("g, mu")
+    block = Definition(
+        N, [x, y], [vx, vy], bodies=[Particle("block", P, m)], loads=[(P, -m * g * N.y)]
     )
-    with pytest.raises(KeyError, match="`bogus` is not one of the unknowns"):
-        branch["bogus"]
+    ground = Unilateral(y, name="ground", restitution=0.6)
+    return block, [ground, Stick(P, on=ground, mu=mu, along=N.x)], {g: 9.81, m: 1.0}, {mu: 0.2}
 
 
-def test_what_does_not_fit_is_named():
-    system = multi_mass_spring_damper()
-    with pytest.raises(ValueError, match="`most` must be"):
-        system.follow_equilibria({"c0": [1.0, 2.0]}, most=1)
-    with pytest.raises(ValueError, match="`step`"):
-        system.follow_equilibria({"c0": [1.0, 2.0]}, step="short")
-    with pytest.raises(EquilibriumError, match="No equilibrium was found"):
-        in_a_potential(lambda x, p: p + x**2 + 1).follow_equilibria({"p": [0.0, 1.0]})
-
-
-@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
-def test_what_stops_a_branch_hands_over_what_there_is(monkeypatch, stop):
-    system = in_a_potential(lambda x, p: p - x**3 + x)
-    system.initial_conditions = {"x": -2.0}
-    whole = system.follow_equilibria({"p": [-3.0, 3.0]})
-    points = []
-    point = pydy.analysis.continuation._Curve.point
-
-    def interrupted(self, z, before):
-        points.append(z)
-        if len(points) > 120:  # beyond the first fold, which is bisected
-            raise stop
-        return point(self, z, before)
-
-    monkeypatch.setattr(pydy.analysis.continuation._Curve, "point", interrupted)
-    told = MemoryError if stop is MemoryError else AnalysisInterrupted
-    with pytest.raises(told) as caught:
-        system.follow_equilibria({"p": [-3.0, 3.0]})
-    assert isinstance(caught.value, Exception) == (stop is MemoryError)
-    assert "equilibria" in str(caught.value) + "".join(getattr(caught.value, "__notes__", []))
-    branch = caught.value.results
-    assert branch.ended == "interrupted"
-    count = len(branch.values)
-    assert 10 < count < len(whole.values)
-    np.testing.assert_array_equal(branch.states, whole.states[:count])
-    np.testing.assert_array_equal(branch.stable, whole.stable[:count])
-    assert branch.special == tuple(p for p in whole.special if p.place < count - 1)
-    assert branch.special
-
-
-def test_a_bar_counts_points(capsys):
-    branch = multi_mass_spring_damper().follow_equilibria({"c0": [1.0, 0.5]}, progress=True)
-    shown = capsys.readouterr().err
-    assert f"{len(branch.values) - 2} points" in shown  # but for the first and the last
-    assert "c0=" in shown
-
-
-@pytest.mark.in_parts
-@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e-6), (1e-9, 1e-12)])
-def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second):
-    """Two springs from (±1, 0) to a particle, which is loaded along y: the truss of von Mises.
-
-    Nothing on the branch tells the size of x. With s the length of a spring, the load is
-    2 k (L/s − 1) y; at the fold s³ = L.
-    """
-    x, y = me.dynamicsymbols("x y")
-    force = sm.Symbol("F")
-    frame, origin = inertial_frame()
-    place = origin.locatenew("P", x * frame.x + y * frame.y)
-    stiffness, free = 10.0 / second**2, 1.25 * metre
-    loads = [(place, -force * frame.y - 0.3 / second * place.vel(frame))]
-    for side in (-metre, metre):
-        hook = origin.locatenew("H", side * frame.x)
-        hook.set_vel(frame, 0)
-        loads += me.LinearSpring(stiffness, me.LinearPathway(place, hook), free).to_loads()
+def thrown(end):
+    block, contacts, constants, given = sliding()
     system = System(
-        Definition(frame, [x, y], bodies=[me.Particle("P", place, 1)], loads=loads),
-        initial_conditions={y: 0.9 * metre},
-    )
-    unit = metre / second**2
-    branch = system.follow_equilibria({force: [-2.0 * unit, 2.0 * unit]})
-    length = 1.25 ** (1 / 3)
-    most = 20.0 * (1.25 / length - 1.0) * np.sqrt(length**2 - 1.0)
-    assert branch.ended == "bounds"
-    assert [point.kind for point in branch.special] == ["fold", "fold"]
-    found = [point.value / unit for point in branch.special]
-    assert found == pytest.approx([most, -most], rel=1e-9)
+        block, constants, ode_solver="dop853", initial_conditions={y: 1.0, vx: 1.0},
+        times=[0.0, end],
+    )  # fmt: skip
+    return Contacts(system, contacts, given)
 
 
-@pytest.mark.in_parts
-@pytest.mark.parametrize("metre", [1.0, 1e-6, 1e3])
-@pytest.mark.parametrize("distance", [False, True])
-def test_accelerations_that_follow_from_constraints_tell_no_size(metre, distance):
-    """A bead at the bottom of a tilted circle: a spring across it moves it nowhere.
-
-    What rounding left of the accelerations along the two constraints made steps along the branch
-    of 1e12 m, and points that were on neither.
-    """
-    N, O = inertial_frame()
-    m, R, l, g, k = sm.symbols("m R l g k")
-    x, y, z, ux, uy, uz = me.dynamicsymbols("x y z ux uy uz")
-    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
-    square = x**2 + y**2 + z**2
-    sphere = sm.sqrt(square) - l if distance else square - l**2
-    system = System(
-        Definition(
-            N,
-            [x, y, z],
-            [ux, uy, uz],
-            bodies=[me.Particle("p", P, m)],
-            loads=[(P, -m * g * N.z - k * y * N.y)],
-            holonomic_constraints=[sphere, z - x - R],
-        ),
-        {l: metre, R: 0.3 * metre, g: 9.81 * metre, k: 2.0},
-        initial_conditions={x: -0.841 * metre, z: -0.541 * metre},
-    )
-    branch = system.follow_equilibria({"k": [0.0, 30.0]})
-    assert (branch.special, branch.ended) == ((), "bounds")
-    half = np.sqrt(0.5 - 0.15**2)
-    right = [[-0.15 - half, 0.0, 0.15 - half]] * len(branch.values)
-    found = np.transpose([branch[name] for name in "xyz"]) / metre
-    np.testing.assert_allclose(found, right, rtol=0.0, atol=1e-10)
+LEVEL = Event(y - 0.2, name="level")
 
 
-def test_a_branch_ends_where_its_equations_contradict_each_other():
-    """The unknown is p and 2 p: the least square is neither."""
-    slopes = np.array([[1.0, -1.0], [1.0, -2.0]])
-    points, _, _, ended, _ = pydy.analysis.continuation.trace(
-        (
-            lambda z: slopes @ z,
-            lambda z: slopes,
-            lambda z: (np.array([-1.0]), np.array([0.0])),
-            lambda slopes, z: SimpleNamespace(
-                terms=np.ones(2), limit=np.zeros(2), units=np.ones(1)
-            ),
-        ),
-        ("x", "p"),
-        np.zeros(2),
-        (0.0, 1.0),
-        0.02,
-        100,
-        lambda value: None,
-    )
-    assert ended == "lost"
-    assert all(np.abs(slopes @ z).max() <= 1e-9 for z in points)
+@cache
+def landed():
+    return thrown(4.0).simulate(events=[LEVEL], **TIGHT)
+
+
+@pytest.mark.parametrize("event", range(4))
+@pytest.mark.parametrize("way", [-9.0, None, 9.0])
+def test_contacts_go_on_from_any_transition(event, way):
+    motion = landed()
+    end = motion.events[event].time
+    first = thrown(end if way is None else np.nextafter(end, way)).simulate(events=[LEVEL], **TIGHT)
+    second = first.continue_to(4.0)
+    found = [one.name for one in (*first.events, *second.events)]
+    assert found == [one.name for one in motion.events]
+    close(second.states[-1], motion.states[-1], 1e-8)
+
+
+def test_contacts_go_on_in_their_modes():
+    second = thrown(3.0).simulate(**TIGHT).continue_to([3.5, 4.0])
+    assert [modes for *_, modes in second.modes] == [{"ground": "sticks"}]
+    assert second.events == ()
+    np.testing.assert_array_equal(second["x"], second["x"][0])
+
+
+def test_neighbouring_parts_in_the_same_modes_are_one_interval():
+    modes = landed().modes
+    assert modes[0][0] == 0.0
+    assert all(a[2] != b[2] for a, b in pairwise(modes))
+    assert all(a[1] == b[0] for a, b in pairwise(modes))
+    assert len(landed().impacts) > 5  # between which all are open
+
+
+def test_pictures_do_not_leave_out_contacts():
+    contacts = thrown(1.0)
+    system = contacts.system
+    for method in ("animate", "plot"):
+        with pytest.raises(ValueError, match=rf"system.{method}\(contacts=contacts\)"):
+            getattr(system, method)()
+        with pytest.raises(AttributeError, match=rf"Call system.{method}\(contacts=…\)"):
+            getattr(contacts, method)
+    heights = system.animate(contacts=contacts).poses[:, 0, 1, 3]
+    assert heights.min() > -1e-9
+    line = system.plot(["y"], contacts=contacts).lines[0].get_ydata()
+    assert min(line) > -1e-6
+    with pytest.raises(TypeError, match="must be Contacts of this System"):
+        system.animate(contacts=thrown(1.0))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -43,7 +43,8 @@ from pydy._system.solving import (
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.events import identified
-from pydy.solvers.options import Options, check_option_names
+from pydy.solvers.options import Begun, Options, check_option_names
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, OUTCOMES, TERMINATED
 from pydy.solvers.solver import Prepared, Solver
 from pydy.trajectory import Trajectory
 
@@ -115,7 +116,9 @@ class Ready:
             return False
         for name, value in given.items():
             known = self._given[name]
-            if name == "events":
+            if name == "begun":
+                same = True  # it is told to each run
+            elif name == "events":
                 same = self._events is not None and self._events == identified(value)
             else:
                 same = type(value) in _PLAIN and type(value) is type(known) and value == known
@@ -157,7 +160,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
 
 
 def _run(
-    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray
+    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray, own: dict[str, Any]
 ) -> tuple[np.ndarray, Prepared]:
     """Integrate by a native solver, with the latest call's memory if it is free."""
     plan = now.plan
@@ -166,7 +169,8 @@ def _run(
         prepared = ready.free.pop()  # no other thread has it then
     if prepared is None or not prepared.renumber(now.p, plan.values, times):
         f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
-        prepared = solver.prepare(f, now.x, times, (r, now.p), **ready.options)
+        prepared = solver.prepare(f, now.x, times, (r, now.p), **own)
+    prepared.begun = own.get("begun")
     states = prepared(now.x)
     if prepared.reusable:
         ready.free = [prepared]
@@ -186,16 +190,17 @@ def _solve(
         given = with_residuals_held(now.definition, solver, given)
     free, full = given.get("constraints") is None, given.get("full_output", False)
     ready, times = begin(now, solver, given)
+    own = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
     native = isinstance(solver, Solver)
     watched = ready.constrained and isinstance(solver, (Solver, SolveIvp))
     pair = True  # whether states come with information, even if that is not asked for
     try:
         if wanted is None and isinstance(solver, Solver):
-            states, prepared = _run(ready, solver, now, times)
-            info, options = prepared.info if full or watched else {}, ready.options
+            states, prepared = _run(ready, solver, now, times, own)
+            info, options = prepared.info if full or watched else {}, own
             result: Any = states, info
         else:
-            f, x0, options = rates_function(ready.model, now.plan), now.x, ready.options
+            f, x0, options = rates_function(ready.model, now.plan), now.x, own
             if wanted is not None:
                 f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
             args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
@@ -271,6 +276,57 @@ def simulated(
     states, found = (states, {}) if wanted is None else wanted.results(states)
     told = {"events": events, "statistics": statistics or None, "dense": dense}
     return {"times": times, "states": states, **told, **found}
+
+
+@dataclass(frozen=True, eq=False)
+class _Leg:
+    """A motion that can be continued where it ended."""
+
+    now: Snapshot
+    solver: SolverFunction
+    options: dict[str, Any]
+    end: float = np.nan
+    state: np.ndarray | None = None
+    sides: tuple[int, ...] | None = None  # of the events, just after the end
+    refusal: str = ""
+
+    def simulated(self, begun: Begun | None = None, wanted: Wanted | None = None) -> Trajectory:
+        """Simulate, and return a Trajectory that can be continued."""
+        options = self.options if begun is None else {**self.options, "begun": begun}
+        found = simulated(self.now, self.solver, options, wanted)
+        statistics = found["statistics"] or {}
+        sides, code = statistics.pop("sides", None), statistics.get("code", FINISHED)
+        trajectory = self.now.trajectory(**found)
+        if not len(trajectory.times):
+            return trajectory
+        end, state = float(trajectory.times[-1]), trajectory.states[-1]
+        if code == TERMINATED:
+            end = float(statistics["time"])
+        if self.options.get("events") and trajectory.events and trajectory.events[-1].time == end:
+            state = trajectory.events[-1].after
+        refusal = ""
+        if wanted is not None:
+            refusal = (
+                "`sensitivities` of a motion that is continued are not known. Simulate over the "
+                "whole time at once, or without `sensitivities`."
+            )
+        elif code == EVENTS_ACCUMULATE:
+            refusal = (
+                f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
+                f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+            )
+        more = {"end": end, "state": state, "sides": sides, "refusal": refusal}
+        trajectory._leg = replace(self, **more)
+        return trajectory
+
+    def go_on(self, times: np.ndarray) -> Trajectory:
+        """Return the motion from the end on, at some times."""
+        assert self.state is not None
+        start = dict(zip(self.now.definition.states, self.state.tolist(), strict=True))
+        user = {**self.now.user, "initial_conditions": start}
+        leg = replace(self, now=replace(self.now, user=user, times=times))
+        watched = isinstance(self.solver, Solver) and self.options.get("events")
+        return leg.simulated(Begun(None, self.sides) if watched else None)
 
 
 def judge_motion(
@@ -494,12 +550,14 @@ class Simulation(Setup):
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
+        if isinstance(solver_kwargs.get("events"), Iterator):
+            solver_kwargs["events"] = [*solver_kwargs["events"]]
         now = self._now(solver_kwargs.get("events"))
         wanted = None
         if sensitivities is not None:
             control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
-        trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))
+        trajectory = _Leg(now, self.ode_solver, solver_kwargs).simulated(wanted=wanted)
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now)
         if wanted is not None and not self._searching:

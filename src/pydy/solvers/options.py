@@ -42,7 +42,7 @@ class SolverOptions(StepOptions, total=False):
     sensitivities: CompiledSensitivities | None
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Begun:
     """What is known of events where a motion continues another one."""
 

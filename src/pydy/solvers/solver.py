@@ -11,7 +11,7 @@ import numpy as np
 from pydy._checks import ascending, real_array
 from pydy._errors import warn_user
 from pydy._forks import whole
-from pydy.solvers.options import read_options
+from pydy.solvers.options import Begun, read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
 from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
 
@@ -328,6 +328,15 @@ class Prepared:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _prepared, self.made_of
+
+    @property
+    def begun(self) -> Begun | None:
+        """What is known of events where the next run continues another one."""
+        return self._integration.begun
+
+    @begun.setter
+    def begun(self, value: Begun | None) -> None:
+        self._integration.begun = value
 
     @property
     def times(self) -> np.ndarray:

@@ -266,6 +266,16 @@ def _(v):
     return _run(_block().floor, constraints=v)
 
 
+@target("animate.contacts", nothing("symbols", "texts", "arrays"), "`contacts")
+def _(v):
+    return _system().animate(contacts=v)
+
+
+@target("plot.contacts", nothing("symbols", "texts", "arrays"), "`contacts")
+def _(v):
+    return _system().plot(contacts=v)
+
+
 @target("Contacts.in_modes.modes", mapping)
 def _(v):
     return Contacts(_system(), [_block().floor]).in_modes(v).evaluate_ode()

@@ -171,6 +171,7 @@ class Integration(Workspace):
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        self.begun = options.begun
         self.idle: list[int] = []  # events at the start that did not act
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
@@ -276,10 +277,11 @@ class Integration(Workspace):
                     return self._end(FINISHED)
                 if code == at.EVENT:
                     if self._act():
-                        return
+                        return self._undo_at_end()
                     state[at.SIZE] = self.options.step or 0.0
                 elif code == EVENTS_ACCUMULATE and (wanted := self.options.events) is not None:
-                    return self._end(code, event=wanted.names[self.watch.fired.argmax()])
+                    self._end(code, event=wanted.names[self.watch.fired.argmax()])
+                    return self._undo_at_end()
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
@@ -409,7 +411,7 @@ class Integration(Workspace):
         They happen where the motion departs to the side that their direction points to. Returns
         whether any has acted.
         """
-        call, sides, begun = self.call, self.watch.sides, self.options.begun
+        call, sides, begun = self.call, self.watch.sides, self.begun
         assert call is not None
         values = self._take_sides(())
         if begun is not None and begun.sides is not None:
@@ -460,7 +462,7 @@ class Integration(Workspace):
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         ahead = values * sides
         reaches = (ahead >= 0.0) & (ahead <= near * abs(rates)) & (rates * sides < 0.0)
-        reaches |= values == 0.0
+        reaches |= (values == 0.0) & ~(rates * sides > 0.0)  # else it has just left
         if not reaches.any():
             return
         told = {r.index for r in self.records if r.time == t}
@@ -499,14 +501,16 @@ class Integration(Workspace):
             if (moved := self.records[-1].sensitivity_after) is not None and beside is not None:
                 beside.table(before)[:] = moved
         self.memory.x[: self.n] = before
+        forced = {k: m for k, m in moments.items() if m is not None}
         if any(wanted.terminal[k] for k in fired):
+            self._take_sides(zero, forced)  # for who continues the motion
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
             self._end(TERMINATED, event=last)
             return True
         origins = self.watch.sides.copy()
         known = origins != 0
         known[list(fired)] = False
-        values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
+        values = self._take_sides(zero, forced)
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
@@ -521,6 +525,33 @@ class Integration(Workspace):
                 self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
                 return True
         return False
+
+    def _undo_at_end(self) -> None:
+        """Finish where an event has followed itself only because the last time is so near.
+
+        A step of few roundings of the time may end where the expression still has the sign that
+        it had before the event.
+        """
+        t, last = float(self.progress.state[at.TIME]), float(self.progress.times[-1])
+        rest = NO_LATER * ROUNDING * max(abs(t), self.span)
+        if (
+            self.code != EVENTS_ACCUMULATE
+            or last - t > rest
+            or self.options.sensitivities is not None
+        ):
+            return
+        self._empty_log()
+        event = self.records[-1].index
+        same = [r for r in self.records if r.index == event and r.time >= t - rest]
+        if len(same) != 2 or len(self.records) < 2 or self.records[-2] is not same[0]:
+            return
+        x = self.records.pop().before
+        self.memory.x[: self.n] = x
+        self.progress.state[at.TIME] = last
+        self._take_sides({event})
+        self._rows[self.progress.counts[at.NEXT] : self._number] = x
+        self.progress.counts[at.NEXT] = self._number
+        self._end(FINISHED)
 
     def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
         """Return the events whose expressions a reset moves away from zero.
@@ -654,6 +685,7 @@ class Integration(Workspace):
             "nearness": self._nearness(),
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
+            "sides": tuple(self.watch.sides.tolist()),
             **({"dense_output": self._extension()} if self.options.dense_output else {}),
         }
 

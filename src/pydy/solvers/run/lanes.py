@@ -213,7 +213,9 @@ class LanesWatched(LanesBeside):
         with np.errstate(invalid="ignore"):  # infinite values without a side
             ahead, away = values * sides, rates * sides
         near = 2.0 * ROUNDING * abs(t) * np.abs(rates)
-        reaches = (values == 0.0) | ((away < 0.0) & (ahead >= 0.0) & (ahead <= near))
+        reaches = ((values == 0.0) & ~(away > 0.0)) | (
+            (away < 0.0) & (ahead >= 0.0) & (ahead <= near)
+        )
         fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
         done = super().ended(status, states) & ~fired.any(axis=1)
         return np.asarray(done | (status == TERMINATED) | (status == EVENTS_ACCUMULATE))
