@@ -225,8 +225,13 @@ def _with_events(
 class Leg(Protocol):
     """What is known of a motion's end."""
 
-    end: float  # the time, of a terminal event too
-    refusal: str  # why the motion cannot be continued, or ''
+    @property
+    def end(self) -> float:
+        """The time, of a terminal event too."""
+
+    @property
+    def refusal(self) -> str:
+        """Why the motion cannot be continued, or ''."""
 
     def go_on(self, times: np.ndarray) -> Any:
         """Return the Trajectory from the end on."""

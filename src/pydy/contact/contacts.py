@@ -324,6 +324,8 @@ class Contacts:
         **solver_kwargs: Any,
     ) -> Run:
         """Return a simulation that has not begun."""
+        # The trajectory holds what it would return.
+        flag(solver_kwargs.pop("full_output", True), "`full_output`")
         held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
         if held == "baumgarte" or not flag(
             solver_kwargs.get("dense_output", True), "`dense_output`"

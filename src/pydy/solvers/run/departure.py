@@ -16,7 +16,7 @@ from pydy.solvers.tuning import HALVINGS, ROUNDING, ROUNDINGS
 
 def on_surface(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     """Return which expressions are zero, as far as `bounds` on their roundings tell."""
-    return np.asarray(np.abs(values) <= ROUNDINGS * ROUNDING * bounds) | (values == 0.0)
+    return np.asarray((np.abs(values) <= ROUNDINGS * ROUNDING * bounds) | (values == 0.0))
 
 
 def is_stationary(
