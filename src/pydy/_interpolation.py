@@ -288,12 +288,13 @@ class Continued:
             raise NotImplementedError(leg.refusal)
         if leg.refusal:
             raise ValueError(leg.refusal)
-        if np.ndim(t) == 0:
+        given = real_array(t, "`t`")
+        if given.ndim == 0:
             last = number(t, "`t`")
             if not (np.isfinite(last) and last > leg.end):
                 raise ValueError(f"`t` must be after the end of the motion, {leg.end!r}, got {t}.")
             return leg.go_on(np.linspace(leg.end, last, num=max(2, len(self.times))))
-        times = ascending(t, "`t`")
+        times = ascending(given, "`t`")
         if not len(times) or times[0] < leg.end or times[-1] <= leg.end:
             raise ValueError(
                 f"`t` must have times after the end of the motion, {leg.end!r}, and none before, "

@@ -15,7 +15,7 @@ from sympy.physics.mechanics import (
     inertia,
 )
 
-from fuzz.kinds import Kind, RefusedError, choice, nothing, real
+from fuzz.kinds import Kind, RefusedError, choice, flag, nothing, real
 from fuzz.table import empty_or_none, expression, key, mapping, target
 from pydy._system.layers import _Frozen
 from pydy.analysis import Trial
@@ -104,10 +104,12 @@ _LAWS: dict[Any, dict[str, Any]] = {
     joint_friction: {"rate": 0.1, "normal": 2.0, "mu": 0.3, "radius": 0.1, "transition": 0.01},
 }
 
+_SIGNED = ("gap", "rate", "speed", "normal")  # all others must not be negative
+
 for _law, _given in _LAWS.items():
     for _name in _given:
 
-        @target(f"{_law.__name__}.{_name}", _gap)
+        @target(f"{_law.__name__}.{_name}", _gap if _name in _SIGNED else _amount())
         def _(v, law=_law, name=_name, given=_given):
             return repr(law(**{**given, name: v}))
 
@@ -261,17 +263,22 @@ def _(v):
     return _run(_block().floor, rtol=v).shape
 
 
+@target("Contacts.simulate.full_output", flag())
+def _(v):
+    return _run(_block().floor, full_output=v)
+
+
 @target("Contacts.simulate.constraints", choice("project").or_none())
 def _(v):
     return _run(_block().floor, constraints=v)
 
 
-@target("animate.contacts", nothing("symbols", "texts", "arrays"), "`contacts")
+@target("animate.contacts", nothing("symbols", "texts", "arrays", allowed=lambda v: v is None))
 def _(v):
     return _system().animate(contacts=v)
 
 
-@target("plot.contacts", nothing("symbols", "texts", "arrays"), "`contacts")
+@target("plot.contacts", nothing("symbols", "texts", "arrays", allowed=lambda v: v is None))
 def _(v):
     return _system().plot(contacts=v)
 

@@ -64,7 +64,7 @@ def _inside(t: np.ndarray) -> bool:
 
 def _after(t: np.ndarray) -> bool:
     whole = np.isfinite(t).all() and t.size > 0
-    return bool(whole and (np.diff(t) >= 0).all() and t.min() >= 1.0 and t.max() > 1.0)
+    return bool(whole and (np.diff(t.ravel()) >= 0).all() and t.min() >= 1.0 and t.max() > 1.0)
 
 
 @target(
