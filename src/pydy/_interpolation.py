@@ -1,4 +1,4 @@
-"""States and sensitivities between the times of a trajectory."""
+"""States and sensitivities between the times of a trajectory, and motions that go on after them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from pydy._checks import descends, monotonic, real_array
+from pydy._checks import descends, monotonic, number, real_array
 
 
 def evenly(count: int, most: int) -> np.ndarray:
@@ -253,3 +253,88 @@ def _with_events(
     nodes = np.concatenate([moments, known.times[other]])
     order = np.argsort(nodes, kind="stable")
     return nodes[order], [np.concatenate([own, t[other]])[order] for t, own in tables]
+
+
+# -- beyond the end -------------------------------------------------------------------------------
+
+
+class Leg(Protocol):
+    """What is known of a motion's end."""
+
+    @property
+    def end(self) -> float:
+        """The time, of a terminal event too."""
+
+    @property
+    def refusal(self) -> str:
+        """Why the motion cannot be continued, or ''."""
+
+    def go_on(self, times: np.ndarray) -> Any:
+        """Return the Trajectory from the end on."""
+
+
+class Continued:
+    """A motion that may be continued; the base of `pydy.trajectory.Trajectory`."""
+
+    times: np.ndarray
+    _leg: Leg | None = None
+
+    def continue_to(self, t: Any) -> Any:
+        """Simulate on from where this motion ended, and return the motion from there on.
+
+        It starts from the last state, that after the event if an event ended the motion, with the
+        constants, specifieds, solver, options, events, and modes of contacts of this motion. Events
+        at the end of this one are not counted again.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            The last time: there are as many times as this trajectory has. Or the times, ascending;
+            the end of this motion is put before them.
+
+        Returns
+        -------
+        Trajectory
+
+        Raises
+        ------
+        ValueError
+            A time is before the end of this motion. Events accumulate at the end. Or the end is not
+            known: of a trajectory that was loaded, pickled or made by `at`.
+        NotImplementedError
+            The motion has sensitivities.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions = {'x0': 1.0}
+        >>> system.times = [0.0, 0.5]
+        >>> system.simulate().continue_to(1.0)['x0'].round(6)
+        array([0.895595, 0.6597  ])
+        """
+        leg = self._leg
+        if leg is None:
+            raise ValueError(
+                "This trajectory does not know how to go on: it was loaded, pickled, or made at "
+                "other times. Continue what `simulate` returned, or set the initial conditions and "
+                "`system.times` and simulate again."
+            )
+        if leg.refusal.startswith("`sensitivities`"):
+            raise NotImplementedError(leg.refusal)
+        if leg.refusal:
+            raise ValueError(leg.refusal)
+        given, way = real_array(t, "`t`"), -1.0 if descends(self.times) else 1.0
+        if given.ndim == 0:
+            last = number(t, "`t`")
+            if not (np.isfinite(last) and way * (last - leg.end) > 0.0):
+                raise ValueError(f"`t` must be after the end of the motion, {leg.end!r}, got {t}.")
+            return leg.go_on(np.linspace(leg.end, last, num=max(2, len(self.times))))
+        times = monotonic(given, "`t`")
+        ahead = way * (times - leg.end)
+        if not len(times) or ahead[0] < 0.0 or ahead[-1] <= 0.0 or ahead[-1] < ahead[0]:
+            raise ValueError(
+                f"`t` must have times after the end of the motion, {leg.end!r}, and none before, "
+                f"got {times}."
+            )
+        return leg.go_on(times if times[0] == leg.end else np.append(leg.end, times))

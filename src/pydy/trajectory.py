@@ -23,6 +23,7 @@ from pydy._checks import (
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
 from pydy._interpolation import (
+    Continued,
     Model,
     SensitivityModel,
     Sides,
@@ -249,7 +250,7 @@ class EventRecord:
 # -- The trajectory --------------------------------------------------------------------------------
 
 
-class Trajectory:
+class Trajectory(Continued):
     """States over time with their names, and the quantities evaluated along them.
 
     `System.simulate` returns a Trajectory, and `Trajectory.load` reads one from a file. Quantities
@@ -717,7 +718,7 @@ class Trajectory:
 
     def __getstate__(self) -> dict[str, Any]:
         self._keep_jumps()
-        return self.__dict__
+        return {**self.__dict__, "_leg": None}
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.

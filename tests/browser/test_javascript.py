@@ -8,6 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import departures
 from exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
@@ -94,6 +95,24 @@ def test_simulate_takes_names_and_returns_rows(tmp_path, loaded):
     assert run["steps"] == info["steps"]
     assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in info["events"]])
     assert {e["name"] for e in run["events"]} == {"bounce"}
+
+
+def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path, loaded):
+    system = departures.started(departures.CASES[0])
+    page = loaded(system.export(tmp_path / "table.js", events=departures.events()).path)
+    for case in departures.CASES:
+        constants = {str(symbol): value for symbol, value in departures.numbers(case).items()}
+        run = page.evaluate(
+            """([times, v, constants]) => {
+                const tolerances = { rtol: 1e-10, atol: 1e-12 };
+                const run = model.simulate({ times, initial: { v }, constants, ...tolerances });
+                return { ...run, states: run.states.map((row) => Array.from(row)) };
+            }""",
+            [departures.TIMES, case.v0, constants],
+        )
+        moments, heights = [e["time"] for e in run["events"]], [row[0] for row in run["states"]]
+        assert heights[0] == 0.0
+        departures.check(case, moments, heights, run["status"] == "stopped")
 
 
 def test_an_event_is_found_that_another_sees_before_its_sign_returns(tmp_path, loaded):

@@ -1,13 +1,23 @@
 """Forces of bodies on several feet: within the cones wherever they can be."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import sympy.physics.mechanics as me
 
 from pydy.contact import Contacts
-from pydy.contact.decide import OPEN, STARTING, STICKS, Cone, Problem, chosen, innermost
+from pydy.contact.decide import (
+    OPEN,
+    STARTING,
+    STICKS,
+    Cone,
+    Problem,
+    chosen,
+    innermost,
+    relaxed,
+)
 from touching import J, falling_body, mu, slope, y
 
 t = me.dynamicsymbols._t
@@ -31,6 +41,27 @@ def test_the_innermost_of_forces_that_are_not_determined():
     assert 0.05 <= min(c.margin(found) for c in cones) <= 0.1 + 1e-9
 
 
+def test_a_known_impulse_beside_a_row_allows_its_friction():
+    # As in the second phase of Poisson's hypothesis: of 2 that are given back and 1 more.
+    for known, most in ((2.0, 1.5), (0.0, 0.5)):
+        cone = Cone(0, (1, 2), 0.5, known)
+        assert cone.margin(np.array([1.0, 0.9, 1.2])) == pytest.approx(min(1.0, most - 1.5))
+        contact = [(0, 0, [1, 2], 0.5, 0.5, known)]
+        *_, found = relaxed(np.array([-1.0, 0.72, 0.96]), np.eye(3), contact, {})
+        assert found.forces[0] == 1.0
+        assert np.linalg.norm(found.forces[1:]) == pytest.approx(min(1.2, most))
+        assert bool(found.sliding) is (most < 1.2)
+
+
+def test_the_innermost_forces_count_a_known_impulse():
+    # The friction of two feet is shared: what one is given beside its row, it may hold.
+    y0, null = np.array([1.0, 0.9, 1.0, 0.9]), np.array([[0.0, 1.0, 0.0, -1.0]]).T / math.sqrt(2)
+    cones = [Cone(0, (1,), 0.5, 3.0), Cone(2, (3,), 0.5)]
+    found = innermost(y0, null, cones, 1.0)
+    assert found[1] + found[3] == pytest.approx(1.8)
+    assert min(c.margin(found) for c in cones) >= 0.175 - 1e-9  # of (0.5 · 5 − 1.8) / 2 = 0.35
+
+
 def impact(random, feet=3):
     """A rigid body that falls on its feet, as rows of velocities; with J M⁻¹ Jᵀ."""
     angles = np.sort(random.uniform(0, 2 * math.pi, feet))
@@ -51,6 +82,21 @@ def impact(random, feet=3):
         [[3 * k + 1, 3 * k + 2] for k in range(feet)], friction, friction, np.zeros(feet),
         every, every,
     )  # fmt: skip
+
+
+def test_impacts_with_known_impulses_satisfy_coulombs_law():
+    random, solved = np.random.default_rng(7), 0
+    for _ in range(8):
+        problem = replace(impact(random), pressed=np.array([0.6, 0.0, 0.3]))
+        found = chosen(problem, [[STICKS, STARTING], [STICKS, STARTING, OPEN], [STICKS, STARTING]])
+        if found is None:  # those that must not open may have to
+            continue
+        solved += 1
+        p = found.forces.reshape(3, 3)
+        limit = problem.mu * (problem.pressed + p[:, 0]) - np.linalg.norm(p[:, 1:], axis=1)
+        assert p[:, 0].min() > -1e-9
+        assert limit.min() > -1e-7 * (abs(p).max() + 1.0)
+    assert solved >= 4
 
 
 @pytest.mark.parametrize("feet", [3, 4])

@@ -143,3 +143,29 @@ def test_wrong_arguments_are_named():
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=N.y + N.z)
     with pytest.raises(TypeError, match="`along` must be one Vector or two"):
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=3)
+
+
+@pytest.mark.parametrize(
+    ("argument", "law"),
+    [
+        ("stiffness", lambda value: hunt_crossley(x, v, value, 0.3)),
+        ("damping", lambda value: hunt_crossley(x, v, 1e3, value)),
+        ("exponent", lambda value: hunt_crossley(x, v, 1e3, 0.3, value)),
+        ("stiffness", lambda value: kelvin_voigt(x, v, value, 0.3)),
+        ("damping", lambda value: kelvin_voigt(x, v, 1e3, value)),
+        ("mu", lambda value: brown_mcphee(v, 1.0, value, 0.01)),
+        ("mu_static", lambda value: brown_mcphee(v, 1.0, 0.3, 0.01, mu_static=value)),
+        ("viscous", lambda value: brown_mcphee(v, 1.0, 0.3, 0.01, viscous=value)),
+        ("mu", lambda value: stribeck(v, 1.0, value, 0.4, 0.1)),
+        ("mu_static", lambda value: stribeck(v, 1.0, 0.3, value, 0.1)),
+        ("arm", lambda value: rolling_resistance(v, 1.0, value, 0.01)),
+        ("mu", lambda value: joint_friction(v, 1.0, value, 0.1, 0.01)),
+        ("radius", lambda value: joint_friction(v, 1.0, 0.3, value, 0.01)),
+    ],
+)
+def test_negative_numbers_of_a_law_are_refused_by_name(argument, law):
+    for value in (-0.1, sm.Rational(-1, 10), np.float64(-0.1)):
+        with pytest.raises(ValueError, match=rf"`{argument}` must (not be negative|be positive)"):
+            law(value)
+    law(sm.Symbol("k"))  # its value is that of a constant
+    law(0.2)

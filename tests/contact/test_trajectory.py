@@ -11,6 +11,7 @@ import sympy.physics.mechanics as me
 from cases import close
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
+from pydy.errors import ContactError
 from pydy.mechanics import Definition
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Scene, Visual
@@ -138,3 +139,19 @@ def test_arrows_show_contact_forces_where_the_motion_has_them():
     shown = motion.at(scene.times)
     close(drawn[:, :2], np.stack([shown[friction], shown[normal]], axis=1), 1e-12)
     assert drawn[0, 0] != 0.0 == drawn[-1, 0]  # it slides, then it rolls
+
+
+@pytest.mark.parametrize("full", [True, False])
+def test_a_motion_has_its_statistics_whatever_full_output_is(full):
+    motion = bounces(full_output=full)
+    assert motion.statistics["steps"] > 0
+    np.testing.assert_array_equal(motion.states, bounces().states)
+
+
+@pytest.mark.parametrize("height", [0.0, 1.0])
+def test_a_body_without_mass_in_contact_is_named_by_its_mass(height):
+    system, floor = ball(restitution=0.5)
+    system.constants[m], system.initial_conditions = 0.0, {y: height}
+    system.times = [0.0, 1.0]
+    with pytest.raises(ContactError, match="The cause is the constant `m`, which is zero"):
+        Contacts(system, [floor]).simulate()

@@ -24,6 +24,7 @@ from fmpy import instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
+import departures
 from ball import bouncing_ball
 from exported_models import TIMES, ball, hostile, pendulum, spring_of
 from pydy import System
@@ -120,6 +121,27 @@ def test_events_reset_states(units, fmi, kind):
     found = simulated(units["ball", fmi], kind, ["y", "v"])
     # FMPy stops for events of Model Exchange at a step of its own solver, some 1e-6 s late.
     assert found == pytest.approx(expected, abs=1e-8 if kind == "CoSimulation" else 1e-2)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path, hasty, kind):
+    path = tmp_path / "departures.fmu"
+    departures.started(departures.CASES[0]).export(path, events=departures.events())
+    folder = fmpy.extract(path)
+    for case in departures.CASES:
+        values = {str(symbol): value for symbol, value in departures.numbers(case).items()}
+        options = {"fmi_type": kind, "stop_time": 0.1, "output_interval": 0.05}
+        options["start_values"] = {**values, "v": case.v0}
+        if kind == "ModelExchange" and not case.goes_on:  # the importer cannot even begin
+            with pytest.raises(Exception, match="requested termination"):
+                simulate_fmu(folder, **options)
+            continue
+        result = simulate_fmu(folder, **options, output=["h", "n"], record_events=False)
+        # A unit does not tell which events it has met.
+        moments, ended = [0.0] * case.recorded, bool(result["time"][-1] < 0.0999)
+        departures.check(case, moments, result["h"].tolist(), ended)
+        if case.action == "count":
+            assert result["n"][-1] == case.acts
 
 
 def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, hasty):

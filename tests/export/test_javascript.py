@@ -1,7 +1,13 @@
 """The text of exported JavaScript; `tests/browser` runs it."""
 
+import json
 import re
+import shutil
+import subprocess
 
+import pytest
+
+import departures
 from exported_models import ball, hostile, pendulum
 from pydy._graph.operations import OPERATIONS
 from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
@@ -64,3 +70,36 @@ def test_very_long_programs_are_divided(monkeypatch):
     assert "function rates_1(" in parts
     assert "function rates_1(" not in whole
     assert LONGEST > 50
+
+
+SIMULATE = """
+import(process.argv[1]).then(({ default: model }) => {
+  const runs = JSON.parse(process.argv[2]).map((given) => {
+    const run = model.simulate({ ...given, rtol: 1e-10, atol: 1e-12 });
+    return { ...run, states: run.states.map((row) => Array.from(row)) };
+  });
+  console.log(JSON.stringify(runs));
+});
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
+    module = departures.started(departures.CASES[0]).export(
+        tmp_path / "table.js", events=departures.events()
+    )
+    path = module.path.rename(tmp_path / "table.mjs")
+    wanted = [
+        {
+            "times": departures.TIMES,
+            "initial": {"v": case.v0},
+            "constants": {str(k): value for k, value in departures.numbers(case).items()},
+        }
+        for case in departures.CASES
+    ]
+    command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
+    runs = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    for case, run in zip(departures.CASES, runs, strict=True):
+        moments, heights = [e["time"] for e in run["events"]], [row[0] for row in run["states"]]
+        assert heights[0] == 0.0
+        departures.check(case, moments, heights, run["status"] == "stopped")

@@ -318,13 +318,21 @@ def test_an_event_at_the_first_time_counts_in_its_direction_only():
     assert [(r.time, r.name) for r in info["events"]] == [(0.0, "up")]
 
 
-def test_an_event_at_the_first_time_neither_resets_nor_ends():
-    # Let go at an apex, the ball flies to the next one.
-    events = [bounce(0.8), Event(V, direction=-1, terminal=True, reset={V: 5}, name="apex")]
-    _, info = run(ball(), events)
-    assert [r.name for r in info["events"]] == ["apex", "bounce", "apex"]
-    np.testing.assert_array_equal(info["events"][0].after, [1.0, 0.0])
-    close(moments(info, "apex"), [0.0, 1.8 * np.sqrt(2 / 9.81)], 1e-9)
+def test_an_event_at_the_first_time_acts_where_its_direction_points_to():
+    # Let go at an apex, the ball is thrown up: its speed is zero and falls.
+    events = [bounce(0.8), Event(V, direction=-1, reset={V: 5}, name="apex")]
+    x, info = run(ball(times=[0.0, 0.1]), events)
+    assert [(r.name, r.time) for r in info["events"]] == [("apex", 0.0)]
+    np.testing.assert_array_equal(info["events"][0].before, [1.0, 0.0])
+    np.testing.assert_array_equal(info["events"][0].after, [1.0, 5.0])
+    np.testing.assert_array_equal(x[0], [1.0, 0.0])  # as at other events, the state before it
+    close(x[1], [1.0 + 0.5 - 9.81 * 0.005, 5.0 - 0.981], 1e-9)
+
+
+def test_a_terminal_event_at_the_first_time_ends_the_motion_there():
+    x, info = run(ball(times=[0.0, 0.1]), [Event(V, direction=-1, terminal=True, name="apex")])
+    assert (info["time"], info["status"]) == (0.0, "terminated by `apex`")
+    np.testing.assert_array_equal(x, [[1.0, 0.0], [np.nan, np.nan]])
 
 
 @pytest.mark.parametrize("solver", ALL)

@@ -29,6 +29,7 @@ from pydy._system.solving import (
     check_events,
     event_bounds_program,
     event_rates_program,
+    event_redirects,
     projection_program,
     with_all,
 )
@@ -265,6 +266,7 @@ class Exporting(Setup):
                 tuple(int(event.direction) for event in checked),
                 tuple(bool(event.terminal) for event in checked),
                 tuple(bool(event.terminal or event.reset) for event in checked),
+                event_redirects(now.driven.assembly, checked, definition.states),
             ),
             start=start,
             stop=float(times[-1]) if len(times) > 1 else start + 1.0,

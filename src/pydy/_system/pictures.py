@@ -73,11 +73,37 @@ class Pictures(Simulation, Exporting):
         numbers = dict(zip(definition.constants, constants.tolist(), strict=True))
         return make_scene(self, definition, numbers, visuals, given)
 
-    def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
+    def _moved(self, contacts: Any, method: str) -> Trajectory:
+        """Simulate with contacts or without; refuse to leave out those that were made."""
+        if contacts is not None:
+            moved: Trajectory = self._checked_contacts(contacts).simulate()
+            return moved
+        if self._has_contacts:
+            raise ValueError(
+                f"`system.{method}()` knows no contacts, and `Contacts` were made of this system: "
+                f"bodies would fall through the ground. Pass `system.{method}(contacts=contacts)`, "
+                "or, for the motion without them, use what `system.simulate()` returns."
+            )
+        return self.simulate()
+
+    def plot(self, names: list[Any] | None = None, *, contacts: Any = None, **options: Any) -> Any:
         """Simulate, and plot the states or selected quantities over time.
 
         Equivalent to ``system.simulate().plot(...)``; see `pydy.trajectory.Trajectory.plot`. For
         several plots, keep the trajectory and use its own method.
+
+        Parameters
+        ----------
+        names : list of symbols or names, optional
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this system, with which it is simulated.
+        **options
+            Those of `pydy.trajectory.Trajectory.plot`.
+
+        Raises
+        ------
+        ValueError
+            There are `Contacts` of this system, and none were passed.
 
         Examples
         --------
@@ -88,12 +114,26 @@ class Pictures(Simulation, Exporting):
         >>> system.plot(['x0']).get_ylabel()
         'value'
         """
-        return self.simulate().plot(names, **options)
+        return self._moved(contacts, "plot").plot(names, **options)
 
-    def animate(self, *visuals: Any, **options: Any) -> Scene:
+    def animate(self, *visuals: Any, contacts: Any = None, **options: Any) -> Scene:
         """Simulate, and return an animated scene, which a notebook displays.
 
         Equivalent to ``system.scene(...).animate(system.simulate())``, with the arguments of
         `scene`.
+
+        Parameters
+        ----------
+        *visuals
+            As in `scene`.
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this system, with which it is simulated.
+        **options
+            Those of `scene`.
+
+        Raises
+        ------
+        ValueError
+            There are `Contacts` of this system, and none were passed; or as in `scene`.
         """
-        return self.scene(*visuals, **options).animate(self.simulate())
+        return self.scene(*visuals, **options).animate(self._moved(contacts, "animate"))

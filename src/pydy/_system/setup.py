@@ -149,6 +149,7 @@ class Setup:
         self._generated: list[Generated] = []  # the latest first
         self._constants: dict[Any, Any] = {}
         self._implied: dict[Any, float] = {}  # constants that are not the user's: of contacts
+        self._has_contacts = False  # whether Contacts were made of it
         self._specifieds: dict[Any, Any] = {}
         self._initial_conditions: dict[Any, Any] = {}
         self._dependent: dict[Any, float] | None = None  # initial conditions solved for last

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from copy import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal, overload
 
@@ -53,8 +53,16 @@ from pydy._system.solving import (
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.events import Event, identified
-from pydy.solvers.options import Options, check_option_names, named_for_odeint
-from pydy.solvers.outcome import NO_CONVERGENCE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
+from pydy.solvers.options import Begun, Options, check_option_names, named_for_odeint
+from pydy.solvers.outcome import (
+    EVENTS_ACCUMULATE,
+    FINISHED,
+    NO_CONVERGENCE,
+    OUTCOMES,
+    STEP_UNDERFLOW,
+    TERMINATED,
+    TOO_MANY_STEPS,
+)
 from pydy.solvers.solver import Prepared, Solver
 from pydy.solvers.tuning import MANY_STEPS
 from pydy.trajectory import Trajectory
@@ -148,7 +156,8 @@ class Ready:
         for name, value in given.items():  # at each call: what is said below, in line
             known = self._given[name]
             plain = type(value) in _PLAIN and type(value) is type(known) and value == known
-            if not (plain or (name == "events" and self._alike(name, value))):
+            # What a run begins with, `begun`, it is told itself.
+            if not (plain or name == "begun" or (name == "events" and self._alike(name, value))):
                 return False
         return plan is self._plan or self._as_planned(plan)
 
@@ -211,7 +220,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
 
 
 def _run(
-    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray
+    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray, own: dict[str, Any]
 ) -> tuple[np.ndarray, Prepared]:
     """Integrate by a native solver, with the latest call's memory if it is free."""
     plan = now.plan
@@ -222,9 +231,10 @@ def _run(
             prepared = None
     if prepared is None or not prepared.renumber(now.p, plan.values, times):
         f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
-        prepared = solver.prepare(f, now.x, times, (r, now.p), **ready.options)
+        prepared = solver.prepare(f, now.x, times, (r, now.p), **own)
         prepared.on_many_steps = partial(_warn_of_many_steps, ready)
     ready.now = now
+    prepared.begun = own.get("begun")
     states = prepared(now.x)
     if prepared.reusable:
         ready.free = [(prepared, ready.options)]
@@ -248,17 +258,18 @@ def _solve(
         watch = Watch.of(now, solver, given, wanted is None)
         given = watch.options
     ready, times = begin(now, solver, given)
+    own = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
     native = isinstance(solver, Solver)
     watched = ready.constrained and isinstance(solver, (Solver, SolveIvp))
     pair = True  # whether states come with information, even if that is not asked for
     try:
         if wanted is None and isinstance(solver, Solver):
-            states, prepared = _run(ready, solver, now, times)
+            states, prepared = _run(ready, solver, now, times, own)
             needed = full or watched or watch is not None
-            info, options = prepared.info if needed else {}, ready.options
+            info, options = prepared.info if needed else {}, own
             result: Any = states, info
         else:
-            f, x0, options = rates_function(ready.model, now.plan), now.x, ready.options
+            f, x0, options = rates_function(ready.model, now.plan), now.x, own
             if wanted is not None:
                 f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
             args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
@@ -345,6 +356,57 @@ def simulated(
     states, found = (states, {}) if wanted is None else wanted.results(states)
     told = {"events": events, "statistics": statistics or None, "dense": dense}
     return {"times": times, "states": states, **told, **found}
+
+
+@dataclass(frozen=True, eq=False)
+class _Leg:
+    """A motion that can be continued where it ended."""
+
+    now: Snapshot
+    solver: SolverFunction
+    options: dict[str, Any]
+    end: float = np.nan
+    state: np.ndarray | None = None
+    sides: tuple[int, ...] | None = None  # of the events, just after the end
+    refusal: str = ""
+
+    def simulated(self, begun: Begun | None = None, wanted: Wanted | None = None) -> Trajectory:
+        """Simulate, and return a Trajectory that can be continued."""
+        options = self.options if begun is None else {**self.options, "begun": begun}
+        found = simulated(self.now, self.solver, options, wanted)
+        statistics = found["statistics"] or {}
+        sides, code = statistics.pop("sides", None), statistics.get("code", FINISHED)
+        trajectory = self.now.trajectory(**found)
+        if not len(trajectory.times):
+            return trajectory
+        end, state = float(trajectory.times[-1]), trajectory.states[-1]
+        if code == TERMINATED:
+            end = float(statistics["time"])
+        if self.options.get("events") and trajectory.events and trajectory.events[-1].time == end:
+            state = trajectory.events[-1].after
+        refusal = ""
+        if wanted is not None:
+            refusal = (
+                "`sensitivities` of a motion that is continued are not known. Simulate over the "
+                "whole time at once, or without `sensitivities`."
+            )
+        elif code == EVENTS_ACCUMULATE:
+            refusal = (
+                f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
+                f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+            )
+        more = {"end": end, "state": state, "sides": sides, "refusal": refusal}
+        trajectory._leg = replace(self, **more)
+        return trajectory
+
+    def go_on(self, times: np.ndarray) -> Trajectory:
+        """Return the motion from the end on, at some times."""
+        assert self.state is not None
+        start = dict(zip(self.now.definition.states, self.state.tolist(), strict=True))
+        user = {**self.now.user, "initial_conditions": start}
+        leg = replace(self, now=replace(self.now, user=user, times=times))
+        watched = isinstance(self.solver, Solver) and self.options.get("events")
+        return leg.simulated(Begun(None, self.sides) if watched else None)
 
 
 def judge_motion(
@@ -590,13 +652,15 @@ class Simulation(Setup):
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
+        if isinstance(solver_kwargs.get("events"), Iterator):
+            solver_kwargs["events"] = [*solver_kwargs["events"]]
         now = self._now(solver_kwargs.get("events"))
         wanted, control = None, False
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
             wanted = Wanted(sensitivities, control, self._dependent)
-        trajectory = now.trajectory(**simulated(now, self.ode_solver, solver_kwargs, wanted))
+        trajectory = _Leg(now, self.ode_solver, solver_kwargs).simulated(wanted=wanted)
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now)
         if wanted is not None and not self._searching:

@@ -92,10 +92,10 @@ def compile_events(
     nodes = assembly.read(expressions, "the events")
 
     groups = [graph.inputs_of([node]) for node in nodes]
-    moving = [*(graph.input("x", k) for k in range(assembly.sizes[0])), graph.input("t", 0)]
+    slopes = _slopes(assembly, nodes)
     linear = [
         "r" not in own and graph.inputs_of(row.values()) <= {"p"}
-        for own, row in zip(groups, jacobian(graph, nodes, moving), strict=True)
+        for own, row in zip(groups, slopes, strict=True)
     ]
 
     def resets() -> Program:
@@ -126,6 +126,7 @@ def compile_events(
         if far is None
         else model.compiled_by(("reach", *(expressions[k] for k in looked_for)), far),
         resetting=resetting,
+        redirects=_redirects(assembly, slopes, events, states),
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
         may_rest=tuple(
@@ -134,6 +135,37 @@ def compile_events(
             for event, node, own in zip(events, nodes, groups, strict=True)
         ),
     )
+
+
+def event_redirects(
+    assembly: Assembly, events: Sequence[Event], states: Sequence[Any]
+) -> tuple[bool, ...]:
+    """Return whether each event's reset changes a state that the event's own rate depends on."""
+    own = assembly.fork()
+    nodes = own.read(tuple(event.expression for event in events), "the events")
+    return _redirects(own, _slopes(own, nodes), events, states)
+
+
+def _slopes(assembly: Assembly, nodes: Sequence[int]) -> Sequence[Mapping[int, int]]:
+    """Return the derivatives of expressions by the states and, last, by time."""
+    graph = assembly.graph
+    moving = [*(graph.input("x", k) for k in range(assembly.sizes[0])), graph.input("t", 0)]
+    return jacobian(graph, nodes, moving)
+
+
+def _redirects(
+    assembly: Assembly,
+    slopes: Sequence[Mapping[int, int]],
+    events: Sequence[Event],
+    states: Sequence[Any],
+) -> tuple[bool, ...]:
+    graph, found = assembly.graph, []
+    for event, row in zip(events, slopes, strict=True):
+        rates = [assembly.rates[i] for i in row if i < len(states)] if event.reset else []
+        inputs = {graph.args[node] for node in graph.inputs([*row.values(), *rates])}
+        changed = [k for k, state in enumerate(states) if state in event.reset]
+        found.append(any(("x", k) in inputs for k in changed))
+    return tuple(found)
 
 
 def event_rates_program(

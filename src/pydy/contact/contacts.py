@@ -35,7 +35,8 @@ from pydy.system import System
 
 # Methods of a System that take contacts.
 _TAKE_CONTACTS = (
-    "adjoint_gradient", "as_jax", "as_torch", "find_periodic_orbit", "fit", "integrate_ensemble"
+    "adjoint_gradient", "animate", "as_jax", "as_torch", "find_periodic_orbit", "fit",
+    "integrate_ensemble", "plot",
 )  # fmt: skip
 # How `constraints` may be given; closed contacts are held by projection.
 _HELD = (None, "project", "baumgarte")
@@ -134,6 +135,7 @@ class Contacts:
             system._constants = dict(system._constants)
             system.constants.update(self.given)
         self._now()  # names what is wrong at once
+        system._has_contacts = True
 
     def __repr__(self) -> str:
         return f"<Contacts {', '.join(self.names)} of a System>"
@@ -326,6 +328,8 @@ class Contacts:
         **solver_kwargs: Any,
     ) -> Run:
         """Return a simulation that has not begun."""
+        # The trajectory holds what it would return.
+        flag(solver_kwargs.pop("full_output", True), "`full_output`")
         held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
         if held == "baumgarte" or not flag(
             solver_kwargs.get("dense_output", True), "`dense_output`"

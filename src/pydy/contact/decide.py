@@ -36,11 +36,12 @@ _TOLERANCES = ("primal_feasibility_tolerance", "dual_feasibility_tolerance")
 
 @dataclass(frozen=True)
 class Cone:
-    """|y_t| ≤ μ y_n of some unknowns y; without tangential ones y_n ≥ 0."""
+    """y_n ≥ 0 and, with tangential unknowns, |y_t| ≤ μ (y_n + k) of some unknowns y."""
 
     normal: int | None  # its unknown; None if the normal force is known
     tangent: tuple[int, ...]
     hold: float  # μ, or the largest friction if the normal force is known
+    known: float = 0.0  # k, a normal force beside the unknown one
 
     def margin(self, y: np.ndarray) -> float:
         """Return by how much the inequalities hold."""
@@ -48,7 +49,8 @@ class Cone:
         least = np.inf if self.normal is None else press
         if not self.tangent:
             return least
-        return min(least, self.hold * press - float(np.linalg.norm(y[list(self.tangent)])))
+        most = self.hold * (press + self.known)
+        return min(least, most - float(np.linalg.norm(y[list(self.tangent)])))
 
 
 def innermost(y: np.ndarray, null: np.ndarray, cones: Sequence[Cone], size: float) -> np.ndarray:
@@ -73,7 +75,7 @@ def innermost(y: np.ndarray, null: np.ndarray, cones: Sequence[Cone], size: floa
             bound += normal
         else:
             row[:-1] -= normal * null[cone.normal]
-            bound += normal * y[cone.normal]
+            bound += normal * (y[cone.normal] + (cone.known if len(along) else 0.0))
         for k, share in zip(cone.tangent, along, strict=False):
             row[:-1] += share * null[k]
             bound -= share * y[k]
@@ -129,8 +131,8 @@ def relaxed(
     """Iterate over contacts, each with the forces of the others; yield after 1, 2, 4 … sweeps.
 
     `free` and `square` are of a = c + A λ. Contacts are (contact, normal row, tangential rows, μ,
-    μ_static, known normal force), and `tied` has the unit vectors of those that slide in a known
-    direction.
+    μ_static, known normal force: all of it, or beside that of the row), and `tied` has the unit
+    vectors of those that slide in a known direction.
     """
     found = Relaxed(np.zeros(len(free)), {}, set())
     forces = found.forces
@@ -144,8 +146,9 @@ def relaxed(
                 if i in tied:
                     column = column - mu * square[normal, own] @ tied[i]
                 rate = free[normal] + square[normal] @ forces
-                press = forces[normal] = max(0.0, forces[normal] - rate / column)
-                (found.open.discard if press > 0.0 else found.open.add)(i)
+                own_press = forces[normal] = max(0.0, forces[normal] - rate / column)
+                (found.open.discard if own_press > 0.0 else found.open.add)(i)
+                press = pressed + own_press
             if i in tied:
                 forces[own] = -mu * press * tied[i]
             elif own:
@@ -486,8 +489,11 @@ def within(problem: Problem, found: Solution) -> Solution:
         if mode == OPEN or (normal is None and mode != STICKS):
             continue
         tangent = tuple(places[row] for row in problem.tangent[i]) if mode == STICKS else ()
-        hold = float(problem.hold[i]) * (float(problem.pressed[i]) if normal is None else 1.0)
-        cones.append(Cone(None if normal is None else places[normal], tangent, hold))
+        hold, pressed = float(problem.hold[i]), float(problem.pressed[i])
+        if normal is None:
+            cones.append(Cone(None, tangent, hold * pressed))
+        else:
+            cones.append(Cone(places[normal], tangent, hold, pressed))
     bias = np.zeros(len(problem.free))
     bias[held] = innermost(found.forces[held], found.null, cones, found.sizes.max())
     better = solved(replace(problem, directions=found.directions, bias=bias), found.modes)

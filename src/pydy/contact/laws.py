@@ -313,7 +313,8 @@ def joint_friction(
     return r * brown_mcphee(r * w, pressing, mu, transition, mu_static=peak)
 
 
-_POSITIVE = {"transition", "stribeck_speed", "normal_transition"}
+_POSITIVE = {"exponent", "transition", "stribeck_speed", "normal_transition", "smoothing"}
+_NOT_NEGATIVE = {"stiffness", "damping", "mu", "mu_static", "viscous", "arm", "radius"}
 
 
 def _expressions(**given: Any) -> list[Any]:
@@ -330,6 +331,10 @@ def _expressions(**given: Any) -> list[Any]:
         known = number(value, f"`{name}`", finite=True)
         if name in _POSITIVE and not known > 0.0:
             raise ValueError(f"`{name}` must be positive, got {known:g}.")
+        if name in _NOT_NEGATIVE and known < 0.0:
+            raise ValueError(
+                f"`{name}` must not be negative, got {known:g}: the force would do work by itself."
+            )
         plain = isinstance(value, (int, sm.Expr)) and not isinstance(value, bool)
         found.append(sm.sympify(value if plain else known))
     return found

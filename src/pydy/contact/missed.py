@@ -10,6 +10,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._interpolation import evenly
 from pydy._rank import ROUNDING
+from pydy._system.causes import cause_of
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
@@ -108,7 +109,7 @@ def _check_cuts(run: Any, i: int, times: np.ndarray, states: np.ndarray) -> None
 
 
 def flat(run: Any, t: float, x: np.ndarray, some: Collection[int]) -> str:
-    """Say which of some closed gaps has no slope there, such as q² at q = 0; or nothing.
+    """Say which of some closed gaps has no slope there, such as q² at q = 0, or no mass; or ''.
 
     Its slope changes as much as it is within the roundings of the gap and of the time of closing.
     """
@@ -116,6 +117,12 @@ def flat(run: Any, t: float, x: np.ndarray, some: Collection[int]) -> str:
     for i in some:
         normal = run.rows.normal[i]
         own = p.square[normal, normal]
+        if not np.isfinite(own):
+            cause = cause_of(run.now.at(np.array([t]), x[None]))
+            return (
+                f"The force that closes the gap of {run.contacts[i].name!r} cannot be computed. "
+                f"{cause or 'Check that no mass or inertia of the bodies there is zero.'}"
+            )
         step = np.zeros(run.first)
         if own > 0.0:
             least = ROUNDING * p.near[i] + abs(p.speed[normal]) * run.resolution(t)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -43,7 +44,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers.options import Options, read_options
+from pydy.solvers.options import Begun, Options, read_options
 from pydy.solvers.outcome import TERMINATED
 from pydy.solvers.solver import Solver, dop853, radau
 from pydy.trajectory import EventRecord
@@ -78,6 +79,9 @@ class Run:
     ) -> None:
         self.carried = carried
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
+        self.state: State | None = None  # where the motion is, at last where it ends
+        self.resumed = False  # whether it goes on from the end of another run
+        self.counted: set[str] = set()  # events of the user's that happened at that end
         self.kept, self.solver, self.now, self.times = kept, solver, now, times
         self.user_events, self.options = events, options
         self.stopped: Callable[[], bool] | None = None  # is asked between transitions
@@ -348,7 +352,8 @@ class Run:
 
     def trajectory(self) -> ContactTrajectory:
         """Simulate over all times."""
-        state = self.begin()
+        state = self.state if self.resumed and self.state is not None else self.begin()
+        self.state = state
         try:
             self._go_through(state)
         except IntegrationInterrupted:
@@ -448,6 +453,9 @@ class Run:
             contradicted=None,  # assumptions are judged along the whole motion
         )
         options = {**self.options, "events": events}
+        # Only events of the user's happen where the motion starts.
+        later_part = self.pieces or self.resumed
+        options["begun"] = Begun(None if later_part else frozenset(range(len(kinds))))
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
@@ -599,7 +607,11 @@ class Run:
         if self.carried is not None:
             self.carried.took(part, end, self.records)
         for record in part.events:
-            if record.index >= own and (record.time > state.t or not self.pieces):
+            again = record.name in self.counted and record.time - self.times[0] <= self.resolution(
+                state.t
+            )
+            first = not (self.pieces or self.resumed)
+            if record.index >= own and not again and (record.time > state.t or first):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
@@ -610,6 +622,7 @@ class Run:
             )
         )  # fmt: skip
         if not stopped:
+            state.t, state.x = end, part.states[-1, : self.n].copy()
             return True, []
         if self.carried is not None and acting:
             one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
@@ -723,6 +736,37 @@ class Run:
 
     # -- the result -------------------------------------------------------------------------------
 
+    @property
+    def end(self) -> float:
+        """The time at which the motion ends."""
+        assert self.state is not None
+        return self.state.t
+
+    @property
+    def refusal(self) -> str:
+        """Why the motion cannot be continued, or ''."""
+        return (
+            ""
+            if self.carried is None
+            else (
+                "`sensitivities` of a motion that is continued are not known. Simulate over the "
+                "whole time at once, or without `sensitivities`."
+            )
+        )
+
+    def go_on(self, times: np.ndarray) -> ContactTrajectory:
+        """Return the motion from the end of this one on, at some times."""
+        assert self.state is not None
+        start = dict(zip(self.now.definition.states, self.state.x.tolist(), strict=True))
+        now = replace(self.now, times=times, user={**self.now.user, "initial_conditions": start})
+        run = Run(self.kept, self.solver, now, times, self.user_events, dict(self.options))
+        run.state, run.resumed = deepcopy(self.state), True
+        run.counted = {record.name for record in self.records if record.time == self.end}
+        run.modes, run.bias, run.sizes = self.modes, self.bias, self.sizes
+        run.first_height, run.quickest = dict(self.first_height), dict(self.quickest)
+        run.struck, run.widest = set(self.struck), self.widest.copy()
+        return run.trajectory()
+
     def partial(self) -> ContactTrajectory | None:
         """Return the motion up to where it could not go on; None if it did not begin."""
         if not self.pieces:
@@ -739,7 +783,7 @@ class Run:
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
         carried = self.carried
         more = {} if carried is None else carried.results(self.reached, self.pieces)
-        return ContactTrajectory(
+        found = ContactTrajectory(
             times,
             states,
             self.kept.named,
@@ -753,3 +797,5 @@ class Run:
             impacts=self.impacts,
             **more,
         )
+        found._leg = self
+        return found

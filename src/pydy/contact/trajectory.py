@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -156,8 +157,11 @@ class ContactTrajectory(Trajectory):
             *args, model=pieces, dense=_Dense(pieces.pieces) if kept else None, **options
         )
         self._pieces, self._names = pieces, tuple(names)
+        # Impacts and changes of what guides the steps divide the motion, too.
         self.modes = [
-            (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces
+            (parts[0].start, parts[-1].end, dict(zip(names, modes, strict=True)))
+            for modes, group in groupby(pieces.pieces, key=lambda piece: piece.modes)
+            for parts in [list(group)]
         ]
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
         self._lost = [(time, work) for time, _, work in impacts]

@@ -71,7 +71,7 @@ def _sources(model: Model, fmi: str) -> dict[str, str]:
     loop = {
         "fmu_core.c": resource("fmu_core.c"),
         "fmu_solver.c": resource("fmu_solver.c"),
-        **included("advance.c", "scan_events.c"),
+        **included("advance.c", "scan_events.c", "departure.h"),
     }
     return {
         "all.c": _unit(),
@@ -101,6 +101,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
     yield "#define TOKEN {{TOKEN}}"
     yield f"#define FMI {fmi[0]}"
     yield f"#define START_TIME {c_literal(model.start)}"
+    yield f"#define STOP_TIME {c_literal(model.stop)}"
     sizes = {
         "NX": len(model.states),
         "NU": len(model.inputs),
@@ -120,6 +121,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
     yield _array("int64_t", "EVENT_DIRECTIONS", events.directions)
     yield _array("int64_t", "EVENT_TERMINAL", map(int, events.terminal))
     yield _array("int64_t", "EVENT_ACTING", map(int, events.acting))
+    yield _array("int64_t", "EVENT_REDIRECTS", map(int, events.redirects))
     yield ""
 
 

@@ -17,7 +17,7 @@ from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.core.declarations import included
 from pydy.solvers.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
-from pydy.solvers.tuning import HALF, ROUNDINGS, SOUND, STARTING_MOVE
+from pydy.solvers.tuning import HALF, HALVINGS, ROUNDINGS, SOUND, STARTING_MOVE
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
@@ -177,6 +177,7 @@ def _functions(
 
 
 METHOD = "dop853"
+_NUMBERS = {"ROUNDINGS": repr(ROUNDINGS), "HALVINGS": repr(HALVINGS)}
 
 
 def literal(value: Any) -> str:
@@ -224,7 +225,9 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "CODE": code,
         "KEPT": kept,
         "BOUND": bound,
-        "INTEGRATOR": resource("integrator.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS)),
+        "INTEGRATOR": re.sub(
+            r"\{\{([A-Z]+)\}\}", lambda m: _NUMBERS[m[1]], resource("integrator.js")
+        ),
         "PROJECTION": _projection() if model.constraints else "",
         "METHOD": literal(_method()),
         "INFO": literal(

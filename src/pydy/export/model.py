@@ -62,12 +62,15 @@ class EventData:
     directions : tuple of int
     terminal, acting : tuple of bool
         Whether the event ends the motion, and whether it does that or resets states.
+    redirects : tuple of bool
+        Whether its reset changes a state that its own rate depends on.
     """
 
     names: tuple[str, ...] = ()
     directions: tuple[int, ...] = ()
     terminal: tuple[bool, ...] = ()
     acting: tuple[bool, ...] = ()
+    redirects: tuple[bool, ...] = ()
 
     def __len__(self) -> int:
         return len(self.names)

@@ -54,9 +54,13 @@ class Event:
     An expression that stays at zero for a stretch, as ``Max(0, x)`` does, tells no time there: a
     simulation warns of what it sees of that in its steps. Pass ``x``.
 
-    An expression that is exactly zero at the first or the last time is an event there. At the first
-    time it is only recorded, regardless of `reset` and `terminal`: the initial conditions are the
-    state after it, as for a ball that is released at an apex.
+    A motion may start on the surface, where the expression is zero within rounding. The event
+    happens there, and acts, where the motion departs to the side that `direction` points to: by the
+    first derivative that is not zero. With ``direction=0`` it is recorded there, but acts only if
+    the motion is at rest on the surface: otherwise the start counts as the state after it. An event
+    whose reset leaves the motion at rest on the surface, from where it would pass through, happens
+    again at once: the events accumulate, and the integration ends with a warning. An expression
+    that is zero at the last time is an event there.
 
     Examples
     --------
@@ -147,6 +151,7 @@ class CompiledEvents:
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from
+    redirects: tuple[bool, ...] = ()  # whether the rate depends on a state that the reset changes
     # Whether an expression may be zero all along a stretch, as Max(0, x) is; if any may.
     may_rest: tuple[bool, ...] = ()
 

@@ -48,8 +48,8 @@ OF_STATE, DIRECTIONS, COUNT = range(3)
 # or 0, with the kernels of their rates and resets.
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
-# added up: the last two where nothing else is to be done
-LINEAR, TURNS, RESETS, STOPS = 1, 2, 4, 8
+# added up: RESETS and STOPS where nothing else is to be done
+LINEAR, TURNS, RESETS, STOPS, REDIRECTS = 1, 2, 4, 8, 16
 # The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
 # and two more
 PARTS = 4
@@ -172,7 +172,8 @@ class Watch(NamedTuple):
     c: Numbers
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
-    # LINEAR in states and time; TURNS: where the one before it is lowest; RESETS, and goes on
+    # LINEAR in states and time; TURNS: where the one before it is lowest; RESETS, and goes on;
+    # REDIRECTS: a reset changes the event's own rate
     kinds: Words
     # What the kernel that tells how far events may come takes as r: specifieds, which it does not
     # read, how far each state may come, and the time; and a block more.

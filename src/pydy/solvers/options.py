@@ -43,6 +43,14 @@ class SolverOptions(StepOptions, total=False):
 
 
 @dataclass(frozen=True)
+class Begun:
+    """What is known of events where a motion continues another one."""
+
+    handled: frozenset[int] | None = None  # which do not happen at the first time; None: none do
+    sides: tuple[int, ...] | None = None  # the signs of all just after the first time
+
+
+@dataclass(frozen=True)
 class Options:
     """The options of a solver."""
 
@@ -66,6 +74,7 @@ class Options:
     recorded: int | None = None
     # whether the steps are kept, so that the solution between them is known
     dense_output: bool = False
+    begun: Begun | None = None  # None: the motion starts at the first time
 
 
 def _tolerance(value: Any, what: str) -> Any:
@@ -108,6 +117,7 @@ _NATIVE: dict[str, Check] = {
     "events": _compiled(CompiledEvents, "integrate"),
     "constraints": _compiled(CompiledConstraints, "integrate"),
     "sensitivities": _compiled(CompiledSensitivities, "simulate"),
+    "begun": _compiled(Begun, "simulate"),
     **dict.fromkeys(("first_step", "step"), optional(positive)),
     "max_step": _max_step,
     **dict.fromkeys(("rtol", "atol"), _tolerance),
@@ -156,7 +166,7 @@ def named_for_odeint(given: Mapping[str, Any]) -> dict[str, Any]:
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
     """Refuse an option that a solver does not have, and suggest the nearest one."""
-    names = sorted(names)
+    names = sorted({*names} - {"begun"} if "begun" not in given else names)
     unknown = [name for name in given if name not in names]
     if unknown:
         alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._checks import monotonic, real_array, shown
 from pydy._errors import warn_user
 from pydy._forks import whole
-from pydy.solvers.options import read_options
+from pydy.solvers.options import Begun, read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
 from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
 
@@ -315,8 +315,9 @@ class Prepared:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         states = self._run(x0)
         events = self._integration.options.events
-        if events is not None and (any(events.may_rest) or self._integration.set_off):
-            for told in self._integration.stretches():
+        run = self._integration
+        if events is not None and (any(events.may_rest) or run.set_off or run.idle):
+            for told in run.stretches():
                 warn_user(told)
         if self._integration.code == EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]
@@ -350,6 +351,15 @@ class Prepared:
     @on_many_steps.setter
     def on_many_steps(self, call: Callable[[float, np.ndarray], None] | None) -> None:
         self._integration.on_many_steps = call
+
+    @property
+    def begun(self) -> Begun | None:
+        """What is known of events where the next run continues another one."""
+        return self._integration.begun
+
+    @begun.setter
+    def begun(self, value: Begun | None) -> None:
+        self._integration.begun = value
 
     @property
     def times(self) -> np.ndarray:

@@ -47,6 +47,10 @@ CROWD, CROWDED = 100, 1e-9
 NO_LATER = 16.0
 """An event that happens again within so many roundings of the time has followed itself at once."""
 
+HALVINGS = 52
+"""How often the time span is halved to find the side to which a state at rest departs: then it is a
+rounding of itself."""
+
 FAR_ORIGIN = 1e3
 """Times this many spans from zero leave steps so few digits that these may be what ends a run."""
 

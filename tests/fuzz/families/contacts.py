@@ -95,6 +95,8 @@ def _moving_gap(value: Any) -> Any:
 _PLAIN = {"gap": -0.1, "rate": 0.1, "stiffness": 1e3, "exponent": 1.5, "normal": 2.0}
 _PLAIN |= {"mu_static": 0.4, "transition": 0.1, "viscous": 0.0}
 
+_SIGNED = ("gap", "rate", "speed", "normal")  # all others must not be negative
+
 
 def _plain(law: Any) -> dict[str, Any]:
     """Return values for the arguments that a law must be given."""
@@ -104,7 +106,9 @@ def _plain(law: Any) -> dict[str, Any]:
 
 for _law in LAWS:
     for _parameter_of_law in inspect.signature(_law).parameters.values():
-        _kind = flags if isinstance(_parameter_of_law.default, bool) else _gap
+        _kind = _gap if _parameter_of_law.name in _SIGNED else _amount()
+        if isinstance(_parameter_of_law.default, bool):
+            _kind = flags
         if _parameter_of_law.default is None:
             _kind = _kind.or_none()
 
@@ -262,9 +266,24 @@ def _(v):
     return _run(_block().floor, rtol=v).shape
 
 
+@target("Contacts.simulate.full_output", flags)
+def _(v):
+    return _run(_block().floor, full_output=v)
+
+
 @target("Contacts.simulate.constraints", choice("project").or_none())
 def _(v):
     return _run(_block().floor, constraints=v)
+
+
+@target("animate.contacts", nothing("symbols", "texts", "arrays", allowed=lambda v: v is None))
+def _(v):
+    return _system().animate(contacts=v)
+
+
+@target("plot.contacts", nothing("symbols", "texts", "arrays", allowed=lambda v: v is None))
+def _(v):
+    return _system().plot(contacts=v)
 
 
 @target("Contacts.in_modes.modes", mapping)

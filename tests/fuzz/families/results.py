@@ -8,6 +8,7 @@ from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing
 from fuzz.table import empty_or_none, flags, is_number, mapping, monotonic, target
 from fuzz.world import world
 from pydy import linearize, models
+from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
@@ -59,6 +60,23 @@ def _(v):
 
 def _inside(t: np.ndarray) -> bool:
     return bool(monotonic(t) and ((t >= 0) & (t <= 1)).all())
+
+
+def _after(t: np.ndarray) -> bool:
+    whole = np.isfinite(t).all() and t.size > 0
+    return bool(whole and (np.diff(t.ravel()) >= 0).all() and t.min() >= 1.0 and t.max() > 1.0)
+
+
+@target(
+    "Trajectory.continue_to",
+    array((None,), check=_after).or_(array((), check=_after)),
+    "`t`",
+)
+def _(v):
+    try:
+        return world().o.native.simulate(max_steps=200).continue_to(v).times
+    except IntegrationError:  # years of it
+        return None
 
 
 @target(

@@ -8,6 +8,7 @@
 #define ENTRY static
 #include "advance.c"
 #include "scan_events.c"
+#include "departure.h"
 
 /* Value references, in this order: time, states, derivatives, inputs, outputs, constants, event
    indicators. */
@@ -24,7 +25,7 @@ enum {
 typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
-    int prepared_fresh, rates_fresh, outputs_fresh, running;
+    int prepared_fresh, rates_fresh, outputs_fresh, running, starting;
     int64_t sides[NE + 1], fired[NE + 1], off[NE + 1];
     /* of the integration */
     double rtol, last_event[NE + 1], state[FOUND + 1];
@@ -51,6 +52,7 @@ static void model_reset(Model *m)
     memcpy(m->p, &MODEL(defaults), NP * sizeof(double));
     m->t = START_TIME;
     m->rtol = 1e-10;
+    m->starting = 1;
 }
 
 /* Note that the state, an input, the time or a constant is another one. */
@@ -233,18 +235,74 @@ static void reset_states(Model *m, int64_t event)
     event_values(m, m->t, m->x, m->z);
     MODEL(event_bounds)(m->t, m->x, m->u, m->prepared, m->dz);
     for (int k = 0; k < NE; k++)
-        if (m->z[k] != was[k] && fabs(m->z[k]) > 8.0 * ROUNDING * m->dz[k])
+        if (m->z[k] != was[k] && !is_on_surface(m->z[k], m->dz[k]))
             m->off[k] = 1;
 #else
     (void)m, (void)event;
 #endif
 }
 
+#if NE > 0
+
+static double event_rate(Model *m, const double *x, int k)
+{
+    MODEL(event_rates)(m->t, x, m->u, m->prepared, m->dz);
+    return m->dz[k];
+}
+
+/* Tell whether the rate of an event is zero, as far as states are known. */
+static int is_stationary(Model *m, int k)
+{
+    double beside[NX + 1], total = 0.0;
+    const double rate = event_rate(m, m->x, k);
+    for (int i = 0; i < NX && rate != 0.0; i++) {
+        memcpy(beside, m->x, NX * sizeof(double));
+        beside[i] += ROUNDINGS * ROUNDING * m->x[i];
+        total += fabs(event_rate(m, beside, k) - rate);
+    }
+    return fabs(rate) <= total;
+}
+
+/* Return the sign that an event has just after now, as `departure` of pydy/solvers/run/departure.py. */
+static int departure(Model *m, int k)
+{
+    double a[NX + 1], b[NX + 1], c[NX + 1], d[NX + 1], x[NX + 1], z[NE], size = STOP_TIME - START_TIME;
+    int side = 0;
+    if (!is_stationary(m, k))
+        return sign_of(event_rate(m, m->x, k));
+    for (int halved = 0; halved < HALVINGS; halved++) {
+        const double middle = m->t + 0.25 * size;
+        size *= 0.5;
+        rates_at(m, m->t, m->x, a);
+        for (int i = 0; i < NX; i++)
+            x[i] = m->x[i] + 0.5 * size * a[i];
+        rates_at(m, middle, x, b);
+        for (int i = 0; i < NX; i++)
+            x[i] = m->x[i] + 0.5 * size * b[i];
+        rates_at(m, middle, x, c);
+        for (int i = 0; i < NX; i++)
+            x[i] = m->x[i] + size * c[i];
+        rates_at(m, m->t + size, x, d);
+        for (int i = 0; i < NX; i++)
+            x[i] = m->x[i] + size / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+        MODEL(events)(m->t + size, x, m->u, m->prepared, z);
+        MODEL(event_bounds)(m->t + size, x, m->u, m->prepared, m->dz);
+        if (fabs(z[k]) > ROUNDINGS * ROUNDING * m->dz[k])
+            side = sign_of(z[k]);
+    }
+    return side;
+}
+
+#endif
+
 /* Reset the states for the events that have fired; 1 where one of them ends the motion. */
 static int act(Model *m)
 {
     int ends = 0;
 #if NE > 0
+    int64_t origins[NE], fired[NE];
+    memcpy(origins, m->sides, sizeof origins);
+    memcpy(fired, m->fired, sizeof fired);
     for (int k = 0; k < NE; k++) {
         if (!m->fired[k])
             continue;
@@ -258,9 +316,42 @@ static int act(Model *m)
         m->last_event[k] = m->t;
         ends = ends || m->crowd[k] > 100 || (m->crowd[k] > 1 && since <= 16.0 * ROUNDING * fabs(m->t));
     }
+    for (int k = 0; k < NE; k++)
+        fired[k] = fired[k] && EVENT_REDIRECTS[k] && !m->off[k];
 #endif
     take_sides(m);
+#if NE > 0
+    for (int k = 0; k < NE; k++)
+        if (fired[k] && is_stationary(m, k)) {
+            m->sides[k] = departure(m, k);
+            ends = ends || follows_itself(m->sides[k], origins[k], EVENT_DIRECTIONS[k]);
+        }
+#endif
     return ends;
+}
+
+/* Act on the events on whose surfaces the motion starts. Returns 1 where one ends the motion; `moved`
+   tells whether states were reset. */
+static int start_events(Model *m, int *moved)
+{
+    int some = 0;
+    m->starting = 0;
+    take_sides(m);
+#if NE > 0
+    double bounds[NE];
+    MODEL(event_bounds)(m->t, m->x, m->u, m->prepared, bounds);
+    for (int k = 0; k < NE; k++) {
+        if (!is_on_surface(m->z[k], bounds[k]))
+            continue;
+        const int side = departure(m, k);
+        m->sides[k] = side;
+        if (!EVENT_ACTING[k] || !acts_at_start(side, EVENT_DIRECTIONS[k], is_stationary(m, k)))
+            continue;
+        m->fired[k] = some = *moved = 1;
+        m->sides[k] = 0; /* where the motion came from is not known */
+    }
+#endif
+    return some ? act(m) : 0;
 }
 
 /* In Model Exchange: fire the events whose indicators have crossed zero since they were last seen.
@@ -269,6 +360,8 @@ static int handle_events(Model *m, int *moved)
 {
     int some = 0;
     *moved = 0;
+    if (m->starting)
+        return start_events(m, moved);
     event_values(m, m->t, m->x, m->z);
 #if NE > 0
     MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);

@@ -53,6 +53,11 @@ static int integrate(Model *m, double goal)
         tolerance[i] = m->rtol;
     prepare(m);
     m->probes[PROBES * NE] = UNKNOWN;
+    if (m->starting) {
+        int moved = 0;
+        if (start_events(m, &moved))
+            return ENDED;
+    }
     while (m->t < goal) {
         m->state[TIME] = m->t, m->state[LARGEST] = goal - m->t;
         m->counts[STEPS] = m->counts[REJECTED] = m->counts[NEXT] = 0;

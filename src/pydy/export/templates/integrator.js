@@ -6,6 +6,7 @@ const EPS = 2 ** -52, SAFETY = 0.9, SHRINK = 0.2, GROW = 6, SHORTEST = 2 ** -44;
 const BACK = 2;
 // A step is looked at in parts, with ends in irrational ratios, as in scan_events.c.
 const PLACES = [0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1], PARTS = PLACES.length - 1;
+const HALVINGS = {{HALVINGS}}; // of the time span, to find the side to which a state at rest departs
 const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints
 
 /** y = x + h · (row · stages). */
@@ -77,7 +78,7 @@ class Integration {
       this.sides = new Int8Array(system.events.count);
       [this.values, this.probe, this.divided, ...this.ends] = Array.from({ length: PARTS + 4 }, () => new Float64Array(system.events.count));
       this.fired = new Uint8Array(system.events.count);
-      this.takeSides(true);
+      this.startEvents();
     }
   }
 
@@ -253,16 +254,73 @@ class Integration {
   // -- events -----------------------------------------------------------------------------------------
 
   /** Set the sign that each event has just after now; where one is zero or has fired, its rate tells. */
-  takeSides(start) {
+  takeSides() {
     const { events } = this.system, values = this.values, rates = new Float64Array(values.length);
     events.values(this.t, this.x, values);
     events.rates(this.t, this.x, rates);
-    for (let k = 0; k < values.length; k++) {
-      const value = (!start && this.fired[k]) || values[k] === 0 ? rates[k] : values[k];
-      this.sides[k] = Math.sign(value) || 0;
-      if (start && values[k] === 0 && [0, this.sides[k]].includes(events.directions[k]))
-        this.records.push({ time: this.t, index: k });
+    for (let k = 0; k < values.length; k++)
+      this.sides[k] = Math.sign(this.fired[k] || values[k] === 0 ? rates[k] : values[k]) || 0;
+  }
+
+  rateOf(k, x) {
+    const rates = new Float64Array(this.fired.length);
+    this.system.events.rates(this.t, x, rates);
+    return rates[k];
+  }
+
+  /** Whether the rate of an event is zero, as far as states are known. */
+  isStationary(k) {
+    const rate = this.rateOf(k, this.x);
+    let total = 0;
+    for (let i = 0; i < this.n && rate !== 0; i++) {
+      const beside = Float64Array.from(this.x);
+      beside[i] += ROUNDINGS * EPS * this.x[i];
+      total += Math.abs(this.rateOf(k, beside) - rate);
     }
+    return Math.abs(rate) <= total;
+  }
+
+  /** The sign that an event has just after now, as `departure` of pydy/solvers/run/departure.py. */
+  departure(k) {
+    const { x, t, n, times, system } = this, { events } = system;
+    if (!this.isStationary(k)) return Math.sign(this.rateOf(k, x)) || 0;
+    const vector = () => new Float64Array(n), values = new Float64Array(this.fired.length), bounds = values.slice();
+    const slopes = [vector(), vector(), vector(), vector()], after = vector();
+    let side = 0, size = times[times.length - 1] - times[0];
+    for (let halved = 0; halved < HALVINGS; halved++) {
+      size *= 0.5;
+      system.rates(t, x, slopes[0]);
+      [0.5, 0.5, 1].forEach((node, stage) => {
+        for (let i = 0; i < n; i++) after[i] = x[i] + node * size * slopes[stage][i];
+        system.rates(t + node * size, after, slopes[stage + 1]);
+      });
+      const [a, b, c, d] = slopes;
+      for (let i = 0; i < n; i++) after[i] = x[i] + size / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+      events.values(t + size, after, values);
+      events.bounds(t + size, after, bounds);
+      if (Math.abs(values[k]) > ROUNDINGS * EPS * bounds[k]) side = Math.sign(values[k]);
+    }
+    return side;
+  }
+
+  /** Record the events on whose surfaces the motion starts, and let them act. */
+  startEvents() {
+    const { events } = this.system, { sides, fired, values } = this, bounds = new Float64Array(fired.length);
+    this.takeSides();
+    events.bounds(this.t, this.x, bounds);
+    for (let k = 0; k < fired.length; k++) {
+      if (!(values[k] === 0 || Math.abs(values[k]) <= ROUNDINGS * EPS * bounds[k])) continue;
+      const side = sides[k] = this.departure(k), direction = events.directions[k];
+      if (!side || ![0, side].includes(direction)) continue;
+      if (events.acting[k] && (direction || this.isStationary(k))) fired[k] = 1;
+      else this.records.push({ time: this.t, index: k });
+    }
+    if (!fired.includes(1)) return;
+    this.reached(this.x); // outputs at the time of an event are those before it
+    if (this.status === "finished") this.status = "running";
+    for (let k = 0; k < fired.length; k++) if (fired[k]) sides[k] = 0; // where the motion came from is not known
+    this.act();
+    if (this.next === this.times.length && this.status === "running") this.status = "finished";
   }
 
   /** Note the events from whose surfaces a reset has led, by more than rounding. */
@@ -271,7 +329,7 @@ class Integration {
     events.values(this.t, this.x, values);
     events.bounds(this.t, this.x, bounds);
     for (let k = 0; k < was.length; k++)
-      if (values[k] !== was[k] && Math.abs(values[k]) > 8 * EPS * bounds[k]) off.add(k);
+      if (values[k] !== was[k] && Math.abs(values[k]) > ROUNDINGS * EPS * bounds[k]) off.add(k);
   }
 
   crossed(k, value) {
@@ -421,9 +479,16 @@ class Integration {
     if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
     if (ends || crowded) this.status = "stopped";
     else {
+      const origins = Int8Array.from(this.sides);
       for (const k of off) fired[k] = 0;
-      this.takeSides(false);
+      this.takeSides();
+      for (let k = 0; k < fired.length; k++) if (fired[k] && events.redirects[k] && this.isStationary(k)) {
+        // At rest on the surface it happens again at once where its direction points to.
+        const side = this.sides[k] = this.departure(k), direction = events.directions[k];
+        if (side && (direction === side || (direction === 0 && origins[k] === 0))) this.status = "stopped";
+      }
     }
+    fired.fill(0);
     this.started = false;
     return undefined;
   }

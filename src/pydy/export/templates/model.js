@@ -79,9 +79,9 @@ const self = {
     }
     bind(constants);
     const x0 = ordered(initial, info.states, "initial"), r = ordered(inputs, info.inputs, "inputs");
-    const run = self.integration(times, x0, r, (k, t, x) => states[k].set(x), options);
-    for (let k = 0; k < times.length; k++) states.push(new Float64Array(n).fill(NaN));
+    const run = self.integration(times, x0, r, (k, t, x) => { states[k] = Float64Array.from(x); }, options);
     run.advance();
+    for (let k = 0; k < times.length; k++) states[k] ??= new Float64Array(n).fill(NaN);
     const { status, steps, rejected, evaluations } = run;
     const events = run.records.map((one) => ({ time: one.time, name: eventNames.names[one.index] }));
     return { times, states, status, events, steps, rejected, evaluations };

@@ -1,8 +1,7 @@
 /* A reset by a single event, as `Integration._act` does it, without a return to Python. */
 
 #include "run.h"
-
-INLINE int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
+#include "departure.h"
 
 /* Change the state at the event that has just ended a step: ACTED, or EVENTS_ACCUMULATE where it has
    followed itself ever faster, or LEFT.
@@ -46,12 +45,15 @@ int64_t act_on_event(const Run *run)
             return LEFT;
         /* zero, and perhaps set going by this reset */
         if (w->acting.at[k] == 1 && values[k] == was[k] && rates[k] * (double)w->directions.at[k] >= 0.0
-            && rates[k] != 0.0 && absolute(values[k]) <= 8.0 * ROUNDING * bounds[k])
+            && rates[k] != 0.0 && is_on_surface(values[k], bounds[k]))
             return LEFT;
     }
     /* whether the reset leads away from zero, or the rate tells the side */
-    const double value = values[event], bound = 8.0 * ROUNDING * bounds[event];
-    const int left = value != was[event] && absolute(value) > bound;
+    const double value = values[event];
+    const int left = value != was[event] && !is_on_surface(value, bounds[event]);
+    /* a reset that does not turn the motion back may leave it at rest on the surface */
+    if (!left && w->directions.at[event] != 0 && w->kinds.at[event] & REDIRECTS && !(rates[event] * (double)w->sides.at[event] > 0.0))
+        return LEFT;
     for (int64_t k = 0; k < number; k++) {
         const int by_rate = values[k] == 0.0 || (k == event && !left);
         const double told = by_rate ? rates[k] : values[k];

@@ -1,4 +1,4 @@
-; sources 6675a1223a6b0fec0aeeb21543df1d926f0d1151dda84f05f01ffb1b9da18fff
+; sources 1fdfce91b2652a77d3438ed2552eafee4b63ef04562bef0d3c84841927d3be71
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -54,7 +54,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 46:                                               ; preds = %40
   %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %291, label %48
+  br i1 %47, label %322, label %48
 
 48:                                               ; preds = %46, %40
   %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
@@ -65,7 +65,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 52:                                               ; preds = %48, %1
   %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
   %54 = icmp slt i64 %53, 0
-  br i1 %54, label %291, label %55
+  br i1 %54, label %322, label %55
 
 55:                                               ; preds = %52
   %56 = getelementptr inbounds i8, ptr %0, i64 864
@@ -74,7 +74,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %59 = load i64, ptr %58, align 8
   %60 = and i64 %59, 4
   %61 = icmp eq i64 %60, 0
-  br i1 %61, label %291, label %62
+  br i1 %61, label %322, label %62
 
 62:                                               ; preds = %55
   %63 = add nsw i64 %23, 1
@@ -83,7 +83,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %66 = getelementptr inbounds i8, ptr %0, i64 1064
   %67 = load i64, ptr %66, align 8
   %68 = icmp sgt i64 %64, %67
-  br i1 %68, label %291, label %69
+  br i1 %68, label %322, label %69
 
 69:                                               ; preds = %62
   %70 = mul nsw i64 %53, %19
@@ -114,7 +114,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %89 = load ptr, ptr %88, align 8
   %90 = tail call i32 %89(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
   %91 = icmp eq i32 %90, 0
-  br i1 %91, label %92, label %291
+  br i1 %91, label %92, label %322
 
 92:                                               ; preds = %78
   %93 = load ptr, ptr %2, align 8
@@ -127,7 +127,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %100 = load ptr, ptr %99, align 8
   %101 = tail call i32 %100(ptr noundef %95, ptr noundef %25, ptr noundef %96, ptr noundef %98, ptr noundef %31) #4
   %102 = icmp eq i32 %101, 0
-  br i1 %102, label %103, label %291
+  br i1 %102, label %103, label %322
 
 103:                                              ; preds = %92
   %104 = load ptr, ptr %2, align 8
@@ -139,7 +139,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %110 = load ptr, ptr %109, align 8
   %111 = tail call i32 %110(ptr noundef %106, ptr noundef %71, ptr noundef %107, ptr noundef %108, ptr noundef %32) #4
   %112 = icmp eq i32 %111, 0
-  br i1 %112, label %113, label %291
+  br i1 %112, label %113, label %322
 
 113:                                              ; preds = %103
   %114 = load ptr, ptr %2, align 8
@@ -154,7 +154,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %123 = load ptr, ptr %122, align 8
   %124 = tail call i32 %123(ptr noundef %117, ptr noundef %71, ptr noundef %118, ptr noundef %120, ptr noundef %121) #4
   %125 = icmp eq i32 %124, 0
-  br i1 %125, label %126, label %291
+  br i1 %125, label %126, label %322
 
 126:                                              ; preds = %113
   %127 = icmp sgt i64 %19, 0
@@ -167,7 +167,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 131:                                              ; preds = %128, %126
   %132 = icmp sgt i64 %16, 0
-  br i1 %132, label %133, label %186
+  br i1 %132, label %133, label %192
 
 133:                                              ; preds = %131
   %134 = getelementptr inbounds i8, ptr %0, i64 936
@@ -181,12 +181,12 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %140 = load double, ptr %139, align 8
   %141 = tail call double @llvm.fabs.f64(double %140)
   %142 = fcmp ueq double %141, 0x7FF0000000000000
-  br i1 %142, label %291, label %128
+  br i1 %142, label %322, label %128
 
-143:                                              ; preds = %133, %183
-  %144 = phi i64 [ 0, %133 ], [ %184, %183 ]
+143:                                              ; preds = %133, %189
+  %144 = phi i64 [ 0, %133 ], [ %190, %189 ]
   %145 = icmp eq i64 %144, %53
-  br i1 %145, label %183, label %146
+  br i1 %145, label %189, label %146
 
 146:                                              ; preds = %143
   %147 = load ptr, ptr %134, align 8
@@ -199,14 +199,14 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %152 = getelementptr inbounds double, ptr %32, i64 %144
   %153 = load double, ptr %152, align 8
   %154 = fcmp uno double %153, 0.000000e+00
-  br i1 %154, label %291, label %155
+  br i1 %154, label %322, label %155
 
 155:                                              ; preds = %151, %146
   %156 = load ptr, ptr %135, align 8
   %157 = getelementptr inbounds i64, ptr %156, i64 %144
   %158 = load i64, ptr %157, align 8
   %159 = icmp eq i64 %158, 1
-  br i1 %159, label %160, label %183
+  br i1 %159, label %160, label %189
 
 160:                                              ; preds = %155
   %161 = getelementptr inbounds double, ptr %32, i64 %144
@@ -214,7 +214,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %163 = getelementptr inbounds double, ptr %31, i64 %144
   %164 = load double, ptr %163, align 8
   %165 = fcmp oeq double %162, %164
-  br i1 %165, label %166, label %183
+  br i1 %165, label %166, label %189
 
 166:                                              ; preds = %160
   %167 = getelementptr inbounds double, ptr %34, i64 %144
@@ -227,169 +227,212 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %174 = fcmp oge double %173, 0.000000e+00
   %175 = fcmp une double %168, 0.000000e+00
   %176 = and i1 %175, %174
-  br i1 %176, label %177, label %183
+  br i1 %176, label %177, label %189
 
 177:                                              ; preds = %166
-  %178 = tail call double @llvm.fabs.f64(double %162)
-  %179 = getelementptr inbounds double, ptr %35, i64 %144
-  %180 = load double, ptr %179, align 8
-  %181 = fmul double %180, 0x3CE0000000000000
-  %182 = fcmp ugt double %178, %181
-  br i1 %182, label %183, label %291
+  %178 = fcmp oeq double %162, 0.000000e+00
+  br i1 %178, label %186, label %179
 
-183:                                              ; preds = %155, %160, %166, %177, %143
-  %184 = add nuw nsw i64 %144, 1
-  %185 = icmp eq i64 %184, %16
-  br i1 %185, label %186, label %143, !llvm.loop !7
+179:                                              ; preds = %177
+  %180 = getelementptr inbounds double, ptr %35, i64 %144
+  %181 = load double, ptr %180, align 8
+  %182 = tail call double @llvm.fabs.f64(double %162)
+  %183 = fmul double %181, 0x3CE0000000000000
+  %184 = fcmp ole double %182, %183
+  %185 = zext i1 %184 to i32
+  br label %186
 
-186:                                              ; preds = %183, %131
-  %187 = getelementptr inbounds double, ptr %32, i64 %53
-  %188 = load double, ptr %187, align 8
-  %189 = getelementptr inbounds double, ptr %31, i64 %53
-  %190 = load double, ptr %189, align 8
-  %191 = fcmp une double %188, %190
-  br i1 %191, label %192, label %198
+186:                                              ; preds = %177, %179
+  %187 = phi i32 [ 1, %177 ], [ %185, %179 ]
+  %188 = icmp eq i32 %187, 0
+  br i1 %188, label %189, label %322
 
-192:                                              ; preds = %186
-  %193 = getelementptr inbounds double, ptr %35, i64 %53
+189:                                              ; preds = %155, %160, %166, %186, %143
+  %190 = add nuw nsw i64 %144, 1
+  %191 = icmp eq i64 %190, %16
+  br i1 %191, label %192, label %143, !llvm.loop !7
+
+192:                                              ; preds = %189, %131
+  %193 = getelementptr inbounds double, ptr %32, i64 %53
   %194 = load double, ptr %193, align 8
-  %195 = fmul double %194, 0x3CE0000000000000
-  %196 = tail call double @llvm.fabs.f64(double %188)
-  %197 = fcmp ule double %196, %195
-  br label %198
+  %195 = getelementptr inbounds double, ptr %31, i64 %53
+  %196 = load double, ptr %195, align 8
+  %197 = fcmp oeq double %194, %196
+  %198 = fcmp oeq double %194, 0.000000e+00
+  %199 = or i1 %198, %197
+  br i1 %199, label %206, label %200
 
-198:                                              ; preds = %192, %186
-  %199 = phi i1 [ true, %186 ], [ %197, %192 ]
-  %200 = icmp sgt i64 %16, 0
-  br i1 %200, label %201, label %203
+200:                                              ; preds = %192
+  %201 = getelementptr inbounds double, ptr %35, i64 %53
+  %202 = load double, ptr %201, align 8
+  %203 = tail call double @llvm.fabs.f64(double %194)
+  %204 = fmul double %202, 0x3CE0000000000000
+  %205 = fcmp ugt double %203, %204
+  br label %206
 
-201:                                              ; preds = %198
-  %202 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %214
+206:                                              ; preds = %200, %192
+  %207 = phi i1 [ false, %192 ], [ %205, %200 ]
+  br i1 %207, label %230, label %208
 
-203:                                              ; preds = %214, %198
-  %204 = load ptr, ptr %65, align 8
-  %205 = getelementptr inbounds double, ptr %204, i64 %23
-  store double %29, ptr %205, align 8
-  %206 = getelementptr inbounds i8, ptr %0, i64 1080
-  %207 = load ptr, ptr %206, align 8
-  %208 = getelementptr inbounds i64, ptr %207, i64 %23
-  store i64 %53, ptr %208, align 8
-  %209 = icmp sgt i64 %19, 0
-  br i1 %209, label %210, label %236
+208:                                              ; preds = %206
+  %209 = getelementptr inbounds i8, ptr %0, i64 816
+  %210 = load ptr, ptr %209, align 8
+  %211 = getelementptr inbounds i64, ptr %210, i64 %53
+  %212 = load i64, ptr %211, align 8
+  %213 = icmp eq i64 %212, 0
+  br i1 %213, label %230, label %214
 
-210:                                              ; preds = %203
-  %211 = getelementptr inbounds i8, ptr %0, i64 1104
-  %212 = mul nsw i64 %23, %19
-  %213 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %243
+214:                                              ; preds = %208
+  %215 = load ptr, ptr %56, align 8
+  %216 = getelementptr inbounds i64, ptr %215, i64 %53
+  %217 = load i64, ptr %216, align 8
+  %218 = and i64 %217, 16
+  %219 = icmp eq i64 %218, 0
+  br i1 %219, label %230, label %220
 
-214:                                              ; preds = %201, %214
-  %215 = phi i64 [ 0, %201 ], [ %234, %214 ]
-  %216 = getelementptr inbounds double, ptr %32, i64 %215
-  %217 = load double, ptr %216, align 8
-  %218 = fcmp oeq double %217, 0.000000e+00
-  %219 = icmp eq i64 %215, %53
-  %220 = select i1 %219, i1 %199, i1 false
-  %221 = select i1 %218, i1 true, i1 %220
-  %222 = getelementptr inbounds double, ptr %34, i64 %215
-  %223 = select i1 %221, ptr %222, ptr %216
-  %224 = load double, ptr %223, align 8
-  %225 = tail call double @llvm.fabs.f64(double %224)
-  %226 = fcmp ueq double %225, 0x7FF0000000000000
-  %227 = fcmp ogt double %224, 0.000000e+00
-  %228 = fcmp olt double %224, 0.000000e+00
-  %229 = sext i1 %228 to i64
-  %230 = select i1 %227, i64 1, i64 %229
-  %231 = select i1 %226, i64 0, i64 %230
-  %232 = load ptr, ptr %202, align 8
-  %233 = getelementptr inbounds i64, ptr %232, i64 %215
-  store i64 %231, ptr %233, align 8
-  %234 = add nuw nsw i64 %215, 1
-  %235 = icmp eq i64 %234, %16
-  br i1 %235, label %203, label %214, !llvm.loop !8
+220:                                              ; preds = %214
+  %221 = getelementptr inbounds double, ptr %34, i64 %53
+  %222 = load double, ptr %221, align 8
+  %223 = getelementptr inbounds i8, ptr %0, i64 936
+  %224 = load ptr, ptr %223, align 8
+  %225 = getelementptr inbounds i64, ptr %224, i64 %53
+  %226 = load i64, ptr %225, align 8
+  %227 = sitofp i64 %226 to double
+  %228 = fmul double %222, %227
+  %229 = fcmp ogt double %228, 0.000000e+00
+  br i1 %229, label %230, label %322
 
-236:                                              ; preds = %243, %203
-  %237 = load ptr, ptr %20, align 8
-  %238 = getelementptr inbounds i8, ptr %237, i64 80
-  store i64 %63, ptr %238, align 8
-  %239 = load ptr, ptr %0, align 8
-  %240 = getelementptr inbounds i8, ptr %239, i64 8
-  %241 = load i64, ptr %240, align 8
-  %242 = icmp eq i64 %241, 0
-  br i1 %242, label %256, label %262
+230:                                              ; preds = %220, %214, %208, %206
+  %231 = icmp sgt i64 %16, 0
+  br i1 %231, label %232, label %234
 
-243:                                              ; preds = %210, %243
-  %244 = phi i64 [ 0, %210 ], [ %254, %243 ]
-  %245 = getelementptr inbounds double, ptr %25, i64 %244
-  %246 = load double, ptr %245, align 8
-  %247 = load ptr, ptr %211, align 8
-  %248 = add nsw i64 %244, %212
-  %249 = getelementptr inbounds double, ptr %247, i64 %248
-  store double %246, ptr %249, align 8
-  %250 = getelementptr inbounds double, ptr %71, i64 %244
-  %251 = load double, ptr %250, align 8
-  store double %251, ptr %245, align 8
-  %252 = load ptr, ptr %213, align 8
-  %253 = getelementptr inbounds double, ptr %252, i64 %248
-  store double %251, ptr %253, align 8
-  %254 = add nuw nsw i64 %244, 1
-  %255 = icmp eq i64 %254, %19
-  br i1 %255, label %236, label %243, !llvm.loop !9
+232:                                              ; preds = %230
+  %233 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %245
 
-256:                                              ; preds = %236
-  %257 = getelementptr inbounds i8, ptr %0, i64 1272
-  %258 = load ptr, ptr %257, align 8
-  %259 = getelementptr inbounds i8, ptr %258, i64 8
-  %260 = load double, ptr %259, align 8
-  %261 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %260, ptr %261, align 8
-  br label %262
+234:                                              ; preds = %245, %230
+  %235 = load ptr, ptr %65, align 8
+  %236 = getelementptr inbounds double, ptr %235, i64 %23
+  store double %29, ptr %236, align 8
+  %237 = getelementptr inbounds i8, ptr %0, i64 1080
+  %238 = load ptr, ptr %237, align 8
+  %239 = getelementptr inbounds i64, ptr %238, i64 %23
+  store i64 %53, ptr %239, align 8
+  %240 = icmp sgt i64 %19, 0
+  br i1 %240, label %241, label %267
 
-262:                                              ; preds = %256, %236
-  %263 = getelementptr inbounds i8, ptr %0, i64 1248
-  %264 = load ptr, ptr %263, align 8
-  %265 = mul i64 %53, 800
-  %266 = getelementptr inbounds i8, ptr %264, i64 %265
-  %267 = load double, ptr %266, align 8
-  %268 = fsub double %29, %267
-  %269 = tail call double @llvm.fabs.f64(double %29)
-  %270 = fcmp ogt double %269, %13
-  %271 = select i1 %270, double %269, double %13
-  %272 = fmul double %271, 0x3CF0000000000000
-  %273 = fcmp ugt double %268, %272
-  br i1 %273, label %274, label %281
+241:                                              ; preds = %234
+  %242 = getelementptr inbounds i8, ptr %0, i64 1104
+  %243 = mul nsw i64 %23, %19
+  %244 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %274
 
-274:                                              ; preds = %262
-  %275 = getelementptr inbounds i8, ptr %266, i64 784
-  %276 = load double, ptr %275, align 8
-  %277 = fsub double %29, %276
-  %278 = fmul double %13, 1.000000e-09
-  %279 = fcmp olt double %277, %278
-  %280 = select i1 %279, i64 8, i64 1
-  br label %281
+245:                                              ; preds = %232, %245
+  %246 = phi i64 [ 0, %232 ], [ %265, %245 ]
+  %247 = getelementptr inbounds double, ptr %32, i64 %246
+  %248 = load double, ptr %247, align 8
+  %249 = fcmp une double %248, 0.000000e+00
+  %250 = icmp ne i64 %246, %53
+  %251 = or i1 %207, %250
+  %252 = and i1 %249, %251
+  %253 = getelementptr inbounds double, ptr %34, i64 %246
+  %254 = select i1 %252, ptr %247, ptr %253
+  %255 = load double, ptr %254, align 8
+  %256 = tail call double @llvm.fabs.f64(double %255)
+  %257 = fcmp ueq double %256, 0x7FF0000000000000
+  %258 = fcmp ogt double %255, 0.000000e+00
+  %259 = fcmp olt double %255, 0.000000e+00
+  %260 = sext i1 %259 to i64
+  %261 = select i1 %258, i64 1, i64 %260
+  %262 = select i1 %257, i64 0, i64 %261
+  %263 = load ptr, ptr %233, align 8
+  %264 = getelementptr inbounds i64, ptr %263, i64 %246
+  store i64 %262, ptr %264, align 8
+  %265 = add nuw nsw i64 %246, 1
+  %266 = icmp eq i64 %265, %16
+  br i1 %266, label %234, label %245, !llvm.loop !8
 
-281:                                              ; preds = %274, %262
-  %282 = phi i64 [ 8, %262 ], [ %280, %274 ]
-  br label %284
+267:                                              ; preds = %274, %234
+  %268 = load ptr, ptr %20, align 8
+  %269 = getelementptr inbounds i8, ptr %268, i64 80
+  store i64 %63, ptr %269, align 8
+  %270 = load ptr, ptr %0, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 8
+  %272 = load i64, ptr %271, align 8
+  %273 = icmp eq i64 %272, 0
+  br i1 %273, label %287, label %293
 
-283:                                              ; preds = %284
-  store double %29, ptr %266, align 8
-  br label %291
+274:                                              ; preds = %241, %274
+  %275 = phi i64 [ 0, %241 ], [ %285, %274 ]
+  %276 = getelementptr inbounds double, ptr %25, i64 %275
+  %277 = load double, ptr %276, align 8
+  %278 = load ptr, ptr %242, align 8
+  %279 = add nsw i64 %275, %243
+  %280 = getelementptr inbounds double, ptr %278, i64 %279
+  store double %277, ptr %280, align 8
+  %281 = getelementptr inbounds double, ptr %71, i64 %275
+  %282 = load double, ptr %281, align 8
+  store double %282, ptr %276, align 8
+  %283 = load ptr, ptr %244, align 8
+  %284 = getelementptr inbounds double, ptr %283, i64 %279
+  store double %282, ptr %284, align 8
+  %285 = add nuw nsw i64 %275, 1
+  %286 = icmp eq i64 %285, %19
+  br i1 %286, label %267, label %274, !llvm.loop !9
 
-284:                                              ; preds = %281, %284
-  %285 = phi i64 [ 99, %281 ], [ %289, %284 ]
-  %286 = getelementptr double, ptr %266, i64 %285
-  %287 = getelementptr i8, ptr %286, i64 -8
-  %288 = load double, ptr %287, align 8
-  store double %288, ptr %286, align 8
-  %289 = add nsw i64 %285, -1
-  %290 = icmp ugt i64 %285, 1
-  br i1 %290, label %284, label %283, !llvm.loop !10
+287:                                              ; preds = %267
+  %288 = getelementptr inbounds i8, ptr %0, i64 1272
+  %289 = load ptr, ptr %288, align 8
+  %290 = getelementptr inbounds i8, ptr %289, i64 8
+  %291 = load double, ptr %290, align 8
+  %292 = getelementptr inbounds i8, ptr %26, i64 8
+  store double %291, ptr %292, align 8
+  br label %293
 
-291:                                              ; preds = %46, %137, %151, %177, %283, %113, %103, %92, %78, %52, %55, %62
-  %292 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ %282, %283 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ 0, %177 ], [ 0, %151 ], [ 0, %137 ], [ 0, %46 ]
-  ret i64 %292
+293:                                              ; preds = %287, %267
+  %294 = getelementptr inbounds i8, ptr %0, i64 1248
+  %295 = load ptr, ptr %294, align 8
+  %296 = mul i64 %53, 800
+  %297 = getelementptr inbounds i8, ptr %295, i64 %296
+  %298 = load double, ptr %297, align 8
+  %299 = fsub double %29, %298
+  %300 = tail call double @llvm.fabs.f64(double %29)
+  %301 = fcmp ogt double %300, %13
+  %302 = select i1 %301, double %300, double %13
+  %303 = fmul double %302, 0x3CF0000000000000
+  %304 = fcmp ugt double %299, %303
+  br i1 %304, label %305, label %312
+
+305:                                              ; preds = %293
+  %306 = getelementptr inbounds i8, ptr %297, i64 784
+  %307 = load double, ptr %306, align 8
+  %308 = fsub double %29, %307
+  %309 = fmul double %13, 1.000000e-09
+  %310 = fcmp olt double %308, %309
+  %311 = select i1 %310, i64 8, i64 1
+  br label %312
+
+312:                                              ; preds = %305, %293
+  %313 = phi i64 [ 8, %293 ], [ %311, %305 ]
+  br label %315
+
+314:                                              ; preds = %315
+  store double %29, ptr %297, align 8
+  br label %322
+
+315:                                              ; preds = %312, %315
+  %316 = phi i64 [ 99, %312 ], [ %320, %315 ]
+  %317 = getelementptr double, ptr %297, i64 %316
+  %318 = getelementptr i8, ptr %317, i64 -8
+  %319 = load double, ptr %318, align 8
+  store double %319, ptr %317, align 8
+  %320 = add nsw i64 %316, -1
+  %321 = icmp ugt i64 %316, 1
+  br i1 %321, label %315, label %314, !llvm.loop !10
+
+322:                                              ; preds = %46, %137, %151, %186, %113, %103, %92, %78, %220, %314, %52, %55, %62
+  %323 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ %313, %314 ], [ 0, %220 ], [ 0, %186 ], [ 0, %151 ], [ 0, %137 ], [ 0, %46 ]
+  ret i64 %323
 }
 
 declare double @llvm.fabs.f64(double) #1

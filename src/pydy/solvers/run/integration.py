@@ -56,6 +56,14 @@ from pydy.solvers.outcome import (
     TOLERANCE_TOO_SMALL,
 )
 from pydy.solvers.reflection import reflected, reversed_times
+from pydy.solvers.run.departure import (
+    acts_at_start,
+    departure,
+    follows_itself,
+    happens_at_start,
+    is_stationary,
+    on_surface,
+)
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Twin, Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
@@ -187,6 +195,8 @@ class Integration(Workspace):
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        self.begun = options.begun
+        self.idle: list[int] = []  # events at the start that did not act
         self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
         self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
@@ -249,11 +259,20 @@ class Integration(Workspace):
             self.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
+            self.idle = []
             if not self._attended:
-                self.memory.x[: self.n] = x0
-                self.progress.state[at.TIME] = self.progress.times[0]
-                self._start()
+                self._begin_here(x0)
+                if self._start():
+                    ended = self.code != NOT_COMPUTED
+                    return at.PAUSED if ended else self._advance(self._rows, False)
         return self._advance(self._rows, True)
+
+    def _begin_here(self, x0: np.ndarray) -> None:
+        """Begin at a state, as compiled code does before its first step."""
+        self.memory.x[: self.n] = x0
+        self.progress.state[:] = self.beginning.state
+        self.progress.counts[:] = self.beginning.counts
+        self.watch.values[at.PROBES * len(self.watch.sides)] = np.nan
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end from a finite state, and return the states."""
@@ -266,7 +285,8 @@ class Integration(Workspace):
             with self.interrupts if code != FINISHED else nullcontext():
                 if self._attended and code == at.PAUSED:
                     self._start()
-                self._run(code)
+                if self.code == NOT_COMPUTED:  # else an event ends it where it begins
+                    self._run(code)
                 self._look_at_end()
         except KeyboardInterrupt:
             self._stop(INTERRUPTED, IntegrationInterrupted)
@@ -302,10 +322,11 @@ class Integration(Workspace):
                     return self._end(FINISHED)
                 if code == at.EVENT:
                     if self._act():
-                        return
+                        return self._undo_at_end()
                     state[at.SIZE] = self.options.step or 0.0
                 elif code == EVENTS_ACCUMULATE and (wanted := self.options.events) is not None:
-                    return self._end(code, event=wanted.names[self.watch.fired.argmax()])
+                    self._end(code, event=wanted.names[self.watch.fired.argmax()])
+                    return self._undo_at_end()
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
@@ -349,8 +370,11 @@ class Integration(Workspace):
                 f"{least:.1e}.",
             )
 
-    def _start(self) -> None:
-        """Check and project the initial state, and find the signs of events there."""
+    def _start(self) -> bool:
+        """Check and project the initial state, find the signs of events there, and act on them.
+
+        Returns whether an event has acted.
+        """
         if self._tight:
             self._check_tolerances()
         if self.options.constraints is not None:
@@ -363,7 +387,8 @@ class Integration(Workspace):
             ):
                 if constant:
                     self._stop(EVENT_CONSTANT, event=name)
-            self._look_at_start(self.options.events)
+            return self._look_at_start(self.options.events)
+        return False
 
     def _tell_dependent(self, wanted: CompiledConstraints) -> None:
         """Warn, once for each system, of redundant constraints."""
@@ -430,19 +455,44 @@ class Integration(Workspace):
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
 
-    def _look_at_start(self, wanted: CompiledEvents) -> None:
-        """Record events that are exactly zero at the start.
+    def _look_at_start(self, wanted: CompiledEvents) -> bool:
+        """Record events on whose surfaces the motion starts, and let them act.
 
-        They do not act: a ball released at rest is at an apex, and still flies to the next.
+        They happen where the motion departs to the side that their direction points to. Returns
+        whether any has acted.
         """
+        call, sides, begun = self.call, self.watch.sides, self.begun
+        assert call is not None
         values = self._take_sides(())
-        if values.all():
-            return
+        if begun is not None and begun.sides is not None:
+            sides[:] = begun.sides
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        for k in np.flatnonzero(values == 0.0):
-            if wanted.directions[k] in (0, self.watch.sides[k]):
-                self._happened((int(k),), t)
-                self.records.append(self._record(t, int(k), x, x))
+        bounds = call.evaluate(wanted.rates, x, t)[len(values) : 2 * len(values)]
+        self.watch.fired[:] = 0
+        for k in np.flatnonzero(on_surface(values, bounds)).tolist():
+            if begun is not None and (begun.handled is None or k in begun.handled):
+                continue
+            side, direction = departure(call, wanted, k, x, t, self.span), wanted.directions[k]
+            sides[k] = side
+            if not happens_at_start(side, direction):
+                continue
+            stationary = is_stationary(call, wanted, k, x, t)
+            if self.watch.acting[k] and acts_at_start(side, direction, stationary):
+                self.watch.fired[k] = 1
+                continue
+            if self.watch.acting[k]:
+                self.idle.append(k)
+            self._happened((k,), t)
+            self.records.append(self._record(t, k, x, x))
+        if not self.watch.fired.any():
+            return False
+        # Outputs at the time of an event are those before it.
+        reached = int(np.searchsorted(self.progress.times, t, side="right"))
+        self._rows[:reached] = x
+        self.progress.counts[at.NEXT] = reached
+        sides[self.watch.fired != 0] = 0  # where the motion came from is not known
+        self._act()
+        return True
 
     def _happened(self, events: tuple[int, ...], t: float) -> None:
         """Note when some events have happened."""
@@ -462,7 +512,7 @@ class Integration(Workspace):
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         ahead = values * sides
         reaches = (ahead >= 0.0) & (ahead <= near * abs(rates)) & (rates * sides < 0.0)
-        reaches |= values == 0.0
+        reaches |= (values == 0.0) & ~(rates * sides > 0.0)  # else it has just left
         if not reaches.any():
             return
         told = {r.index for r in self.records if r.time == self._reported(t)}
@@ -501,21 +551,57 @@ class Integration(Workspace):
             if (moved := self.records[-1].sensitivity_after) is not None and beside is not None:
                 beside.table(before)[:] = moved
         self.memory.x[: self.n] = before
+        forced = {k: m for k, m in moments.items() if m is not None}
         if any(wanted.terminal[k] for k in fired):
+            self._take_sides(zero, forced)  # for who continues the motion
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
             self._end(TERMINATED, event=last)
             return True
-        known = self.watch.sides != 0
+        origins = self.watch.sides.copy()
+        known = origins != 0
         known[list(fired)] = False
-        values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
+        values = self._take_sides(zero, forced)
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
+            if k in zero and wanted.redirects[k] and is_stationary(call, wanted, k, before, t):
+                side = departure(call, wanted, k, before, t, self.span)
+                if follows_itself(side, int(origins[k]), wanted.directions[k]):
+                    self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
+                    return True
+                self.watch.sides[k] = side
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
                 self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
                 return True
         return False
+
+    def _undo_at_end(self) -> None:
+        """Finish where an event has followed itself only because the last time is so near.
+
+        A step of few roundings of the time may end where the expression still has the sign that
+        it had before the event.
+        """
+        t, last = float(self.progress.state[at.TIME]), float(self.progress.times[-1])
+        rest = NO_LATER * ROUNDING * max(abs(t), self.span)
+        if (
+            self.code != EVENTS_ACCUMULATE
+            or last - t > rest
+            or self.options.sensitivities is not None
+        ):
+            return
+        self._empty_log()
+        event = self.records[-1].index
+        same = [r for r in self.records if r.index == event and r.time >= t - rest]
+        if len(same) != 2 or len(self.records) < 2 or self.records[-2] is not same[0]:
+            return
+        x = self.records.pop().before
+        self.memory.x[: self.n] = x
+        self.progress.state[at.TIME] = last
+        self._take_sides({event})
+        self._rows[self.progress.counts[at.NEXT] : self._number] = x
+        self.progress.counts[at.NEXT] = self._number
+        self._end(FINISHED)
 
     def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
         """Return the events whose expressions a reset moves away from zero.
@@ -570,9 +656,18 @@ class Integration(Workspace):
         if wanted is None:
             return []
         rests = self.watch.rests
+        start = self._reported(float(self.progress.times[0]))
         if self.backward:
             rests = reversed_times(rests.reshape(-1, 2)[:, ::-1].ravel())
-        return [*self.set_off.values(), *stretches(wanted, rests, self.span)]
+        again = {r.index for r in self.records if r.time != start}
+        unused = [
+            f"The motion starts exactly on the surface of the event `{wanted.names[k]}` and does "
+            "not come back to it: as the event has `direction=0`, the start counts as the state "
+            "after it, and nothing was done. Pass the `direction` in which it happens, 1 or −1."
+            for k in self.idle
+            if k not in again
+        ]
+        return [*self.set_off.values(), *unused, *stretches(wanted, rests, self.span)]
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
@@ -644,6 +739,7 @@ class Integration(Workspace):
             "nearness": self._nearness(),
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
+            "sides": tuple(self.watch.sides.tolist()),
             **({"dense_output": self._extension()} if self.options.dense_output else {}),
         }
 
@@ -654,7 +750,9 @@ class Integration(Workspace):
 
     def _extension(self) -> Extension | None:
         rows = self.kept_steps()
-        if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+        if self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+            return None
+        if rows is None or not len(rows):
             return None
         return Extension(Twin(self), rows, self.n, self.backward)
 

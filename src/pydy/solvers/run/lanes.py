@@ -26,6 +26,7 @@ from pydy.solvers.layout import (
 )
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
+from pydy.solvers.run.departure import on_surface
 from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.problem import NO_JUMPS, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
@@ -171,22 +172,31 @@ class LanesWatched(LanesBeside):
     def begin(self, x: np.ndarray, span: float, place: int) -> None:
         """Also find the signs of events."""
         super().begin(x, span, place)
-        values, rates = self._at(x.T[:, :, None], float(self._times[0]))
-        told = np.where(values == 0.0, rates, values)
+        values, rates, bounds = self._at(x.T[:, :, None], float(self._times[0]))
+        on = on_surface(values, bounds)
+        told = np.where(on, rates, values)
         self.watch.began[:] = sides = np.sign(np.where(np.isfinite(told), told, 0.0))
         wanted = np.array(self._events.directions)
-        self._x, self._zero = x, (values == 0.0) & ((wanted == 0) | (wanted == sides))
+        self._zero = on & ((wanted == 0) | (wanted == sides))
+        # The solver of single trajectories acts, and finds the side where the rate is zero.
+        alone = self._zero & (np.array(self._workspace.watch.acting) == 1) | on & (rates == 0.0)
+        x[alone.any(axis=1)] = np.nan
+        self._x = x
         self.watch.first[:] = np.where(self._zero, self._times[0], -np.inf)
 
-    def _at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the events' expressions and rates in states (n, m, 1) at a time, each (m, ·)."""
+    def _at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the events' expressions, their rates and bounds on their roundings, each (m, ·).
+
+        The states (n, m, 1) are those at a time.
+        """
         r, p, sampled = self._samples
         r = r.copy()
         for columns, data in sampled:
             r[:, columns] = data.at(t)
         states, times = np.ascontiguousarray(states), np.array([t])
         found = [evaluate_samples(k, r, p, (), times, states)[..., 0].T for k in self._kernels]
-        return found[0], found[1][:, : found[0].shape[1]]
+        number = found[0].shape[1]
+        return found[0], found[1][:, :number], found[1][:, number : 2 * number]
 
     def look(self) -> None:
         """Empty the log."""
@@ -198,12 +208,14 @@ class LanesWatched(LanesBeside):
 
     def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the same, but for samples with an event at the last time, which needs Python."""
-        values, rates = self._at(states, t := float(self._times[-1]))
+        values, rates, _ = self._at(states, t := float(self._times[-1]))
         sides = self.watch.began
         with np.errstate(invalid="ignore"):  # infinite values without a side
             ahead, away = values * sides, rates * sides
         near = 2.0 * ROUNDING * abs(t) * np.abs(rates)
-        reaches = (values == 0.0) | ((away < 0.0) & (ahead >= 0.0) & (ahead <= near))
+        reaches = ((values == 0.0) & ~(away > 0.0)) | (
+            (away < 0.0) & (ahead >= 0.0) & (ahead <= near)
+        )
         fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
         done = super().ended(status, states) & ~fired.any(axis=1)
         return np.asarray(done | (status == TERMINATED) | (status == EVENTS_ACCUMULATE))

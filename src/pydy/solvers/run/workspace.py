@@ -387,8 +387,14 @@ class Workspace:
             + at.TURNS * turns
             + at.RESETS * (resets and not ends)
             + at.STOPS * (ends and not resets)
-            for linear, turns, resets, ends in zip(
-                wanted.linear, wanted.turns, wanted.resetting, wanted.terminal, strict=True
+            + at.REDIRECTS * redirects
+            for linear, turns, resets, ends, redirects in zip(
+                wanted.linear,
+                wanted.turns,
+                wanted.resetting,
+                wanted.terminal,
+                wanted.redirects,
+                strict=True,
             )
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
