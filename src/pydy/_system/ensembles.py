@@ -508,7 +508,7 @@ class Ensembles(Setup):
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
         if len(initial) > 1 or len(constants) > 1:
-            initial, constants = merged(initial), merged(constants)
+            initial, constants = dict(merged(initial)), dict(merged(constants))
         places = definition.places
         x = _columns("initial_conditions", initial, places["states"], now.x, axes, "initial")
         p = _columns("constants", constants, places["constants"], now.p, axes, "constant")
