@@ -19,6 +19,7 @@ import pytest
 import registry
 from fuzz import table
 from pydy import solvers
+from pydy.solvers import StepOptions
 from test_reference import public_modules
 
 TESTS = Path(__file__).parent
@@ -47,21 +48,45 @@ def test_every_solver_can_be_imported():
 
 
 def test_every_solver_is_in_the_reference_and_in_the_page_on_solvers():
-    for page in ("solvers.md", "howto/solvers.md"):
-        text = (DOCS / page).read_text(encoding="utf-8")
-        lacking = [name for name in registry.SOLVER_NAMES if f"'{name}'" not in text]
-        assert not lacking, f"docs/{page} does not name {lacking}"
+    patterns = {
+        "docs/solvers.md": "'{}'",
+        "docs/howto/solvers.md": "'{}'",
+        "docs/reference/solvers.md": "pydy.solvers.{}",
+        "README.md": "'{}'",
+        "src/pydy/solvers/__init__.py": "`{}`",
+        "src/pydy/_system/ensembles.py": "'{}'",
+    }
+    lacking = [
+        f"{page}: {pattern.format(name)}"
+        for page, pattern in patterns.items()
+        for name in registry.SOLVER_NAMES
+        if pattern.format(name) not in (DOCS.parent / page).read_text(encoding="utf-8")
+    ]
+    assert not lacking, f"add to the tables and docstrings: {lacking}"
 
 
 def test_every_option_of_a_solver_is_tried_with_bad_values_and_documented():
     lacking = [name for name in registry.SOLVER_OPTIONS if f"integrate.{name}" not in tried()]
     lacking = [name for name in lacking if f"rk4.{name}" not in tried()]
     assert not lacking, (
-        f"add a target `integrate.{lacking[0]}` to tests/fuzz/families/integration.py"
+        f"add a target `integrate.{lacking[0]}` to the test file of the option (it imports "
+        "fuzz.table), or to tests/fuzz/families/integration.py"
     )
     text = "\n".join(page.read_text(encoding="utf-8") for page in DOCS.rglob("*.md"))
-    lacking = [name for name in registry.SOLVER_OPTIONS if name not in text]
+    lacking = [n for n in registry.SOLVER_OPTIONS if not re.search(rf"`{n}\b|\b{n}=", text)]
     assert not lacking, f"no page of docs/ names the options {lacking}"
+    lacking = missing(registry.SOLVER_OPTIONS, parameters_section(solvers.Solver.__call__))
+    assert not lacking, f"the docstring of Solver.__call__ does not describe {lacking}"
+
+
+def test_every_option_of_steps_is_read_by_ensembles():
+    # They take the same options: one that only `run/integration.py` reads would have no effect.
+    text = (TESTS.parent / "src/pydy/solvers/run/lanes.py").read_text(encoding="utf-8")
+    lacking = [n for n in StepOptions.__annotations__ if not re.search(rf"\.{n}\b", text)]
+    assert not lacking, (
+        f"ensembles ignore the options {lacking}: read them in src/pydy/solvers/run/lanes.py, or "
+        "refuse them in `_read` of src/pydy/_system/ensembles.py and keep them out of `StepOptions`"
+    )
 
 
 # ---- Laws, languages, formats ----
@@ -116,8 +141,9 @@ def test_no_test_lists_all_solvers_by_hand(names, instead):
         if path.name in ("registry.py", "test_registry.py") or any(n not in text for n in names):
             continue
         for node in ast.walk(ast.parse(text)):
-            if isinstance(node, ast.List | ast.Tuple | ast.Set):
-                words = {getattr(e, "id", getattr(e, "value", None)) for e in node.elts}
+            if isinstance(node, ast.List | ast.Tuple | ast.Set | ast.Dict):
+                entries = node.keys if isinstance(node, ast.Dict) else node.elts
+                words = {getattr(e, "id", getattr(e, "value", None)) for e in entries}
                 if set(names) == words & set(registry.SOLVER_NAMES):
                     offences.append(f"{path.relative_to(TESTS)}:{node.lineno}")
     assert not offences, f"use {instead} of tests/registry.py: {offences}"
@@ -162,25 +188,32 @@ def callables() -> Iterator[tuple[str, Any]]:
                         yield f"{name}.{member}", function
 
 
-def arguments() -> Iterator[str]:
-    """Yield ``callable.argument`` for each documented argument."""
+def arguments() -> dict[str, list[str]]:
+    """Return ``callable.argument`` for each documented argument, and its names in subclasses."""
+    names: dict[Any, list[str]] = {}
     for name, thing in callables():
+        names.setdefault(inspect.unwrap(thing), []).append(name)
+    found = {}
+    for thing, aliases in names.items():
         try:
             signature = inspect.signature(thing)
         except ValueError:
             continue
         documented = parameters_section(thing)
+        first, *others = sorted(aliases, key=len)
         for parameter in signature.parameters.values():
             if parameter.kind not in VARIADIC and parameter.name in documented:
-                yield f"{name}.{parameter.name}"
+                also = [f"{name}.{parameter.name}" for name in others]
+                found[f"{first}.{parameter.name}"] = also
+    return found
 
 
 def test_every_documented_argument_is_tried_with_bad_values():
-    # An entry may name the method without its class.
+    # An entry may name the method without its class, or that of a subclass.
     lacking = {
         argument
-        for argument in arguments()
-        if argument not in tried() and argument.split(".", 1)[-1] not in tried()
+        for argument, also in arguments().items()
+        if not {argument, argument.split(".", 1)[-1], *also} & tried()
     }
     known = set(UNTRIED.read_text(encoding="utf-8").split())
     new = sorted(lacking - known)

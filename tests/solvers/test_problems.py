@@ -5,11 +5,14 @@ import pytest
 
 import solver_problems as problems
 from pydy.solvers import radau, rk4, tsit5
-from registry import ADAPTIVE, step_options
+from pydy.solvers.tableaus import tableau_of
+from registry import ADAPTIVE, EXPLICIT, step_options
 
 NAMES = ["rigid_body", "pleiades", "arenstorf"]
-# How much larger than the tolerance the error is at the end: the orbits have close encounters.
+# How much larger than the tolerance the error is at the end: the orbits have close encounters, and
+# methods of low order take many steps.
 CONDITION = {"rigid_body": 50.0, "pleiades": 2e3, "arenstorf": 2e4}
+LOW_ORDER = 5.0  # times as much below order 5
 
 
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-11])
@@ -20,7 +23,9 @@ def test_published_solutions_are_met(solver, name, tolerance):
     x = solver(
         problem.f, problem.x0, [0.0, problem.end], problem.args, rtol=tolerance, atol=tolerance
     )
-    assert np.abs(x[-1] - problem.final).max() < CONDITION[name] * tolerance
+    low = solver in EXPLICIT and tableau_of(solver.name).order < 5
+    allowed = CONDITION[name] * (LOW_ORDER if low else 1.0)
+    assert np.abs(x[-1] - problem.final).max() < allowed * tolerance
 
 
 @pytest.mark.parametrize(

@@ -17,15 +17,11 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run import workspace
 from pydy.solvers.run.backward import WayBack
+from registry import EXPLICIT_NAMES, step_options
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
-EXPLICIT = {
-    "dop853": TIGHT,
-    "vern9": TIGHT,
-    "tsit5": {"rtol": 1e-11, "atol": 1e-11},
-    "rk4": {"step": 1e-3},
-}
+EXPLICIT = {name: step_options(name, 1e-12) for name in EXPLICIT_NAMES}
 
 
 def oscillator(solver="dop853", end=5.0):

@@ -18,9 +18,10 @@ from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
 from pydy.trajectory import Trajectory
+from registry import SOLVER_NAMES
 
 T = me.dynamicsymbols._t
-SOLVERS = ["odeint", "solve_ivp", "DOP853", "dop853", "tsit5", "vern9", "radau", "rk4"]
+SOLVERS = ["odeint", "solve_ivp", "DOP853", *SOLVER_NAMES]
 NATIVE = ["dop853", "radau"]
 TIMES = np.linspace(-1.0, 1.5, num=6)
 

@@ -68,7 +68,7 @@ def _after(t: np.ndarray) -> bool:
 
 
 @target(
-    "Trajectory.continue_to",
+    "Trajectory.continue_to.t",
     array((None,), check=_after).or_(array((), check=_after)),
     "`t`",
 )
