@@ -33,14 +33,14 @@ from pydy._errors import (
     note_finished,
     warn_user,
 )
-from pydy._names import few, some, unique_names
+from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
 from pydy._system.scipy_solvers import SolveIvp, call_odeint, is_odeint
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
-from pydy._system.trials import Data, checked_trial, in_units_of_noise
+from pydy._system.trials import Data, checked_trial, in_units_of_noise, warn_of_estimates
 from pydy._system.tuning import FIT
 from pydy.analysis.fit import FitResult, covariance_of, estimate, held_by
 from pydy.analysis.residuals import told_of_correlation
@@ -526,18 +526,7 @@ def _result(
         covariance = covariance * noise**2
     held = held_by(z[:k], (work.limits[0][:k], work.limits[1][:k]), names)
     messages = [] if success else [f"The fit did not converge: {message}"]
-    if undetermined:
-        messages.append(
-            f"The data do not determine these relative changes of parameters: "
-            f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
-        )
-        warn_user(messages[-1])
-    if held:
-        messages.append(
-            f"The fit stopped at a bound of {some(held)}: the estimates there, and all "
-            "standard errors, are not those of a free fit."
-        )
-        warn_user(messages[-1])
+    messages += warn_of_estimates(undetermined, held)
     if white and success and not held and degrees > 0:
         scaled, least = in_units_of_noise(work.data, residuals, max(work.tolerance, FIT))
         if told := told_of_correlation(scaled, least, not work.own_noise):

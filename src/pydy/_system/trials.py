@@ -18,8 +18,9 @@ from pydy._checks import (
     refuse_twice,
     shown,
 )
+from pydy._errors import warn_user
 from pydy._mechanics.symbols import find_symbols
-from pydy._names import some, unique_names
+from pydy._names import few, some, unique_names
 from pydy._system.definition import sort_out
 from pydy.analysis.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import ABOVE_TOLERANCE, LARGEST_RESIDUAL
@@ -139,3 +140,21 @@ def in_units_of_noise(
             size = ABOVE_TOLERANCE * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
             least[name] = max(least.get(name, 0.0), float(size))
     return scaled, least
+
+
+def warn_of_estimates(undetermined: Sequence[str], at_bounds: Sequence[str]) -> list[str]:
+    """Warn of estimates that the data do not determine or a bound does; return what was said."""
+    messages = []
+    if undetermined:
+        messages.append(
+            f"The data do not determine these relative changes of parameters: "
+            f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
+        )
+    if at_bounds:
+        messages.append(
+            f"The fit stopped at a bound of {some(at_bounds)}: the estimates there, and all "
+            "standard errors, are not those of a free fit."
+        )
+    for message in messages:
+        warn_user(message)
+    return messages
