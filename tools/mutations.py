@@ -342,9 +342,20 @@ def copy(folder: Path) -> Path:
     return folder
 
 
+def tried_by_make_test(names: Iterator[str]) -> set[str]:
+    """Return the tests that `make test` tries, with the part that PYDY_PART says."""
+    sys.path.insert(0, str(ROOT / "tests"))
+    import parts
+
+    return parts.tried(names)
+
+
 def attempt(options: argparse.Namespace) -> None:
     """Try mutants and print what became of them."""
     known, free = records(), SimpleQueue[Path]()
+    if options.everyday:
+        tried = tried_by_make_test(name for name, _, _ in known)
+        known = [row for row in known if row[0] in tried]
     chosen = choose(options.count, options.seed, options.under)
     totals: dict[str, int] = {}
 
@@ -408,6 +419,7 @@ def main() -> None:
     parser.add_argument(
         "--patience", type=float, default=5.0, help="times the limit until it hangs"
     )
+    parser.add_argument("--everyday", action="store_true", help="only tests that make test tries")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     if options.command == "record":
