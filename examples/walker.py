@@ -113,10 +113,13 @@ assert np.allclose(limits, PUBLISHED_LIMITS, rtol=5e-4)
 # %%
 # After a stumble
 # ---------------
-# The walker starts a little slower than its gait, and returns to it.
+# The walker starts at a strike, a little slower than in its gait, and returns to it.  The state
+# before the strike is on the surface of the event, so that the strike happens at the start.
 
 system.constants[gamma] = SLOPE
-system.initial_conditions = {**gait.initial_conditions, omega: found[1] * 1.002}
+before = gait.trajectory.events[-1].before
+system.initial_conditions = dict(zip(system.states, before, strict=True))
+system.initial_conditions[omega] *= 1.002
 system.ode_solver = "dop853"
 steps = 5 if small else 12
 system.times = np.linspace(0.0, steps * gait.period, num=120 * steps + 1)

@@ -35,8 +35,10 @@ def project(tmp_path):
     return tmp_path
 
 
-def run(project, monkeypatch, *arguments):
+def run(project, monkeypatch, *arguments, record=False):
     monkeypatch.setenv("PYTHONPATH", str(CONFTEST.parent))
+    if not record:
+        monkeypatch.delenv(timing.RECORD, raising=False)
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
     return subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
 
@@ -53,8 +55,7 @@ def test_a_slow_test_that_the_table_lacks_fails_the_run_by_name(project, monkeyp
 
 def test_recorded_times_are_a_table_with_which_the_run_passes(project, monkeypatch):
     monkeypatch.setenv(timing.RECORD, "1")
-    assert run(project, monkeypatch).returncode == 0
-    monkeypatch.delenv(timing.RECORD)
+    assert run(project, monkeypatch, record=True).returncode == 0
     monkeypatch.setattr(parts, "TABLE", project / "slow.txt")
     assert list(parts.read_table()) == ["test_it.py::test_busy"]
     assert 0.09 < parts.read_table()["test_it.py::test_busy"] < 1.0

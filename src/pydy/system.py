@@ -6,7 +6,7 @@ System is a sum of themes. Each stands with its documented methods and their wor
 
 from __future__ import annotations
 
-from inspect import isfunction
+from inspect import isfunction, unwrap
 from typing import TYPE_CHECKING, Any
 
 from pydy._names import nearest
@@ -146,3 +146,4 @@ for _theme in System.__mro__[1:-1]:
     for _name, _member in vars(_theme).items():
         if isfunction(_member):
             _member.__module__, _member.__qualname__ = __name__, f"System.{_name}"
+            unwrap(_member).__qualname__ = _member.__qualname__  # the one that Python's errors name

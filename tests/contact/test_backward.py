@@ -185,7 +185,7 @@ def test_backward_is_forward(case):
     make, wrt, names = CASES[case]
     contacts = make()
     forward = contacts.simulate(sensitivities=wrt, rtol=1e-11, atol=1e-12)
-    assert len(forward.modes) > 1
+    assert len(forward.modes) > 1 or len(forward.impacts) > 0
     for name in names:
         found = contacts.system.adjoint_gradient(
             wrt, final=name, contacts=contacts, rtol=1e-11, atol=1e-12

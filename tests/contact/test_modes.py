@@ -68,6 +68,7 @@ def test_modes_that_a_contact_does_not_have_are_named():
 def test_constants_of_contacts_do_not_change_the_dictionary_of_the_user():
     values = {m: 2.0}
     system, _ = block(slope)
+    system.constants = {}
     system.constants = values
     Contacts(system, [Stick(vx, mu=mu, normal=1.0)], {"mu": 0.4})
     assert values == {m: 2.0}
@@ -78,7 +79,8 @@ def test_a_dictionary_that_drops_what_contacts_were_given_is_refused():
     """Friction of 0.4 would be one of 1.0, the default, after an assignment for other reasons."""
     system, _ = block(slope)
     contacts = Contacts(system, [Stick(vx, mu=mu, normal=1.0)], {"mu": 0.4})
-    system.times, system.constants = [0.0, 1.0], {m: 2.0}
+    system.times, system.constants = [0.0, 1.0], {}
+    system.constants = {m: 2.0}
     message = r"`system.constants` has no value of `mu`, 0\.4 in `Contacts`"
     for run in (contacts.simulate, lambda: system.integrate_ensemble(contacts=contacts)):
         with pytest.raises(ValueError, match=message):

@@ -13,7 +13,6 @@ import xarray as xr
 import zarr
 
 from ensemble_cases import identical, pendulum, random_values
-from pydy._errors import PyDyUserWarning
 from pydy.ensemble import store as stores
 from pydy.ensemble.work import Work
 from pydy.inputs import SampledInput
@@ -254,10 +253,9 @@ def test_an_expression_is_no_function_and_is_compared(system, tmp_path):
         run(system, path, specifieds={"f0": -2 * x}, resume=True)
 
 
-def test_a_store_that_cannot_be_resumed_warns_at_once(system, tmp_path):
+def test_a_store_whose_functions_have_no_name_cannot_be_resumed(system, tmp_path):
     path = tmp_path / "s.zarr"
-    with pytest.warns(PyDyUserWarning, match="`store` cannot be resumed.*resume='name'"):
-        run(system, path, reduce=scaled(1.0))
+    run(system, path, reduce=scaled(1.0))
     with pytest.raises(ValueError, match=REFUSED):
         run(system, path, reduce=scaled(1.0), resume="a name too late")
 

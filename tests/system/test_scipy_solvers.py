@@ -132,8 +132,6 @@ def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
 @pytest.mark.parametrize(
     ("solver", "option", "meant"),
     [
-        ("odeint", "max_step", "hmax"),
-        ("odeint", "first_step", "h0"),
         ("odeint", "max_steps", "mxstep"),
         ("odeint", "jac", "Dfun"),
         ("RK45", "hmax", "max_step"),

@@ -15,7 +15,7 @@ from uuid import uuid4
 import numpy as np
 
 from pydy._checks import path_of
-from pydy._errors import EnsembleInterrupted, note_finished, warn_user
+from pydy._errors import EnsembleInterrupted, note_finished
 from pydy._forks import cached_property
 from pydy._optional import progress_of, require
 from pydy._processes import LOOK
@@ -278,15 +278,13 @@ class Ensemble:
         name = resume if isinstance(resume, str) else ""
         users = ["`reduce`"] if self.work.function else []
         users += ["`specifieds`"] if self.work.model.functions else []
-        if users and not name:
-            reason = (
-                f"there are Python functions in {' and '.join(users)}, and whether those of "
-                "another call are the same is not looked at. Name them yourself, resume='name', "
-                "from the first call on, and change the name when they change."
+        if users and resume is True:
+            raise ValueError(
+                f"`resume=True` needs more: there are Python functions in {' and '.join(users)}, "
+                "and whether those of another call are the same is not looked at. Name them "
+                "yourself, resume='name', from the first call on, and change the name when they "
+                "change."
             )
-            if resume:
-                raise ValueError(f"`resume=True` needs more: {reason}")
-            warn_user(f"`store` cannot be resumed: {reason}")
         return stores.parts_of(self.work, self.samples, self.sizes, name)
 
     def _scheduler(self) -> Any:
