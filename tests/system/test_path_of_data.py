@@ -141,8 +141,8 @@ def construct():
     [
         (construct, 645, 55),
         (integrate, 27, 11),
-        (simulate, 94, 21),
-        (with_contacts, 131, 27),
+        (simulate, 97, 23),
+        (with_contacts, 133, 29),
         (ensemble, 87, 24),
         (stiff_ensemble, 91, 24),
     ],

@@ -106,15 +106,14 @@ class Run:
         self.struck: set[int] = set()  # contacts that have closed
         self.untold: dict[int, str] = {}  # transitions that an event of another contact has shown
         self.widest = np.zeros(len(self.contacts))  # bounds on roundings of the gaps until now
-        self._numbers_of: dict[Any, float] = dict(
-            zip(now.definition.constants, now.p.tolist(), strict=True)
-        )
+        values = zip(now.definition.constants, now.p.tolist(), strict=True)
+        self._numbers_of: dict[Any, float] = dict(values)
 
     # -- numbers ----------------------------------------------------------------------------------
 
     @cached_property
     def _tolerances(self) -> Options:
-        given = {name: value for name, value in self.options.items() if name in ("rtol", "atol")}
+        given = {k: v for k, v in self.options.items() if k in ("rtol", "atol")}
         return read_options("dop853", True, given)
 
     # Of another shape than the states have, it is refused where they are integrated.
