@@ -166,7 +166,8 @@ class Definer:
         known = (*equations.coordinates, *equations.speeds, *constants, *specifieds)
         taken = {name_of(s) for s in known}
         names = [n for key in outputs for n in (key if isinstance(key, (tuple, list)) else (key,))]
-        clashing = [n for n in dict.fromkeys(names) if n in known or name_of(n) in taken]
+        valid = [n for n in dict.fromkeys(names) if _may_name_an_output(n)]
+        clashing = [n for n in valid if n in known or name_of(n) in taken]
         if not clashing:
             return dict(outputs), {}
         taken |= {name_of(n) for n in (*names, *forces)}
@@ -475,6 +476,11 @@ def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
     return result
 
 
+def _may_name_an_output(name: Any) -> bool:
+    of_time = isinstance(name, AppliedUndef) and name.args == (dynamicsymbols._t,)
+    return of_time or isinstance(name, sm.Symbol)
+
+
 def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
     """Return the entries of an outputs dictionary as groups of names and expressions."""
     groups = []
@@ -482,10 +488,7 @@ def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
         several = isinstance(key, (tuple, list))
         names = tuple(key) if several else (key,)
         for name in names:
-            named = isinstance(name, sm.Symbol) or (
-                isinstance(name, AppliedUndef) and name.args == (dynamicsymbols._t,)
-            )
-            if not named:
+            if not _may_name_an_output(name):
                 raise ValueError(
                     f"`outputs` has the key `{key!r}`, but keys must be a symbol or a function of "
                     "time, or a tuple of them."

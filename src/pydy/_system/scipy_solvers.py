@@ -214,15 +214,12 @@ def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
     functions = [events] if callable(events) else listed("events", events, "functions f(t, x)")
     made: list[Any] = []
     for function in functions:
-        if not callable(function):
+        if not callable(function) or isinstance(function, type):
             raise TypeError(
                 "`events` of solve_ivp must be functions f(t, x) that cross zero, got "
                 f"{shown(function)}."
             )
-        parameters = signature(function).parameters.values()
-        needed = sum(p.kind in _BY_PLACE and p.default is Parameter.empty for p in parameters)
-        more = needed > 2 or any(p.kind is Parameter.VAR_POSITIONAL for p in parameters)
-        event = partial(_called_with, function, args if more else ())
+        event = partial(_called_with, function, args if _takes_more(function) else ())
         for name, default in (("terminal", False), ("direction", 0)):
             setattr(event, name, getattr(function, name, default))
         made.append(event)
@@ -231,6 +228,22 @@ def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
 
 
 _BY_PLACE = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)
+
+
+def _takes_more(function: Callable[..., Any]) -> bool:
+    """Return whether a function of events takes more than time and state, or refuse it."""
+    try:
+        parameters = signature(function).parameters.values()
+    except (TypeError, ValueError):  # of some built-in functions
+        return False
+    by_place = [p for p in parameters if p.kind in _BY_PLACE]
+    several = any(p.kind is Parameter.VAR_POSITIONAL for p in parameters)
+    if len(by_place) < 2 and not several:
+        raise TypeError(
+            f"`events` of solve_ivp must be functions f(t, x), got {shown(function)}, which takes "
+            f"{len(by_place)} arguments."
+        )
+    return several or sum(p.default is Parameter.empty for p in by_place) > 2
 
 
 def of_states(events: Any, n: int) -> Any:

@@ -155,7 +155,7 @@ def _(v):
 
 @target(
     "dop853.t",
-    array((None,), check=lambda t: len(t) and np.isfinite(t).all() and (np.diff(t) >= 0).all()),
+    array((None,), check=lambda t: bool(len(t)) and monotonic(t)),
     "`t`",
 )
 def _(v):
