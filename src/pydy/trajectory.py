@@ -18,6 +18,7 @@ from pydy._interpolation import (
     Sides,
     between,
     breaks,
+    check_sensitivities,
     checked_times,
     states_at_jumps,
     straight,
@@ -341,12 +342,8 @@ class Trajectory:
             raise TypeError(f"`model` must be what a System passes, got {shown(model)}.")
         if dense is not None and not callable(dense):
             raise TypeError(f"`dense` must be a function of times, got {shown(dense)}.")
-        if sensitivities is not None and not (
-            isinstance(sensitivities, (tuple, list)) and len(sensitivities) == 2
-        ):
-            raise TypeError(
-                f"`sensitivities` must be a pair, (parameters, values), got {shown(sensitivities)}."
-            )
+        if sensitivities is not None:
+            check_sensitivities(sensitivities, self.states.shape)
         if sensitivity_model is not None and not hasattr(sensitivity_model, "outputs"):
             raise TypeError(
                 f"`sensitivity_model` must be what a System passes, got {shown(sensitivity_model)}."

@@ -20,6 +20,7 @@ from pydy._checks import (
     real_array,
     refuse_twice,
     shown,
+    text,
 )
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import some, unique_names
@@ -72,7 +73,7 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
             "expression. Got "
             f"{shown(trial)} at {k}."
         )
-    label = trial.name or label
+    label = text(trial.name, f"`name` of {label}") or label
     times, begin = _instants(trial, label)
     measured = check_mapping(f"measured of {label}", trial.measured)
     if not measured:

@@ -313,7 +313,7 @@ def joint_friction(
     return r * brown_mcphee(r * w, pressing, mu, transition, mu_static=peak)
 
 
-_POSITIVE = {"transition", "stribeck_speed", "normal_transition"}
+_POSITIVE = {"transition", "stribeck_speed", "normal_transition", "smoothing"}
 
 
 def _expressions(**given: Any) -> list[Any]:

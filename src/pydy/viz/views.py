@@ -120,6 +120,8 @@ def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
     **ignored
         `fps` and `outfile_prefix` are accepted and ignored.
     """
+    if system is None:
+        raise TypeError("`system` must be a System, got None.")
     scene.system, scene._states, scene._animation = system, None, None
     scene._moving()
 

@@ -348,6 +348,8 @@ def _(v):
     return _system().fit([_block().g], trial, contacts=v).estimates
 
 
-@target("as_jax.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
-def _(v):
-    return _Frozen(_system(), v, {}).start()
+for _method in ("as_jax", "as_torch"):
+    # What both hand to their libraries.
+    @target(f"{_method}.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+    def _(v):
+        return _Frozen(_system(), v, {}).start()

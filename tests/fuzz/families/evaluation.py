@@ -137,14 +137,16 @@ def _off_the_circle() -> System:
     return System(c.kane, initial_conditions={c.x: 0.6, c.y: -0.7})
 
 
-@target("set_dependent.dep_vars", nothing("symbols", "texts", allowed=one_of(None)))
+@target(
+    "set_dependent_initial_conditions.dep_vars", nothing("symbols", "texts", allowed=one_of(None))
+)
 def _(v):
     system = _off_the_circle()
     system.set_dependent_initial_conditions(v)
     return system.initial_conditions
 
 
-@target("set_dependent.use_jac", flags)
+@target("set_dependent_initial_conditions.use_jac", flags)
 def _(v):
     system = _off_the_circle()
     system.set_dependent_initial_conditions(use_jac=v)

@@ -381,12 +381,17 @@ def _(v):
     return _fitted(trial={"measured": v})
 
 
+# An integration from `start` needs times that are not negative.
+@target("Trial.start", real(least=0.0, most=0.0).or_none(), "`start", "`times` must not")
+def _(v):
+    return _fitted(trial={"start": v})
+
+
 for _name, _kind in {
     "initial_conditions": mapping,
     "constants": mapping,
     "specifieds": mapping,
     "unknown": nothing("symbols", "texts", "arrays", allowed=_no_relations),
-    "start": real(most=0.0).or_none(),
     "name": text(),
 }.items():
 

@@ -121,7 +121,7 @@ def _(v):
 
 _CALLABLE = nothing("texts", "symbols", allowed=lambda v: v is None or callable(v))
 for _name, _kind in {
-    "statistics": mapping,
+    "statistics": nothing("texts", "symbols", allowed=lambda v: isinstance(v, (dict, type(None)))),
     "model": nothing("texts", "symbols", "functions", allowed=one_of(None)),
     "dense": _CALLABLE,
     "sensitivities": nothing("texts", "symbols", "arrays", allowed=one_of(None)),

@@ -291,10 +291,12 @@ def _(v):
 
 
 for _name in ("dynamic_variables", "constant_variables"):
+    # Constants that nothing drawn needs are left out, whatever they are.
+    _any = ("symbols", "texts", "arrays")
 
     @target(
         f"generate_visualization_json.{_name}",
-        nothing("symbols", "texts", "arrays"),
+        nothing(*_any) if _name == "dynamic_variables" else anything(*_any),
         "variables",
         *("`symbols", "`states", "no value", "`constant"),
     )
