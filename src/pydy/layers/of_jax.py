@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import real_array
 from pydy._optional import require
 from pydy.layers.layer import Function
 
@@ -39,7 +40,8 @@ class JaxArrays:
         """Return an array of float64; numbers and arrays of integers are converted."""
         self._check()
         jnp = self.jax.numpy
-        array = jnp.asarray(value)
+        traced = any(isinstance(leaf, self.jax.Array) for leaf in self.jax.tree.leaves(value))
+        array = jnp.asarray(value if traced else _plain(value, argument))
         if jnp.issubdtype(array.dtype, jnp.integer):
             array = array.astype(jnp.float64)
         if array.dtype != np.float64:
@@ -63,6 +65,16 @@ class JaxArrays:
         """Return the value of a Function."""
         value, _, _ = _primitives()
         return value.bind(*given, function=function)
+
+
+def _plain(value: Any, argument: str) -> np.ndarray:
+    """Return numbers as an array, or name the argument that holds others.
+
+    An array of fewer digits stays one, which is refused: they may have been lost by mistake.
+    """
+    numbers = real_array(value, argument)
+    narrow = getattr(getattr(value, "dtype", None), "kind", "") == "f"
+    return np.asarray(value) if narrow else numbers
 
 
 @cache

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import real_array
 from pydy._optional import require
 from pydy.layers.layer import Function
 
@@ -24,7 +25,7 @@ class TorchArrays:
         """Return a tensor of float64; numbers and arrays are converted."""
         torch = self.torch
         if not isinstance(value, torch.Tensor):
-            return torch.as_tensor(np.asarray(value, dtype=float))
+            return torch.as_tensor(real_array(value, argument))
         if not value.is_floating_point() and not value.is_complex():
             return value.to(torch.float64)
         if value.dtype != torch.float64:

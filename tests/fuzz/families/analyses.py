@@ -16,6 +16,7 @@ from fuzz.table import (
     empty_or_none,
     flags,
     hashable,
+    is_number,
     key,
     mapping,
     number,
@@ -27,18 +28,20 @@ from pydy.system import System
 
 
 def _no_entries(value: Any) -> bool:
-    return isinstance(value, (list, tuple, set)) and not value
+    empty = isinstance(value, (list, tuple, set)) and not value
+    return empty or (isinstance(value, np.ndarray) and not value.size)
 
 
 @cache
-def _damped() -> System:
-    """The oscillator with a load that grows with its stiffness, at rest at x = 1/16."""
+def _oscillator() -> System:
+    """The oscillator, which rests at x = 1/16."""
     return driven(world().o)
 
 
 _RANGE = [2.0, 3.0]
 _symbols = nothing("symbols", "texts", "arrays", allowed=one_of(None))
 _moving = nothing("symbols", "texts", "arrays", allowed=_no_entries)
+_names = nothing("symbols", "texts", "arrays", allowed=lambda v: v is None or _no_entries(v))
 _given = mapping
 _METHODS: dict[str, dict[str, Any]] = {
     "find_equilibrium": {"unknowns": _symbols, "given": _given, "moving": _moving},
@@ -47,14 +50,14 @@ _METHODS: dict[str, dict[str, Any]] = {
         "unknowns": _symbols,
         "given": _given,
         "moving": _moving,
-        "step": real(above=0.0, most=1.0),
+        "step": real(above=0.0),
         "most": integer(1),
         "progress": flags,
     },
     "eigenvalues": {
         "over": nothing("symbols", "texts", "arrays"),
         "at": STATES.or_(a_dictionary).or_none(),
-        "unknowns": _symbols,
+        "unknowns": _names,
         "given": _given,
         "moving": _moving,
         "progress": flags,
@@ -64,7 +67,7 @@ _METHODS: dict[str, dict[str, Any]] = {
 
 def _analysed(method: str, **changes: Any) -> Any:
     usual = {} if method == "find_equilibrium" else {"over": {world().o.k: _RANGE}}
-    found = getattr(_damped(), method)(**{**usual, **changes})
+    found = getattr(_oscillator(), method)(**{**usual, **changes})
     return found.state if method == "find_equilibrium" else found.values
 
 
@@ -113,7 +116,11 @@ def _(v):
     return _analysed("find_equilibrium", bounds={hashable(v): (None, 1.0)})
 
 
-@target("find_equilibrium.bounds[value]", array((2,), check=lambda a: a[0] < a[1]), "`bounds")
+_sides = array((2,), check=lambda a: a[0] < a[1])
+
+
+# The equilibrium has no speed, and may lie outside.
+@target("find_equilibrium.bounds[value]", _sides, "`bounds", "At a bound: v")
 def _(v):
     return _analysed("find_equilibrium", bounds={world().o.v: v})
 
@@ -124,33 +131,33 @@ def _(v):
 @cache
 def _driven_periodically() -> System:
     o = world().o
-    return driven(o, specifieds={o.f: sm.sin(dynamicsymbols._t), o.g: 0.0}, ode_solver="dop853")
+    force = sm.sin(dynamicsymbols._t) - o.v
+    return driven(o, specifieds={o.f: force, o.g: 0.0}, ode_solver="dop853")
 
 
 for _name, _kind in {
-    "period": real(above=0.0, most=1e3),
+    "period": nothing("numbers", "texts"),  # but for multiples of 2 π
     "moving": _moving,
     "until": nothing("symbols", "texts", allowed=one_of(None)),
     "progress": flags,
 }.items():
-    # Beyond the largest period the search needs more steps than it may take.
+
     @target(f"find_periodic_orbit.{_name}", _kind, f"`{_name}", "`max_steps`")
     def _(v, name=_name):
-        options = {"period": 1.0, "rtol": 1e-6, "atol": 1e-6, "max_steps": 1000, name: v}
+        options = {"period": 2 * np.pi, "rtol": 1e-6, "atol": 1e-6, "max_steps": 1000, name: v}
         return _driven_periodically().find_periodic_orbit(**options).period
 
 
 # -- linear models --------------------------------------------------------------------------------
 
-_names = nothing("symbols", "texts", "arrays", allowed=lambda v: v is None or _no_entries(v))
 for _name, _kind in {
-    "at": STATES.or_(a_dictionary).or_none(),
-    "t": real().or_none(),
+    "at": array((2,), (None, 2), check=lambda a: np.isfinite(a).all()).or_(a_dictionary).or_none(),
+    "t": real(finite=False).or_none(),
     "inputs": _names,
     "outputs": _names,
 }.items():
 
-    @target(f"linearize.{_name}", _kind)
+    @target(f"linearize.{_name}", _kind, f"`{_name}", "not finite at the state")
     def _(v, name=_name):
         found = world().o.system.linearize(**{"at": [1.0, 2.0], name: v})
         return found.A, found.B, found.C, found.D
@@ -158,13 +165,23 @@ for _name, _kind in {
 
 # -- gradients ------------------------------------------------------------------------------------
 
+
+def _known(value: Any) -> bool:
+    """Whether a value is an expression without states: its gradient is zero."""
+    return is_number(value) and not isinstance(value, list) and np.ndim(value) == 0
+
+
+def _of_time(value: Any) -> bool:
+    return value is None or _known(value) or any(value is one for one in (dynamicsymbols._t, sm.oo))
+
+
 for _name, _kind in {
     "wrt": nothing("symbols", "texts", "arrays"),
-    "final": nothing("symbols", "texts", "arrays"),
-    "integral": nothing("symbols", "texts", "arrays", allowed=one_of(None)),
+    "final": nothing("symbols", "texts", "arrays", allowed=_of_time),
+    "integral": nothing("symbols", "texts", "arrays", allowed=_of_time),
 }.items():
-
-    @target(f"adjoint_gradient.{_name}", _kind)
+    # An infinite integrand is met on the way.
+    @target(f"adjoint_gradient.{_name}", _kind, f"`{_name}", "that are not finite")
     def _(v, name=_name):
         given = {"wrt": "states", "final": world().o.x, name: v}
         return world().o.native.adjoint_gradient(**given).values

@@ -6,11 +6,12 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Particle, dynamicsymbols
 
 from fuzz.kinds import Kind, RefusedError, choice, nothing, real
-from fuzz.table import hashable, is_number, key, mapping, target
+from fuzz.table import empty_or_none, hashable, is_number, key, mapping, target
 from fuzz.world import driven, world
 from pydy.mechanics import Definition, Implicit
 from zoo import inertial_frame
@@ -40,18 +41,16 @@ def _defined(**changes: Any) -> str:
     return repr((definition, definition.multibody.coordinate_derivatives))
 
 
-def _numbers(value: Any) -> bool:
-    """Whether a value is a sequence of numbers, none of which depends on the motion."""
-    if isinstance(value, (str, bytes, dict)):
-        return False
-    try:
-        return all(isinstance(v, (int, float, sm.Expr)) and is_number(v) for v in value)
-    except TypeError:
-        return False
+def _numbers_by_key(value: Any) -> bool:
+    """Whether a value is a dictionary of numbers, of which those are taken that are needed."""
+    return empty_or_none(value) or (
+        isinstance(value, dict) and all(is_number(v) for v in value.values())
+    )
 
 
 def _no_entries(value: Any) -> bool:
-    return isinstance(value, (list, tuple, set, frozenset)) and not value
+    empty = isinstance(value, (list, tuple, set, frozenset)) and not value
+    return empty or (isinstance(value, np.ndarray) and not value.size)
 
 
 def _none_or_no_entries(value: Any) -> bool:
@@ -78,12 +77,22 @@ _ARGUMENTS: dict[str, Kind] = {
     "auxiliary_speeds": nothing(*_lists, allowed=_no_entries),
     "configuration": mapping,
     "frames": mapping,
-    "values": mapping,
+    "values": nothing(*mapping.groups[1:], allowed=_numbers_by_key),
+}
+# What a message may say instead of the argument's name.
+_OTHERWISE = {
+    "coordinates": "0 coordinates",
+    "speeds": "0 speeds",
+    "loads": "The load ",
+    **dict.fromkeys(
+        ("holonomic_constraints", "nonholonomic_constraints", "velocity_constraints"),
+        "The constraints ",
+    ),
 }
 
 for _name, _kind in _ARGUMENTS.items():
 
-    @target(f"Definition.{_name}", _kind)
+    @target(f"Definition.{_name}", _kind, f"`{_name}", _OTHERWISE.get(_name, f"`{_name}"))
     def _(v, name=_name):
         return _defined(**{name: v})
 

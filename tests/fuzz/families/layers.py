@@ -10,7 +10,7 @@ import numpy as np
 
 from fuzz.kinds import array
 from fuzz.table import hashable, key, target
-from fuzz.world import world
+from fuzz.world import driven, world
 from pydy._checks import real_array
 from pydy._system.layers import _Frozen
 from pydy.layers import Layer
@@ -35,18 +35,22 @@ class _NumPyArrays:
 
 @cache
 def _layer() -> Layer:
-    return Layer(_Frozen(world().o.native, None, {}), _NumPyArrays(), "NumPy")
+    system = driven(world().o, ode_solver="dop853", outputs={"twice": 2 * world().o.x})
+    return Layer(_Frozen(system, None, {}), _NumPyArrays(), "NumPy")
 
 
-_finite = array((2,), (None, 2), check=lambda a: len(a) and np.isfinite(a).all()).or_none()
-_any = array((2,), (None, 2)).or_none()
+_shapes = ((2,), (None, 2), (None, None, 2))
+_finite = array(*_shapes, check=lambda a: np.isfinite(a).all()).or_none()
+_any = array(*_shapes).or_none()
+_instants = array((), *((None,) * k for k in (1, 2, 3))).or_none()
+_whose = {"x": "`initial_conditions", "r": "specified", "p": "`constants"}
 for _function, _name in product(("ode", "outputs", "simulate", "final"), ("x", "t", "r", "p")):
     _moves = _function in ("simulate", "final")
     if _moves and _name == "t":
         continue
-    _kind = array((), (None,)).or_none() if _name == "t" else _finite if _moves else _any
+    _kind = _instants if _name == "t" else _finite if _moves else _any
 
-    @target(f"Layer.{_function}.{_name}", _kind, f"`{_name}", "specified")
+    @target(f"Layer.{_function}.{_name}", _kind, f"`{_name}", _whose.get(_name, "`t"))
     def _(v, function=_function, name=_name):
         return getattr(_layer(), function)(**{name: v})
 
