@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from pydy._checks import descends, monotonic, number, real_array
+from pydy._checks import descends, monotonic, number, real_array, shown
 
 
 def evenly(count: int, most: int) -> np.ndarray:
@@ -48,6 +48,22 @@ class SensitivityModel(Protocol):
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
+
+
+def check_sensitivities(given: Any, shape: tuple[int, int]) -> None:
+    """Refuse what is no pair of parameters and derivatives of the states of some shape."""
+    pair = isinstance(given, (tuple, list)) and len(given) == 2
+    if not pair or not isinstance(given[0], Mapping):
+        raise TypeError(
+            "`sensitivities` must be a pair, (parameters, values), of a dictionary and an array, "
+            f"got {shown(given)}."
+        )
+    wanted = (*shape, sum(given[0].values()))
+    if (found := np.shape(given[1])) != wanted:
+        raise ValueError(
+            f"`sensitivities` must have values of the shape {wanted}, by the numbers of columns "
+            f"of its parameters, got {found}."
+        )
 
 
 def checked_times(times: Any, own: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, refuse_twice, shown, text
+from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import filled
 from pydy._names import name_of, some
@@ -343,7 +343,11 @@ def plot_sensitivities(
     """
     ((_, result),) = runs_of(result)
     found, name = result.sensitivity, result.name(quantity)
-    names = found.names if parameters is None else map(name_of, listed("parameters", parameters))
+    names = found.names
+    if parameters is not None:
+        names = [name_of(one) for one in one_or_more("parameters", parameters)]
+        if not names:
+            raise ValueError("`parameters` is empty: there is nothing to plot. None means all.")
     curves = [Curve(one, "", result.times, found[quantity, one]) for one in names]
     return _draw(ax, curves, f"derivatives of {name}", time_unit)
 

@@ -29,6 +29,7 @@ from pydy._interpolation import (
     Sides,
     between,
     breaks,
+    check_sensitivities,
     checked_times,
     states_at_jumps,
     straight,
@@ -127,25 +128,17 @@ class Sensitivity:
     condition. A specified that is given by samples has a column for each sample:
     ``sensitivity['q1', 'F']`` has the shape (m, samples).
 
-    Parameters
-    ----------
-    values : ndarray, shape (m, n, k)
-        Derivatives of the states.
-    parameters : mapping of symbols to int
-        The parameters, and their numbers of columns.
-    states, outputs : sequence of symbols
-    evaluate : callable
-        Gives the derivatives of the outputs, shape (m, o, k), when they are first asked for.
-
     Attributes
     ----------
     values : ndarray, shape (m, n, k)
+        Derivatives of the states.
     counts : dict
         The parameters, with their numbers of columns.
     names : tuple of str
         Of the columns: those of the parameters; ``F[0]``, ``F[1]``, … for samples.
     """
 
+    # `evaluate` gives the derivatives of the outputs, shape (m, o, k), when first asked for.
     def __init__(
         self,
         values: np.ndarray,
@@ -345,16 +338,16 @@ class Trajectory(Continued):
         self.events = tuple(listed("events", events, "EventRecord"))
         if not all(isinstance(event, EventRecord) for event in self.events):
             raise TypeError(f"`events` must hold objects of EventRecord, got {shown(events)}.")
-        self.statistics = statistics
+        self.statistics = None if statistics is None else check_mapping("statistics", statistics)
         if model is not None and not hasattr(model, "derivatives"):
             raise TypeError(f"`model` must be what a System passes, got {shown(model)}.")
         if dense is not None and not callable(dense):
             raise TypeError(f"`dense` must be a function of times, got {shown(dense)}.")
-        if sensitivities is not None and not (
-            isinstance(sensitivities, (tuple, list)) and len(sensitivities) == 2
-        ):
+        if sensitivities is not None:
+            check_sensitivities(sensitivities, self.states.shape)
+        if sensitivity_model is not None and not hasattr(sensitivity_model, "outputs"):
             raise TypeError(
-                f"`sensitivities` must be a pair, (parameters, values), got {shown(sensitivities)}."
+                f"`sensitivity_model` must be what a System passes, got {shown(sensitivity_model)}."
             )
         self._model = model
         self._dense = dense

@@ -125,7 +125,14 @@ def expression(value: Any) -> Any:
     return real().read(value)
 
 
+def _empty_dictionary(value: Any) -> Any:
+    if isinstance(value, dict) and not value:
+        return value
+    raise RefusedError
+
+
 number = real()
+a_dictionary = Kind(_empty_dictionary, ())
 flags = flag()
 mapping = nothing("symbols", "arrays", allowed=empty_or_none)
 key = nothing("symbols", "texts")

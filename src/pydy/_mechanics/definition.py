@@ -241,15 +241,25 @@ class Definition:
             )
 
     def _check_motion(self) -> None:
-        moving = {*self.speeds, *self.auxiliary_speeds}
-        for k, row in enumerate(self.nonholonomic_constraints):
+        for k, row in enumerate(self.holonomic_constraints):
             found = find_symbols((row,))
-            still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
-            if still and not found.keys().isdisjoint(self.coordinates):
+            if found and not any(isinstance(s, (AppliedUndef, sm.Derivative)) for s in found):
                 raise ValueError(
-                    f"`nonholonomic_constraints[{k}]` must restrict speeds, got {shown(row)}, "
-                    "which has none. Coordinates are constrained by `holonomic_constraints`."
+                    f"`holonomic_constraints[{k}]` must restrict coordinates, got {shown(row)}, "
+                    "which has none."
                 )
+        moving = {*self.speeds, *self.auxiliary_speeds}
+        for argument in ("nonholonomic_constraints", "velocity_constraints"):
+            of_speeds = argument == "velocity_constraints"
+            rows = (self._given_motion or ()) if of_speeds else self.nonholonomic_constraints
+            for k, row in enumerate(rows):
+                found = find_symbols((row,))
+                still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
+                if still and found:
+                    raise ValueError(
+                        f"`{argument}[{k}]` must restrict speeds, got {shown(row)}, which has "
+                        "none. Coordinates are constrained by `holonomic_constraints`."
+                    )
 
     @cached_property
     def multibody(self) -> Multibody:
@@ -318,7 +328,7 @@ def equations_of_definition(
 
 def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[Any, ...]:
     """Return functions of time, or derivatives that are among `rates`."""
-    found = tuple(listed(argument, symbols, "functions of time"))
+    found = tuple(listed(argument, symbols, "functions of time", hashable=True))
     for symbol in found:
         of_time = isinstance(symbol, AppliedUndef) and symbol.args == (dynamicsymbols._t,)
         if not of_time and symbol not in rates:
@@ -361,7 +371,7 @@ def _places(frames: Any) -> dict[str, tuple[Any, Any]]:
 def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tuple[Any, ...] | None:
     if symbols is None:
         return None
-    found = tuple(listed(argument, symbols, what))
+    found = tuple(listed(argument, symbols, what, hashable=True))
     strange = [s for s in found if s not in known]
     if strange:
         raise ValueError(f"`{argument}` must be some of the {what}, got {describe(strange)}.")

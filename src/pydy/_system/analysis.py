@@ -161,7 +161,7 @@ class LinearModels(Setup):
             kinds = ("specifieds", "constants")
             r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
             plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
-        x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, n)
+        x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, n, "at")
         made = driven(now.model, definition, plan, perturbed=True)
         if chosen:  # those of a search for an equilibrium may be roundings of zero
             now.check_columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))

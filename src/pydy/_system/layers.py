@@ -89,6 +89,8 @@ class _Values:
         lead = given[0].shape[:-1]
         if not lead:
             return self._at(kernel, given, more)
+        if 0 in lead:
+            return np.empty((*lead, len(kernel.program.outputs)))
         flat = [one.reshape(-1, one.shape[-1]) for one in given]
         own = {part.group: one for part, one in zip(self.parts, flat, strict=True)}
         m, now, of = len(flat[0]), self.now, self._of

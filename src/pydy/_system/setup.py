@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag, instance, merged, names_meant, shown
+from pydy._checks import Keyed, check_mapping, choice, flag, instance, merged, names_meant, shown
 from pydy._errors import warn_user
 from pydy._graph.passes import rewriting
 from pydy._html import html_table
@@ -136,8 +136,7 @@ class Setup:
         equations: Literal["graph", "method"] | None = None,
         implicit: Implicit | None = None,
     ) -> None:
-        if equations not in (None, "graph", "method"):
-            raise ValueError(f"`equations` must be 'graph' or 'method', got {shown(equations)}.")
+        choice(equations, (None, "graph", "method"), "`equations`")
         if implicit is not None:
             instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)

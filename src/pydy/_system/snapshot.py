@@ -491,17 +491,22 @@ def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> 
 
 
 def samples(
-    x: Any, t: Any, default: Callable[[], np.ndarray], times: np.ndarray, n: int
+    x: Any,
+    t: Any,
+    default: Callable[[], np.ndarray],
+    times: np.ndarray,
+    n: int,
+    argument: str = "x",
 ) -> tuple[np.ndarray, np.ndarray, bool]:
     """Return states (m, n), times (m,), and whether there is only one sample."""
     if x is None:
         states = default()
     else:
-        states = real_array(x, "`x`")
+        states = real_array(x, f"`{argument}`")
         if states.ndim not in (1, 2) or states.shape[-1] != n:
             raise ValueError(
-                f"`x` must have the shape ({n},) or (m, {n}), one column for each state, got "
-                f"{states.shape}."
+                f"`{argument}` must have the shape ({n},) or (m, {n}), one column for each state, "
+                f"got {states.shape}."
             )
     single = states.ndim == 1
     if t is None:
@@ -516,19 +521,19 @@ def samples(
         if single:
             if instants.ndim != 0:
                 raise ValueError(
-                    f"`t` must be a scalar for `x` of the shape {states.shape}, got the shape "
-                    f"{np.shape(t)}."
+                    f"`t` must be a scalar for `{argument}` of the shape {states.shape}, got the "
+                    f"shape {np.shape(t)}."
                 )
             instants = instants.reshape(1)
         elif instants.ndim != 1:
             raise ValueError(
-                f"`t` must have the shape ({len(states)},) for `x` of the shape {states.shape}, "
-                f"got the shape {np.shape(t)}."
+                f"`t` must have the shape ({len(states)},) for `{argument}` of the shape "
+                f"{states.shape}, got the shape {np.shape(t)}."
             )
     if not single and len(instants) != len(states):
         raise ValueError(
-            f"`x` and `t` must have as many rows as times: `x` has the shape {states.shape}, "
-            f"{source} the shape {instants.shape}."
+            f"`{argument}` and `t` must have as many rows as times: `{argument}` has the shape "
+            f"{states.shape}, {source} the shape {instants.shape}."
         )
     return (states[None] if single else states), np.ascontiguousarray(instants), single
 

@@ -267,8 +267,9 @@ class Sweeps(Setup):
         definition = now.definition
         given_at, at = at, now.x_with(at, "at")
         if at is not None:
-            t = np.zeros(len(at)) if np.ndim(at) == 2 else None
-            at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
+            at = real_array(at, "`at`")
+            t = np.zeros(len(at)) if at.ndim == 2 else None
+            at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states), "at")
             at = at[0] if single else at
         parameter, values = parameter_of(definition, over)
         check_swept(now, parameter, values)

@@ -17,6 +17,7 @@ from pydy._checks import (
     one_or_more,
     refuse_twice,
     shown,
+    text,
 )
 from pydy._errors import warn_user
 from pydy._mechanics.symbols import find_symbols
@@ -54,7 +55,7 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
             "expression. Got "
             f"{shown(trial)} at {k}."
         )
-    label = trial.name or label
+    label = text(trial.name, f"`name` of {label}") or label
     times, begin = instants(trial, label)
     values = checked_samples(trial, label, times)
     measured = check_mapping(f"measured of {label}", trial.measured)

@@ -108,8 +108,10 @@ def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
 def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
     """Return vectors as rows of inputs, how many there are a sample, and whether `v` is one."""
     array = real_array(v, "`v`")
-    many = states is not None and np.ndim(states) == 2
-    m = len(states) if many else 1
+    given = states is not None and not isinstance(states, Mapping)
+    table = real_array(states, "`x`") if given else np.zeros(0)
+    many = table.ndim == 2
+    m = len(table) if many else 1
     if array.shape == (length,):
         return array[None], 1, True
     if many and array.shape == (m, length):

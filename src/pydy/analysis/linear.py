@@ -172,7 +172,13 @@ class LinearModel:
             sizes = sizes[sizes > CROSSED * sizes.max(initial=0.0)]
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
+        frequencies = real_array(frequencies, "`frequencies`")
         response = self.frequency_response(frequencies)[:, i, j]
+        if (frequencies < 0.0).any():
+            raise ValueError(
+                f"`frequencies` must not be negative, got {frequencies.min():g} rad/s: the axis is "
+                "logarithmic."
+            )
         axes, (magnitude, phase) = rows_of_axes(axes, 2, "of magnitude and phase")
         title = f"{input} → {output}"
         with np.errstate(divide="ignore"):

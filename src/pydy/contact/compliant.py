@@ -108,24 +108,36 @@ class CompliantContact:
             raise ValueError("`friction` and `along` belong together: give both or none.")
         if (len(directions) == 2) != (smoothing is not None):
             raise ValueError("`smoothing` must be given with two vectors in `along`, and only so.")
+        opposite = flag(reaction, "`reaction`")
         sliding = point.vel(frame) - plane.vel(frame)
         self.gap = point.pos_from(plane).dot(normal)
         self.rate = sm.sympify(self.gap).diff(dynamicsymbols._t)
         self.speeds = tuple(sliding.dot(v) for v in directions)
-        self.normal_force = force(self.gap, self.rate)
+        self.normal_force = _of_law("force(gap, rate)", force, self.gap, self.rate)
         self.friction_forces = self._friction(friction, smoothing)
         whole = self.normal_force * normal
         for size, direction in zip(self.friction_forces, directions, strict=True):
             whole += size * direction
-        self.loads = [(point, whole), *([(plane, -whole)] if reaction else [])]
+        self.loads = [(point, whole), *([(plane, -whole)] if opposite else [])]
         self.events = [Event(self.gap, name=name)]
 
     def _friction(self, law: Any, smoothing: Any) -> tuple[Any, ...]:
         if law is None:
             return ()
+        called = "friction(speed, normal)"
         if len(self.speeds) == 1:
-            return (law(self.speeds[0], self.normal_force),)
+            return (_of_law(called, law, self.speeds[0], self.normal_force),)
         (small,) = _expressions(smoothing=smoothing)
         size = sm.sqrt(sum(v**2 for v in self.speeds) + small**2)
-        share = law(size, self.normal_force) / size
+        share = _of_law(called, law, size, self.normal_force) / size
         return tuple(share * v for v in self.speeds)
+
+
+def _of_law(called: str, law: Callable[[Any, Any], Any], *given: Any) -> Any:
+    """Return the force that a user's law gives: an expression or a number."""
+    try:
+        force = law(*given)
+    except Exception as error:
+        error.add_note(f"This was raised by `{called}`, called with expressions.")
+        raise
+    return _expressions(**{called: force})[0]

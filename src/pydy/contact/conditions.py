@@ -135,8 +135,7 @@ class Stick:
             raise ValueError(
                 f"`mu_static` must not be below `mu`, got {self.mu_static} and {self.mu}."
             )
-        name = name or ("friction" if on is None else on.name)
-        self.name = text(name, "`name`", empty=False)
+        self.name = text(name, "`name`") or ("friction" if on is None else on.name)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.name}>"

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_copied, shown
+from pydy._checks import check_copied, real_array, shown
 from pydy._optional import require
 from pydy.layers.layer import Function
 
@@ -42,7 +42,13 @@ class JaxArrays:
         jnp = self.jax.numpy
         check_copied(value, argument)
         try:
-            array = jnp.asarray(value)
+            leaves = self.jax.tree.leaves(value)
+            traced = any(isinstance(leaf, self.jax.Array) for leaf in leaves)
+        except RecursionError:
+            traced = False
+        plain = value if traced else _plain(value, argument)
+        try:
+            array = jnp.asarray(plain)
         except (TypeError, ValueError, OverflowError, RecursionError):
             # JAX names neither the argument nor what it may be; its tracers raise other errors.
             raise TypeError(
@@ -71,6 +77,16 @@ class JaxArrays:
         """Return the value of a Function."""
         value, _, _ = _primitives()
         return value.bind(*given, function=function)
+
+
+def _plain(value: Any, argument: str) -> np.ndarray:
+    """Return numbers as an array, or name the argument that holds others.
+
+    An array of fewer digits stays one, which is refused: they may have been lost by mistake.
+    """
+    numbers = real_array(value, argument)
+    narrow = getattr(getattr(value, "dtype", None), "kind", "") == "f"
+    return np.asarray(value) if narrow else numbers
 
 
 @cache

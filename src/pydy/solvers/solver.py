@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from pydy._checks import monotonic, real_array, shown
+from pydy._checks import instance, monotonic, real_array, shown
 from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import Begun, read_options
@@ -32,7 +32,7 @@ class Solver:
 
     There is one object for each method: `pydy.solvers.dop853` and so on.
 
-    Parameters
+    Attributes
     ----------
     name : str
     adaptive : bool
@@ -87,6 +87,7 @@ class Solver:
         >>> bool(abs(x[-1, 0] - np.exp(-1.0)) < 1e-5)
         True
         """
+        instance(tableau, Tableau, "`tableau`")
         if tableau.name in SOLVERS:
             raise ValueError(
                 f"`tableau` has the name {tableau.name!r}, which is that of a solver of the "

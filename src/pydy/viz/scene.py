@@ -448,6 +448,17 @@ class Scene:
         self._animation = None
 
     @property
+    def system(self) -> Any:
+        """The System that provides the motion if `animate` was not called, or None."""
+        return self._system
+
+    @system.setter
+    def system(self, system: Any) -> None:
+        if system is not None and not hasattr(system, "simulate"):
+            raise TypeError(f"`system` must be a System, got {shown(system)}.")
+        self._system = system
+
+    @property
     def cameras(self) -> list[Any]:
         """Cameras; the first determines the direction of view at the start."""
         return self._cameras

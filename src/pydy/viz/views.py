@@ -90,7 +90,6 @@ def animate_states(
 
     Parameters
     ----------
-    scene : Scene
     dynamic_variables, constant_variables : sequence of symbols
     dynamic_values : array_like, shape (m, n)
     constant_values : sequence of numbers
@@ -117,11 +116,12 @@ def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
 
     Parameters
     ----------
-    scene : Scene
     system : System
     **ignored
         `fps` and `outfile_prefix` are accepted and ignored.
     """
+    if system is None:
+        raise TypeError("`system` must be a System, got None.")
     scene.system, scene._states, scene._animation = system, None, None
     scene._moving()
 

@@ -22,6 +22,7 @@ from pydy._system.layers import _Frozen
 from pydy.analysis import Trial
 from pydy.contact import (
     Clearance,
+    CompliantContact,
     Contacts,
     Roll,
     Stick,
@@ -153,6 +154,11 @@ def _(v):
     return repr(Stick(_block().v, on=_block().floor, mu=0.0, mu_static=v))
 
 
+@target("Stick.name", nothing("texts", allowed=lambda v: isinstance(v, str)))
+def _(v):
+    return repr(Stick(_block().v, on=_block().floor, mu=0.2, name=v))
+
+
 @target("Stick.normal", _amount(), "`normal`")
 def _(v):
     return repr(Stick(_block().v, normal=v, mu=0.2))
@@ -178,7 +184,7 @@ def _roll(**given: Any) -> str:
     b = _block()
     ball = RigidBody("ball", b.P, b.N, b.m, (inertia(b.N, 0, 0, 1), b.P))
     usual = {
-        "body": ball, "radius": 0.1, "on": b.O, "normal": b.N.y, "along": b.N.x, "mu": 0.2
+        "body": ball, "radius": 0.1, "on": b.O, "normal": b.N.y, "along": b.N.x, "mu": 0.0
     }  # fmt: skip
     return repr(Roll(**{**usual, **given}).on)
 
@@ -187,7 +193,7 @@ def _clearance(**given: Any) -> str:
     b = _block()
     usual = {
         "pin": b.P, "bush": b.O, "radius": 0.1, "play": 0.1, "axis": b.N.z,
-        "frames": (b.N, b.N), "mu": 0.2,
+        "frames": (b.N, b.N), "mu": 0.0,
     }  # fmt: skip
     return repr(Clearance(**{**usual, **given}).on)
 
@@ -201,13 +207,21 @@ def _size(value: Any) -> Any:
 
 _sizes = Kind(_size, ("common", "numbers", "symbols"), compare=False)
 _objects = nothing("symbols", "texts")
+_of_contact = {
+    "mu": _amount(),
+    "mu_static": _amount().or_none(),
+    "restitution": _amount(1.0),
+    "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
+}
 _GEOMETRIES: dict[Any, dict[str, Kind]] = {
     _roll: {
         **dict.fromkeys(("body", "on", "normal", "along"), _objects),
         "radius": _sizes,
         "axis": nothing("symbols", "texts", allowed=lambda v: v is None),
+        **_of_contact,
     },
     _clearance: {
+        **_of_contact,
         **dict.fromkeys(("pin", "bush", "axis", "frames"), _objects),
         **dict.fromkeys(("radius", "play"), _sizes),
     },
@@ -219,6 +233,42 @@ for _make, _arguments in _GEOMETRIES.items():
         @target(f"{_make.__name__[1:].capitalize()}.{_name}", _kind)
         def _(v, make=_make, name=_name):
             return make(**{name: v})
+
+
+def _compliant(**given: Any) -> list[str]:
+    b = _block()
+    usual = {
+        "point": b.P, "plane": b.O, "normal": b.N.y, "frame": b.N,
+        "force": lambda gap, rate: gap, "friction": lambda speed, normal: speed,
+        "along": [b.N.x, b.N.z], "smoothing": 0.1,
+    }  # fmt: skip
+    return [str(load) for load in CompliantContact(**{**usual, **given}).loads]
+
+
+def _law(value: Any) -> Any:
+    """Return a function of two numbers that gives an expression."""
+    try:
+        found = value(sm.Symbol("a"), sm.Symbol("b"))
+    except Exception as error:
+        raise RefusedError from error
+    expression(found)
+    return value
+
+
+_laws = Kind(_law, ("common", "functions"), compare=False)
+_COMPLIANT = {
+    **dict.fromkeys(("point", "plane", "normal", "frame", "along"), _objects),
+    **dict.fromkeys(("force", "friction"), _laws),
+    "smoothing": _sizes,
+    "reaction": flags,
+    "name": _of_contact["name"],
+}
+
+for _name, _kind in _COMPLIANT.items():
+
+    @target(f"CompliantContact.{_name}", _kind)
+    def _(v, name=_name):
+        return _compliant(**{name: v})
 
 
 @target("Contacts.system", nothing("symbols", "texts"))
@@ -317,6 +367,8 @@ def _(v):
     return _system().fit([_block().g], trial, contacts=v).estimates
 
 
-@target("as_jax.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
-def _(v):
-    return _Frozen(_system(), v, {}).start()
+for _method in ("as_jax", "as_torch"):
+    # What both hand to their libraries.
+    @target(f"{_method}.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+    def _(v):
+        return _Frozen(_system(), v, {}).start()

@@ -2,38 +2,27 @@
 
 from __future__ import annotations
 
+from functools import cache
+from inspect import signature
+from itertools import product
 from typing import Any
 
 import numpy as np
 
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
-from fuzz.table import STATES, empty_or_none, flags, hashable, key, number, one_of, target
+from fuzz.kinds import Kind, array, choice, nothing, real
+from fuzz.table import (
+    STATES,
+    a_dictionary,
+    empty_or_none,
+    flags,
+    hashable,
+    key,
+    number,
+    one_of,
+    target,
+)
 from fuzz.world import driven, world
 from pydy.system import System
-
-
-def _nothing_given(value: Any) -> Any:
-    if isinstance(value, dict) and empty_or_none(value):
-        return value
-    raise RefusedError
-
-
-_none = Kind(_nothing_given, ())
-
-
-for _method in ("evaluate_ode", "evaluate_outputs", "evaluate_jacobian", "evaluate_energy"):
-
-    @target(f"{_method}.x", STATES.or_(_none).or_none())
-    def _(v, method=_method):
-        # Without times there are zeros for any number of states.
-        system = driven(world().o, times=None)
-        result = getattr(system, method)(v)
-        return tuple(result) if isinstance(result, tuple) else result
-
-
-@target("evaluate_ode.t", real(finite=False).or_none())
-def _(v):
-    return world().o.system.evaluate_ode([1.0, 2.0], v)
 
 
 @target("evaluate_ode.times", array((3,)).or_none(), "`t`")
@@ -41,12 +30,7 @@ def _(v):
     return world().o.system.evaluate_ode(np.ones((3, 2)), v)
 
 
-_both = array((2,), (1, 2)).or_(_none).or_none()
-
-
-@target("evaluate_ode.r", _both, "`r", "specified")
-def _(v):
-    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, r=v)
+_both = array((2,), (1, 2)).or_(a_dictionary).or_none()
 
 
 @target("evaluate_ode.r[value]", real(finite=False), "`r", "specified")
@@ -59,11 +43,6 @@ def _(v):
     return world().o.system.evaluate_ode([1.0, 2.0], 0.0, r={hashable(v): 1.0})
 
 
-@target("evaluate_ode.p", _both)
-def _(v):
-    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p=v)
-
-
 @target("evaluate_ode.p[value]", number)
 def _(v):
     return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p={world().o.k: v})
@@ -74,9 +53,39 @@ def _(v):
     return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p={hashable(v): 1.0})
 
 
-@target("evaluate_jacobian.wrt", choice("states", "specifieds", "constants"))
-def _(v):
-    return world().o.system.evaluate_jacobian(wrt=v)
+@cache
+def _without_times() -> System:
+    return driven(world().o, times=None)
+
+
+_CALLS: dict[str, dict[str, Any]] = {
+    "evaluate_ode": {},
+    "evaluate_outputs": {},
+    "evaluate_jacobian": {},
+    "evaluate_energy": {},
+    "evaluate_gradient": {"of": "x"},
+    "evaluate_hessian_vector": {"v": [1.0, 0.0], "of": "x"},
+    "evaluate_jacobian_vector": {"v": [1.0, 0.0]},
+    "evaluate_vector_jacobian": {"v": [1.0, 0.0]},
+}
+_wrt = Kind(choice("states", "specifieds", "constants").read, ("common", "texts", "symbols"))
+_arguments: dict[str, tuple[Kind, tuple[str, ...]]] = {
+    "x": (STATES.or_(a_dictionary).or_none(), ()),
+    "t": (real(finite=False).or_none(), ()),
+    "r": (_both, ("`r", "specified")),
+    "p": (_both, ()),
+    "wrt": (_wrt, ()),
+}
+
+for _method, _name in product(_CALLS, _arguments):
+    if _name in signature(getattr(System, _method)).parameters:
+        _kind, _mentions = _arguments[_name]
+
+        @target(f"{_method}.{_name}", _kind, *_mentions)
+        def _(v, method=_method, name=_name):
+            # Without times there are zeros for any number of states.
+            system = _without_times() if name == "x" else world().o.system
+            return getattr(system, method)(**{"x": [1.0, 2.0], **_CALLS[method], name: v})
 
 
 @target("evaluate_jacobian.of", choice("ode", "outputs", "holonomic", "velocity"))
@@ -105,10 +114,20 @@ for _method in ("jacobian_vector", "vector_jacobian"):
     def _(v, method=_method):
         return getattr(world().o.system, f"evaluate_{method}")(v)
 
+    # As many rows as expressions: that says `v`.
+    @target(f"evaluate_{_method}.of", nothing("symbols", "texts"), "`of`", "`v`")
+    def _(v, method=_method):
+        return getattr(world().o.system, f"evaluate_{method}")([1.0, 0.0], of=v)
+
+
+@target("evaluate_hessian_vector.v", array((2,), (2, None)))
+def _(v):
+    return world().o.system.evaluate_hessian_vector(v, "x")
+
 
 for _method in ("constraints", "holonomic_constraints", "velocity_constraints"):
 
-    @target(f"evaluate_{_method}.x", array((4,), (3, 4)).or_(_none).or_none())
+    @target(f"evaluate_{_method}.x", array((4,), (3, 4)).or_(a_dictionary).or_none())
     def _(v, method=_method):
         return getattr(world().c.system, f"evaluate_{method}")(v)
 
@@ -118,14 +137,16 @@ def _off_the_circle() -> System:
     return System(c.kane, initial_conditions={c.x: 0.6, c.y: -0.7})
 
 
-@target("set_dependent.dep_vars", nothing("symbols", "texts", allowed=one_of(None)))
+@target(
+    "set_dependent_initial_conditions.dep_vars", nothing("symbols", "texts", allowed=one_of(None))
+)
 def _(v):
     system = _off_the_circle()
     system.set_dependent_initial_conditions(v)
     return system.initial_conditions
 
 
-@target("set_dependent.use_jac", flags)
+@target("set_dependent_initial_conditions.use_jac", flags)
 def _(v):
     system = _off_the_circle()
     system.set_dependent_initial_conditions(use_jac=v)
@@ -167,58 +188,6 @@ def _(v):
     return _reaction(loads=v)
 
 
-@target("inverse_dynamics.q", array((1,), (None, 1)).or_(_none).or_none())
-def _(v):
-    return world().o.system.inverse_dynamics(v)
-
-
-@target("inverse_dynamics.v", array((1,), (None, 1)).or_(_none).or_none())
-def _(v):
-    return world().o.system.inverse_dynamics(v=v)
-
-
-@target("inverse_dynamics.a", array((1,), (None, 1)).or_(_none).or_none())
-def _(v):
-    return world().o.system.inverse_dynamics(a=v)
-
-
-@target("bias.t", array((None,)).or_(real(finite=False)).or_none())
-def _(v):
-    return world().o.system.bias([1.0], [2.0], v)
-
-
-@target("inverse_dynamics.at", nothing("symbols", "texts", allowed=one_of("independent", None)))
-def _(v):
-    return world().c.system.inverse_dynamics(at=v)
-
-
-@target("mass_matrix.wrt", nothing("symbols", "texts", allowed=one_of(None)))
-def _(v):
-    return world().o.system.mass_matrix(wrt=v)
-
-
-@target("gravity.acceleration", nothing(allowed=one_of(None)))
-def _(v):
-    return world().o.system.gravity(acceleration=v)
-
-
-for _method in ("frame_position", "frame_rotation", "frame_jacobian"):
-
-    @target(f"{_method}.where", nothing("texts"))
-    def _(v, method=_method):
-        return getattr(world().o.system, method)(v)
-
-
 @target("equations_of_motion.short", flags)
 def _(v):
     return str(world().o.system.equations_of_motion(v))
-
-
-@target("regressor.a", array((1,), (None, 1)).or_(_none).or_none())
-def _(v):
-    return world().o.system.regressor(a=v)
-
-
-@target("base_parameters.q", array((1,), (None, 1)).or_(_none).or_none())
-def _(v):
-    return world().o.system.base_parameters(v, [1.0], [2.0]).places

@@ -13,6 +13,8 @@ from pydy.export.writing import check_options
 from pydy.robots import read
 from pydy.viz import Live, Slider
 
+_ROBOT = files("pydy.examples") / "pendulum.urdf"
+
 
 def _exported(path: str = "model.py", **options: Any) -> str:
     """Return what an export writes first."""
@@ -58,7 +60,21 @@ def _(v):
     return _exported(v)
 
 
+@target("read.floating", flags)
+def _(v):
+    return len(read(_ROBOT, floating=v).joints)
+
+
 # -- pages that simulate --------------------------------------------------------------------------
+
+
+def _live(live: Any) -> str:
+    o = world().o
+    return o.native.scene(reference_frame=o.N, origin=o.O).animate(o.trajectory).html(live=live)
+
+
+def _no_sliders(value: Any) -> bool:
+    return isinstance(value, dict) and not value
 
 
 @target("Slider.low", real(most=0.9))
@@ -91,9 +107,22 @@ def _(v):
     return Slider(0.0, 1.0, sets=v)
 
 
-@target("Live.rtol", real(above=0.0))
+for _name in ("rtol", "atol"):
+
+    @target(f"Live.{_name}", real(above=0.0))
+    def _(v, name=_name):
+        return getattr(Live({}, **{name: v}), name)
+
+
+# `live` may be the sliders themselves.
+@target("Live.sliders", nothing("symbols", "texts", "arrays", allowed=_no_sliders), "`live")
 def _(v):
-    return Live({}, rtol=v).rtol
+    return _live(Live(v))
+
+
+@target("Live.events", nothing("symbols", "texts", allowed=empty_or_none))
+def _(v):
+    return _live(Live({}, events=v))
 
 
 @target("Live.max_step", real(above=0.0).or_none())
@@ -108,14 +137,10 @@ def _(v):
 
 @target("to_html.live", nothing("symbols", "texts", "arrays", allowed=empty_or_none))
 def _(v):
-    o = world().o
-    return o.native.scene(reference_frame=o.N, origin=o.O).animate(o.trajectory).html(live=v)
+    return _live(v)
 
 
 # -- robots from files ----------------------------------------------------------------------------
-
-
-_ROBOT = files("pydy.examples") / "pendulum.urdf"
 
 
 @target("read.path", nothing("paths", "texts"), "`path", "does not read this file")

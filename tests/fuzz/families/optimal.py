@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
 from fuzz.table import flags, hashable, is_number, key, mapping, target
 from fuzz.world import driven, world
 from pydy.analysis import Trial
@@ -399,6 +399,25 @@ def _(v):
 @target("Trial.measured", nothing("symbols", "texts", "arrays"), "`measured")
 def _(v):
     return _fitted(trial={"measured": v})
+
+
+# An integration from `start` needs times that are not negative.
+@target("Trial.start", real(least=0.0, most=0.0).or_none(), "`start", "`times` must not")
+def _(v):
+    return _fitted(trial={"start": v})
+
+
+for _name, _kind in {
+    "initial_conditions": mapping,
+    "constants": mapping,
+    "specifieds": mapping,
+    "unknown": nothing("symbols", "texts", "arrays", allowed=_no_relations),
+    "name": text(),
+}.items():
+
+    @target(f"Trial.{_name}", _kind)
+    def _(v, name=_name):
+        return _fitted(trial={name: v})
 
 
 @target("Trial.noise", real(above=0.0).or_none(), "`noise", "noise")

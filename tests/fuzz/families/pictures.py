@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from functools import cache
+from inspect import signature
+from itertools import product
 from typing import Any
+
+import numpy as np
 
 from fuzz.families.optimal import fit_result
 from fuzz.families.results import named_f
-from fuzz.kinds import nothing, text
+from fuzz.kinds import Kind, array, choice, nothing, text
 from fuzz.table import mapping, one_of, target
 from fuzz.world import world
 from pydy import plot
@@ -21,11 +26,18 @@ def _plotted(function: Any, *arguments: Any, **options: Any) -> Any:
         pyplot.close("all")
 
 
-for _name in ("coordinates", "speeds", "outputs", "states", "constraints", "energy"):
+@cache
+def _sensitive() -> Any:
+    return world().o.native.simulate(sensitivities=["k"])
 
-    @target(f"plot_{_name}.result", nothing("arrays"))
-    def _(v, name=_name):
-        return _plotted(getattr(plot, f"plot_{name}"), v)
+
+@cache
+def _linear() -> Any:
+    return world().o.system.linearize()
+
+
+def _default_or_f(value: Any) -> bool:
+    return value is None or named_f(value)
 
 
 @target("plot_fit.result", nothing("arrays"), "`result")
@@ -39,26 +51,45 @@ def _(v):
 
 
 _missing = "is not one of the trajectory's"
+_axes = nothing("texts", "arrays", allowed=one_of(None))
+_ARGUMENTS: dict[str, tuple[Kind, tuple[str, ...]]] = {
+    "result": (nothing("arrays"), ()),
+    "names": (nothing("symbols", "texts", allowed=one_of(None)), ("`names", _missing)),
+    "ax": (nothing("texts", allowed=one_of(None)), ()),
+    "axes": (_axes, ("`ax",)),
+    "units": (mapping, ()),
+    "unit": (text(), ()),
+    "time_unit": (text(), ()),
+    "x": (nothing("symbols", "texts", allowed=named_f), (_missing, "`x`", "`y` must")),
+    "y": (nothing("symbols", "texts", allowed=_default_or_f), (_missing, "`y`")),
+    "quantity": (nothing("symbols", "texts"), ("`quantity", _missing, "of the sensitivities")),
+    "parameters": (
+        nothing("symbols", "texts", allowed=one_of(None)),
+        ("`parameters", "is not one of the parameters"),
+    ),
+}
+_FUNCTIONS: dict[str, dict[str, Any]] = {
+    "plot_coordinates": {},
+    "plot_speeds": {},
+    "plot_outputs": {},
+    "plot_states": {},
+    "plot_constraints": {},
+    "plot_energy": {},
+    "plot_phase": {"x": "x"},
+    "plot_sensitivities": {"quantity": "x"},
+}
 
+for _function, _name in product(_FUNCTIONS, _ARGUMENTS):
+    # The oscillator has neither outputs nor constraints.
+    _known = ("result",) if _function in ("plot_outputs", "plot_constraints") else _ARGUMENTS
+    if _name in signature(getattr(plot, _function)).parameters and _name in _known:
+        _kind, _mentions = _ARGUMENTS[_name]
 
-@target("plot.names", nothing("symbols", "texts", allowed=one_of(None)), "`names", _missing)
-def _(v):
-    return _plotted(plot.plot_coordinates, world().o.trajectory, v)
-
-
-@target("plot.ax", nothing("texts", allowed=one_of(None)))
-def _(v):
-    return _plotted(plot.plot_coordinates, world().o.trajectory, ax=v)
-
-
-@target("plot.axes", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
-def _(v):
-    return _plotted(plot.plot_states, world().o.trajectory, axes=v)
-
-
-@target("plot.units", mapping)
-def _(v):
-    return _plotted(plot.plot_coordinates, world().o.trajectory, units=v).get_ylabel()
+        @target(f"{_function}.{_name}", _kind, *_mentions)
+        def _(v, function=_function, name=_name):
+            usual = {"result": _sensitive(), **_FUNCTIONS[function], name: v}
+            ax = _plotted(getattr(plot, function), **usual)
+            return [(one.get_xlabel(), one.get_ylabel()) for one in np.ravel(ax)]
 
 
 @target("plot.units[value]", text())
@@ -68,25 +99,28 @@ def _(v):
     ).get_ylabel()
 
 
-@target("plot.time_unit", text())
+# -- linear models --------------------------------------------------------------------------------
+
+_frequencies = array((None,), check=lambda w: np.isfinite(w).all())
+
+
+@target("LinearModel.frequency_response.frequencies", _frequencies)
 def _(v):
-    return _plotted(plot.plot_coordinates, world().o.trajectory, time_unit=v).get_xlabel()
+    return _linear().frequency_response(v)
 
 
-@target("plot.unit", text())
+for _name, _kind in {
+    "input": choice("f", "g"),
+    "output": choice("x", "v"),
+    "frequencies": array((None,), check=lambda w: (w >= 0).all() and (w < np.inf).all()).or_none(),
+    "axes": _axes,
+}.items():
+
+    @target(f"LinearModel.plot_bode.{_name}", _kind)
+    def _(v, name=_name):
+        _plotted(_linear().plot_bode, **{"input": "f", "output": "x", name: v})
+
+
+@target("LinearModel.plot_poles.axes", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
 def _(v):
-    return _plotted(plot.plot_energy, world().o.trajectory, unit=v).get_ylabel()
-
-
-@target("plot.x", nothing("symbols", "texts", allowed=named_f), _missing, "`x`", "`y` must")
-def _(v):
-    return _plotted(plot.plot_phase, world().o.trajectory, v)
-
-
-def _default_or_f(value: Any) -> bool:
-    return value is None or named_f(value)
-
-
-@target("plot.y", nothing("symbols", "texts", allowed=_default_or_f), _missing, "`y`")
-def _(v):
-    return _plotted(plot.plot_phase, world().o.trajectory, "x", v)
+    return _plotted(_linear().plot_poles, v)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing
-from fuzz.table import empty_or_none, flags, is_number, mapping, monotonic, target
+from fuzz.table import empty_or_none, flags, is_number, mapping, monotonic, one_of, target
 from fuzz.world import world
 from pydy import linearize, models
 from pydy.errors import IntegrationError
@@ -80,7 +80,7 @@ def _(v):
 
 
 @target(
-    "Trajectory.at",
+    "at.times",
     array((None,), check=_inside).or_(array((), check=lambda t: bool(0 <= t <= 1))),
     "`times`",
 )
@@ -96,19 +96,19 @@ def _a_file(value: object) -> bool:
     return value == b"abc" if isinstance(value, bytes) else str(value) in _FILES
 
 
-@target("Trajectory.save", nothing("paths", allowed=_a_file), "`path")
+@target("Trajectory.save.path", nothing("paths", allowed=_a_file), "`path")
 def _(v):
     return world().o.trajectory.save(v)
 
 
-@target("Trajectory.load", nothing("paths"), "`path")
+@target("load.path", nothing("paths"), "`path")
 def _(v):
     return Trajectory.load(v)
 
 
 for _name in ("derivatives", "energy"):
 
-    @target(f"Trajectory.to_xarray.{_name}", flags)
+    @target(f"to_xarray.{_name}", flags)
     def _(v, name=_name):
         return list(world().o.trajectory.to_xarray(**{name: v}))
 
@@ -129,6 +129,26 @@ def _(v):
 @target("Trajectory.states", array((2, 1)))
 def _(v):
     return Trajectory([0.0, 1.0], v, _one).states
+
+
+@target("Trajectory.specifieds", array((2, 1)))
+def _(v):
+    found = Trajectory([0.0, 1.0], np.ones((2, 1)), {**_one, "specified": ["f"]}, specifieds=v)
+    return found.specifieds
+
+
+_CALLABLE = nothing("texts", "symbols", allowed=lambda v: v is None or callable(v))
+for _name, _kind in {
+    "statistics": nothing("texts", "symbols", allowed=lambda v: isinstance(v, (dict, type(None)))),
+    "model": nothing("texts", "symbols", "functions", allowed=one_of(None)),
+    "dense": _CALLABLE,
+    "sensitivities": nothing("texts", "symbols", "arrays", allowed=one_of(None)),
+    "sensitivity_model": nothing("texts", "symbols", "functions", allowed=one_of(None)),
+}.items():
+
+    @target(f"Trajectory.{_name}", _kind)
+    def _(v, name=_name):
+        return len(Trajectory([0.0, 1.0], np.ones((2, 1)), _one, **{name: v}).times)
 
 
 @target("Trajectory.outputs", array((2, 1)))
@@ -177,31 +197,43 @@ def _size(value: object) -> int:
     return value
 
 
-@target("models.n", Kind(_size, integer(1).groups), own={"2": lambda: 2})
+@target("multi_mass_spring_damper.n", Kind(_size, integer(1).groups), own={"2": lambda: 2})
 def _(v):
     return models.multi_mass_spring_damper(v).num_states
 
 
 for _name in ("apply_gravity", "apply_external_forces", "external_force_as_sin_of_t"):
 
-    @target(f"models.{_name}", flags)
+    @target(f"multi_mass_spring_damper.{_name}", flags)
     def _(v, name=_name):
         system = models.multi_mass_spring_damper(1, **{name: v})
         return system.num_specifieds, system.num_constants
 
 
+@target("n_link_pendulum_on_cart.n", Kind(_size, integer(1).groups), own={"2": lambda: 2})
+def _(v):
+    return models.n_link_pendulum_on_cart(v).num_states
+
+
 for _name in ("cart_force", "joint_torques"):
 
-    @target(f"models.{_name}", flags)
+    @target(f"n_link_pendulum_on_cart.{_name}", flags)
     def _(v, name=_name):
         return models.n_link_pendulum_on_cart(1, **{name: v}).num_specifieds
 
 
-@target("linearize.state_matrix", array((2, 2), check=lambda a: np.isfinite(a).all()))
-def _(v):
-    return linearize.reduce_state_matrix(v, np.zeros((0, 2)))
+for _function in (linearize.reduce_state_matrix, linearize.constrained_eigenvalues):
 
+    @target(
+        f"{_function.__name__}.state_matrix",
+        array((2, 2), check=lambda a: np.isfinite(a).all()),
+    )
+    def _(v, function=_function):
+        return function(v, np.zeros((0, 2)))
 
-@target("linearize.constraint_jacobian", array((None, 2), check=lambda a: np.isfinite(a).all()))
-def _(v):
-    return linearize.constrained_eigenvalues(np.eye(2), v)
+    @target(
+        f"{_function.__name__}.constraint_jacobian",
+        array((None, 2), check=lambda a: np.isfinite(a).all()),
+    )
+    def _(v, function=_function):
+        return function(np.eye(2), v)

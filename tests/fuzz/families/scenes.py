@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real, text
+from fuzz.kinds import Kind, RefusedError, anything, array, choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, is_number, key, monotonic, number, one_of, target
 from fuzz.world import TIMES, world
 from pydy import viz
@@ -34,83 +34,83 @@ _shapes: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
 for _name, (_shape, _fields) in _shapes.items():
     for _field in _fields:
 
-        @target(f"viz.{_name}.{_field}", length)
+        @target(f"{_name}.{_field}", length)
         def _(v, shape=_shape, fields=_fields, field=_field):
             return getattr(shape(**{**dict.fromkeys(fields, 1.0), field: v}), field)
 
 
-@target("viz.Sphere.colour", array((3,), check=lambda a: ((a >= 0) & (a <= 1)).all()).or_none())
+@target("Sphere.colour", array((3,), check=lambda a: ((a >= 0) & (a <= 1)).all()).or_none())
 def _(v):
     return viz.Sphere(1.0, colour=v).colour
 
 
-@target("viz.Sphere.opacity", real(least=0.0, most=1.0))
+@target("Sphere.opacity", real(least=0.0, most=1.0))
 def _(v):
     return float(viz.Sphere(1.0, opacity=v).opacity)
 
 
-@target("viz.Sphere.name", text().or_none())
+@target("Sphere.name", text().or_none())
 def _(v):
     return viz.Sphere(1.0, name=v).name
 
 
-@target("viz.Tube.points", nothing("symbols"))
+@target("Tube.points", nothing("symbols"))
 def _(v):
     return viz.Tube(0.1, v)
 
 
-@target("viz.Cylinder.axis", choice("x", "y", "z"))
+@target("Cylinder.axis", choice("x", "y", "z"))
 def _(v):
     return viz.Cylinder(1.0, 1.0, axis=v).axis
 
 
-@target("viz.Arrow.vector", nothing("symbols", "arrays"))
+@target("Arrow.vector", nothing("symbols", "arrays"))
 def _(v):
     return viz.Arrow(v)
 
 
-@target("viz.Arrow.scale", number.or_none())
+@target("Arrow.scale", number.or_none())
 def _(v):
     scale = viz.Arrow(world().o.N.x, scale=v).scale
     return None if scale is None else float(scale)
 
 
-@target("viz.Line.points", nothing("symbols", "arrays"))
+@target("Line.points", nothing("symbols", "arrays"))
 def _(v):
     return viz.Line(v)
 
 
-@target("viz.Trace.duration", length.or_none())
+@target("Trace.duration", length.or_none())
 def _(v):
     return viz.Trace(duration=v).duration
 
 
-@target("viz.Mesh.source", nothing("paths", "arrays"), "`source", "`faces", "'abc'", "files")
+@target("Mesh.source", nothing("paths", "arrays"), "`source", "`faces", "'abc'", "files")
 def _(v):
     return viz.Mesh(v)
 
 
-@target("viz.Mesh.faces", nothing("arrays"))
+@target("Mesh.faces", nothing("arrays"))
 def _(v):
     return viz.Mesh((np.eye(3), v))
 
 
-@target("viz.Visual.shape", key, "shape")
+@target("Visual.shape", key, "shape")
 def _(v):
     return viz.Visual(v, world().o.P)
 
 
-@target("viz.Visual.where", key, "Visual")
+@target("Visual.where", key, "Visual")
 def _(v):
     return viz.Visual(viz.Sphere(1.0), v)
 
 
-@target("viz.Visual.name", text().or_none())
+@target("Visual.name", text().or_none())
 def _(v):
     return viz.Visual(viz.Sphere(1.0), world().o.P, name=v).name
 
 
-@target("viz.Visual.trail", flags)
+@target("Visual.trail", flags)
 def _(v):
     return viz.Visual(viz.Sphere(1.0), world().o.P, trail=v).trail
 
@@ -137,12 +137,12 @@ def _ball() -> list[Any]:
 
 for _name in ("reference_frame", "origin"):
 
-    @target(f"scene.{_name}", key)
+    @target(f"Scene.{_name}", key)
     def _(v, name=_name):
         return _scene(**{name: v})
 
 
-@target("scene.visuals", key, "Scene")
+@target("Scene.visuals", key, "Scene")
 def _(v):
     return _scene(visuals=[v])
 
@@ -151,7 +151,7 @@ _direction = array((3,), check=lambda a: 0 < np.linalg.norm(a) < np.inf)
 
 for _name, _kind in (("up", _direction), ("view", _direction.or_none())):
 
-    @target(f"scene.{_name}", _kind)
+    @target(f"Scene.{_name}", _kind)
     def _(v, name=_name):
         return _scene(**{name: v}).html()
 
@@ -160,12 +160,12 @@ def _height(value: Any) -> Any:
     return bool(value) if isinstance(value, (bool, np.bool_)) else number.read(value)
 
 
-@target("scene.ground", Kind(_height, (*number.groups, "flags")).or_none())
+@target("Scene.ground", Kind(_height, (*number.groups, "flags")).or_none())
 def _(v):
     return _scene(ground=v).html()
 
 
-@target("scene.follow", flags.or_none())
+@target("Scene.follow", flags.or_none())
 def _(v):
     return _scene(follow=v).html()
 
@@ -184,12 +184,12 @@ def _series(value: Any) -> bool:
         return False
 
 
-@target("scene.series", nothing("symbols", "texts", allowed=_series), "series")
+@target("Scene.series", nothing("symbols", "texts", allowed=_series), "series")
 def _(v):
     return _scene(series=v).html()
 
 
-@target("scene.title", text())
+@target("Scene.title", text())
 def _(v):
     return _scene(title=v).html()
 
@@ -199,22 +199,27 @@ def _dictionary(value: Any) -> bool:
     return value is None or (isinstance(value, dict) and not value)
 
 
-@target("scene.units", nothing("symbols", "texts", "arrays", allowed=_dictionary))
+@target("Scene.units", nothing("symbols", "texts", "arrays", allowed=_dictionary))
 def _(v):
     return _scene(units=v).html()
 
 
-@target("scene.units[value]", text(), "`units")
+@target("Scene.units[value]", text(), "`units")
 def _(v):
     return _scene(series={"x": world().o.x}, units={"x": v}).html()
 
 
-@target("scene.cameras", nothing("symbols", "texts", "arrays", allowed=_empty))
+@target("Scene.cameras", nothing("symbols", "texts", "arrays", allowed=_empty))
 def _(v):
     return _scene(cameras=v).html()
 
 
-@target("scene.cameras[0]", nothing("symbols", "texts"), "cameras")
+@target("Scene.system", nothing("symbols", "texts", allowed=one_of(None)))
+def _(v):
+    return _scene(system=v)
+
+
+@target("Scene.cameras[0]", nothing("symbols", "texts"), "cameras")
 def _(v):
     return _scene(cameras=[v]).html()
 
@@ -244,6 +249,22 @@ def _(v):
     return world().o.system.scene().animate(world().o.trajectory, compare={"other": v}).poses
 
 
+@target("generate_visualization_json_system.system", nothing("symbols", "texts"))
+def _(v):
+    viz.Scene(world().o.N, world().o.O, *_ball()).generate_visualization_json_system(v)
+
+
+for _method in ("display_ipython", "display_jupyter"):
+
+    @target(f"{_method}.window_size", anything("arrays"))
+    def _(v, method=_method):
+        return getattr(world().scene, method)(v)
+
+    @target(f"{_method}.axes_arrow_length", real(above=0.0, most=1e300).or_none())
+    def _(v, method=_method):
+        return getattr(_scene(), method)(axes_arrow_length=v)._look.axes
+
+
 def _json(**changes: Any) -> Any:
     o, states = world().o, np.sin(TIMES)[:, None]
     given = {
@@ -267,6 +288,25 @@ def _(v):
 )
 def _(v):
     return _json(dynamic_values=v)
+
+
+for _name in ("dynamic_variables", "constant_variables"):
+    # Constants that nothing drawn needs are left out, whatever they are.
+    _any = ("symbols", "texts", "arrays")
+
+    @target(
+        f"generate_visualization_json.{_name}",
+        nothing(*_any) if _name == "dynamic_variables" else anything(*_any),
+        "variables",
+        *("`symbols", "`states", "no value", "`constant"),
+    )
+    def _(v, name=_name):
+        return _json(**{name: v})
+
+
+@target("generate_visualization_json.outfile_prefix", anything("paths"))
+def _(v):
+    return _json(outfile_prefix=v)
 
 
 @target("generate_visualization_json.fps", real(least=1e-3, most=1e3))
@@ -382,6 +422,11 @@ def _(v):
 @target("save.fps", real(least=1e-3, most=1e3))
 def _(v):
     return world().still.save("film.gif", fps=v, dpi=20) and None
+
+
+@target("Scene.save.progress", flags)
+def _(v):
+    return world().still.save("film.gif", dpi=20, progress=v) and None
 
 
 @target("save.dpi", real(least=10.0, most=1e3))
