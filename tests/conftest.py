@@ -72,7 +72,11 @@ def pytest_collection_modifyitems(config, items):
         return
     tried = parts.tried(item.nodeid for item in items)
     config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in tried])
-    items[:] = [item for item in items if item.nodeid in tried]
+    # The longest first, so that no worker waits for the other at the end.
+    items[:] = sorted(
+        (item for item in items if item.nodeid in tried),
+        key=lambda item: parts.function_of(item.nodeid) not in parts.DRAWING,
+    )
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,6 +1,6 @@
 """A run of all tests tries every quick case, and one of sixteen parts of the slow ones.
 
-A test function is slow if its cases take 0.3 s of processor time together, or more. `slow.txt`,
+A test function is slow if its cases take 0.2 s of processor time together, or more. `slow.txt`,
 beside this file, lists these functions with their times; `make times` measures and writes it. The
 cases of a slow function are dealt out to the parts, so that all parts take about the same time.
 
@@ -21,7 +21,7 @@ import pytest
 
 COLLECTED = pytest.StashKey[list[str]]()
 PARTS = 16
-LIMIT = 0.3
+LIMIT = 0.2
 # Functions that draw a part of their inputs themselves: every run tries each of their cases.
 DRAWING = {"tests/fuzz/test_arguments.py::test_what_does_not_fit_is_named_and_what_fits_is_right"}
 TABLE = Path(__file__).with_name("slow.txt")

@@ -28,6 +28,7 @@ def project(tmp_path):
         "from pathlib import Path\n"
         "import parts, timing\n"
         "parts.TABLE, parts.LIMIT = Path(__file__).with_name('slow.txt'), 0.009\n"
+        "timing.FACTOR = 10\n"
         "def pytest_configure(config):\n"
         "    config.pluginmanager.register(timing.Times())\n"
     )

@@ -18,7 +18,7 @@ from fuzz.table import FAMILIES
 from parts import FURTHER_PARTS, PART, WHOLE
 
 # Of 28,000 inputs.
-PARTS = 1 if WHOLE else 16 if FURTHER_PARTS else 48
+PARTS = 1 if WHOLE else 16 if FURTHER_PARTS else 96
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="inputs are tried in forks")
 

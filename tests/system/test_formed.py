@@ -174,7 +174,9 @@ def test_a_method_with_neither_equations_nor_bodies_names_both_remedies():
 
 
 def test_another_source_of_equations_is_refused():
-    with pytest.raises(ValueError, match="`equations` must be 'graph' or 'method', got 'lagrange'"):
+    with pytest.raises(
+        ValueError, match="`equations` must be one of 'graph', 'method', got 'lagrange'"
+    ):
         System(zoo.bare().kane, equations="lagrange")
 
 

@@ -241,25 +241,15 @@ class Definition:
             )
 
     def _check_motion(self) -> None:
-        for k, row in enumerate(self.holonomic_constraints):
-            found = find_symbols((row,))
-            if found and not any(isinstance(s, (AppliedUndef, sm.Derivative)) for s in found):
-                raise ValueError(
-                    f"`holonomic_constraints[{k}]` must restrict coordinates, got {shown(row)}, "
-                    "which has none."
-                )
         moving = {*self.speeds, *self.auxiliary_speeds}
-        for argument in ("nonholonomic_constraints", "velocity_constraints"):
-            of_speeds = argument == "velocity_constraints"
-            rows = (self._given_motion or ()) if of_speeds else self.nonholonomic_constraints
-            for k, row in enumerate(rows):
-                found = find_symbols((row,))
-                still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
-                if still and found:
-                    raise ValueError(
-                        f"`{argument}[{k}]` must restrict speeds, got {shown(row)}, which has "
-                        "none. Coordinates are constrained by `holonomic_constraints`."
-                    )
+        for k, row in enumerate(self.nonholonomic_constraints):
+            found = find_symbols((row,))
+            still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
+            if still and not found.keys().isdisjoint(self.coordinates):
+                raise ValueError(
+                    f"`nonholonomic_constraints[{k}]` must restrict speeds, got {shown(row)}, "
+                    "which has none. Coordinates are constrained by `holonomic_constraints`."
+                )
 
     @cached_property
     def multibody(self) -> Multibody:

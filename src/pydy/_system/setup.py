@@ -136,7 +136,8 @@ class Setup:
         equations: Literal["graph", "method"] | None = None,
         implicit: Implicit | None = None,
     ) -> None:
-        choice(equations, (None, "graph", "method"), "`equations`")
+        if equations is not None:
+            choice(equations, ("graph", "method"), "`equations`")
         if implicit is not None:
             instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)

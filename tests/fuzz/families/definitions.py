@@ -53,10 +53,6 @@ def _no_entries(value: Any) -> bool:
     return empty or (isinstance(value, np.ndarray) and not value.size)
 
 
-def _none_or_no_entries(value: Any) -> bool:
-    return value is None or _no_entries(value)
-
-
 def _only_none(value: Any) -> bool:
     return value is None
 
@@ -69,9 +65,6 @@ _ARGUMENTS: dict[str, Kind] = {
     "bodies": nothing(*_lists),
     "loads": nothing(*_lists, allowed=_no_entries),
     "kinematic_equations": nothing(*_lists, allowed=_only_none),
-    "holonomic_constraints": nothing(*_lists, allowed=_no_entries),
-    "nonholonomic_constraints": nothing(*_lists, allowed=_no_entries),
-    "velocity_constraints": nothing(*_lists, allowed=_none_or_no_entries),
     "dependent_coordinates": nothing(*_lists, allowed=_only_none),
     "dependent_speeds": nothing(*_lists, allowed=_only_none),
     "auxiliary_speeds": nothing(*_lists, allowed=_no_entries),
@@ -84,10 +77,6 @@ _OTHERWISE = {
     "coordinates": "0 coordinates",
     "speeds": "0 speeds",
     "loads": "The load ",
-    **dict.fromkeys(
-        ("holonomic_constraints", "nonholonomic_constraints", "velocity_constraints"),
-        "The constraints ",
-    ),
 }
 
 for _name, _kind in _ARGUMENTS.items():
