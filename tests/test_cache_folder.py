@@ -19,6 +19,7 @@ from types import SimpleNamespace
 import pytest
 
 from pydy import _cache_folder as cache
+from pydy._backends.llvm import background
 from pydy.errors import PyDyUserWarning
 
 KEY, OTHER, OLD, USED = (letter * 64 for letter in "0123")
@@ -38,6 +39,13 @@ for n in (1, 2):
     np.testing.assert_array_equal(rates[:n], x[n:])
 print("right")
 """
+
+
+@pytest.fixture(autouse=True)
+def _nothing_compiles_on_the_side():
+    """Wait for what earlier tests have compiled on the side: it would use these tests' folders."""
+    background._end()
+    background._begin_anew()
 
 
 @pytest.fixture
