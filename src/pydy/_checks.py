@@ -507,7 +507,8 @@ class Places:
         """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
             place = self._place.get(key)
-        except (TypeError, RecursionError):  # a list, an array, or a tuple nested too deeply
+        # A list, an array, a memoryview, or a tuple nested too deeply
+        except (TypeError, ValueError, RecursionError):
             return None
         if place is None and isinstance(key, str):
             alike = self._named.get(key, ())

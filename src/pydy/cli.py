@@ -61,6 +61,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         2.0000      8.332865
     0
     """
+    if arguments is not None:
+        from pydy._checks import listed, text
+
+        arguments = [text(word, "`arguments`") for word in listed("arguments", arguments, "words")]
     options = _parser().parse_args(arguments)
     command: Callable[[argparse.Namespace], int] = options.command
     try:

@@ -86,6 +86,16 @@ def target(
     return add
 
 
+def plotted(function: Any, *arguments: Any, **options: Any) -> Any:
+    """Return what a function of plots returns, and close its figures."""
+    from matplotlib import pyplot
+
+    try:
+        return function(*arguments, **options)
+    finally:
+        pyplot.close("all")
+
+
 def hashable(value: Any) -> Any:
     """Return a value as it may be a key."""
     try:

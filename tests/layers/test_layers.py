@@ -493,3 +493,15 @@ def test_contacts_of_a_layer_are_those_of_its_system(library):
     (system, floor), (other, _) = ball(), ball()
     with pytest.raises(TypeError, match="`contacts` must be Contacts of this System"):
         library.layer(other, contacts=Contacts(system, [floor]))
+
+
+@pytest.mark.parametrize("value", [["1.0"] * 6, "abc", [[1.0], [1.0, 2.0]], 1j])
+def test_what_is_no_array_of_numbers_is_refused_by_the_name_of_the_argument(library, value):
+    layer = library.layer(pendulum())
+    with pytest.raises(ValueError, match="`p` must hold real numbers"):
+        layer.ode(X, p=value)
+
+
+def test_no_samples_give_no_derivatives(library):
+    layer = library.layer(pendulum())
+    assert np.asarray(layer.ode(library.array(np.empty((0, 6))))).shape == (0, 6)

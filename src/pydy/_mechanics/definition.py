@@ -332,11 +332,13 @@ def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[
 def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
     found = tuple(listed(argument, expressions, "expressions"))
     for expression in found:
-        number = isinstance(expression, (int, float)) and not isinstance(expression, bool)
-        if not (number or isinstance(expression, sm.Expr)):
+        is_number = isinstance(expression, (int, float)) and not isinstance(expression, bool)
+        if not (is_number or isinstance(expression, sm.Expr)):
             raise TypeError(
                 f"`{argument}` must hold expressions that are zero, got {shown(expression)}."
             )
+        if is_number:
+            number(expression, f"`{argument}`", finite=True)
     return tuple(map(sm.sympify, found))
 
 

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from pydy._backends.writer import Dialect, Template, Writer, stages
-from pydy._checks import Check, checked, flag, one_of
+from pydy._checks import Check, checked, file_of, flag, instance, one_of
 from pydy._files import write_files
 from pydy._graph.interpret import constrained_sample, singular
 from pydy._graph.operations import Operation, is_constrained, operands, with_operands
@@ -287,6 +287,8 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     TypeError
         The format has no such option.
     """
+    instance(model, Model, "`model`", "a model, as `System.export` makes it")
+    path = file_of(path, "`path`")
     check_options(path, options)
     kind = path.suffix.lower()
     model = with_c_names(model) if kind == ".c" else model

@@ -7,13 +7,19 @@ import io
 from collections.abc import Callable
 from typing import Any
 
-from fuzz.kinds import Kind, RefusedError
+from fuzz.kinds import Kind, RefusedError, nothing
 from fuzz.table import target
 from fuzz.values import PrintedError
 from pydy import cli
 
+_ASKED = ("COMMAND", "MODEL")
+
 
 def _command(*arguments: str) -> str:
+    return _said(arguments)
+
+
+def _said(arguments: Any) -> str:
     error, out = io.StringIO(), io.StringIO()
     with contextlib.redirect_stderr(error), contextlib.redirect_stdout(out):
         try:
@@ -62,6 +68,12 @@ for _option, _read in (("--links", _count(1)), ("--points", _count(2)), ("--dura
     @target(f"cli.{_option}", _word(_read), _option, "run: `odeint`", own=_words)
     def _(v, option=_option):
         return _command("run", "pendulum", option, v)
+
+
+# None stands for the words of this process.
+@target("main.arguments", nothing("texts", allowed=lambda v: v is None), "`arguments", *_ASKED)
+def _(v):
+    return None if v is None else _said(v)
 
 
 @target("cli.--masses", _word(_count(1)), "--masses", own=_words)

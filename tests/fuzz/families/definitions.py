@@ -53,6 +53,12 @@ def _no_entries(value: Any) -> bool:
     return empty or (isinstance(value, np.ndarray) and not value.size)
 
 
+def _of_constants(value: Any) -> bool:
+    """Whether a value lists symbols: conditions on constants, judged when these have numbers."""
+    symbols = isinstance(value, list) and all(isinstance(v, sm.Symbol) for v in value)
+    return symbols or _no_entries(value)
+
+
 def _only_none(value: Any) -> bool:
     return value is None
 
@@ -65,6 +71,9 @@ _ARGUMENTS: dict[str, Kind] = {
     "bodies": nothing(*_lists),
     "loads": nothing(*_lists, allowed=_no_entries),
     "kinematic_equations": nothing(*_lists, allowed=_only_none),
+    "holonomic_constraints": nothing(*_lists, allowed=_of_constants),
+    "nonholonomic_constraints": nothing(*_lists, allowed=_of_constants),
+    "velocity_constraints": nothing(*_lists, allowed=lambda v: v is None or _of_constants(v)),
     "dependent_coordinates": nothing(*_lists, allowed=_only_none),
     "dependent_speeds": nothing(*_lists, allowed=_only_none),
     "auxiliary_speeds": nothing(*_lists, allowed=_no_entries),
@@ -77,6 +86,10 @@ _OTHERWISE = {
     "coordinates": "0 coordinates",
     "speeds": "0 speeds",
     "loads": "The load ",
+    **dict.fromkeys(
+        ("holonomic_constraints", "nonholonomic_constraints", "velocity_constraints"),
+        "The constraints ",
+    ),
 }
 
 for _name, _kind in _ARGUMENTS.items():

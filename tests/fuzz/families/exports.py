@@ -9,7 +9,7 @@ from typing import Any
 from fuzz.kinds import choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, number, target
 from fuzz.world import world
-from pydy.export.writing import check_options
+from pydy.export.writing import check_options, write
 from pydy.robots import read
 from pydy.viz import Live, Slider
 
@@ -63,6 +63,16 @@ def _(v):
 @target("read.floating", flags)
 def _(v):
     return len(read(_ROBOT, floating=v).joints)
+
+
+@target("write.model", nothing("symbols", "texts"))
+def _(v):
+    return write(v, Path("model.py"))
+
+
+@target("write.path", nothing("paths", "texts"))
+def _(v):
+    return write(world().o.system._exportable(name="model", events=None, inputs=()), v)
 
 
 # -- pages that simulate --------------------------------------------------------------------------

@@ -20,7 +20,7 @@ from fuzz.table import (
     target,
 )
 from fuzz.world import TIMES, driven, world
-from pydy.solvers import Event, dop853, radau, rk4
+from pydy.solvers import Event, Solver, dop853, radau, rk4
 
 _positive = real(finite=False, above=0.0)
 _finite = array((2,), check=lambda a: np.isfinite(a).all())
@@ -65,6 +65,11 @@ for _name, _kind in _options.items():
     @target(f"integrate_ensemble.{_name}", _kind)
     def _(v, name=_name):
         return _ensemble(**{name: v})
+
+
+@target("Solver.from_tableau.tableau", nothing("symbols", "texts", "functions"))
+def _(v):
+    return Solver.from_tableau(v)
 
 
 @target("rk4.step", _positive)

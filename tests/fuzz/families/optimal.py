@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -10,11 +11,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
-from fuzz.table import flags, hashable, is_number, key, mapping, target
+from fuzz.table import TARGETS, flags, hashable, is_number, key, mapping, one_of, plotted, target
 from fuzz.world import driven, world
 from pydy.analysis import Trial
 from pydy.control import OptimalControl
 from pydy.inputs import SampledInput
+from pydy.system import System
 
 
 def _no_relations(value: Any) -> bool:
@@ -187,6 +189,20 @@ def _problem() -> Any:
     return OptimalControl(driven(o, specifieds={o.g: 0.125}), effort, 1.0, end={o.x: 0.5}, mesh=2)
 
 
+@cache
+def _found() -> Any:
+    return _problem().solve()
+
+
+@cache
+def _phases() -> Any:
+    return OptimalControl.phases([_problem()] * 2)
+
+
+_PASSED = frozenset(signature(System.optimize_trajectory).parameters)
+_ENDS = ("The search", "The optimizer")  # as a right value may, in 20 steps
+
+
 def _solved(**options: Any) -> Any:
     found = _problem().solve(**options)
     return found.states, found.objective
@@ -203,16 +219,51 @@ def _count(value: Any) -> int:
     return int(value)
 
 
-for _name, _kind in {
+_searches: dict[str, Kind] = {
     "mesh_tol": real(least=1.5e-14).or_none(),
     "progress": flags,
     "solver": _solver,
     "options": mapping,
-}.items():
+    "guess": nothing("symbols", "arrays", allowed=_no_values),
+}
+
+for _name, _kind in _searches.items():
 
     @target(f"OptimalControl.solve.{_name}", _kind)
     def _(v, name=_name):
         return _solved(**{name: v})
+
+    @target(f"OptimalControl.sweep.{_name}", _kind)
+    def _(v, name=_name):
+        return [one.objective for one in _problem().sweep({world().o.k: [2.0]}, **{name: v})]
+
+    @target(f"Phases.solve.{_name}", _kind)
+    def _(v, name=_name):
+        return _phases().solve(**{name: v}).objective
+
+    @target(f"Phases.sweep.{_name}", _kind)
+    def _(v, name=_name):
+        return [one.objective for one in _phases().sweep({world().o.k: [2.0]}, **{name: v})]
+
+
+for _of, _make in {"OptimalControl": lambda: _problem(), "Phases": lambda: _phases()}.items():
+
+    @target(f"{_of}.check.guess", nothing("symbols", "arrays", allowed=_no_values))
+    def _(v, make=_make):
+        return make().check(v)
+
+
+@target("OptimalControl.system", nothing("symbols", "texts"))
+def _(v):
+    o = world().o
+    return OptimalControl(v, sm.Integral(o.f**2, me.dynamicsymbols._t), 1.0)
+
+
+for _name in ("plot_controls", "plot_states"):
+
+    @target(f"OptimalTrajectory.{_name}.axes", nothing("texts", "arrays", allowed=one_of(None)))
+    def _(v, name=_name):
+        return plotted(getattr(_found(), name), v)
 
 
 @target("OptimalControl.solve.options[key]", key, "`options")
@@ -248,12 +299,12 @@ def _(v):
     return OptimalControl.phases([v, _problem()])
 
 
-@target("OptimalControl.phases.sweep.values", mapping)
+@target("Phases.sweep.values", mapping)
 def _(v):
     return [found.objective for found in OptimalControl.phases([_problem()] * 2).sweep(v)]
 
 
-@target("OptimalControl.phases.sweep.values[key]", key, "`values")
+@target("Phases.sweep.values[key]", key, "`values")
 def _(v):
     phases = OptimalControl.phases([_problem()] * 2)
     return [found.objective for found in phases.sweep({hashable(v): [1.0]})]
@@ -288,6 +339,28 @@ def _(v):
 )
 def _(v):
     return OptimalControl.phases([_problem()] * 2, [{world().o.v: v}])
+
+
+# -- both in one call ------------------------------------------------------------------------------
+
+# What becomes of the values is compared above: here they are handed on, and searched with.
+for _one in [one for one in TARGETS if one.call.__module__ == __name__]:
+    _owner, _, _name = _one.name.rpartition(".")
+    if _owner in ("OptimalControl", "OptimalControl.solve") and _name in _PASSED:
+        _kind = Kind(_one.kind.read, _one.kind.groups, compare=False)
+
+        @target(f"optimize_trajectory.{_name}", _kind, *_one.mentions, *_ENDS)
+        def _(v, name=_name):
+            o = world().o
+            given = {
+                "objective": sm.Integral(o.f**2, me.dynamicsymbols._t),
+                "duration": 1.0,
+                "end": {o.x: 0.5},
+                "mesh": 2,
+                "options": {"max_iter": 20},
+                name: v,
+            }
+            driven(o, specifieds={o.g: 0.125}).optimize_trajectory(**given)
 
 
 # -- fits ------------------------------------------------------------------------------------------

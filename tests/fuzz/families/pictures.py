@@ -12,18 +12,9 @@ import numpy as np
 from fuzz.families.optimal import fit_result
 from fuzz.families.results import named_f
 from fuzz.kinds import Kind, array, choice, nothing, text
-from fuzz.table import mapping, one_of, target
+from fuzz.table import mapping, one_of, plotted, target
 from fuzz.world import world
 from pydy import plot
-
-
-def _plotted(function: Any, *arguments: Any, **options: Any) -> Any:
-    from matplotlib import pyplot
-
-    try:
-        return function(*arguments, **options)
-    finally:
-        pyplot.close("all")
 
 
 @cache
@@ -42,12 +33,12 @@ def _default_or_f(value: Any) -> bool:
 
 @target("plot_fit.result", nothing("arrays"), "`result")
 def _(v):
-    return _plotted(plot.plot_fit, v)
+    return plotted(plot.plot_fit, v)
 
 
 @target("plot_fit.axes", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
 def _(v):
-    return _plotted(plot.plot_fit, fit_result(), v)
+    return plotted(plot.plot_fit, fit_result(), v)
 
 
 _missing = "is not one of the trajectory's"
@@ -88,15 +79,18 @@ for _function, _name in product(_FUNCTIONS, _ARGUMENTS):
         @target(f"{_function}.{_name}", _kind, *_mentions)
         def _(v, function=_function, name=_name):
             usual = {"result": _sensitive(), **_FUNCTIONS[function], name: v}
-            ax = _plotted(getattr(plot, function), **usual)
+            ax = plotted(getattr(plot, function), **usual)
             return [(one.get_xlabel(), one.get_ylabel()) for one in np.ravel(ax)]
 
 
 @target("plot.units[value]", text())
 def _(v):
-    return _plotted(
-        plot.plot_coordinates, world().o.trajectory, units={world().o.x: v}
-    ).get_ylabel()
+    return plotted(plot.plot_coordinates, world().o.trajectory, units={world().o.x: v}).get_ylabel()
+
+
+@target("plot.names", nothing("symbols", "texts", allowed=one_of(None)), "`names", _missing)
+def _(v):
+    return plotted(world().o.trajectory.plot, v)
 
 
 # -- linear models --------------------------------------------------------------------------------
@@ -118,9 +112,9 @@ for _name, _kind in {
 
     @target(f"LinearModel.plot_bode.{_name}", _kind)
     def _(v, name=_name):
-        _plotted(_linear().plot_bode, **{"input": "f", "output": "x", name: v})
+        plotted(_linear().plot_bode, **{"input": "f", "output": "x", name: v})
 
 
 @target("LinearModel.plot_poles.axes", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
 def _(v):
-    return _plotted(_linear().plot_poles, v)
+    return plotted(_linear().plot_poles, v)

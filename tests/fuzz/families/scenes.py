@@ -219,6 +219,13 @@ def _(v):
     return _scene(system=v)
 
 
+for _name in ("reference_frame", "origin"):
+
+    @target(f"System.scene.{_name}", nothing("symbols", "texts", allowed=one_of(None)))
+    def _(v, name=_name):
+        return repr(world().o.system.scene(**{name: v}))
+
+
 @target("Scene.cameras[0]", nothing("symbols", "texts"), "cameras")
 def _(v):
     return _scene(cameras=[v]).html()
