@@ -184,14 +184,14 @@ class FitResult:
         <BLANKLINE>
         deviation of the noise: 0.009..., 99 degrees of freedom
         """
-        intervals = self.confidence_intervals(level)
+        intervals, share = self.confidence_intervals(level), number(level, "`level`")
         rows = [
             (name, f"{value:.8g}", f"{error:.2g}", f"[{low:.6g}, {high:.6g}]")
             for name, value, error, (low, high) in zip(
                 self.names, self.estimates, self.standard_errors, intervals, strict=True
             )
         ]
-        heads = ("parameter", "estimate", "standard error", f"{100 * level:g} % interval")
+        heads = ("parameter", "estimate", "standard error", f"{100 * share:g} % interval")
         quantities = list(dict.fromkeys(name for table in self.residuals for name in table))
         missed, count = [], 0
         for name in quantities:

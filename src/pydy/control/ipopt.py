@@ -411,7 +411,7 @@ def option_values(name: Any, value: Any) -> list[Any]:
             f"{shown(name)}: {shown(value)}."
         )
     if isinstance(value, str):
-        return [value]
+        return [str(value)]  # of NumPy's too
     if isinstance(value, (bool, np.bool_)):
         return ["yes" if value else "no"]
     forms: list[Any] = []

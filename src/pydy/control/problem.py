@@ -12,7 +12,17 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._assembly.specifieds import followed
-from pydy._checks import Places, check_mapping, choice, describe, listed, number, shown, whole
+from pydy._checks import (
+    Places,
+    check_mapping,
+    choice,
+    describe,
+    instance,
+    listed,
+    number,
+    shown,
+    whole,
+)
 from pydy._errors import OptimizationError
 from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
@@ -214,6 +224,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         now, definition, plan = self._now, self._now.definition, self._now.plan
         equations, places = definition.equations, definition.specifieds.index
         objective = checked_expression(objective, "`objective`").xreplace(branching(definition))
+        instance(objective, sm.Expr, "`objective`", "an expression or a number")
         running, terminal = reader.objective(objective)
         second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
         squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
@@ -696,7 +707,8 @@ def _own_constants(
     definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
 ) -> set[Any]:
     """Return the symbols that are free and stand in the objective or in conditions alone."""
-    taken = {*definition.states, *definition.specifieds, *definition.constants, duration}
+    taken = {*definition.states, *definition.specifieds, *definition.constants}
+    taken |= {duration} if isinstance(duration, sm.Symbol) else set()
     taken |= {*definition.outputs_symbols, definition.equations.time}
     found = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
     return {s for s in found - taken if s in free or s.name in free}

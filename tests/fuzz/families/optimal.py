@@ -474,8 +474,7 @@ def _(v):
     return _fitted(trial={"measured": v})
 
 
-# An integration from `start` needs times that are not negative.
-@target("Trial.start", real(least=0.0, most=0.0).or_none(), "`start", "`times` must not")
+@target("Trial.start", real(most=0.0).or_none(), "`start")
 def _(v):
     return _fitted(trial={"start": v})
 
