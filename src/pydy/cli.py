@@ -62,9 +62,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     0
     """
     if arguments is not None:
-        from pydy._checks import listed, text
-
-        arguments = [text(word, "`arguments`") for word in listed("arguments", arguments, "words")]
+        # Checked here: `_checks` would load NumPy for `--version`.
+        is_list = isinstance(arguments, (list, tuple))
+        if not (is_list and all(type(word) is str for word in arguments)):
+            raise TypeError(f"`arguments` must be a list of texts, got {arguments!r:.80}.")
     options = _parser().parse_args(arguments)
     command: Callable[[argparse.Namespace], int] = options.command
     try:
