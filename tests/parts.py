@@ -8,6 +8,7 @@ Environment variables choose what is tried:
 
 PYDY_PART : the number of the part (0 without it; larger numbers count modulo 16), or "all"
 PYDY_FURTHER_PARTS : a number; try no quick cases, and this many parts after that one
+PYDY_RECORD_TIMES : anything; write the table when the run has ended
 PYDY_WHOLE_FILES : files, separated by spaces, of which all cases are tried (`make test-near`)
 """
 
@@ -24,19 +25,26 @@ PARTS = 16
 LIMIT = 0.2
 # Functions that draw a part of their inputs themselves: every run tries each of their cases.
 DRAWING = {"tests/fuzz/test_arguments.py::test_what_does_not_fit_is_named_and_what_fits_is_right"}
+# A folder whose tests only run where it is named (`norecursedirs` in pyproject.toml).
+ASKED_FOR = "tests/browser/"
 TABLE = Path(__file__).with_name("slow.txt")
 
 _PART = os.environ.get("PYDY_PART", "0")
 WHOLE = _PART == "all"
 PART = 0 if WHOLE else int(_PART)
+RECORD = "PYDY_RECORD_TIMES"
+RECORDING = RECORD in os.environ
 FURTHER_PARTS = int(os.environ.get("PYDY_FURTHER_PARTS", "0"))
 _FILES = os.environ.get("PYDY_WHOLE_FILES")
 WHOLE_FILES = None if _FILES is None else tuple(_FILES.split())
 
 
 def drawn(index: int, parts: int) -> bool:
-    """Whether the item with this index is in the part that this run tries."""
-    return WHOLE or index % parts == PART % parts
+    """Whether the item with this index is in the part that this run tries.
+
+    While times are recorded it is a part, too: the table does not hold what draws.
+    """
+    return (WHOLE and not RECORDING) or index % parts == PART % parts
 
 
 def function_of(nodeid: str) -> str:

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 import parts
-import timing
 
 CONFTEST = Path(__file__).with_name("conftest.py")
 
@@ -39,7 +38,7 @@ def project(tmp_path):
 def run(project, monkeypatch, *arguments, record=False):
     monkeypatch.setenv("PYTHONPATH", str(CONFTEST.parent))
     if not record:
-        monkeypatch.delenv(timing.RECORD, raising=False)
+        monkeypatch.delenv(parts.RECORD, raising=False)
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
     return subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
 
@@ -54,8 +53,16 @@ def test_a_slow_test_that_the_table_lacks_fails_the_run_by_name(project, monkeyp
     assert "run `make times`" in done.stdout
 
 
+def test_what_runs_in_a_browser_needs_no_row(project, monkeypatch):
+    (project / parts.ASKED_FOR).mkdir(parents=True)
+    (project / "test_it.py").rename(project / parts.ASKED_FOR / "test_it.py")
+    done = run(project, monkeypatch, parts.ASKED_FOR)
+    assert done.returncode == 0, done.stdout
+    assert "2 passed" in done.stdout
+
+
 def test_recorded_times_are_a_table_with_which_the_run_passes(project, monkeypatch):
-    monkeypatch.setenv(timing.RECORD, "1")
+    monkeypatch.setenv(parts.RECORD, "1")
     assert run(project, monkeypatch, record=True).returncode == 0
     monkeypatch.setattr(parts, "TABLE", project / "slow.txt")
     assert list(parts.read_table()) == ["test_it.py::test_busy"]

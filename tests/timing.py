@@ -18,7 +18,6 @@ import pytest
 import parts
 
 FACTOR = 100
-RECORD = "PYDY_RECORD_TIMES"
 
 
 def processor_time() -> float:
@@ -60,14 +59,14 @@ class Times:
         """Send, record or judge the times."""
         if (output := getattr(session.config, "workeroutput", None)) is not None:
             output["times"] = dict(self.seconds)
-        elif RECORD in os.environ:
+        elif parts.RECORDING:
             parts.write_table(self.seconds, loop_time())
         elif self.unlisted():
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         """Name the functions that are missing in the table."""
-        if RECORD in os.environ or not (unlisted := self.unlisted()):
+        if parts.RECORDING or not (unlisted := self.unlisted()):
             return
         terminalreporter.section("slow tests that tests/slow.txt does not list", red=True)
         for name, seconds in unlisted.items():
@@ -80,6 +79,8 @@ class Times:
         slow = {name: s for name, s in self.seconds.items() if s > limit}
         for name in (*parts.read_table(), *parts.DRAWING):
             slow.pop(name, None)
+        # Tests in a browser run all together, where they are asked for: no table deals them out.
+        slow = {name: s for name, s in slow.items() if not name.startswith(parts.ASKED_FOR)}
         if slow:
             limit *= max(1.0, loop_time() / parts.loop_time_of_table())
         return {name: s for name, s in slow.items() if s > limit}
