@@ -61,7 +61,7 @@ sphinx_gallery_conf = {
     "examples_dirs": "../examples",
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",  # run them all
-    "within_subsection_order": "FileNameSortKey",
+    "within_subsection_order": "generated.SimpleToRich",
     "abort_on_example_error": True,
     "download_all_examples": False,
     "show_memory": False,

@@ -19,7 +19,6 @@ holonomic constraints close the loops, and KanesMethod solves their rates for th
    University of Bari 2008, https://archimede.uniba.it/~testset/, problem ANDREWS.
 """
 
-import sys
 from typing import Any, NamedTuple
 
 import matplotlib.pyplot as plt
@@ -29,8 +28,6 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.viz import Line, Sphere, Visual
-
-small = "--small" in sys.argv  # a coarser run, for the tests
 
 # %%
 # The published numbers
@@ -200,7 +197,7 @@ system = System(
     mechanism.kane,
     constants=mechanism.constants,
     initial_conditions=mechanism.initial_conditions,
-    times=np.linspace(0.0, END, num=61 if small else 601),
+    times=np.linspace(0.0, END, num=601),
     outputs={"energy": mechanism.energy, **places},
 )
 print(f"{system.num_coordinates} coordinates, {system.num_constraints} constraints")

@@ -7,8 +7,6 @@ yet it is to swing up and stand still, as soon as possible.  The torques that do
 their limits.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -19,7 +17,6 @@ from pydy.control import OptimalControl
 from pydy.mechanics import Definition
 from pydy.solvers import dop853
 
-small = "--small" in sys.argv  # fewer limits, for the tests
 G, LENGTH, MASS = 9.81, 0.5, 2.0  # m/s², m, kg, of each link
 
 # %%
@@ -86,7 +83,7 @@ axes = fast.plot_controls()
 # ---------------
 # Each search begins at the motion before.
 
-strengths = np.linspace(1.0, 2.0, num=2 if small else 6)
+strengths = np.linspace(1.0, 2.0, num=6)
 times, last = [], fast
 for strength in strengths:
     stronger = {

@@ -13,8 +13,6 @@ at many speeds, compare with the published eigenvalues and speeds, and then push
    1955-1982.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -22,7 +20,6 @@ from pydy import System
 from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 
-small = "--small" in sys.argv  # a shorter run, for the tests
 WEAVE_SPEED, CAPSIZE_SPEED = 4.292382536341115, 6.024262015388372  # m/s, published
 
 # %%
@@ -55,7 +52,7 @@ def lean_and_steer(speed):
     return values[np.argsort(-np.abs(values))[:4]]
 
 
-speeds = np.linspace(0.5, 10.0, num=8 if small else 191)
+speeds = np.linspace(0.5, 10.0, num=191)
 eigenvalues = np.array([lean_and_steer(speed) for speed in speeds])
 
 figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
@@ -101,7 +98,7 @@ def push(x, t):
 
 system.initial_conditions = whipple_bicycle.equilibrium(bicycle, 5.0)
 system.specifieds = {bicycle.push: push}
-system.times = np.linspace(0.0, 1.5 if small else 6.0, num=151 if small else 601)
+system.times = np.linspace(0.0, 6.0, num=601)
 # The largest step keeps the solver from stepping across the push.
 motion = system.simulate(rtol=1e-9, atol=1e-9, hmax=0.02)
 bicycle_scene.scene(system, bicycle, "Pushed at 5 m/s").animate(motion)

@@ -10,8 +10,6 @@ with a known force.  All of them stick and slide as they have to: the brake slid
 rolls, or the brake holds the wheel and the tyre skids.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -22,8 +20,6 @@ from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.viz import Arrow, Line, Sphere, Torus, Visual
-
-small = "--small" in sys.argv  # fewer samples, for the tests
 
 # %%
 # Equations
@@ -156,7 +152,7 @@ scene.animate(over)
 # Squeezes below the one that lifts the rear wheel, in one ensemble for each road.
 
 system.times = np.linspace(0.0, 12.0, num=25)
-squeezes = np.linspace(60.0, 480.0, num=22 if small else 43)
+squeezes = np.linspace(60.0, 480.0, num=43)
 ways = {
     road: system.integrate_ensemble(
         contacts=contacts, constants={squeeze: squeezes, mu_road: grip}, rtol=1e-9, atol=1e-9

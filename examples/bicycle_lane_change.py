@@ -10,8 +10,6 @@ These are the full nonlinear equations of the Carvallo–Whipple bicycle
 without slip.  Collocation holds these constraints at all of its points.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -22,7 +20,6 @@ from pydy.control import OptimalControl
 from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.solvers import dop853
 
-small = "--small" in sys.argv  # fewer durations, for the tests
 SPEED, ASIDE = 5.0, 1.0  # m/s, m
 
 # %%
@@ -86,7 +83,7 @@ assert off < 1e-8
 # ---------
 # A shorter manoeuvre is dearer.
 
-durations = np.linspace(3.0, 2.0, num=2 if small else 6)
+durations = np.linspace(3.0, 2.0, num=6)
 costs, last = [], found
 for duration in durations:
     problem = OptimalControl(system, effort, duration, end=end, mesh=30)

@@ -8,15 +8,12 @@ model is the Carvallo–Whipple bicycle with the parameters of Meijaard, Papadop
 Schwab (Proc. R. Soc. A 463, 2007).
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 from pydy import System
 from pydy.examples import bicycle_scene, whipple_bicycle
 
-small = "--small" in sys.argv  # fewer speeds, for the tests
 PUBLISHED = (4.292382536341, 6.024262015388)  # weave and capsize speed, m/s
 
 # %%
@@ -28,7 +25,7 @@ PUBLISHED = (4.292382536341, 6.024262015388)  # weave and capsize speed, m/s
 
 bicycle = whipple_bicycle.derive()
 system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
-speeds = np.linspace(0.0, 10.0, num=101 if small else 1001)
+speeds = np.linspace(0.0, 10.0, num=1001)
 sweep = system.eigenvalues({"u_x": speeds}, moving=["x", "theta_R", "theta_F"])
 
 figure, axes = plt.subplots(figsize=(7, 4.2), layout="constrained")
@@ -76,7 +73,7 @@ lean, lean_rate = bicycle["phi"], bicycle["u_phi"]
 system.initial_conditions = {**start, lean_rate: 0.02}
 system.set_dependent_initial_conditions()
 system.ode_solver = "dop853"
-system.times = np.linspace(0.0, 2.0 if small else 8.0, num=121 if small else 481)
+system.times = np.linspace(0.0, 8.0, num=481)
 motion = system.simulate(rtol=1e-9, atol=1e-9)
 bicycle_scene.scene(system, bicycle, "Weave at 4 m/s").animate(motion)
 

@@ -10,8 +10,6 @@ ones from unstable ones by how their lean develops.  The exact linear models of 
 agree.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
@@ -22,9 +20,8 @@ from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.inputs import SampledInput
 from pydy.linearize import constrained_eigenvalues
 
-small = "--small" in sys.argv  # fewer bicycles, for the tests
 SPEED, SPREAD = 4.4, 0.1  # m/s; relative, to either side
-count, compared = (24, 3) if small else (2000, 25)
+count, compared = 2000, 25
 
 # %%
 # The push

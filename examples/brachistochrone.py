@@ -8,8 +8,6 @@ The answer is a cycloid, the path of a point on a rolling wheel.  Here it is fou
 control problem: the slope of the wire is the control, and the duration is what is minimised.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -19,9 +17,8 @@ from scipy.optimize import brentq
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.mechanics import Definition
-from pydy.viz import Sphere, Visual
+from pydy.viz import Line, Sphere, Visual
 
-small = "--small" in sys.argv  # fewer ends, for the tests
 G = 9.81
 
 # %%
@@ -96,7 +93,7 @@ axes.legend()
 # On a straight wire of length s the time is √(2 s² / (g · depth)).  For a set of ends we solve
 # again; each search begins at the motion before.
 
-below = np.linspace(6.0, 1.0, num=3 if small else 11)
+below = np.linspace(6.0, 1.0, num=11)
 gains, last = [], found
 for lower in below:
     last = system.optimize_trajectory(
@@ -119,8 +116,13 @@ axes.set(xlabel="depth of the end [m]", ylabel="time on a straight wire / least 
 # The bead on its way to 10 m aside and 6 m below:
 
 seen = origin.locatenew("seen", x * ground.x - depth * ground.y)
-ball = Visual(Sphere(0.3), seen, name="bead", trail=True)
-system.scene(ball, origin=origin, up="y").animate(found)
+ball = Visual(Sphere(0.3, color="orangered"), seen, name="bead")
+bends = [
+    origin.locatenew(f"W{k}", float(aside) * ground.x - float(down) * ground.y)
+    for k, (aside, down) in enumerate(zip(found[x][::5], found[depth][::5], strict=True))
+]
+best = Visual(Line(bends, 0.05, color="steelblue"), name="wire")
+system.scene(ball, best, origin=origin, up="y").animate(found)
 
 # %%
 # Energy

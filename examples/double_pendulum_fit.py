@@ -8,8 +8,6 @@ ratio of the masses, and the angles at each release.  The truth is known here an
 the confidence intervals.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -18,7 +16,6 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.analysis import Trial
 
-small = "--small" in sys.argv  # shorter records, for the tests
 TRUTH = {"l1": 0.31, "l2": 0.24, "m2": 0.35}
 RELEASES = ((1.1, 0.4), (-0.8, 0.9), (0.3, 1.4))  # rad from hanging down
 NOISE = 0.003  # m, standard deviation
@@ -59,7 +56,7 @@ for expression in seen:
 # The records are made here: simulate, evaluate the four coordinates, add noise.  In each record a
 # hand hides the second bob for a moment; missing samples are NaN.
 
-times = np.linspace(0.0, 1.0 if small else 2.0, num=51 if small else 101)
+times = np.linspace(0.0, 2.0, num=101)
 truth = {m1: 0.5, g: 9.81, **{sm.Symbol(name): value for name, value in TRUTH.items()}}
 system = System(kane, constants=truth, times=times, ode_solver="dop853")
 random = np.random.default_rng(3)

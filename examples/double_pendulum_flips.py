@@ -10,8 +10,6 @@ Where 2 cos θ₁ + cos θ₂ > 1 the energy is too small to bring either link u
 flip.  Mirror-image initial conditions must give mirror-image motions.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -20,8 +18,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.solvers import Event
 
-small = "--small" in sys.argv  # fewer pendulums, for the tests
-n, coarse = (21, 7) if small else (200, 40)
+n, coarse = 200, 40
 
 # %%
 # Equations

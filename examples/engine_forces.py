@@ -10,8 +10,6 @@ The sum of all forces on the moving parts must be the rate of change of their mo
 take from the trajectory by differences.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -20,7 +18,6 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.viz import Arrow, Box, Line, Sphere, Visual
 
-small = "--small" in sys.argv  # a shorter run, for the tests
 CONSTANTS = {"a": 0.04, "b": 0.14, "m1": 2.0, "m2": 0.6, "m3": 0.5}  # m, kg
 
 # %%
@@ -75,7 +72,7 @@ system = System(
     constants=CONSTANTS,
     specifieds={gas: 300.0 * (1.0 + sm.cos(q1))},
     initial_conditions={q1: 0.3, q2: 0.0, u1: 200.0},
-    times=np.linspace(0.0, 0.01 if small else 0.1, num=1001 if small else 10001),
+    times=np.linspace(0.0, 0.1, num=10001),
     ode_solver="dop853",
 )
 system.set_dependent_initial_conditions(use_jac=True)

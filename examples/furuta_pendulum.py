@@ -10,8 +10,6 @@ Automatica 36, 2000).  Near the top a linear-quadratic regulator takes over, des
 linear model.  Both are expressions of the states, so that they are compiled with the equations.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -23,8 +21,6 @@ from pydy import System
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.viz import Cylinder, Line, Sphere, Visual
-
-small = "--small" in sys.argv  # a shorter run, for the tests
 
 # %%
 # Arm and pendulum

@@ -11,8 +11,6 @@ about the vertical through the socket: the energy and the vertical component of 
 must be constant.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -20,8 +18,6 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.viz import Cylinder, Line, Sphere, Visual
-
-small = "--small" in sys.argv  # a shorter run, for the tests
 
 # %%
 # Bodies
@@ -70,7 +66,7 @@ system = System(
     top,
     constants={m: 1.0, n: 0.1, r: 0.1, l: 0.2, g: 9.81},
     initial_conditions={speeds[3]: 300.0},  # rad/s
-    times=np.linspace(0.0, 0.2 if small else 2.0, num=201 if small else 2001),
+    times=np.linspace(0.0, 2.0, num=2001),
     ode_solver="dop853",
     outputs={"momentum": momentum},
 )

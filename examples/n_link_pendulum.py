@@ -9,8 +9,6 @@ Small oscillations are not chaotic.  Their frequencies follow from the zeros z o
 polynomial of degree n, ω² = z g/l, which is a closed form to compare the exact linear model with.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -20,8 +18,7 @@ from numpy.polynomial.laguerre import lagroots
 from pydy import System
 from pydy.viz import Line, Sphere, Visual
 
-small = "--small" in sys.argv  # fewer links, for the tests
-n = 3 if small else 10
+n = 10
 
 # %%
 # Equations
@@ -61,7 +58,7 @@ kane = me.KanesMethod(
 system = System(
     kane,
     constants={m: 0.1, l: 0.1, g: 9.81},
-    times=np.linspace(0.0, 0.5 if small else 5.0, num=61 if small else 1001),
+    times=np.linspace(0.0, 5.0, num=1001),
 )
 
 # %%

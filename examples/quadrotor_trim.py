@@ -8,8 +8,6 @@ at the trim goes to python-control.  Its linear-quadratic regulator brings the v
 gust.
 """
 
-import sys
-
 import control
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +17,6 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.viz import Arrow, Box, Cylinder, Visual
 
-small = "--small" in sys.argv  # a coarser run, for the tests
 SPEED, MASS, DRAG, ARM, GRAVITY = 8.0, 1.2, 0.25, 0.22, 9.81
 
 # %%
@@ -102,7 +99,7 @@ assert np.allclose(np.sort_complex(closed), np.sort_complex(poles), atol=1e-8)
 # The gust leaves the vehicle slow, sinking and tilted.
 
 system.initial_conditions = {**trim.initial_conditions, u: SPEED - 2.0, w: -1.0, pitch: lean + 0.3}
-system.times = np.linspace(0.0, 8.0, num=201 if small else 801)
+system.times = np.linspace(0.0, 8.0, num=801)
 flight = system.simulate(rtol=1e-9, atol=1e-9)
 
 arms = [(front, d, "front"), (rear, -d, "rear")]

@@ -15,8 +15,6 @@ those of the second tutorial of MPGOS [2]_.
 .. [2] F. Hegedűs, Massively Parallel GPU-ODE Solver, tutorial T2, impact dynamics.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -26,9 +24,8 @@ from pydy import System
 from pydy.contact import Contacts, Unilateral
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from pydy.viz import Sphere, Visual
+from pydy.viz import Line, Sphere, Visual
 
-small = "--small" in sys.argv  # fewer flow rates, for the tests
 KAPPA, DELTA, BETA, RESTITUTION = 1.25, 10.0, 20.0, 0.8
 
 # %%
@@ -87,7 +84,7 @@ assert abs(growths[1]) < 1e-9
 
 impact = Event(y, direction=-1, reset={v: -RESTITUTION * v}, name="impact")
 top = Event(v, direction=-1, name="top")
-flows = np.linspace(0.6, 10.0, 40 if small else 400)
+flows = np.linspace(0.6, 10.0, 400)
 options = {"constants": {q: flows}, "rtol": 1e-8, "atol": 1e-8}
 system.initial_conditions = {y: 0.2, p: 0.0, v: 0.0}
 settled = system.integrate_ensemble(events=[impact], times=[0.0, 300.0], reduce="final", **options)
@@ -135,9 +132,13 @@ for start, end in rests:
 # The poppet above its seat
 # -------------------------
 
+above = origin.locatenew("A", 6 * N.x)
+edges = [origin.locatenew(f"E{k}", k * N.y) for k in (-1.5, -0.3, 0.3, 1.5)]
 scene = system.scene(
-    Visual(Sphere(0.2, color="steelblue"), place, name="poppet", trail=True),
-    Visual(Sphere(0.1, color="dimgray"), origin, name="seat"),
+    Visual(Sphere(0.4, color="steelblue"), place, name="poppet"),
+    Visual(Line([place, above], 0.08, color="darkorange"), name="spring"),
+    Visual(Line(edges[:2], 0.1, color="dimgray"), name="seat, left"),
+    Visual(Line(edges[2:], 0.1, color="dimgray"), name="seat, right"),
     origin=origin, up="x", ground=False,
 )  # fmt: skip
 scene.animate(chatter)

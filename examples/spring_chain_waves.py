@@ -11,7 +11,6 @@ A chain of n masses with one end fixed has the modes sin((2j−1)π i/(2n+1)) wi
 2 √(k/m) sin((2j−1)π/(4n+2)).  Their sum is the exact motion, with which we compare.
 """
 
-import sys
 from itertools import pairwise
 
 import matplotlib.pyplot as plt
@@ -23,8 +22,7 @@ from pydy import System
 from pydy.mechanics import Definition
 from pydy.viz import Box, Sphere, Visual
 
-small = "--small" in sys.argv  # fewer masses, for the tests
-n = 12 if small else 50
+n = 50
 
 # %%
 # Equations

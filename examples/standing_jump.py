@@ -7,8 +7,6 @@ own: on the ground the leg pushes the body away from the foot, in the air it can
 phase ends and how long each takes is for the optimisation to find.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -20,7 +18,6 @@ from pydy.mechanics import Definition
 from pydy.solvers import dop853
 from pydy.viz import Line, Scene, Sphere, Visual
 
-small = "--small" in sys.argv  # fewer distances, for the tests
 MASS, G = 70.0, 9.81  # kg, m/s²
 LEG, STRETCHED, CROUCHED = 0.95, 1.0, 0.5  # m: how long the leg is in standing, and its limits
 STRONGEST, ANKLE = 2500.0, 120.0  # N along the leg, N m about the foot
@@ -155,7 +152,7 @@ assert abs(landing[lean][0] + pushing[lean][-1]) < 1e-3
 # Short distances are a long step; farther away the flight takes over.  Each search begins at the
 # motion before.
 
-distances = [1.6, 1.8] if small else [1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0]
+distances = [1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0]
 jumps, last = [], found
 for distance in distances:
     last = jump(distance, list(last))

@@ -11,8 +11,6 @@ Without feedback a person falls, and so does every simulation with wrong gains: 
 the record.  Collocation needs no simulation.  It starts with gains of zero.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -22,7 +20,6 @@ from pydy import System
 from pydy.analysis import Trial
 from pydy.mechanics import Definition
 
-small = "--small" in sys.argv  # a shorter record, for the tests
 GAINS = np.array([[950.0, 175.0, 185.0, 50.0], [45.0, 290.0, 60.0, 26.0]])  # N m/rad, N m s/rad
 NOISE = np.radians(0.25)  # of the markers, standard deviation
 
@@ -73,7 +70,7 @@ system.specifieds = {
 # ----------
 # It is made here, so that the truth is known: a simulation with noise.
 
-times = np.arange(0.0, 8.0 if small else 20.0, 0.01)
+times = np.arange(0.0, 20.0, 0.01)
 system.constants = dict(zip(gains, GAINS.ravel(), strict=True))
 system.times, system.ode_solver = times, "dop853"
 ride = system.simulate(rtol=1e-9, atol=1e-9)

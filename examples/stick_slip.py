@@ -12,8 +12,6 @@ motion is periodic from the first slip on, with a period that is known: the time
 goes from one end of the slide to the other, and that of an arc of an ellipse in the phase plane.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -22,9 +20,8 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.contact import Contacts, Stick
 from pydy.mechanics import Definition
-from pydy.viz import Cube, Visual
+from pydy.viz import Cube, Line, Visual
 
-small = "--small" in sys.argv  # a shorter run, for the tests
 BELT, STATIC, KINETIC, WEIGHT, STIFFNESS = 0.1, 0.6, 0.3, 9.81, 20.0  # m/s, -, -, N, N/m
 
 # %%
@@ -59,7 +56,7 @@ system = System(
     constants={m: 1.0, k: STIFFNESS},
     ode_solver="dop853",
     initial_conditions={v: BELT},
-    times=np.linspace(0.0, 8.0 if small else 20.0, num=401 if small else 2001),
+    times=np.linspace(0.0, 20.0, num=2001),
 )
 contacts = Contacts(system, [rub], {belt: BELT, mu: KINETIC, static: STATIC})
 motion = contacts.simulate(rtol=1e-12, atol=1e-12)
@@ -69,9 +66,14 @@ for start, end, modes in motion.modes[:4]:
 # %%
 # Transitions are marked on the time axis of the animation.
 
+wall = origin.locatenew("W", -0.6 * N.x)
+ends = [origin.locatenew(f"E{k}", k * N.x - 0.06 * N.y) for k in (-0.4, 0.6)]
 scene = system.scene(
-    Visual(Cube(0.1, color="orangered"), block, name="block"), up="y", series=[x, v]
-)
+    Visual(Cube(0.1, color="orangered"), block, name="block"),
+    Visual(Line([wall, place], 0.01, color="dimgray"), name="spring"),
+    Visual(Line(ends, 0.015, color="darkgray"), name="belt"),
+    up="y", series=[x, v],
+)  # fmt: skip
 scene.animate(motion)
 
 # %%

@@ -11,8 +11,6 @@ The gait is a periodic orbit that ends at an event.  Its multipliers are inside 
 after a small stumble the walker returns to its gait.
 """
 
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
@@ -23,7 +21,6 @@ from pydy import System
 from pydy.solvers import Event
 from pydy.viz import Line, Scene, Sphere, Visual
 
-small = "--small" in sys.argv  # a shorter walk, for the tests
 # Stance angle and its rate after a strike, to ten digits, from M. Garcia's program that made the
 # paper's results.
 PUBLISHED = (0.20031090049483, -0.19983247291764)
@@ -122,7 +119,7 @@ system.times = [0.0, gait.period / 2.0]
 half_a_step = system.integrate(rtol=1e-10, atol=1e-10)[-1]
 system.initial_conditions = dict(zip(system.states, half_a_step, strict=True))
 system.initial_conditions[omega] *= 1.002
-steps = 5 if small else 12
+steps = 12
 system.times = np.linspace(0.5, steps, num=120 * steps + 1) * gait.period
 walk = system.simulate(events=strike, rtol=1e-10, atol=1e-10)
 strikes = [event for event in walk.events if event.time > 0.1]

@@ -11,6 +11,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
+from gallery import EXAMPLES
 from pydy import __version__
 from pydy.models import n_link_pendulum_on_cart
 from pydy.viz import Scene
@@ -95,6 +96,13 @@ def test_the_figure_of_speeds_has_the_ratios_and_the_processor(generated, tmp_pa
     svg = (tmp_path / "speeds.svg").read_text(encoding="utf-8")
     for word in (" 3.0<", " 2.5<", "bicycle", "Some Processor, AVX2, 2026-11-22", "heyoka"):
         assert word in svg
+
+
+def test_the_gallery_shows_each_example_once_and_simple_ones_first(generated):
+    assert sorted(generated.GALLERY) == [path.stem for path in EXAMPLES]
+    order = generated.SimpleToRich("examples")
+    assert order("n_link_pendulum.py") == 0
+    assert order("four_bar.py") < order("woodpecker.py") < order("standing_jump.py")
 
 
 def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path, monkeypatch):

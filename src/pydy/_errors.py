@@ -144,7 +144,7 @@ class IntegrationError(_Partial, RuntimeError):
 
 
 class ContactError(IntegrationError):
-    """Exact contacts could not go on: no combination of their modes satisfies the equations.
+    """No combination of the modes of the exact contacts satisfies the equations.
 
     The message names the reason, such as Painlevé's paradox or jamming. `info` has ``'modes'``, the
     modes of the contacts before.

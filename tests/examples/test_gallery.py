@@ -1,14 +1,12 @@
 """Every script in `examples/` runs, at small size, holds its own checks, and shows what it does."""
 
 import ast
-import runpy
-import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from gallery import EXAMPLES, cells
+from gallery import EXAMPLES, SMALLER, cells, smaller
 from pydy.viz import Scene
 
 
@@ -39,6 +37,19 @@ def test_there_are_at_least_24_examples():
     assert len(EXAMPLES) >= 24
 
 
+def test_the_numbers_of_short_runs_stand_in_the_examples():
+    assert set(SMALLER) <= {path.stem for path in EXAMPLES}
+    for path in EXAMPLES:
+        assert (smaller(path) != path.read_text(encoding="utf-8")) == (path.stem in SMALLER)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_has_nothing_that_serves_its_tests_alone(path):
+    text = path.read_text(encoding="utf-8")
+    assert "sys.argv" not in text
+    assert "for the tests" not in text
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_goes_in_steps_of_prose_code_and_picture(path):
     first, *rest = cells(path)
@@ -53,11 +64,9 @@ def test_an_example_goes_in_steps_of_prose_code_and_picture(path):
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_checks_itself_draws_and_moves(
-    path, monkeypatch, no_window, animated, capsys, tmp_path
-):
-    monkeypatch.setattr(sys, "argv", [str(path), "--small"])
-    runpy.run_path(str(path), run_name="__main__")  # it asserts what it prints
+def test_an_example_checks_itself_draws_and_moves(path, no_window, animated, capsys, tmp_path):
+    code = compile(smaller(path), str(path), "exec")
+    exec(code, {"__name__": "__main__", "__file__": str(path)})  # it asserts what it prints
     assert capsys.readouterr().out
     assert plt.get_fignums()
     for number in plt.get_fignums():

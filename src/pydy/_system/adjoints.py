@@ -677,8 +677,8 @@ class Gradients(Setup):
         Warns
         -----
         PyDyUserWarning
-            As in `integrate`; or a load, another rate or what is integrated jumps on the way: the
-            derivatives know nothing of it.
+            As in `integrate`; or a load, another rate or the integrand jumps along the motion: the
+            derivatives do not include the jump.
 
         Examples
         --------

@@ -368,7 +368,7 @@ class Dynamics(Setup):
         p: Any = None,
         wrt: Any = None,
     ) -> np.ndarray:
-        """Return the generalised forces that a motion takes, beside the loads.
+        """Return the generalised forces that a motion needs in addition to the loads.
 
         τ = M(q) a + b(q, v), with `mass_matrix` and `bias`. They are what has to be added to the
         system's loads, specifieds included, so that the speeds change at the rates a. The force at
@@ -384,8 +384,8 @@ class Dynamics(Setup):
         ----------
         q, v : array_like, shape (n,) or (m, n), or dict, optional
             Coordinates, and speeds, in the orders of `coordinates` and `speeds`; by default the
-            initial conditions. A dictionary gives some of these instead, by symbol or name; a state
-            that then breaks the constraints is told of.
+            initial conditions. A dictionary gives some of these instead, by symbol or name; a
+            warning reports a state that then violates the constraints.
         a : array_like, shape (n,) or (m, n), or dict, optional
             Derivatives of the speeds. Those of as many speeds as the constraints leave free bring
             the others along, as the constraints say: of the independent ones, by shape, or of those
@@ -528,7 +528,7 @@ class Dynamics(Setup):
         q, t, r, p, wrt
             As in `inverse_dynamics`.
         acceleration : Vector, optional
-            Of what falls, such as ``-g*N.z``, where the loads do not tell it.
+            Of free fall, such as ``-g*N.z``, if it cannot be found from the loads.
 
         Returns
         -------
@@ -537,8 +537,8 @@ class Dynamics(Setup):
         Raises
         ------
         ValueError
-            The loads at mass centres have no acceleration in common, one of them may hold a
-            weight beside others, or gravity is in a Lagrangian; give `acceleration`.
+            The loads at mass centres have no acceleration in common, one of them may contain
+            other forces than a weight, or gravity is in a Lagrangian; give `acceleration`.
 
         Examples
         --------

@@ -452,8 +452,8 @@ class Ensembles(Setup):
         -----
         Trajectories are integrated one by one, by the same solvers, if specifieds are Python
         functions, with `control_sensitivities`, sensitivities with respect to samples, `events` or
-        ``constraints='project'``, with `events` beside ``constraints='project'``, with resets
-        beside SampledInputs, and with 'radau'. So are samples that fail, once more.
+        ``constraints='project'``, with `events` and ``constraints='project'`` together, with resets
+        and SampledInputs together, and with 'radau'. Samples that fail are repeated in this way.
 
         Examples
         --------

@@ -662,7 +662,7 @@ class Fitting(Setup):
             Maps parameters to pairs of the lowest and the highest value; None is no limit.
         priors : dict, optional
             Maps parameters to pairs of the mean and the standard deviation of prior knowledge,
-            which the samples outweigh as their `Trial.noise` tells: it must be given.
+            relative to the samples, whose weight is given by `Trial.noise`, which is then needed.
         segments : int, optional
             Number of segments into which each trial is divided. Each has its own initial state, and
             all must meet in the end: multiple shooting, for long or unstable motions.
@@ -678,7 +678,7 @@ class Fitting(Setup):
             Of collocation: maps specifieds to the intensities of white noise that is added to
             them, their standard deviation times the square root of the time, in s, over which each
             value lasts. These disturbances are found too, at a cost ½ ∫ (disturbance/intensity)² dt
-            beside that of the residuals, ½ Σ (residual/noise)².
+            in addition to that of the residuals, ½ Σ (residual/noise)².
         solver : {'ipopt', 'cyipopt', 'pounce'}, optional
             Of collocation: IPOPT from CasADi's wheel, which is the default, an installed cyipopt,
             or pounce-solver.
@@ -713,7 +713,7 @@ class Fitting(Setup):
         PyDyUserWarning
             The data do not determine some combinations of parameters, a parameter is at a bound,
             the search did not converge, or neighbouring residuals are correlated, so that standard
-            errors are too small; white noise is taken for correlated in one of 10 000 fits.
+            errors are too small; white noise causes this warning in one of 10 000 fits.
 
         Examples
         --------

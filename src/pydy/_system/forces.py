@@ -151,8 +151,8 @@ class Forces(Setup):
 
         The expressions depend on states, derivatives of the speeds, constants and specifieds. They
         can be used in outputs, events and scenes; ``system.outputs = system.constraint_forces``
-        makes each an output with its own name. Names can be used as keys. The forces that are
-        named in `noncontributing_forces` by then are zero in them, which they stand for.
+        makes each an output with its own name. Names can be used as keys. Forces that
+        `noncontributing_forces` names by then are zero in them: the expressions include them.
 
         Raises
         ------
@@ -203,8 +203,8 @@ class Forces(Setup):
             welded together, it belongs to the one it was located or oriented from. The list may
             also contain hinges, and massless points and frames whose loads are to be included.
         point : Point
-            Where the force acts, and about which the torque is taken; by default the joint's own
-            point.
+            Point of action of the force, and reference point of the torque; by default the joint's
+            own point.
         frame : ReferenceFrame, optional
             Frame of the components; by default the inertial frame.
         loads : iterable of loads, optional

@@ -107,7 +107,7 @@ class InertialParameters(Dynamics):
         Raises
         ------
         ValueError
-            The loads do not tell what gravity is; see `gravity`. Or a mass may change with time.
+            Gravity cannot be found from the loads; see `gravity`. Or a mass may change with time.
 
         Examples
         --------

@@ -95,7 +95,7 @@ class Orbits(Simulation, Evaluation):
         Warns
         -----
         PyDyUserWarning
-            A load, or another rate, jumps on the way: the multipliers know nothing of it.
+            A load, or another rate, jumps along the orbit: the multipliers do not include it.
 
         Examples
         --------

@@ -222,9 +222,9 @@ class Reading(Setup):
     def equations_of_motion(self, short: bool = True) -> EquationsOfMotion:
         """Return the equations of motion as SymPy expressions, to print and to work with.
 
-        Up to three coordinates they are written as a textbook would: what cancels is gone, sums of
-        angles are joined where that is shorter, common factors are taken out. Beyond that they are
-        those that are compiled, with names for what occurs more than once.
+        With up to three coordinates they are written as in a textbook: terms cancel, sums of angles
+        are used where that is shorter, and common factors are factored out. With more, they are
+        the compiled equations, with names for subexpressions that occur more than once.
 
         Parameters
         ----------
@@ -237,8 +237,8 @@ class Reading(Setup):
         EquationsOfMotion
             ``mass_matrix``, ``forcing`` and ``kinematics`` are matrices: ``M u' = F``, ``q' = …``,
             for all speeds. With constraints ``constraint_jacobian`` is J of ``M u' = F + Jᵀ λ``.
-            ``names`` says what the short names stand for, ``written_out(M)`` puts that in. It is
-            shown as LaTeX in notebooks.
+            ``names`` maps the short names to expressions, ``written_out(M)`` substitutes them. It
+            is shown as LaTeX in notebooks.
 
         Raises
         ------

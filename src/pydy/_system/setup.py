@@ -328,9 +328,9 @@ class Setup:
     def constants_symbols(self) -> SymbolSet:
         """Set of the constants: symbols of the equations and outputs that are not functions.
 
-        Symbols that cancel from the equations but stand in energies or positions, and those of the
-        events of earlier calls, are constants too as soon as `constants` gives them a value. In
-        ``print(system)`` they, and values that no call has used yet, stand under ``elsewhere``.
+        Symbols that cancel from the equations but occur in energies or positions, and those of the
+        events of earlier calls, are constants too as soon as `constants` gives them a value.
+        ``print(system)`` lists them, and values that no call has used yet, under ``elsewhere``.
         """
         return SymbolSet(self._definition.constants)
 

@@ -187,7 +187,7 @@ class Contacts:
         Raises
         ------
         ValueError
-            A gap is negative at the first time by more than the tolerances tell, a coefficient is
+            A gap is negative at the first time by more than the tolerances, a coefficient is
             out of range or lost by an assignment to ``system.constants``, the solver is not native,
             or friction at a point is on a gap that is no length, or not along it.
         ContactError

@@ -292,7 +292,7 @@ class OptimalTrajectory(Trajectory):
     def inputs(self) -> dict[Any, SampledInput]:
         """Return the controls as `pydy.inputs.SampledInput`, for `System.specifieds`.
 
-        A simulation with them tells how far the motion is from one of the real equations. The
+        Simulate with them to see how far the motion is from one of the real equations. The
         control's polynomial on each interval is sampled; where it jumps at a node, the samples lie
         on both sides.
 

@@ -51,8 +51,8 @@ class Event:
     that had a sign becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with
     an error; one that is NaN at first is watched from where it is a number on.
 
-    An expression that stays at zero for a stretch, as ``Max(0, x)`` does, tells no time there: a
-    simulation warns of what it sees of that in its steps. Pass ``x``.
+    An expression that is zero over an interval, as ``Max(0, x)`` is, defines no time there: a
+    simulation warns if its steps meet such an interval. Pass ``x``.
 
     A motion may start on the surface, where the expression is zero within rounding. The event
     happens there, and acts, where the motion departs to the side that `direction` points to: by the
