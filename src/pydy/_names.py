@@ -31,7 +31,7 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
     """Return the position of a name or of a symbol's name; `what` describes the names in errors."""
     name = name_of(key)
     if name not in names:
-        raise KeyError(f"`{key}` is not one of the {what}: {some(names)}.")
+        raise KeyError(f"`{text_of(key)}` is not one of the {what}: {some(names)}.")
     return list(names).index(name)
 
 
