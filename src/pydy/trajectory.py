@@ -523,7 +523,10 @@ class Trajectory(Continued):
                 "The trajectory has no model to compute the sensitivities of outputs at times that "
                 "were not saved. Use the Trajectory that `System.simulate` returned."
             )
-        return model.outputs(self.times, self.states, values)
+        found = np.array(model.outputs(self.times, self.states, values))
+        # A Piecewise without a branch there is a NaN that depends on nothing.
+        found[np.isnan(self.outputs)] = np.nan
+        return found
 
     def _need_model(self, what: str) -> Model:
         if self._model is None:
