@@ -539,11 +539,6 @@ class Simulation(Setup):
         self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
         self._dependent = solved
 
-    @overload
-    def integrate(
-        self, *, full_output: Literal[True], **solver_kwargs: Any
-    ) -> tuple[np.ndarray, dict[str, Any]]: ...
-
     def _shown(self, given: Mapping[str, Any]) -> Snapshot:
         """Return the Snapshot of a call; `progress` shows what is made before the motion begins.
 
@@ -559,6 +554,11 @@ class Simulation(Setup):
             rates_function(now.driven, now.plan)
             told(1)
         return now
+
+    @overload
+    def integrate(
+        self, *, full_output: Literal[True], **solver_kwargs: Any
+    ) -> tuple[np.ndarray, dict[str, Any]]: ...
 
     @overload
     def integrate(self, **solver_kwargs: Any) -> np.ndarray: ...
