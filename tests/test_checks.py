@@ -9,7 +9,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._checks import choice, flag, number, path_of, real_array, text, vector, whole
+from pydy._checks import choice, flag, listed, number, path_of, real_array, text, vector, whole
 from pydy.models import multi_mass_spring_damper
 
 MASKED = np.ma.array([1.0, 2.0], mask=[False, True])
@@ -240,3 +240,13 @@ def test_time_needs_no_value():
     for values in ({t: 1.0}, {"t": 1.0}, {("f0", t): [1.0, 2.0]}):
         with pytest.raises(ValueError, match="`t` is the time, which is known"):
             system.specifieds = values
+
+
+def test_ranges_and_arrays_of_more_than_memory_are_refused_by_their_size():
+    for endless in (range(10**9), range(0, -(10**30), -1), np.broadcast_to(1.0, (10**9,))):
+        with pytest.raises((TypeError, ValueError), match=r"`x` must .*(range\(|1,000,000,000)"):
+            real_array(endless, "`x`")
+        with pytest.raises(TypeError, match=r"`x` must be a sequence of .*(range\(|1,000,000,000)"):
+            listed("x", endless)
+    assert real_array(range(10, -(10**9)), "`x`").shape == (0,)
+    assert listed("x", range(3)) == [0, 1, 2]

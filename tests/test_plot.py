@@ -8,6 +8,8 @@ import sympy as sm
 
 import zoo
 from cases import system_of
+from pydy._names import label_parts, latex_of
+from pydy.models import multi_mass_spring_damper
 from pydy.plot import (
     plot_constraints,
     plot_coordinates,
@@ -15,6 +17,7 @@ from pydy.plot import (
     plot_outputs,
     plot_phase,
     plot_quantities,
+    plot_sensitivities,
     plot_speeds,
     plot_states,
 )
@@ -64,6 +67,62 @@ def test_coordinates_and_speeds_are_drawn_with_labels_and_units():
     assert_drawn(ax, trajectory.states[:, 3:].T)
     assert labels(ax) == ["$u_{1}$ (rad/s)", "$u_{2}$", "$u_{3}$"]
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("time", "speeds")
+
+
+def test_each_unit_has_an_axis_of_its_own():
+    trajectory = simulated("fourbar")
+    ax = plot_coordinates(trajectory, units={"q1": "rad", "q2": "m", "q3": "rad"})
+    first, second = ax.figure.axes
+    assert first is ax
+    assert [one.get_ylabel() for one in (first, second)] == ["coordinates (rad)", "coordinates (m)"]
+    assert_drawn(first, trajectory.states[:, [0, 2]].T)
+    assert_drawn(second, trajectory.states[:, [1]].T)
+    assert labels(ax) == ["$q_{1}$ (rad)", "$q_{2}$ (m)", "$q_{3}$ (rad)"]
+    lines = [*first.get_lines(), *second.get_lines()]
+    assert len({line.get_color() for line in lines}) == 3
+    _, (above, _) = plt.subplots(2)
+    assert plot_speeds(trajectory, ax=above, units={"u1": "1/s", "u2": "m/s"}) is above
+    assert len(above.figure.axes) == 4  # also one for what has no unit
+
+
+def test_derivatives_have_the_units_of_their_quotients():
+    trajectory = zoo_with_sensitivities()
+    ax = plot_sensitivities(trajectory, "x0", units={"x0": "m", "m0": "kg", "k0": "N/m"})
+    assert labels(ax) == ["$m_{0}$ (m/kg)", "$k_{0}$ (m/(N/m))"]
+    assert len(ax.figure.axes) == 2
+    alone = plot_sensitivities(trajectory, "x0")
+    assert len(alone.figure.axes) == 1
+    assert alone.get_legend().get_title().get_text() == "derivatives of x0 with respect to"
+
+
+def zoo_with_sensitivities():
+    system = multi_mass_spring_damper()
+    system.times, system.initial_conditions = TIMES, {"x0": 1.0}
+    return system.simulate(sensitivities=["m0", "k0"])
+
+
+@pytest.mark.parametrize(
+    ("name", "parts", "latex"),
+    [
+        ("alpha", ["α", ""], r"\alpha"),
+        ("theta_1", ["θ", "1"], r"\theta_{1}"),
+        ("q1", ["q", "1"], "q_{1}"),
+        ("x_foot", ["x", "foot"], "x_{foot}"),
+        ("thetadot", ["θ\u0307", ""], r"\dot{\theta}"),
+        ("length", ["length", ""], r"\mathrm{length}"),
+        ("hand_x", ["hand_x", ""], r"\mathrm{hand\_x}"),
+        ("lamda_2", ["λ", "2"], r"\lambda_{2}"),
+        ("varphi", ["φ", ""], r"\varphi"),
+        ("Fx", ["Fx", ""], "Fx"),
+    ],
+)
+def test_a_symbol_and_its_name_look_alike_on_pages_and_in_plots(name, parts, latex):
+    assert label_parts(name) == parts
+    assert latex_of(name) == latex_of(sm.Symbol(name)) == latex
+    q = sm.Function(name)(sm.Symbol("t"))
+    assert latex_of(q) == latex
+    trajectory = Trajectory([0, 1], [[1.0], [2.0]], {"coordinate": [q]})
+    assert labels(plot_coordinates(trajectory)) == [f"${latex}$"]
 
 
 def test_some_can_be_chosen_by_symbol_or_name():

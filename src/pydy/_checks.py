@@ -41,6 +41,8 @@ def listed(
         value = _entries(value)
     if isinstance(value, np.ndarray) and value.size > _MOST:
         raise TypeError(f"`{argument}` must be a sequence of {what}, got {_sized(value)}.")
+    if is_endless(value):
+        raise TypeError(f"`{argument}` must be a sequence of {what}, got {value!r}.")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
@@ -231,8 +233,16 @@ def check_copied(value: Any, what: str) -> None:
     """Refuse what no library can copy into an array: nested too deeply, broadcast to gigabytes."""
     if type(value) is not np.ndarray:
         _refuse_dropped(value, what)
-    elif value.size > _MOST and 0 in value.strides:
+    elif is_endless(value):
         raise ValueError(f"{what} must hold numbers that fit in memory, got {_sized(value)}.")
+
+
+def is_endless(value: Any) -> bool:
+    """Return whether a value has more entries than memory, as a range or by broadcasting."""
+    if isinstance(value, np.ndarray):
+        return value.size > _MOST and 0 in value.strides
+    # Not by its length, which Python has no integer for beyond 2⁶³.
+    return isinstance(value, range) and (value.stop - value.start) // value.step > _MOST
 
 
 def _sized(array: np.ndarray) -> str:
@@ -258,6 +268,8 @@ def _refuse_dropped(value: Any, what: str, depth: int = 0) -> None:
                     _refuse_dropped(entry, what, depth + 1)
     elif kind in _PLAIN or kind is np.ndarray:
         return
+    elif kind is range and is_endless(value):
+        raise ValueError(f"{what} must hold numbers that fit in memory, got {value!r}.")
     elif hasattr(kind, "magnitude") or isinstance(value, np.ndarray):
         # "units" of pint, quantities and unyt, "unit" of astropy
         _refuse_units(value, getattr(value, "units", getattr(value, "unit", "")), what)
@@ -588,7 +600,7 @@ class Places:
         if dims := getattr(table, "dims", None):  # of xarray
             labels = getattr(table, "indexes", {}).get(dims[-1], ())
         else:
-            labels = getattr(table, "columns" if np.ndim(table) == 2 else "index", ())
+            labels = getattr(table, "columns" if getattr(table, "ndim", 1) == 2 else "index", ())
         places = [] if callable(labels) else [self.get(key, argument) for key in labels]
         known = [place for place in places if place is not None]
         if len(known) < len(places) or known == sorted(known):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from difflib import get_close_matches
@@ -29,7 +31,7 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
     """Return the position of a name or of a symbol's name; `what` describes the names in errors."""
     name = name_of(key)
     if name not in names:
-        raise KeyError(f"`{key}` is not one of the {what}: {some(names)}.")
+        raise KeyError(f"`{text_of(key)}` is not one of the {what}: {some(names)}.")
     return list(names).index(name)
 
 
@@ -121,10 +123,85 @@ def _assumptions(symbol: Any) -> list[str]:
     return notes if getattr(symbol, "is_commutative", True) else ["not commutative", *notes]
 
 
+# -- Labels: the same name on pages, in plots and in files -----------------------------------------
+
+_LETTERS = {
+    unicodedata.name(c).split()[-1].replace("LAMDA", "LAMBDA").lower(): c
+    for c in map(chr, range(ord("α"), ord("ω") + 1))
+}
+_VARIANTS = {"varsigma": "ς", "varepsilon": "ε", "varphi": "φ", "vartheta": "ϑ", "varrho": "ϱ",
+             "varpi": "ϖ", "varkappa": "ϰ"}  # fmt: skip
+GREEK = _LETTERS | {name.capitalize(): c.upper() for name, c in _LETTERS.items()} | _VARIANTS
+GREEK |= {"lamda": GREEK["lambda"], "Lamda": GREEK["Lambda"]}  # as Python's users spell it
+# Capitals that look like Latin ones have no command in LaTeX.
+_NO_COMMAND = {*"ΑΒΕΖΗΙΚΜΝΟΡΤΧο"}
+# The marks that SymPy sets over a letter, with their combining characters.
+_MARKS = {"ddot": "\u0308", "dot": "\u0307", "hat": "\u0302", "bar": "\u0304", "tilde": "\u0303"}
+_SYMBOL = re.compile(r"(?P<base>[A-Za-z]+?)_?(?P<index>\d+|(?<=_)[A-Za-z0-9]+)?(?P<rate>'*)")
+_MARKED = re.compile(rf"(?P<letter>[A-Za-z]|{'|'.join(GREEK)})(?P<mark>{'|'.join(_MARKS)})")
+_WORD = re.compile(r"[A-Za-z]\w*", re.ASCII)
+
+
+def _taken_apart(label: str) -> tuple[str, str, str, str] | None:
+    """Split a label into letter, mark, index and primes; None if it is a word or a phrase."""
+    found = _SYMBOL.fullmatch(label)
+    if found is None:
+        return None
+    letter, mark, index = found["base"], "", found["index"] or ""
+    if letter not in GREEK and (marked := _MARKED.fullmatch(letter)):
+        letter, mark = marked["letter"], marked["mark"]
+    if letter not in GREEK and len(letter) > 2 and not index.isdigit():
+        return None
+    return letter, mark, index, found["rate"]
+
+
+def label_parts(label: str) -> list[str]:
+    """Split a label into base and index, with Greek letters; a word has no index.
+
+    Examples
+    --------
+    >>> from pydy._names import label_parts
+    >>> label_parts('theta_1'), label_parts("q2'"), label_parts('x_foot'), label_parts('energy')
+    (['θ', '1'], ["q'", '2'], ['x', 'foot'], ['energy', ''])
+    """
+    parts = _taken_apart(label)
+    if parts is None:
+        return [label, ""]
+    letter, mark, index, rate = parts
+    return [GREEK.get(letter, letter) + _MARKS.get(mark, "") + rate, GREEK.get(index, index)]
+
+
+def _latex_of_label(label: str) -> str:
+    parts = _taken_apart(label)
+    if parts is None:
+        return r"\mathrm{" + label.replace("_", r"\_").replace(" ", r"\ ") + "}"
+    letter, mark, index, rate = parts
+    base = _latex_of_letter(letter)
+    base = rf"\{mark}{{{base}}}" if mark else base
+    return base + (f"_{{{_latex_of_letter(index)}}}" if index else "") + rate
+
+
+def _latex_of_letter(letter: str) -> str:
+    greek = GREEK.get(letter)
+    if greek is None or greek in _NO_COMMAND:
+        return greek or letter
+    return "\\" + letter.replace("amda", "ambda")
+
+
+def _is_word(symbol: Any) -> bool:
+    """Return whether a symbol, or a function of time, is named by a word, such as ``length``."""
+    name = getattr(symbol, "name", None)
+    if not isinstance(name, str) or len(getattr(symbol, "args", ())) > 1:
+        return False
+    return _WORD.fullmatch(name) is not None and _taken_apart(name) is None
+
+
 def latex_of(symbol: Any) -> str:
-    """Return the LaTeX of a symbol, without dollar signs; a name is set upright."""
+    """Return the LaTeX of a symbol or label, without dollar signs; a word is set upright."""
     if isinstance(symbol, str):
-        return r"\mathrm{" + symbol.replace("_", r"\_") + "}"
+        return _latex_of_label(symbol)
+    if _is_word(symbol):
+        return _latex_of_label(symbol.name)
     from sympy.physics.mechanics import vlatex
 
     return str(vlatex(symbol))
@@ -132,7 +209,8 @@ def latex_of(symbol: Any) -> str:
 
 def latex_of_rate(symbol: Any) -> str:
     """Return the LaTeX of a symbol's derivative by time: with a dot."""
-    if getattr(symbol, "args", ()):  # a function of time, which says by itself where the dot goes
+    if getattr(symbol, "args", ()) and not _is_word(symbol):
+        # A function of time, which says by itself where the dot goes.
         return latex_of(symbol.diff(symbol.args[0]))
     return rf"\dot{{{latex_of(symbol)}}}"
 

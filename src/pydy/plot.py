@@ -3,8 +3,9 @@
 Each function takes a `Trajectory`, or an `xarray.Dataset` with the dimension ``time`` and any
 number of sample dimensions, for which it draws the median and the band from the 5 % to the 95 %
 quantile. To compare several of these in one plot, pass a list, or a dictionary that maps labels to
-results. A function draws into the given Axes, or into a new figure, and returns the Axes. To
-install matplotlib: ``pip install 'pydy[plot]'``.
+results. A function draws into the given Axes, or into a new figure, and returns the Axes. Curves
+whose `units` differ have an axis for each unit: the first is that of the returned Axes, the others
+are at the right. To install matplotlib: ``pip install 'pydy[plot]'``.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import numpy as np
 from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import filled
-from pydy._names import name_of, some
+from pydy._names import label_parts, latex_of, name_of, some
 from pydy._optional import require
 
 __all__ = [
@@ -65,6 +66,8 @@ def with_unit(label: str, unit: str) -> str:
 
 def typeset(name: str, latex: str) -> str:
     """Return a label that matplotlib's own mathematics can set, or the plain name."""
+    if not latex and label_parts(name) != [name, ""]:
+        latex = latex_of(name)
     if not latex:
         return name.replace("$", r"\$")
     parser = require("matplotlib.mathtext", "plot", "pydy.plot").MathTextParser("path")
@@ -207,6 +210,7 @@ def nothing_to_plot(what: str, result: Any) -> ValueError:
 
 BAND = (0.05, 0.5, 0.95)
 LINES = ("solid", "dashed", "dotted", "dashdot")
+BESIDE = 0.15  # between the axes of further units, in widths of the plot
 
 
 # -- public ---------------------------------------------------------------------------------------
@@ -231,7 +235,8 @@ def plot_coordinates(
     ax : matplotlib Axes, optional
         Where to draw; a new figure by default.
     units : mapping of symbols or str to str, optional
-        Units to show with the labels; symbols that are not plotted are ignored.
+        Units to show with the labels; symbols that are not plotted are ignored. Where they differ,
+        each unit has an axis of its own.
     time_unit : str, optional
         Unit to show with the time.
 
@@ -258,6 +263,12 @@ def plot_coordinates(
     >>> ax = plot_coordinates(system.simulate(), units={x0: 'm', x1: 'm'}, time_unit='s')
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('time (s)', 'coordinates (m)')
+
+    Two units have two axes:
+
+    >>> ax = plot_coordinates(system.simulate(), units={x0: 'm', x1: 'mm'})
+    >>> [one.get_ylabel() for one in ax.figure.axes]
+    ['coordinates (m)', 'coordinates (mm)']
 
     Two runs in one plot:
 
@@ -314,7 +325,13 @@ def plot_quantities(
 
 
 def plot_sensitivities(
-    result: Any, quantity: Any, parameters: Any = None, *, ax: Any = None, time_unit: str = ""
+    result: Any,
+    quantity: Any,
+    parameters: Any = None,
+    *,
+    ax: Any = None,
+    units: Units = None,
+    time_unit: str = "",
 ) -> Any:
     """Plot the derivatives of a state or output with respect to parameters over time.
 
@@ -327,6 +344,9 @@ def plot_sensitivities(
         Which ones; all by default.
     ax, time_unit
         As for `plot_coordinates`.
+    units : mapping of symbols or str to str, optional
+        Units of the quantity and of the parameters. Derivatives are shown with their quotient, and
+        have an axis for each; by default all are drawn on one, each in a unit of its own.
 
     Returns
     -------
@@ -348,8 +368,22 @@ def plot_sensitivities(
         names = [name_of(one) for one in one_or_more("parameters", parameters)]
         if not names:
             raise ValueError("`parameters` is empty: there is nothing to plot. None means all.")
-    curves = [Curve(one, "", result.times, found[quantity, one]) for one in names]
-    return _draw(ax, curves, f"derivatives of {name}", time_unit)
+    known = units_of(result, units)
+    curves = [
+        Curve(one, "", result.times, found[quantity, one], _quotient(known, name, one))
+        for one in names
+    ]
+    title = f"derivatives of {name} with respect to"
+    return _draw(ax, curves, f"derivatives of {name}", time_unit, title)
+
+
+def _quotient(units: dict[str, str], name: str, parameter: str) -> str:
+    """Return the unit of a derivative; parameters with several columns are ``F[0]``, ``F[1]``."""
+    above = units.get(name, "")
+    below = units.get(parameter, units.get(parameter.partition("[")[0], ""))
+    if not (above and below):
+        return ""
+    return f"{above}/{below}" if below.isalnum() else f"{above}/({below})"
 
 
 def plot_states(
@@ -522,11 +556,14 @@ def _plot(
     return _draw(ax, curves_of(result, kinds, what, names, units), what, time_unit)
 
 
-def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
+def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: str = "") -> Any:
     ax = axes_of(ax)
-    shared = {c.unit for c in curves}
+    time_label = with_unit("time", text(time_unit, "`time_unit`"))
+    shared = list(dict.fromkeys(c.unit for c in curves))
+    axes = _axes_of_units(ax, shared, what)
     quantities = list(dict.fromkeys(c.name for c in curves))
     colours: dict[str, Any] = {}
+    lines = []
     for curve in curves:
         # A unit that all have is told once, at the axis.
         label = typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
@@ -538,27 +575,55 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
             style["linestyle"] = LINES[curve.number % len(LINES)]
             if curve.name in colours:
                 style["color"] = colours[curve.name]
+        # All axes of a plot take their colours from one cycle.
+        style.setdefault("color", ax._get_lines.get_next_color())
+        colours.setdefault(curve.name, style["color"])
+        own = axes[curve.unit]
         if curve.values.ndim == 1:
-            (line,) = ax.plot(curve.times, curve.values, **style)
-            colours.setdefault(curve.name, line.get_color())
+            lines += own.plot(curve.times, curve.values, **style)
             continue
         with warnings.catch_warnings():
             # Where every sample has failed there is nothing to draw.
             warnings.filterwarnings("ignore", "All-NaN slice encountered", RuntimeWarning)
             low, middle, high = np.nanquantile(curve.values, BAND, axis=0)
-        (line,) = ax.plot(curve.times, middle, **style)
-        colours.setdefault(curve.name, line.get_color())
-        ax.fill_between(curve.times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
-    ax.set_xlabel(with_unit("time", text(time_unit, "`time_unit`")))
-    ax.set_ylabel(with_unit(what, shared.pop() if len(shared) == 1 else ""))
-    ax.margins(x=0)
+        lines += own.plot(curve.times, middle, **style)
+        own.fill_between(curve.times, low, high, color=style["color"], alpha=0.2, linewidth=0)
+    ax.set_xlabel(time_label)
+    for one in dict.fromkeys(axes.values()):
+        one.margins(x=0)
     ax.grid(alpha=0.3)
-    title = "median, 5 to 95 %" if any(c.values.ndim > 1 for c in curves) else None
+    if any(c.values.ndim > 1 for c in curves):
+        title = "median, 5 to 95 %"
+    options: dict[str, Any] = {"title": title or None}
+    if len({*axes.values()}) == 1:
+        # What the Axes show already, such as another run, is in the legend too.
+        lines = ax.get_legend_handles_labels()[0]
     if ax.figure.get_layout_engine() is None:
-        ax.legend(title=title)
-    else:  # which makes room beside the curves
-        ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+        ax.legend(handles=lines, **options)
+    elif len({*axes.values()}) > 1:  # the layout makes room above; the other axes are beside
+        options |= {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 4}
+        ax.legend(handles=lines, frameon=False, **options)
+    else:  # the layout makes room beside the curves
+        options |= {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
+        ax.legend(handles=lines, frameon=False, **options)
     return ax
+
+
+def _axes_of_units(ax: Any, units: Sequence[str], what: str) -> dict[str, Any]:
+    """Return the Axes of each unit; further ones share the time and have a scale at the right.
+
+    Quantities without a unit are drawn on the axis of a single one: their labels show none.
+    """
+    if len({*units} - {""}) < 2:
+        ax.set_ylabel(with_unit(what, units[0] if len(units) == 1 else ""))
+        return dict.fromkeys(units, ax)
+    axes = {}
+    for k, unit in enumerate(units):
+        axes[unit] = ax.twinx() if k else ax
+        axes[unit].set_ylabel(with_unit(what, unit))
+        if k > 1:
+            axes[unit].spines["right"].set_position(("axes", 1.0 + BESIDE * (k - 1)))
+    return axes
 
 
 def axes_of(ax: Any, what: str = "pydy.plot") -> Any:

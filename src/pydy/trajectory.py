@@ -42,6 +42,7 @@ from pydy._names import (
     name_of,
     nearest,
     some,
+    text_of,
     unique_names,
     written_out,
 )
@@ -98,7 +99,7 @@ class Columns:
                 k = alike[0] if len(alike) == 1 else None
             own = None if k is None else self.symbols[k]
             symbols = own is not None and str not in (type(own), type(key))
-            if symbols and own != key and str(own) == str(key):
+            if symbols and own != key and str(own) == text_of(key):
                 raise KeyError(
                     f"`{written_out(key)}` is not one of the trajectory's quantities: "
                     f"`{written_out(own)}` is another symbol, because its assumptions differ. "
@@ -106,8 +107,8 @@ class Columns:
                 )
         if k is None:
             raise KeyError(
-                f"`{key}` is not one of the trajectory's quantities: {some(self.names)}. "
-                f"{nearest(str(key), self.names, or_all=False)}".rstrip()
+                f"`{text_of(key)}` is not one of the trajectory's quantities: "
+                f"{some(self.names)}. {nearest(text_of(key), self.names, or_all=False)}".rstrip()
             )
         return k
 
@@ -197,11 +198,13 @@ class Sensitivity:
 
 
 def _place(places: Mapping[Any, Any], key: Any, what: str, names: Sequence[str]) -> Any:
-    place = places.get(key)
+    place = places.get(key) if isinstance(key, Hashable) else None
     if place is None:
         place = places.get(name_of(key))
     if place is None:
-        raise KeyError(f"`{key}` is not one of the {what} of the sensitivities: {some(names)}.")
+        raise KeyError(
+            f"`{text_of(key)}` is not one of the {what} of the sensitivities: {some(names)}."
+        )
     return place
 
 
@@ -520,7 +523,10 @@ class Trajectory(Continued):
                 "The trajectory has no model to compute the sensitivities of outputs at times that "
                 "were not saved. Use the Trajectory that `System.simulate` returned."
             )
-        return model.outputs(self.times, self.states, values)
+        found = np.array(model.outputs(self.times, self.states, values))
+        # A Piecewise without a branch there is a NaN that depends on nothing.
+        found[np.isnan(self.outputs)] = np.nan
+        return found
 
     def _need_model(self, what: str) -> Model:
         if self._model is None:

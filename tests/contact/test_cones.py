@@ -99,6 +99,35 @@ def test_impacts_with_known_impulses_satisfy_coulombs_law():
     assert solved >= 4
 
 
+def _margin(forces, given, mu):
+    """The least distance of impulses (4 · 3) to their cones, with normal ones given before."""
+    p = forces.reshape(-1, 3)
+    return min(p[:, 0].min(), (mu * (given + p[:, 0]) - np.hypot(*p[:, 1:].T)).min())
+
+
+def test_cones_of_redundant_feet_include_the_impulse_of_the_first_phase():
+    random, moved = np.random.default_rng(11), 0
+    for _ in range(20):
+        problem, mu = impact(random, 4), 0.5
+        given = random.uniform(0.5, 1.5, 4)
+        normal, angle = random.uniform(0.0, 0.5, 4), random.uniform(0.0, 2 * math.pi, 4)
+        # Within the cones of the whole impulse, of which this phase's is the smaller part.
+        size = 0.8 * mu * (given + normal)
+        known = np.stack([normal, size * np.cos(angle), size * np.sin(angle)], axis=1).ravel()
+        friction = np.full(4, mu)
+        problem = replace(
+            problem, free=-problem.square @ known, mu=friction, hold=friction, pressed=given
+        )
+
+        least = np.linalg.lstsq(problem.square, -problem.free, rcond=1e-9)[0]
+        moved += _margin(least, given, mu) < 0.0  # then forces of the null space have to be added
+        found = chosen(problem, [[STICKS]] * 4)
+        assert found is not None
+        assert _margin(found.forces, given, mu) > -1e-9
+        np.testing.assert_allclose(problem.square @ found.forces, -problem.free, atol=1e-9)
+    assert moved >= 3
+
+
 @pytest.mark.parametrize("feet", [3, 4])
 def test_impacts_of_bodies_on_several_feet_satisfy_coulombs_law(feet):
     random = np.random.default_rng(feet)

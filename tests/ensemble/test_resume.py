@@ -1,5 +1,6 @@
 """resume=True: the same ensemble goes on, another one is refused, what is damaged is mended."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -403,6 +404,49 @@ def test_a_store_whose_metadata_were_consolidated_goes_on(store, computed):
         zarr.consolidate_metadata(path)
     identical(go_on(), whole)
     assert computed == []
+
+
+@pytest.mark.parametrize("lost", [None, "q1", "pydy_chunks/checksums"])
+def test_a_store_whose_consolidated_metadata_lack_arrays_is_named_with_the_remedy(
+    store, computed, lost
+):
+    path, go_on, whole = store
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of Zarr's, that this is no part of its standard
+        zarr.consolidate_metadata(path)
+        about = json.loads((path / "zarr.json").read_text())
+        known = about["consolidated_metadata"]["metadata"]
+        about["consolidated_metadata"]["metadata"] = {
+            name: entry for name, entry in known.items() if lost is not None and name != lost
+        }
+        (path / "zarr.json").write_text(json.dumps(about))
+        with pytest.raises(ValueError, match="has consolidated metadata without") as refused:
+            go_on()
+        message = str(refused.value)
+        assert (lost or "q1") in message or "more" in message
+        assert str(path) in message
+        computed.clear()
+        assert f"zarr.consolidate_metadata({str(path)!r})" in message
+        zarr.consolidate_metadata(path)
+    identical(go_on(), whole)
+    assert computed == []
+
+
+def test_stores_are_written_and_resumed_without_asserts(tmp_path):
+    script = """
+        import sys
+        from pydy.models import multi_mass_spring_damper
+
+        system = multi_mass_spring_damper()
+        values = {"chunks": 2, "times": [0.0, 1.0], "initial_conditions": {"x0": [0.1, 0.2, 0.3]}}
+        for resume in (False, True):
+            system.integrate_ensemble(store=sys.argv[1], resume=resume, **values)
+        found = system.integrate_ensemble(store=sys.argv[1], resume=True, **values)
+        print(__debug__, found.x0.shape, int(found.status.sum()))
+    """
+    command = [sys.executable, "-O", "-c", textwrap.dedent(script), str(tmp_path / "s.zarr")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.stdout.strip() == "False (3, 2) 0", done.stderr
 
 
 def test_a_store_that_is_whole_computes_nothing(store, computed):

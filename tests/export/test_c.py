@@ -43,6 +43,23 @@ def call(library, name, t, x, r, p, size):
     return out, status
 
 
+def test_progress_names_the_parts_and_nothing_is_shown_unasked(tmp_path, capsys):
+    pytest.importorskip("tqdm")
+    system = pendulum()
+    system.export(tmp_path / "quiet.c")
+    assert capsys.readouterr() == ("", "")
+    system.export(tmp_path / "shown.c", progress=True)
+    out, shown = capsys.readouterr()
+    assert not out
+    for part in ("equations", "rates", "outputs", "jacobian"):
+        assert f"part={part}" in shown
+    assert "4 parts" in shown.splitlines()[-1]
+    same = (tmp_path / "quiet.c").read_text().replace("quiet", "shown").replace("QUIET", "SHOWN")
+    assert same == (tmp_path / "shown.c").read_text()
+    with pytest.raises(TypeError, match="`progress` must be True or False, got 'yes'"):
+        system.export(tmp_path / "wrong.c", progress="yes")
+
+
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_rates_outputs_and_jacobian_are_those_of_the_system(tmp_path, compiler):
     system = pendulum()

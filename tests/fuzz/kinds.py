@@ -149,6 +149,8 @@ def _entries(value: Any) -> np.ndarray:
         raise RefusedError
     if isinstance(value, np.ndarray) and value.size > 2**27:
         raise RefusedError
+    if isinstance(value, range) and len(value) > 2**27:
+        raise RefusedError
     if isinstance(value, memoryview):
         value = np.asarray(value)
     if np.isscalar(value) or isinstance(value, (numbers.Number, decimal.Decimal, sm.Expr)):

@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
-__all__ = ["GROUPS", "BoomError", "PrintedError"]
+__all__ = ["GROUPS", "HUGE", "BoomError", "PrintedError"]
 
 
 class BoomError(Exception):
@@ -46,6 +46,14 @@ def _closed() -> Any:
 def _itself() -> list[Any]:
     value: list[Any] = []
     value.append(value)
+    return value
+
+
+def _deep(wrap: Callable[[Any], Any]) -> Any:
+    """Return a value that is wrapped 100,000 times: no recursion comes to its end."""
+    value: Any = 1.0
+    for _ in range(100_000):
+        value = wrap(value)
     return value
 
 
@@ -307,6 +315,18 @@ SYMBOLS: Makers = {
     "numpy array": lambda: np.array([1.0, 2.0]),
     "unhashable": lambda: [[]],
     "Unspeakable": _Unspeakable,
+}
+
+# What no recursion comes through, and what no memory holds.
+HUGE: Makers = {
+    "nested 100,000 deep": lambda: _deep(lambda value: [value]),
+    "tuples nested 100,000 deep": lambda: _deep(lambda value: (value,)),
+    "dictionaries nested 100,000 deep": lambda: _deep(lambda value: {"a": value}),
+    "broadcast to 10**9": lambda: np.broadcast_to(1.0, (10**9,)),
+    "broadcast to 10**10, 2-D": lambda: np.broadcast_to(1.0, (10**5, 10**5)),
+    "objects broadcast to 10**9": lambda: np.broadcast_to(np.array(None, object), (10**9,)),
+    "texts broadcast to 10**9": lambda: np.broadcast_to(np.array("a"), (10**9,)),
+    "range of 10**9": lambda: range(10**9),
 }
 
 GROUPS: dict[str, Makers] = {

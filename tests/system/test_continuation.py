@@ -133,7 +133,7 @@ def test_branches_go_into_xarray_and_pictures():
     branch = system.follow_equilibria({turn: [1.0, 8.0]}, step=0.1)
     assert branch.to_xarray()["theta"].dims == ("point",)
     ax = branch.plot("theta")
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("Omega", "theta")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega$", r"$\theta$")
     plt.close("all")
     assert str(branch).startswith(
         f"{len(branch.values)} equilibria, Omega from 1 to 8: branch point"

@@ -232,6 +232,28 @@ def test_outputs_have_sensitivities_too():
     assert relative(values[power, k0], expected) < 1e-12
 
 
+def test_outputs_that_are_nan_have_no_finite_sensitivities():
+    system = multi_mass_spring_damper()
+    x, m0 = system.coordinates[0], sm.Symbol("m0")
+    system.outputs = {
+        "never": sm.Piecewise((m0 * x, x > 10)),
+        "often": sm.Piecewise((m0 * x, x > 0.5)),
+        "root": m0 * sm.sqrt(x - 10),
+        "always": m0 * x,
+    }
+    system.times, system.initial_conditions = np.linspace(0.0, 3.0, 7), {x: 1.0}
+    with pytest.warns(PyDyUserWarning, match="not finite"):
+        trajectory = system.simulate(sensitivities=["m0", "k0"])
+    for name in ("never", "often", "root", "always"):
+        nan = np.isnan(trajectory[name])
+        assert nan.sum() == {"never": 7, "often": 4, "root": 7, "always": 0}[name]
+        for parameter in ("m0", "k0"):
+            found = np.isnan(trajectory.sensitivity[name, parameter])
+            np.testing.assert_array_equal(found, nan, f"{name} by {parameter}")
+    late = trajectory.at([0.25, 2.25])
+    np.testing.assert_array_equal(np.isnan(late.sensitivity["often", "m0"]), [False, True])
+
+
 def test_sensitivities_have_names():
     system = oscillator()
     trajectory = system.simulate(sensitivities=["m0", system.coordinates[0]])

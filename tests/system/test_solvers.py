@@ -240,3 +240,17 @@ def test_a_singular_mass_matrix_is_an_integration_error():
     system.ode_solver = odeint
     with pytest.raises(SingularMatrixError):
         system.integrate()
+
+
+def test_progress_shows_what_is_prepared_before_the_motion(capsys):
+    pytest.importorskip("tqdm")
+    system = multi_mass_spring_damper(1)
+    system.times, system.ode_solver = [0.0, 1.0], "dop853"
+    quiet = system.integrate()
+    assert capsys.readouterr() == ("", "")
+    np.testing.assert_array_equal(system.integrate(progress=True), quiet)
+    out, shown = capsys.readouterr()
+    assert not out
+    places = [shown.index(f"part={part}") for part in ("equations", "machine code")]
+    assert places == sorted(places)
+    assert places[-1] < shown.index("dop853: ")

@@ -151,7 +151,7 @@ def test_results_go_into_xarray_and_pictures(over_speed):
     dataset = over_speed.to_xarray()
     assert dict(dataset["real"].sizes) == {"u_x": 101, "branch": 10}
     assert dataset["imag"].sel(u_x=4.0, method="nearest").max() > 3.0
-    assert over_speed.plot(unit="m/s").get_xlabel() == "u_x (m/s)"
+    assert over_speed.plot(unit="m/s").get_xlabel() == "$u_{x}$ (m/s)"
     assert over_speed.plot_root_locus().get_ylabel() == "imaginary part (1/s)"
     plt.close("all")
     with pytest.raises(TypeError, match="`ax` must be Matplotlib Axes"):
@@ -188,9 +188,16 @@ def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
     assert magnitude.get_ylabel() == "magnitude (dB)"
     assert phase.get_xlabel() == "frequency (rad/s)"
     assert phase.lines[0].get_ydata()[-1] == pytest.approx(-180.0, abs=2.0)
+    assert all(line.get_visible() for ax in (magnitude, phase) for line in ax.get_xgridlines())
+    assert magnitude.get_legend().get_texts()[0].get_text() == "$f_{0}$ → $x_{0}$"
+    _, turns = model.plot_bode("f0", "x0", omega, unit="Hz")
+    assert turns.get_xlabel() == "frequency (Hz)"
+    np.testing.assert_allclose(turns.lines[0].get_xdata(), omega / (2.0 * np.pi), rtol=1e-15)
     plt.close("all")
     with pytest.raises(ValueError, match="`output` must be"):
         model.plot_bode("f0", "v0")
+    with pytest.raises(ValueError, match="`unit` must be one of 'rad/s', 'Hz', got 'rpm'"):
+        model.plot_bode("f0", "x0", unit="rpm")
     with pytest.raises(TypeError, match="`axes` must be Matplotlib Axes, got None among them"):
         model.plot_bode("f0", "x0", axes=[None, None])
 

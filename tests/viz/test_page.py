@@ -3,6 +3,8 @@
 import html
 import json
 import re
+import shutil
+import subprocess
 from base64 import b64decode, b64encode
 from hashlib import sha256
 from importlib.resources import files
@@ -204,6 +206,30 @@ def test_events_units_and_typeset_labels_are_on_the_page():
     assert (data["series"][0]["parts"], data["series"][0]["unit"]) == (["θ", "1"], "rad")
     with pytest.raises(TypeError, match=r"`units\[q\(t\)\]` must be a string, got 5"):
         Scene(N, O, units={q: 5})
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+def test_a_scale_of_the_strip_has_two_round_numbers_at_least():
+    script = (files("pydy.viz") / "assets/strip.js").read_text(encoding="utf-8")
+    function = re.search(r"^function ticks\(.*?^}", script, re.S | re.M)[0]
+    rng = np.random.default_rng(5)
+    spans = 10.0 ** rng.uniform(-12.0, 12.0, 400)
+    lows = spans * rng.normal(size=400) * 10.0 ** rng.uniform(-3.0, 3.0, 400)
+    cases = [[a, a + span, n] for a, span in zip(lows, spans, strict=True) for n in (2.0, 3.0, 7.4)]
+    cases += [[0.1, 3.9, 3], [-1, 1, 3], [0, 1e-300, 4]]
+    still = [[1e9, 1e9 + 1.2e-7, 4], [0, 5e-324, 3]]  # no numbers between, and no loop without end
+    given = json.dumps(cases + still)
+    code = f"{function}; console.log(JSON.stringify({given}.map((c) => ticks(...c))))"
+    done = subprocess.run(
+        ["node", "-e", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    *found, _, _ = json.loads(done.stdout)
+    for (low, high, count), ticks in zip(cases, found, strict=True):
+        slack = 1e-8 * (high - low)
+        assert 2 <= len(ticks) <= max(2 * count, 5) + 1
+        assert low - slack <= ticks[0]
+        assert ticks[-1] <= high + slack
+        np.testing.assert_allclose(np.diff(ticks), ticks[1] - ticks[0], rtol=1e-3)
 
 
 def test_modes_of_contacts_are_on_the_page():

@@ -17,10 +17,11 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import stored_program
 from pydy._assembly.specifieds import followed
-from pydy._checks import choice, describe, file_of, listed, text
+from pydy._checks import choice, describe, file_of, flag, listed, text
 from pydy._graph.program import Program
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
+from pydy._optional import progress_of
 from pydy._system.dependents import latest_dependents
 from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
@@ -173,6 +174,7 @@ class Exporting(Setup):
         name: str | None = None,
         events: Any = None,
         inputs: Iterable[Any] = (),
+        progress: bool = False,
         **options: Any,
     ) -> Exported:
         """Write the system as code for another program: C, an FMU, JavaScript or Python.
@@ -189,6 +191,8 @@ class Exporting(Setup):
             Events to export with their resets; event indicators in an FMU.
         inputs : iterable of specifieds, optional
             Specifieds given by a function or by samples that become inputs.
+        progress : bool, optional
+            Whether to show which part is made, the C compiler's included; requires tqdm.
         **options
             ``fmi`` ('3.0' or '2.0') and ``binary`` (False omits the compiled library) for
             ``.fmu``; ``target`` ('numpy', 'jax' or 'casadi') for ``.py``.
@@ -220,8 +224,11 @@ class Exporting(Setup):
         target = file_of(path, "`path`")
         check_options(target, options)
         title = target.stem if name is None else text(name, "`name`")
-        model = self._exportable(name=title, events=events, inputs=inputs)
-        return write(model, target, **options)
+        with progress_of(flag(progress, "`progress`"), " parts") as told:
+            told(0, part="equations")
+            model = self._exportable(name=title, events=events, inputs=inputs)
+            told(1)
+            return write(replace(model, told=told), target, **options)
 
     def _exportable(
         self,

@@ -22,6 +22,7 @@ from pydy._errors import (
     SingularMatrixError,
     warn_user,
 )
+from pydy._optional import progress_of
 from pydy._system.assumed import Watch
 from pydy._system.causes import explain, warn_of_outputs
 from pydy._system.dependents import (
@@ -538,6 +539,22 @@ class Simulation(Setup):
         self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
         self._dependent = solved
 
+    def _shown(self, given: Mapping[str, Any]) -> Snapshot:
+        """Return the Snapshot of a call; `progress` shows what is made before the motion begins.
+
+        That bar goes where the solver's own begins.
+        """
+        if given.get("progress") is not True or not isinstance(self.ode_solver, Solver):
+            return self._now(given.get("events"))
+        with progress_of(True, " parts", desc="preparation", leave=False) as told:
+            told(0, part="equations")
+            now = self._now(given.get("events"))
+            told(1)
+            told(0, part="machine code")
+            rates_function(now.driven, now.plan)
+            told(1)
+        return now
+
     @overload
     def integrate(
         self, *, full_output: Literal[True], **solver_kwargs: Any
@@ -589,7 +606,7 @@ class Simulation(Setup):
             The initial conditions violate the constraints by more than rounding to six digits
             explains, and `constraints` is not set.
         """
-        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
+        now, solver = self._shown(solver_kwargs), self.ode_solver
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
@@ -654,7 +671,7 @@ class Simulation(Setup):
         """
         if isinstance(solver_kwargs.get("events"), Iterator):
             solver_kwargs["events"] = [*solver_kwargs["events"]]
-        now = self._now(solver_kwargs.get("events"))
+        now = self._shown(solver_kwargs)
         wanted, control = None, False
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")

@@ -27,7 +27,7 @@ from pydy.analysis.tuning import (
     ON_BRANCH,
     STEEPEST_TURN,
 )
-from pydy.plot import axes_of
+from pydy.plot import axes_of, typeset
 
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
@@ -129,8 +129,8 @@ class EquilibriumBranch:
             at = p.value, p.values[name]
             ax.plot(*at, "o", color="C3", markersize=4)
             ax.annotate(p.kind, at, textcoords="offset points", xytext=(4, 4), fontsize="small")
-        ax.set_xlabel(self.parameter)
-        ax.set_ylabel(name)
+        ax.set_xlabel(typeset(self.parameter, ""))
+        ax.set_ylabel(typeset(name, ""))
         return ax
 
 

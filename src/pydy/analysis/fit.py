@@ -22,7 +22,7 @@ from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.residuals import autocorrelation
 from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL, NAMED_IN_FIT
-from pydy.plot import rows_of_axes
+from pydy.plot import rows_of_axes, typeset
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,9 +219,10 @@ class FitResult:
         for ax, times, columns in zip(rows, self.times, self.residuals, strict=True):
             ax.axhline(0.0, color="0.7", linewidth=0.8)
             for name, column in columns.items():
-                ax.plot(times, column, ".", markersize=3, label=name)
+                ax.plot(times, column, ".", markersize=3, label=typeset(name, ""))
             ax.set_xlabel("time")
-            ax.set_ylabel("measured minus model")
+            several = ", each in its unit" if len(columns) > 1 else ""
+            ax.set_ylabel(f"measured minus model{several}")
             ax.legend()
         return axes
 

@@ -21,7 +21,7 @@ from pydy._names import some
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED
-from pydy.plot import axes_of, rows_of_axes
+from pydy.plot import axes_of, rows_of_axes, typeset
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +150,15 @@ class LinearModel:
             ) from None
         return response
 
-    def plot_bode(self, input: str, output: str, frequencies: Any = None, axes: Any = None) -> Any:
+    def plot_bode(
+        self,
+        input: str,
+        output: str,
+        frequencies: Any = None,
+        axes: Any = None,
+        *,
+        unit: str = "rad/s",
+    ) -> Any:
         """Plot magnitude and phase of the response of one output to one input.
 
         Parameters
@@ -158,13 +166,17 @@ class LinearModel:
         input, output : str
             Names, of `inputs` and `outputs`.
         frequencies : array_like, shape (f,), optional
-            In rad/s; by default from a tenth of the slowest eigenvalue to ten times the fastest.
+            In rad/s, whatever the axis shows; by default from a tenth of the slowest eigenvalue to
+            ten times the fastest.
         axes : pair of matplotlib Axes, optional
+        unit : {'rad/s', 'Hz'}
+            Of the axis of frequencies, which says it.
 
         Returns
         -------
         pair of matplotlib Axes
         """
+        unit = choice(unit, ("rad/s", "Hz"), "`unit`")
         j = self.inputs.index(choice(input, self.inputs, "`input`"))
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
@@ -180,13 +192,16 @@ class LinearModel:
                 "logarithmic."
             )
         axes, (magnitude, phase) = rows_of_axes(axes, 2, "of magnitude and phase")
-        title = f"{input} → {output}"
+        title = f"{typeset(input, '')} → {typeset(output, '')}"
+        across = frequencies / (2.0 * np.pi) if unit == "Hz" else frequencies
         with np.errstate(divide="ignore"):
-            magnitude.semilogx(frequencies, 20.0 * np.log10(np.abs(response)), label=title)
-        phase.semilogx(frequencies, np.degrees(np.unwrap(np.angle(response))), label=title)
+            magnitude.semilogx(across, 20.0 * np.log10(np.abs(response)), label=title)
+        phase.semilogx(across, np.degrees(np.unwrap(np.angle(response))), label=title)
+        for ax in (magnitude, phase):
+            ax.grid(which="both", alpha=0.3)
         magnitude.set_ylabel("magnitude (dB)")
         phase.set_ylabel("phase (°)")
-        phase.set_xlabel("frequency (rad/s)")
+        phase.set_xlabel(f"frequency ({unit})")
         magnitude.legend()
         return axes
 

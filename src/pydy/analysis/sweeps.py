@@ -15,7 +15,7 @@ from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy.analysis.linear import complex_plane
 from pydy.analysis.tuning import ASTRAY, AT_ONCE, CROSSED, LEFT_AXIS, LOOKED_AT
-from pydy.plot import axes_of, with_unit
+from pydy.plot import axes_of, typeset, with_unit
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -284,7 +284,7 @@ class EigenvalueSweep:
             if column.imag.max() > 0.0:
                 imag = np.where(column.imag > 0.0, column.imag, np.nan)
                 ax.plot(self.values, imag, color=colour, linestyle="--")
-        ax.set_xlabel(with_unit(self.parameter, unit))
+        ax.set_xlabel(with_unit(typeset(self.parameter, ""), unit))
         ax.set_ylabel("real and imaginary (dashed) parts (1/s)")
         return ax
 
@@ -294,7 +294,7 @@ class EigenvalueSweep:
         colours = np.broadcast_to(self.values[:, None], found.shape)
         points = ax.scatter(found.real, found.imag, c=colours, s=6)
         ax.scatter(found[0].real, found[0].imag, marker="x", color="k", linewidths=0.8)
-        ax.figure.colorbar(points, ax=ax, label=with_unit(self.parameter, unit))
+        ax.figure.colorbar(points, ax=ax, label=with_unit(typeset(self.parameter, ""), unit))
         return ax
 
 

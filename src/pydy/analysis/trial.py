@@ -8,7 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import ascending, check_mapping, number, one_or_more, real_array, shown
+from pydy._checks import (
+    ascending,
+    check_copied,
+    check_mapping,
+    number,
+    one_or_more,
+    real_array,
+    shown,
+)
+from pydy._names import text_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,14 +69,17 @@ class Trial:
     name: str = ""
 
     def __post_init__(self) -> None:
-        if isinstance(self.times, np.ndarray):
-            object.__setattr__(self, "times", self.times.copy())
-        if isinstance(self.measured, Mapping):  # whose buffers may be used again
-            arrays = {k: v.copy() for k, v in self.measured.items() if isinstance(v, np.ndarray)}
-            object.__setattr__(self, "measured", {**self.measured, **arrays})
         if not isinstance(self.name, str):
             raise TypeError(f"`name` of a trial must be a string, got {shown(self.name)}.")
         label = self.name or "the trial"
+        if isinstance(self.times, np.ndarray):
+            check_copied(self.times, f"`times` of {label}")
+            object.__setattr__(self, "times", self.times.copy())
+        if isinstance(self.measured, Mapping):  # whose buffers may be used again
+            for key, samples in self.measured.items():
+                check_copied(samples, f"`measured[{text_of(key)}]` of {label}")
+            arrays = {k: v.copy() for k, v in self.measured.items() if isinstance(v, np.ndarray)}
+            object.__setattr__(self, "measured", {**self.measured, **arrays})
         for argument in ("initial_conditions", "constants", "specifieds"):
             check_mapping(f"{argument} of {label}", getattr(self, argument))
         unknown = one_or_more(f"unknown of {label}", self.unknown)
@@ -104,16 +116,15 @@ def checked_samples(trial: Trial, label: str, times: np.ndarray) -> np.ndarray:
         raise ValueError(f"`measured` of {label} must hold at least one quantity.")
     columns = []
     for key, samples in measured.items():
-        column = real_array(samples, f"`measured[{key}]` of {label}")
+        what = f"`measured[{text_of(key)}]` of {label}"
+        column = real_array(samples, what)
         if column.shape != times.shape:
             raise ValueError(
-                f"`measured[{key}]` of {label} must have the shape {times.shape}, a sample for "
+                f"{what} must have the shape {times.shape}, a sample for "
                 f"each of the `times`, got {column.shape}."
             )
         if np.isinf(column).any():
-            raise ValueError(
-                f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
-            )
+            raise ValueError(f"{what} must be finite, or NaN where a sample is missing.")
         columns.append(column)
     values = np.stack(columns, axis=1)
     if np.isnan(values).all():

@@ -22,6 +22,7 @@ from pydy._checks import (
     Places,
     choice,
     describe,
+    is_endless,
     listed,
     merged,
     number,
@@ -180,7 +181,7 @@ def symbolic_entries(value: Any) -> list[Any] | None:
     """Return the entries of a value when SymPy expressions are among them, else None."""
     if isinstance(value, (sm.MatrixBase, sm.Tuple, list, tuple)):
         entries = list(value)
-    elif isinstance(value, np.ndarray) and value.dtype == object:
+    elif isinstance(value, np.ndarray) and value.dtype == object and not is_endless(value):
         entries = list(value.ravel())
     elif isinstance(value, sm.Basic):
         entries = [value]

@@ -738,7 +738,7 @@ def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
 
 def _constant(side: Any) -> bool:
     """Return whether a bound is one for the whole motion."""
-    if side is None or isinstance(side, SampledInput):
+    if side is None or isinstance(side, (SampledInput, list, tuple, range)):
         return side is None
     try:
         return np.ndim(side) == 0

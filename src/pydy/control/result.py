@@ -19,7 +19,7 @@ from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
 from pydy.inputs import SampledInput
-from pydy.plot import axes_of, rows_of_axes
+from pydy.plot import axes_of, rows_of_axes, typeset
 from pydy.trajectory import Columns, Trajectory
 
 _STUCK = (INFEASIBLE, 3, -1, -2, -3)  # the statuses of a search that moved as far as it could
@@ -265,7 +265,7 @@ class OptimalTrajectory(Trajectory):
             ax.plot(self.mesh, np.zeros_like(self.mesh), "|", color="0.6",
                     transform=ax.get_xaxis_transform())  # fmt: skip
             ax.set_xlabel("time (s)")
-            ax.set_ylabel(name)
+            ax.set_ylabel(typeset(name, ""))
         return axes
 
     def plot_error(self, ax: Any = None) -> Any:

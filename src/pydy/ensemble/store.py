@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from pydy._files import folder_beside
+from pydy._names import few
 from pydy._optional import require
 from pydy._version import __version__
 from pydy.ensemble.content import digest
@@ -94,6 +95,29 @@ _CHUNKS = "pydy_chunks", "checksums"  # of chunks: a group and its array, for ea
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
+def _zarr() -> Any:
+    """Return the package zarr, which can read groups also under ``python -O``.
+
+    Zarr 3.1 removes a key of a group's metadata within an `assert`: without asserts, no group of
+    version 3 can be opened.
+    """
+    zarr = require("zarr", "ensemble", "`store`")
+    if __debug__:
+        return zarr
+    kind = require("zarr.core.group", "ensemble", "`store`").GroupMetadata
+    with _SETTING:
+        try:
+            kind.from_dict({"attributes": {}, "zarr_format": 3, "node_type": "group"})
+        except TypeError:
+            read = kind.from_dict
+
+            def from_dict(data: dict[str, Any]) -> Any:
+                return read({key: value for key, value in data.items() if key != "node_type"})
+
+            kind.from_dict = from_dict
+    return zarr
+
+
 def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> dict[str, str]:
     """Return digests of all that determines an ensemble, by what it is called in messages.
 
@@ -161,7 +185,7 @@ def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
             f"`store` must be a new path, got '{path}'. Pass resume=True to "
             "compute only what is missing there, or remove it."
         )
-    zarr = require("zarr", "ensemble", "`store`")
+    zarr = _zarr()
     try:
         attrs = dict(zarr.open_group(path, mode="r").attrs)
     except Exception:  # noqa: BLE001 - whatever is there, it cannot be read
@@ -185,7 +209,21 @@ def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
             f"`store` '{path}' {what}has another `{Path(wrong[0], _OF_ZARR)}` than was written: it "
             "is damaged, or was edited. Restore it, or remove the store and compute all again."
         )
+    _check_consolidated(path, found)
     return True
+
+
+def _check_consolidated(path: str, arrays: Iterable[str]) -> None:
+    """Refuse a store whose consolidated metadata, which Zarr reads first, lack some array."""
+    about = json.loads(Path(path, _OF_ZARR).read_bytes()).get("consolidated_metadata")
+    if not about:
+        return
+    if lacking := [name for name in arrays if name and name not in about["metadata"]]:
+        raise ValueError(
+            f"`store` '{path}' has consolidated metadata without {few(lacking)}, in its "
+            f"`{_OF_ZARR}`: Zarr finds no other arrays. Write them again by "
+            f"`zarr.consolidate_metadata({path!r})`."
+        )
 
 
 def create(
@@ -202,7 +240,7 @@ def create(
     not count. The `labels` of further dimensions are attributes: Zarr has no settled form for
     arrays of text.
     """
-    zarr = require("zarr", "ensemble", "`store`")
+    zarr = _zarr()
     files = file_names(map(str, (*example.variables, *example.dims)))
     about = {
         _TOKEN: digest(parts),
@@ -301,7 +339,7 @@ def _array(
 
 def write_coordinates(path: str, samples: Samples, times: Any) -> None:
     """Write the coordinates that are not there yet."""
-    group = require("zarr", "ensemble", "`store`").open_group(path, mode="r+")
+    group = _zarr().open_group(path, mode="r+")
     for name in group.attrs[_COORDINATES]:
         values = np.asarray(
             samples.coordinates[name].values if name in samples.coordinates else times
@@ -316,7 +354,7 @@ def write_coordinates(path: str, samples: Samples, times: Any) -> None:
 
 def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
     """Return the blocks that are missing from the store or damaged."""
-    zarr = require("zarr", "ensemble", "`store`")
+    zarr = _zarr()
     group = zarr.open_group(path, mode="r")
     arrays, known = _arrays(group), group["/".join(_CHUNKS)]
 
@@ -352,7 +390,7 @@ def _checksums_of(
 
 def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     """Write the results of a block."""
-    zarr = require("zarr", "ensemble", "`store`")
+    zarr = _zarr()
     # Otherwise a chunk of nothing but fill values would not be there, like one that was lost.
     with _SETTING, zarr.config.set({"array.write_empty_chunks": True}):
         group = zarr.open_group(path, mode="r+")

@@ -54,7 +54,9 @@ def fmu_archive(model: Model, fmi: str = "3.0", binary: bool = True) -> bytes:
         entries["sources/buildDescription.xml"] = _build_description(model).encode()
     if binary:
         folder, suffix = _platform(fmi)
+        model.told(0, part="C compiler")
         entries[f"binaries/{folder}/{model.name}{suffix}"] = _library(sources, suffix)
+        model.told(1)
     file = BytesIO()
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in entries.items():

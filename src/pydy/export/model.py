@@ -80,6 +80,10 @@ PARTS = ("mass_matrix", "forcing", "holonomic", "velocity")
 """Blocks of the equations: M (n, n) and f (n,) of M u' = f, and the residuals of constraints."""
 
 
+def _not_told(number: int, **shown: str) -> None:
+    """Show no progress."""
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A model to be exported.
@@ -103,6 +107,8 @@ class Model:
         Sizes for the projection, and what follows; empty without projection.
     unknowns : sequence of int
         The places of states that residuals give.
+    told : callable
+        Called as ``told(0, part=name)`` before a part is made, and as ``told(1)`` after it.
     """
 
     name: str
@@ -117,6 +123,7 @@ class Model:
     stop: float = 1.0
     constraints: Mapping[str, Any] = field(default_factory=dict)
     unknowns: Sequence[int] = ()
+    told: Callable[..., None] = _not_told
 
     @cached_property
     def _made(self) -> dict[str, Program]:
@@ -125,7 +132,9 @@ class Model:
     def program(self, name: str) -> Program:
         """Return one of the Programs, built at most once."""
         if name not in self._made:
+            self.told(0, part=name)
             self._made[name] = self.builders[name]()
+            self.told(1)
         return self._made[name]
 
     @property

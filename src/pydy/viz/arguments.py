@@ -14,6 +14,7 @@ from pydy._checks import (
     Places,
     check_mapping,
     descends,
+    listed,
     merged,
     number,
     positive,
@@ -52,7 +53,8 @@ def series_of(series: Any) -> dict[str, Any]:
             f"expressions, got {shown(series)}."
         )
     # "q1(t)" says no more than "q1".
-    return {str(_entry(e)).removesuffix("(t)"): e for e in series}
+    entries = listed("series", series, "expressions")
+    return {str(_entry(e)).removesuffix("(t)"): e for e in entries}
 
 
 def _entry(value: Any) -> Any:

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
-from pydy._checks import real_array, shown
+from pydy._checks import listed, real_array, shown
 from pydy._mechanics.reader import breadth_first_from, given_velocity
 from pydy._rank import DIGITS
 from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
@@ -181,7 +181,9 @@ def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
     else:
         try:
             numbers = value.to_matrix(frame) if isinstance(value, Vector) else value
-            direction = real_array(list(numbers), "")
+            if not isinstance(numbers, np.ndarray):
+                numbers = listed(argument, numbers, "numbers")
+            direction = real_array(numbers, "")
         except (TypeError, ValueError):
             pass
     length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0

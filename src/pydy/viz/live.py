@@ -18,7 +18,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._names import name_of, some
+from pydy._names import label_parts, name_of, some
 from pydy._rank import ROUNDED, or_one
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
@@ -333,8 +333,10 @@ def _sliders(
         slider = _slider(key, given)
         found = [(g, k, v[k]) for g, places, v in groups
                  if (k := places.get(key, "live")) is not None]  # fmt: skip
+        label = slider.label or name_of(key)
         row = {
-            "label": slider.label or name_of(key),
+            "label": label,
+            "parts": label_parts(label),
             "unit": slider.unit,
             "low": slider.low,
             "high": slider.high,

@@ -13,7 +13,6 @@ import re
 import stat
 import tempfile
 import time
-import unicodedata
 import webbrowser
 from base64 import b64encode
 from collections.abc import Sequence
@@ -29,6 +28,7 @@ import numpy as np
 import scipy
 
 from pydy._files import write_files
+from pydy._names import label_parts
 from pydy._rank import HALF
 from pydy._version import __version__
 from pydy.viz import shapes
@@ -36,36 +36,6 @@ from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import surface
-
-# -- Labels as they are typeset: Greek letters by their names, indices lowered ---------------------
-
-
-GREEK = {
-    unicodedata.name(c).split()[-1].replace("LAMDA", "LAMBDA").lower(): c
-    for c in map(chr, range(ord("α"), ord("ω") + 1))
-}
-GREEK |= {name.capitalize(): c.upper() for name, c in GREEK.items()}
-GREEK["varsigma"] = "ς"  # whose name in Unicode ends with SIGMA too
-_SYMBOL = re.compile(r"(?P<base>[A-Za-z]+?)_?(?P<index>\d+|(?<=_)[A-Za-z0-9]+)?(?P<rate>'*)")
-
-
-def typeset(label: str) -> list[str]:
-    """Split a label into base and index; the index is empty if it is no symbol's name.
-
-    Examples
-    --------
-    >>> from pydy.viz.page import typeset
-    >>> typeset('theta_1'), typeset("q2'"), typeset('x_foot'), typeset('kinetic energy')
-    (['θ', '1'], ["q'", '2'], ['x', 'foot'], ['kinetic energy', ''])
-    """
-    found = _SYMBOL.fullmatch(label)
-    if found is None:
-        return [label, ""]
-    base, index, rate = found["base"], found["index"] or "", found["rate"]
-    if base not in GREEK and len(base) > 2 and not index.isdigit():
-        return [label, ""]  # a word
-    return [GREEK.get(base, base) + rate, GREEK.get(index, index)]
-
 
 # -- The page --------------------------------------------------------------------------------------
 
@@ -189,7 +159,7 @@ def page_data(animation: Animation, look: Look, live: LivePage | None = None) ->
         "series": [
             {
                 "label": label,
-                "parts": typeset(label),
+                "parts": label_parts(label),
                 "unit": look.units.get(label, ""),
                 "colour": CYCLE[(k + 1) % len(CYCLE)],
                 "values": _packed(values),

@@ -36,6 +36,11 @@ def _(v):
     return check_options(Path("model.fmu"), {"binary": v})
 
 
+@target("export.progress", flags)
+def _(v):
+    return _exported(progress=v)
+
+
 @target("export.name", text().or_none())
 def _(v):
     return _exported(name=v)

@@ -19,6 +19,7 @@ from fuzz.table import (
     one_of,
     target,
 )
+from fuzz.values import HUGE
 from fuzz.world import TIMES, driven, world
 from pydy.solvers import Event, Solver, dop853, radau, rk4
 
@@ -131,7 +132,7 @@ def _(v):
     return world().c.system.integrate(constraints=v)
 
 
-@target("integrate.gain", real(above=0.0, below=1e3), "`gain", "`max_steps`")
+@target("integrate.gain", real(above=0.0, below=1e3), "`gain", "`max_steps`", own=HUGE)
 def _(v):
     return world().c.system.integrate(constraints="baumgarte", gain=v, max_steps=1000)
 
@@ -224,12 +225,12 @@ def _(v):
     return _event(terminal=v)
 
 
-@target("Event.reset", nothing("symbols", "texts", "arrays", allowed=empty_or_none))
+@target("Event.reset", nothing("symbols", "texts", "arrays", allowed=empty_or_none), own=HUGE)
 def _(v):
     return _event(reset=v)
 
 
-@target("Event.reset[value]", _resets, "reset", "expression")
+@target("Event.reset[value]", _resets, "reset", "expression", own=HUGE)
 def _(v):
     return _event(reset={world().o.v: v})
 

@@ -12,6 +12,7 @@ import sympy.physics.mechanics as me
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
 from fuzz.table import TARGETS, flags, hashable, is_number, key, mapping, one_of, plotted, target
+from fuzz.values import HUGE
 from fuzz.world import driven, world
 from pydy.analysis import Trial
 from pydy.control import OptimalControl
@@ -100,7 +101,7 @@ _low_over_time = array((None,), check=lambda a: len(a) > 1 and not np.isnan(a).a
 
 for _name in ("start", "end", "bounds"):
 
-    @target(f"OptimalControl.{_name}", nothing("symbols", "arrays", allowed=_no_values))
+    @target(f"OptimalControl.{_name}", nothing("symbols", "arrays", allowed=_no_values), own=HUGE)
     def _(v, name=_name):
         return _optimal(**{name: v})
 
@@ -112,6 +113,7 @@ for _name in ("start", "end", "bounds"):
         f"OptimalControl.{_name}[value][0]",
         _low.or_(_low_over_time) if _name == "bounds" else _low,
         f"`{_name}",
+        own=HUGE,
     )
     def _(v, name=_name):
         o = world().o
@@ -126,7 +128,11 @@ def _(v):
     return _optimal(guess={tf: 0.5}, duration=tf, bounds={tf: (0.5, v)}, known=samples)
 
 
-@target("OptimalControl.boundary", nothing("symbols", "texts", "arrays", allowed=_no_relations))
+@target(
+    "OptimalControl.boundary",
+    nothing("symbols", "texts", "arrays", allowed=_no_relations),
+    own=HUGE,
+)
 def _(v):
     return _optimal(boundary=v)
 
@@ -139,12 +145,14 @@ def _(v):
     return _optimal(path=v)
 
 
-@target("OptimalControl.free", nothing("symbols", "texts", "arrays", allowed=_no_relations))
+@target(
+    "OptimalControl.free", nothing("symbols", "texts", "arrays", allowed=_no_relations), own=HUGE
+)
 def _(v):
     return _optimal(free=v)
 
 
-@target("OptimalControl.mesh", array((None,), check=_nodes))
+@target("OptimalControl.mesh", array((None,), check=_nodes), own=HUGE)
 def _(v):
     return _optimal(mesh=v)
 
@@ -159,12 +167,12 @@ def _(v):
     return _optimal(order=v)
 
 
-@target("OptimalControl.guess", nothing("symbols", "arrays", allowed=_no_values))
+@target("OptimalControl.guess", nothing("symbols", "arrays", allowed=_no_values), own=HUGE)
 def _(v):
     return _optimal(guess=v)
 
 
-@target("OptimalControl.guess[value]", _samples, "`guess")
+@target("OptimalControl.guess[value]", _samples, "`guess", own=HUGE)
 def _(v):
     return _optimal(guess={world().o.f: v})
 
@@ -459,22 +467,22 @@ def _(v):
     return _fitted(process_noise={hashable(v): 1.0})
 
 
-@target("fit.process_noise[value]", real(above=0.0), "`process_noise")
+@target("fit.process_noise[value]", real(above=0.0), "`process_noise", own=HUGE)
 def _(v):
     return _fitted(process_noise={world().o.f: v})
 
 
-@target("Trial.times", array((None,)), "`times")
+@target("Trial.times", array((None,)), "`times", own=HUGE)
 def _(v):
     return _fitted(trial={"times": v})
 
 
-@target("Trial.measured", nothing("symbols", "texts", "arrays"), "`measured")
+@target("Trial.measured", nothing("symbols", "texts", "arrays"), "`measured", own=HUGE)
 def _(v):
     return _fitted(trial={"measured": v})
 
 
-@target("Trial.start", real(most=0.0).or_none(), "`start")
+@target("Trial.start", real(most=0.0).or_none(), "`start", own=HUGE)
 def _(v):
     return _fitted(trial={"start": v})
 
@@ -487,11 +495,11 @@ for _name, _kind in {
     "name": text(),
 }.items():
 
-    @target(f"Trial.{_name}", _kind)
+    @target(f"Trial.{_name}", _kind, own=HUGE)
     def _(v, name=_name):
         return _fitted(trial={name: v})
 
 
-@target("Trial.noise", real(above=0.0).or_none(), "`noise", "noise")
+@target("Trial.noise", real(above=0.0).or_none(), "`noise", "noise", own=HUGE)
 def _(v):
     return _fitted(trial={"noise": v})

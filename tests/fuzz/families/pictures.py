@@ -108,6 +108,7 @@ for _name, _kind in {
     "output": choice("x", "v"),
     "frequencies": array((None,), check=lambda w: (w >= 0).all() and (w < np.inf).all()).or_none(),
     "axes": _axes,
+    "unit": choice("rad/s", "Hz"),
 }.items():
 
     @target(f"LinearModel.plot_bode.{_name}", _kind)

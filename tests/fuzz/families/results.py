@@ -6,6 +6,7 @@ import numpy as np
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing
 from fuzz.table import empty_or_none, flags, is_number, mapping, monotonic, one_of, target
+from fuzz.values import HUGE
 from fuzz.world import world
 from pydy import linearize, models
 from pydy.errors import IntegrationError
@@ -53,6 +54,7 @@ def named_f_or_no_names(value):
     "Trajectory.key",
     nothing("symbols", "texts", allowed=named_f_or_no_names),
     "is not one of the trajectory's",
+    own=HUGE,
 )
 def _(v):
     return world().o.trajectory[v]

@@ -11,6 +11,7 @@ import sympy as sm
 
 from fuzz.kinds import Kind, RefusedError, anything, array, choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, is_number, key, monotonic, number, one_of, target
+from fuzz.values import HUGE
 from fuzz.world import TIMES, world
 from pydy import viz
 
@@ -151,7 +152,7 @@ _direction = array((3,), check=lambda a: 0 < np.linalg.norm(a) < np.inf)
 
 for _name, _kind in (("up", _direction), ("view", _direction.or_none())):
 
-    @target(f"Scene.{_name}", _kind)
+    @target(f"Scene.{_name}", _kind, own=HUGE)
     def _(v, name=_name):
         return _scene(**{name: v}).html()
 
@@ -160,7 +161,7 @@ def _height(value: Any) -> Any:
     return bool(value) if isinstance(value, (bool, np.bool_)) else number.read(value)
 
 
-@target("Scene.ground", Kind(_height, (*number.groups, "flags")).or_none())
+@target("Scene.ground", Kind(_height, (*number.groups, "flags")).or_none(), own=HUGE)
 def _(v):
     return _scene(ground=v).html()
 
@@ -176,7 +177,7 @@ def _series(value: Any) -> bool:
         return value is not None
     if isinstance(value, dict):
         value = list(value.values())
-    if isinstance(value, (str, bytes)):
+    if isinstance(value, (str, bytes, range)) or getattr(value, "size", 0) > 2**27:
         return False
     try:
         return all(is_number(e) and isinstance(e, (sm.Expr, int, float)) for e in value)
@@ -184,7 +185,7 @@ def _series(value: Any) -> bool:
         return False
 
 
-@target("Scene.series", nothing("symbols", "texts", allowed=_series), "series")
+@target("Scene.series", nothing("symbols", "texts", allowed=_series), "series", own=HUGE)
 def _(v):
     return _scene(series=v).html()
 

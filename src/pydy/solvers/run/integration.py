@@ -22,7 +22,6 @@ from pydy._checks import descends
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
-    MissingDependencyError,
     note_finished,
     warn_user,
 )
@@ -100,12 +99,7 @@ def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> in
 def progress_bar(name: str, span: float, start: float) -> Any:
     """Return a bar of tqdm over the simulated time, from `start` on."""
     layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
-    try:
-        bar = bar_of(total=span, desc=name, bar_format=layout)
-    except ImportError:
-        raise MissingDependencyError(
-            "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
-        ) from None
+    bar = bar_of(total=span, desc=name, bar_format=layout)
     bar.start = start
     return bar
 

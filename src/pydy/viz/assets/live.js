@@ -219,7 +219,7 @@ function fillPanel() {
     one.range.step = one.box.step = "any";
     one.range.min = one.low;
     one.range.max = one.high;
-    label.textContent = one.label;
+    label.append(...typeset({ parts: one.parts }));
     label.title = one.label;
     its.textContent = one.unit;
     its.className = "unit";

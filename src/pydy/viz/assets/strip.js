@@ -51,12 +51,19 @@ function scaleSeries() {
 }
 scaleSeries();
 
-/** About `count` round numbers from `low` to `high`. */
+/** About `count` round numbers from `low` to `high`, at least two: one alone says nothing of the scale. */
 function ticks(low, high, count) {
   const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((m) => m * power >= rough);
-  const found = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) found.push(i * step);
+  // Steps from the next larger one down. One of at most half the span has two multiples in it.
+  const steps = [10, 5, 2, 1, 0.5, 0.2].filter((m, k, all) => !(all[k + 1] >= rough / power)).map((m) => m * power);
+  let found = [];
+  for (const step of steps) {
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    // Beyond 2^53 there are no neighbouring whole numbers: `low` and `high` are the same to the eye.
+    if (!(step > 0) || !(Math.max(Math.abs(first), Math.abs(last)) < 2 ** 53)) break;
+    found = Array.from({ length: last - first + 1 }, (_, k) => (first + k) * step);
+    if (found.length > 1) break;
+  }
   return found;
 }
 
