@@ -1,5 +1,7 @@
 """Potential energies of loads, against closed forms."""
 
+import cProfile
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -529,3 +531,46 @@ def test_what_residuals_give_from_speeds_has_no_potential():
     system = System(definition, {k: 4.0}, implicit=Implicit({drag: drag + c * drag**3 - v}))
     system.initial_conditions = {x: 1.0, v: 3.0}
     assert system.evaluate_energy().potential == pytest.approx(2.0)
+
+
+def test_loads_that_do_no_work_need_no_potential():
+    (x, y), (u, v) = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
+    frame, origin = inertial_frame()
+    one = origin.locatenew("one", x * frame.x)
+    two = one.locatenew("two", y * frame.x)
+    bodies = [me.Particle("m", one, M), me.Particle("n", two, M)]
+    across, against = K * x * y * frame.y, K * y * frame.x
+    loads = [(one, across), (two, against), (two, -against)]
+    definition = Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads)
+    found = find_potential(equations_of_definition(definition))
+    assert (found.expression, found.unknown) == (0, [])
+
+
+def potential_of_chain(n):
+    """Return the potential of springs in a row, in relative coordinates, and all calls it took."""
+    k, x, v = sm.symbols(f"k:{n}"), me.dynamicsymbols(f"x:{n}"), me.dynamicsymbols(f"v:{n}")
+    frame, point = inertial_frame()
+    bodies, loads = [], []
+    for i in range(n):
+        point = point.locatenew(f"P{i}", x[i] * frame.x)
+        pull = sum((k[j] * x[j] for j in range(i + 1, min(i + 2, n))), -k[i] * x[i])
+        bodies.append(me.Particle(f"m{i}", point, M))
+        loads.append((point, pull * frame.x))
+    equations = equations_of_definition(Definition(frame, x, v, bodies=bodies, loads=loads))
+    profile = cProfile.Profile()
+    found = profile.runcall(find_potential, equations)
+    expected = sm.Add(*(a * b**2 / 2 for a, b in zip(k, x, strict=True)))
+    return found, expected, sum(entry.callcount for entry in profile.getstats())
+
+
+def test_springs_of_a_long_chain_in_relative_coordinates_take_no_cubic_time():
+    potential_of_chain(2)  # what is done once
+    calls = []
+    for n in (5, 10, 20):
+        found, expected, many = potential_of_chain(n)
+        assert found.expression == expected
+        assert not found.unknown
+        calls.append(many)
+    few, twice, four_times = calls
+    assert twice < 3 * few  # each doubling of n² would be 4, of n³ 8
+    assert four_times < 3 * twice

@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 import by_hand
 from graphs import form
 from pydy._mechanics.kane import multibody_of_kane
-from pydy._mechanics.reader import Tree, check_bodies, read_loads
+from pydy._mechanics.reader import Tree, check_bodies, read_loads, velocity_in
 from pydy.system import System
 from zoo import inertial_frame
 
@@ -162,3 +162,26 @@ def test_a_body_that_is_given_twice_is_named():
     with pytest.raises(ValueError, match="`bodies` has p more than once: its mass would count"):
         formed([body, body], frame=frame)
     assert check_bodies([body, other]) == (body, other)
+
+
+def test_velocities_along_a_chain_are_those_that_sympy_makes_up():
+    q = me.dynamicsymbols("q:3")
+    made = []
+    for velocity in (velocity_in, lambda point, frame: point.vel(frame)):
+        frame, origin = inertial_frame()
+        arm = frame.orientnew("A", "Axis", (q[0], frame.z))
+        one = origin.locatenew("one", q[1] * arm.x)
+        two = one.locatenew("two", q[2] * frame.y)
+        velocities = [velocity(point, frame) for point in (one, two)]
+        made.append([v.to_matrix(frame) for v in velocities])
+    assert made[0] == made[1]
+
+
+def test_a_neighbour_that_moves_in_a_frame_of_its_own_tells_no_velocity():
+    frame, origin = inertial_frame()
+    stranger, elsewhere = me.Point("S"), me.ReferenceFrame("E")
+    stranger.set_vel(frame, 7 * frame.x)
+    point = me.Point("P")
+    point.set_pos(stranger, elsewhere.x)
+    point.set_pos(origin, 2 * me.dynamicsymbols._t * frame.x)
+    assert velocity_in(point, frame) == 2 * frame.x

@@ -17,7 +17,7 @@ from pydy._forks import cached_property
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.form import Formed
 from pydy._mechanics.implicit import blocks_of
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics.reader import Multibody, velocity_in
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._names import name_of
 
@@ -51,7 +51,7 @@ class Mechanism:
     def _written_energy(self) -> Any:
         terms = []
         for body in self.bodies:
-            velocity = body.masscenter.vel(self.frame)
+            velocity = velocity_in(body.masscenter, self.frame)
             terms.append(body.mass * self._square(velocity) / 2)
             if not isinstance(body, Particle):
                 rate = body.frame.ang_vel_in(self.frame)
@@ -72,7 +72,7 @@ class Mechanism:
         vectors = [vector for _, vector in self.loads]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # as for the kinetic energy
-            vectors += [body.masscenter.vel(self.frame) for body in self.bodies]
+            vectors += [velocity_in(body.masscenter, self.frame) for body in self.bodies]
         for body in self.bodies:
             if (sizes := self._inertias(body)) and body.frame.ang_vel_in(self.frame) != 0:
                 parts += sizes

@@ -32,12 +32,21 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
+from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.generic import Block, GenericStates
-from pydy._mechanics.reader import InputReader, given_velocity, places
+from pydy._mechanics.reader import (
+    InputReader,
+    distances,
+    given_velocity,
+    places,
+    steps_to,
+    velocity_in,
+)
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import NEAR
+from pydy._mechanics.work import forces_of_power, has_quotients
 from pydy._rank import ROUNDED
 
 _TRIALS, _MASS = 3, sm.Rational(7, 11)  # a number that no formula holds
@@ -126,6 +135,8 @@ class _Search:
         self.coordinates = {*equations.coordinates} - equations.given_by_speeds
         self.taken: list[tuple[Any, Any]] = []  # energies, and powers of the loads that have them
         self.fixed = cache(self._fixed)
+        self.away = cache(lambda point: distances(point, places))
+        self.line = cache(self._line)
         read = InputReader(Graph(), {}, ())
         self.turns = [m for m in rotations(self.frame) if orientation_rows([m], read)]
 
@@ -163,7 +174,9 @@ class _Search:
         return Potential(found, [str(term) for term in unknown], " ".join(advice))
 
     def _velocity(self, where: Any) -> Vector:
-        return where.vel(self.frame) if isinstance(where, Point) else where.ang_vel_in(self.frame)
+        if isinstance(where, Point):
+            return velocity_in(where, self.frame)
+        return where.ang_vel_in(self.frame)
 
     def _power(self, where: Any, vector: Vector) -> Any:
         return self.equations.in_states(self.mechanism.dot(self._velocity(where), vector))
@@ -205,13 +218,26 @@ class _Search:
 
     def _fixed(self, point: Point) -> list[Point]:
         """Return the points that stand still in the inertial frame and whose places are known."""
-        queue = [point]
-        for other in queue:  # nearest first
-            queue += [p for p in places(other) if p not in queue]
-        still = [p for p in queue if given_velocity(p, self.frame) == 0]
+        nearest_first = self.away(point)
+        still = [p for p in nearest_first if given_velocity(p, self.frame) == 0]
         for other in still:  # and what is placed from them without a velocity of its own
             still += [p for p in places(other) if p not in still and self._is_beside(p, other)]
         return still
+
+    def _line(self, start: Point, end: Point) -> Vector | None:
+        """Return the vector between two points, None where nobody said where they are.
+
+        All steps between them are added up at once: one by one, as SymPy does, takes n² terms.
+        """
+        away = self.away(start)
+        if end not in away:
+            return None
+        parts: dict[ReferenceFrame, list[Any]] = {}
+        for step in steps_to(end, away):
+            for part, frame in step.args:
+                parts.setdefault(frame, []).append(part)
+        sums = {f: [sm.Add(*row) for row in zip(*own, strict=True)] for f, own in parts.items()}
+        return Vector([(sm.Matrix(row), frame) for frame, row in sums.items()])
 
     def _is_beside(self, point: Point, still: Point) -> bool:
         """Return whether a point without a velocity is at a constant place from one at rest."""
@@ -282,9 +308,7 @@ class _Search:
         """Take a force on `point` that pulls to or pushes from `other`, by their distance alone."""
         if not (isinstance(point, Point) and isinstance(other, Point)):
             return False
-        try:
-            line = point.pos_from(other)
-        except ValueError:  # nobody said where they are
+        if (line := self.line(other, point)) is None:
             return False
         if (ratio := _ratio(force, line, self.turns)) is None:
             return False
@@ -292,6 +316,10 @@ class _Search:
         if self._is_constant(square):  # it does no work: both are points of one body, say
             self.taken.append((sm.S.Zero, self._power(point, force)))
             return True
+        moving = [s for s in find_symbols([ratio, square]) if not self._is_constant(s)]
+        # With quaternions gradients count along what keeps them of length one.
+        if not (self.turns or may_depend_on(ratio, square, moving)):
+            return False
         distance = sm.Dummy("L", positive=True)
         energy = self._by_law(_in_terms_of(ratio, square, distance, self.turns), distance)
         if energy is None:
@@ -342,7 +370,7 @@ class _Search:
         if not all(self._is_constant(part) for part in direction):
             return None
         along = Vector([(direction, self.frame)])
-        return self.mechanism.dot(term.where.pos_from(origins[0]), along)
+        return self.mechanism.dot(self.line(origins[0], term.where), along)
 
     def _constant_force(self, term: _Term, mass: Any = sm.S.One) -> bool:
         height = self._height(term) if self._is_constant(term.size) else None
@@ -361,7 +389,7 @@ class _Search:
         h = sm.Dummy("h", real=True)
         coordinates = [s for s in find_symbols([height]) if not s.is_Symbol]
         sums = {height, *term.size.atoms(sm.Add)} if coordinates else set()
-        shares = {e: _beside_constants(e, height, coordinates) for e in sums}
+        shares = {e: beside_constants(e, height, coordinates) for e in sums}
         named = {e: share[0] * h + share[1] for e, share in shares.items() if share is not None}
         law = term.size.xreplace(named)
         part = _primitive(law, h) if self._is_constant(law) else None
@@ -477,31 +505,47 @@ class _Search:
 
     def _antiderivative(self, powers: Sequence[Any]) -> Any:
         """Return minus the integral of the work, one coordinate after the other, or None."""
-        q = self.equations.coordinates
-        real = {c: sm.Dummy(c.func.__name__, real=True) for c in q}
         in_rates, speed = self._in_rates
-        power = replace_symbols(sm.Add(*powers), in_rates)
         if not speed:
             return None
+        in_speeds = [replace_symbols(power, in_rates) for power in powers]
+        # Sums that are multiplied out are alike where they are equal; quotients need not be.
+        plain = not any(map(has_quotients, in_speeds))
+        forces = forces_of_power(in_speeds, speed) if plain else None
+        if forces is not None and all(map(self._is_static, forces.values())):
+            return self._integrated({speed[u]: force for u, force in forces.items()}, powers)
         try:
-            terms = sm.Poly(power, *speed).terms()
+            terms = sm.Poly(sm.Add(*in_speeds), *speed).terms()
         except sm.PolynomialError:
             return None
-        energy: Any = sm.S.Zero
+        if any(sum(monomial) != 1 or not self._is_static(force) for monomial, force in terms):
+            return None
+        rates = list(speed.values())
+        return self._integrated({rates[m.index(1)]: force for m, force in terms}, powers)
+
+    def _integrated(self, forces: dict[Any, Any], powers: Sequence[Any]) -> Any:
+        """Return minus the integral of forces along coordinates, one after the other, or None."""
+        real = {c: sm.Dummy(c.func.__name__, real=True) for c in self.equations.coordinates}
+        parts: list[Any] = []
+        holding: dict[Any, list[Any]] = {}  # the parts that depend on a coordinate
         done: set[Any] = set()
-        for monomial, force in terms:
-            if sum(monomial) != 1 or not self._is_static(force):
-                return None
-            x = real[list(speed.values())[monomial.index(1)]]
-            rest = sm.expand(replace_symbols(force, real) + energy.diff(x))
+        for c, force in forces.items():
+            x = real[c]
+            before = (part.diff(x) for part in holding.get(x, ()))
+            rest = sm.expand(sm.Add(replace_symbols(force, real), *before))
             if rest.free_symbols & done:  # the work depends on the path, as far as can be seen
                 return None
             if (part := _primitive(rest, x)) is None:
                 return None
-            energy -= part
+            parts.append(-part)
+            for symbol in part.free_symbols:
+                holding.setdefault(symbol, []).append(-part)
             done.add(x)
-        exact = energy.is_polynomial(*done) and done >= energy.free_symbols & {*real.values()}
-        energy = replace_symbols(energy, {x: c for c, x in real.items()})
+        left = {*real.values()} - done
+        exact = left.isdisjoint(holding) and all(
+            part.is_polynomial(*(part.free_symbols & done)) for part in parts
+        )
+        energy = replace_symbols(sm.Add(*parts), {x: c for c, x in real.items()})
         return energy if exact or self._is_sound(energy, powers) else None
 
 
@@ -616,33 +660,11 @@ def _in_terms_of(expression: Any, square: Any, distance: Any, turns: Iterable[An
     coordinates = [s for s in moving if not s.is_Symbol]
     if coordinates and found.has(*coordinates):
         for e in found.atoms(sm.Add):
-            softened = _beside_constants(e, square, coordinates)
+            softened = beside_constants(e, square, coordinates)
             if softened is not None:
                 named[e] = softened[0] * distance**2 + softened[1]
         found = written(found)
     return found
-
-
-def _beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any:
-    """Return a and b of ``total = a · square + b`` with constants a and b, or None."""
-    if not find_symbols([total]).keys() >= {*coordinates}:
-        return None
-    graph = Graph()
-    read = InputReader(graph, {}, ())
-    by = read.all(coordinates)
-    try:
-        slopes = dense_jacobian(graph, read.all([total, square]), by)
-        values = numbers_of(graph, slopes).reshape(-1, 2, len(by))
-    except UnsupportedFunctionError:  # of what is no function of the distance
-        return None
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = values[:, 0] / values[:, 1]
-    if not (np.abs(shares - shares[:, :1]) <= ROUNDED * np.abs(shares)).all():
-        return None
-    q = coordinates[0]
-    share = sm.cancel(total.diff(q) / square.diff(q))
-    rest = sm.expand(total - share * square)
-    return None if share.has(*coordinates) or rest.has(*coordinates) else (share, rest)
 
 
 def _integral(law: Any, distance: Any) -> Any:

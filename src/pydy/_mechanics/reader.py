@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -354,6 +355,21 @@ def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
 def given_velocity(point: Any, frame: Any) -> Any:
     """Return the velocity that was set, or None; SymPy's `vel` would make one up."""
     return point._vel_dict.get(frame)
+
+
+def velocity_in(point: Any, frame: Any) -> Any:
+    """Return the velocity of a point, made up from a neighbour's where nobody set it.
+
+    SymPy's `vel` takes that of the first neighbour that has one, then looks at all others of the
+    mechanism, for a warning: along a chain that is n² points.
+    """
+    if given_velocity(point, frame) is None:
+        known = (p for p in places(point) if given_velocity(p, frame) is not None)
+        if (neighbour := next(known, None)) is not None:
+            with suppress(ValueError):  # of frames that nobody connected: SymPy takes another
+                rate = places(point)[neighbour].dt(frame)
+                point.set_vel(frame, rate + given_velocity(neighbour, frame))
+    return point.vel(frame)
 
 
 def oriented(frame: Any) -> dict[Any, Any]:

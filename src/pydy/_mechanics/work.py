@@ -1,0 +1,78 @@
+"""The forces along coordinates that a power holds, by the structure of its expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from typing import Any
+
+import sympy as sm
+
+from pydy._mechanics.symbols import find_symbols
+
+# A sum of terms, each with its number, for each speed.
+_Linear = dict[Any, dict[Any, Any]]
+
+
+def forces_of_power(powers: Iterable[Any], speeds: Collection[Any]) -> dict[Any, Any] | None:
+    """Return what each speed is multiplied with in a sum of powers, without those that are zero.
+
+    None where a power is not seen to be linear in the speeds. Equal terms are collected as they
+    are met: in a chain the velocity of each body is the sum of all rates before, and of two
+    opposite forces those cancel. SymPy's polynomials in all speeds and coordinates of n bodies
+    would have n² terms of n exponents.
+    """
+    among = {*speeds}
+    total: _Linear = {}
+    for power in powers:
+        parts = _linear(sm.sympify(power), among)
+        if parts is None:
+            return None
+        for speed, terms in parts.items():
+            _collect(total.setdefault(speed, {}), terms)
+    sums = ((u, sm.Add(*(n * e for e, n in total[u].items()))) for u in speeds if u in total)
+    forces = ((u, sm.expand(force)) for u, force in sums if force != 0)
+    return {u: force for u, force in forces if force != 0}
+
+
+def _linear(expression: Any, speeds: set[Any]) -> _Linear | None:
+    if expression in speeds:
+        return {expression: {sm.S.One: sm.S.One}}
+    if expression.is_Add:
+        total: _Linear = {}
+        for term in expression.args:
+            parts = _linear(term, speeds)
+            if parts is None:
+                return None
+            for speed, terms in parts.items():
+                _collect(total.setdefault(speed, {}), terms)
+        return total
+    if not expression.is_Mul:
+        return {} if expression == 0 else None
+    moving = [e for e in expression.args if not speeds.isdisjoint(find_symbols([e]))]
+    parts = _linear(moving[0], speeds) if len(moving) == 1 else None
+    if parts is None:
+        return None
+    rest = (e for e in expression.args if e is not moving[0])
+    number, factor = sm.Mul(*rest).as_coeff_Mul()
+    return {u: _multiplied(terms, number, factor) for u, terms in parts.items()}
+
+
+def _multiplied(terms: dict[Any, Any], number: Any, factor: Any) -> dict[Any, Any]:
+    found: dict[Any, Any] = {}
+    for term, share in terms.items():
+        more, product = (1, factor) if term is sm.S.One else (term * factor).as_coeff_Mul()
+        _collect(found, {product: share * more * number})
+    return found
+
+
+def _collect(total: dict[Any, Any], terms: dict[Any, Any]) -> None:
+    for term, number in terms.items():
+        total[term] = total[term] + number if term in total else number
+
+
+def has_quotients(expression: Any) -> bool:
+    """Return whether an expression holds a sum in a denominator or under a root."""
+    return any(
+        p.base.has(sm.Add) and not (p.exp.is_Integer and p.exp > 0)
+        for p in expression.atoms(sm.Pow)
+    )
