@@ -41,11 +41,11 @@ def timed(call: Callable[[], Any], runs: int = RUNS) -> float:
 def jacobians() -> list[list[str]]:
     """Jacobians beside their functions: counts, building, running, as ratios.
 
-    Building is from the equations in the graph to the best code, without any cache.
+    Building is from the equations in the graph to machine code, without any cache.
     """
     rows = []
     # The routines that all share.
-    compiled_jacobian(assembly_of(frozen.read("pendulum-5")), "rates", "x").settle()
+    compiled_jacobian(assembly_of(frozen.read("pendulum-5")), "rates", "x").link()
     for name in ("pendulum-5", "pendulum-10", "pendulum-20", "rods-3", "bicycle", "rider-bicycle"):
         assembly = assembly_of(frozen.read(name))
         times = [time.process_time()]
@@ -55,7 +55,7 @@ def jacobians() -> list[list[str]]:
             lambda made=assembly: compiled_jacobian(made, "rates", "x"),
         ):
             kernels.append(make())
-            kernels[-1].settle()  # the best code
+            kernels[-1].link()
             times.append(time.process_time())
         counts = [sum(k.program.operation_count["run"].values()) for k in kernels]
         rng = np.random.default_rng(0)

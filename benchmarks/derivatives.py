@@ -307,7 +307,7 @@ def _jacobians(made: dict[str, Any]) -> dict[str, Any]:
     t, r, p = np.zeros(STATES), np.zeros((1, assembly.sizes[1])), np.zeros(assembly.sizes[2])
     found: dict[str, Any] = {}
     for name, kernel in kernels.items():
-        kernel.settle()  # the best code
+        kernel.link()
         out = np.empty((STATES, n * n))
         found[name] = partial(kernel.evaluate, t, x, r, p, out)
         found["values"] = kernel.evaluate(t[:1], state[None], r, p)[0].reshape(n, n)

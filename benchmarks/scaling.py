@@ -73,7 +73,7 @@ def main() -> None:
 def _warm_up() -> None:
     """Load LLVM and the routines that all models share."""
     program = assembly_of(frozen.read("pendulum-1")).program("rates")
-    LLVMBackend().compile(program).settle()
+    LLVMBackend().compile(program).link()
 
 
 def _spring(n: int, absolute: bool, rounds: int) -> dict[str, Any]:
@@ -90,7 +90,7 @@ def _spring(n: int, absolute: bool, rounds: int) -> dict[str, Any]:
     t = np.zeros(count)
     for kind, lanes, order in (("scalar", 1, "C"), ("batched", 8, "F")):
         kernel = LLVMBackend(lanes=lanes).compile(program)
-        kernel.settle()  # waits for the best code
+        kernel.link()
         states, inputs = np.asarray(x, order=order), np.asarray(r, order=order)
         kernel.evaluate(t, states, inputs, p)
         taken = []
@@ -107,12 +107,12 @@ def _build_times(name: str, rounds: int) -> list[float]:
 
 
 def _times_of_builds(model: Model, rounds: int) -> list[float]:
-    """Return the seconds from SymPy expressions to the best code, each in a fork of the process."""
+    """Return the seconds from SymPy expressions to machine code, each in a fork of the process."""
     equations = equations_of(model)
 
     def build() -> None:
         kernel = LLVMBackend().compile(assembly_of(model, equations).program("rates"))
-        kernel.settle()
+        kernel.link()
 
     return [in_child(lambda: time_of(build)) for _ in range(rounds)]
 
@@ -131,7 +131,7 @@ def _two_processes(name: str, rounds: int) -> tuple[list[float], list[float]]:
 
 
 def _build_with_cache(name: str) -> float:
-    """Return the seconds from SymPy expressions to the best code, as generated functions do it."""
+    """Return the seconds from SymPy expressions to machine code, as generated functions do it."""
     from pydy._assembly.model import stored_program
 
     model = frozen.read(name)
@@ -140,7 +140,7 @@ def _build_with_cache(name: str) -> float:
     def build() -> None:
         assembly = assembly_of(model, equations)
         program = stored_program(assembly, "rates", lambda: assembly.program("rates"))
-        LLVMBackend().compile(program).settle()
+        LLVMBackend().compile(program).link()
 
     return time_of(build)
 

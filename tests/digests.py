@@ -1,8 +1,9 @@
-"""Print digests of Programs and bits of results: ``python tests/digests.py best backward 1``.
+"""Print digests of Programs and bits of results: ``python tests/digests.py complete backward 1``.
 
-The first argument says which machine code runs, 'first' (compiled quickly) or 'best'; the second in
-which order models are tried; the third how many steps compiled loops take between two looks from
-Python. What is printed is the same for all of them, in every process.
+The first argument says which machine code runs, 'short' (its fallbacks are compiled where they are
+needed) or 'complete'; the second in which order models are tried; the third how many steps compiled
+loops take between two looks from Python. What is printed is the same for all of them, in every
+process.
 """
 
 import hashlib
@@ -16,22 +17,16 @@ import loops
 import zoo
 from cases import system_of
 from parts import drawn
-from pydy._backends.llvm import background, compiling, tiers
+from pydy._backends.llvm import functions
 from pydy.solvers.run import integration
 from pydy.system import System
 from singular import defined_windows
 
 
-def choose(tier, steps):
-    """Have one sort of machine code run, and slices of so many steps."""
-    background.submit = lambda task: None  # nothing takes its place meanwhile
-    if tier == "best":
-        tiers.Tiers.at_hand = lambda self, whole: (
-            self.best(compiling.object_code),
-            tiers.Quality.BEST,
-        )
-    else:
-        tiers.jit.find = lambda source, calls=None: None
+def choose(fallbacks, steps):
+    """Have machine code with or without fallbacks run first, and slices of so many steps."""
+    if fallbacks == "complete":
+        functions.leaves_out_fallbacks = lambda program: False
     integration.first_budget = lambda *_: steps
     integration.SLICE = 0.0 if steps == 1 else integration.SLICE
 
@@ -77,8 +72,8 @@ def said_of(name, system):
         yield "Program", str(key), kernel.program.digest
 
 
-def main(tier, order, steps):
-    choose(tier, int(steps))
+def main(fallbacks, order, steps):
+    choose(fallbacks, int(steps))
     warnings.simplefilter("ignore")
     models = [pair for place, pair in enumerate(systems()) if drawn(place, 6)]
     lines = []

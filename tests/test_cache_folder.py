@@ -19,7 +19,6 @@ from types import SimpleNamespace
 import pytest
 
 from pydy import _cache_folder as cache
-from pydy._backends.llvm import background
 from pydy.errors import PyDyUserWarning
 
 KEY, OTHER, OLD, USED = (letter * 64 for letter in "0123")
@@ -27,25 +26,15 @@ KEY, OTHER, OLD, USED = (letter * 64 for letter in "0123")
 SCRIPT = """
 import sys
 import numpy as np
-from pydy._backends.llvm import background
 from pydy.models import multi_mass_spring_damper
-background.QUIET_SECONDS = 0.0
 for n in (1, 2):
     system = multi_mass_spring_damper(n)
     x = np.arange(1.0, 2 * n + 1)
     system.generate_ode_function()
-    system.model.compiled("rates").settle()
     rates = system.evaluate_ode(x)
     np.testing.assert_array_equal(rates[:n], x[n:])
 print("right")
 """
-
-
-@pytest.fixture(autouse=True)
-def _nothing_compiles_on_the_side():
-    """Wait for what earlier tests have compiled on the side: it would use these tests' folders."""
-    background._end()
-    background._begin_anew()
 
 
 @pytest.fixture
@@ -393,8 +382,7 @@ def put_by_somebody_else(prepared, place):
 EQUATIONS = """
 import sys, warnings
 import numpy as np
-from pydy._backends.llvm import background, compiling
-background.QUIET_SECONDS = 1e9
+from pydy._backends.llvm import compiling
 if sys.argv[1:] == ["wrong"]:
     right = compiling.binding.parse_assembly
     def wrong(text, *rest):
@@ -405,7 +393,6 @@ with warnings.catch_warnings(record=True) as said:
     warnings.simplefilter("always")
     system = multi_mass_spring_damper(2)
     system.generate_ode_function()
-    system.model.compiled("rates").settle()
     rates = system.evaluate_ode(np.arange(1.0, 5.0))
 print(*(type(w.message).__name__ for w in said), *rates)
 """

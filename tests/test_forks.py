@@ -17,7 +17,6 @@ from llvmlite import binding
 
 import optima
 from pydy import _forks
-from pydy._backends.llvm import background
 from pydy._graph.collector import collector_paused
 from pydy.control import OptimalControl, ipopt
 from pydy.errors import OptimizationError
@@ -93,52 +92,6 @@ def test_a_fork_waits_for_what_is_not_sound_in_between(name):
     assert takes(lock)
 
 
-def test_a_task_that_was_under_way_is_done_again_in_the_child():
-    begun, end, done = threading.Event(), threading.Event(), []
-
-    def work(compile_source):
-        begun.set()
-        end.wait(PATIENCE)
-        done.append(os.getpid())
-
-    task = background.Task(work)
-    thread = threading.Thread(target=task.run)
-    thread.start()
-    assert begun.wait(PATIENCE)
-
-    def again():
-        end.set()
-        task.run()
-        task.run()
-        return done == [os.getpid()]
-
-    assert in_a_child(again)
-    end.set()
-    thread.join()
-    assert done == [os.getpid()]
-
-
-def test_a_child_has_a_side_thread_of_its_own():
-    begun, end = threading.Event(), threading.Event()
-
-    def work(compile_source):
-        begun.set()
-        end.wait(PATIENCE)
-
-    task = background.Task(work)
-    background.submit(task)
-    assert begun.wait(PATIENCE)
-
-    def another():
-        done = threading.Event()
-        task = background.Task(lambda compile_source: done.set())
-        background.submit(task)
-        return done.wait(PATIENCE)
-
-    assert in_a_child(another)
-    end.set()
-
-
 def test_a_property_that_another_thread_computes_is_computed_in_the_child():
     begun, end = threading.Event(), threading.Event()
 
@@ -192,7 +145,7 @@ def compute(system):
     system.generate_ode_function()
     x = np.linspace(0.1, 1.0, len(system.states))
     rates, jacobian = system.evaluate_ode(x), system.evaluate_jacobian(x)
-    assert all(kernel.cell[0] for kernel in system.model._kernels.values())
+    assert all(kernel.addresses[0] for kernel in system.model._kernels.values())
     return np.isfinite(rates).all() and np.isfinite(jacobian).all()
 
 def work():

@@ -62,10 +62,10 @@ def compiled_jacobian(assembly: Assembly, block: str, by: str) -> Kernel:
 def solver_function(
     model: Model, inputs: np.ndarray
 ) -> tuple[Callable[..., Any], tuple[np.ndarray, np.ndarray]]:
-    """Return f and args that System hands to its `ode_solver`; the best code is ready."""
+    """Return f and args that System hands to its `ode_solver`; the code is compiled."""
     compiled = compiled_model_of(model)
     symbols = tuple(model.specifieds)
     plan = SpecifiedsPlan(dict(zip(symbols, inputs, strict=True)), symbols)
     function = rates_function(compiled, plan)
-    compiled.compiled("rates").settle()
+    compiled.compiled("rates").link()
     return function, (plan.values, np.array(model.values))

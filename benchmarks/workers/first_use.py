@@ -38,8 +38,8 @@ def first_use(name: str, cache: str, method: str) -> dict[str, float]:
         times=np.linspace(0.0, 0.5, 51),
     )
     system.integrate()
-    # The best code of the equations is ready: its compilation is not the solver's.
-    system.model.compiled("rates").settle()
+    # The code of the equations is ready: its compilation is not the solver's.
+    system.model.compiled("rates").link()
     times: dict[str, float] = {}
 
     def load(what: str) -> Any:

@@ -104,8 +104,8 @@ class Session:
         """Generate the right-hand side; returns the derivatives of one state."""
         system = self.system()
         rhs = system.generate_ode_function(generator=generator)
-        if not RELEASED:  # what is measured is the best code, not the first
-            system.model.compiled("rates").settle()
+        if not RELEASED:
+            system.model.compiled("rates").link()
         values = {s.name: v for s, v in system.constants.items()}
         p = np.array([values[name] for name in order_of_constants(rhs)])
         r = np.zeros(len(system.specifieds_symbols))

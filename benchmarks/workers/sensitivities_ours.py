@@ -36,7 +36,7 @@ class OurSensitivities(SolverPeer):
         definition: Any = SimpleNamespace(states=states, specifieds=symbols)
         wanted = tuple(Parameter(model.constants[k], "constants", k) for k in parameters(model))
         self.sensitive = Sensitive(definition, compiled, plan, wanted, self.values)
-        self.sensitive.kernel().settle()  # the best code
+        self.sensitive.kernel().link()
         self.function = self.sensitive.function()
         self.plain = solver_function(model, self.scenario.inputs)
 

@@ -15,17 +15,15 @@ Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
 
 
-class NativeCode(Protocol):
-    """Machine code that is made when it is first wanted."""
+class NativeFunctions(Protocol):
+    """Native functions that are compiled when they are first wanted."""
 
-    def begin(self) -> None:
-        """Have some code, which may want fallbacks."""
+    # (2,): the addresses of ``kernel`` and ``prepare``, zero before `link`. Who calls them reads
+    # them here, each time: others may take their place.
+    addresses: np.ndarray
 
-    def whole(self) -> np.ndarray:
-        """Return where the addresses of ``kernel`` and ``prepare`` are; better ones may follow."""
-
-    def settle(self) -> None:
-        """Have the best code."""
+    def link(self) -> None:
+        """Compile the functions unless they are there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,16 +39,16 @@ class Kernel:
     sweep: Sweep
     # ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
     # safe: −1 asks the caller to convert its arguments and use `at`, otherwise it is the bit mask
-    # of failed lanes. It compiles nothing: before `begin`, and where code that is missing is
-    # needed, it answers −1.
+    # of failed lanes. Before `functions.link` it answers −1.
     gate: Call
     rebuild: Callable[..., Kernel]  # ``rebuild(program, *recipe)`` gives it where it is unpickled
     recipe: tuple[Any, ...] = ()
     lanes: int = 1  # how many states one native call takes
-    # Makes the machine code and keeps it alive; None for a back end without native code.
-    entry: NativeCode | None = field(default=None, repr=False)
+    # They own the machine code; None for a back end without native code.
+    functions: NativeFunctions | None = field(default=None, repr=False)
+    size_of_c: int = 0  # how many numbers native code computes of constants alone, for each lane
     # Of the reflection of a Kernel in time (`pydy.solvers.reflection`), which is called at s = −t:
-    # how many outputs, the first ones, change their sign. The entry is that of the Kernel itself.
+    # how many outputs, the first ones, change their sign. The functions are those of the Kernel.
     negated: int | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -65,9 +63,13 @@ class Kernel:
     @property
     def call(self) -> Call:
         """The call gate, bound to code that is compiled now if necessary."""
-        if self.entry is not None:
-            self.entry.begin()
+        self.link()
         return self.gate
+
+    def link(self) -> None:
+        """Compile the native functions unless they are there."""
+        if self.functions is not None:
+            self.functions.link()
 
     def at(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
         """Evaluate one state; return 1 where a linear solve is singular, else 0."""
@@ -78,14 +80,10 @@ class Kernel:
         return status
 
     @property
-    def cell(self) -> np.ndarray | None:
-        """Where the addresses of the native functions ``kernel`` and ``prepare`` are, or None."""
-        return None if self.entry is None else self.entry.whole()
-
-    def settle(self) -> None:
-        """Have the best native code now, as before measurements."""
-        if self.entry is not None:
-            self.entry.settle()
+    def addresses(self) -> np.ndarray | None:
+        """The addresses of the native functions ``kernel`` and ``prepare``, shape (2,), or None."""
+        self.link()
+        return None if self.functions is None else self.functions.addresses
 
     def evaluate(
         self,

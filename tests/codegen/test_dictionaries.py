@@ -44,7 +44,7 @@ def test_a_dictionary_costs_no_python_call_an_entry():
     for links in (1, 8):
         system = n_link_pendulum_on_cart(links, joint_torques=True)
         rhs = system.generate_ode_function()
-        system.model.compiled("rates").settle()  # so that no code is replaced meanwhile
+        system.model.compiled("rates").link()
         p = dict.fromkeys(system.constants_symbols, 1.5)
         r = dict.fromkeys(reversed(list(system.specifieds_symbols)), 0.5)
         x = np.linspace(0.1, 0.2, system.num_states)

@@ -30,16 +30,12 @@ int64_t sweep(const double *x, double *out, int64_t count)
 """
 
 
-def ir(text, brief):
-    return _finished(text, brief)
-
-
 @cache
 def compiled(body, width, folder):
     source = folder / f"sweep{abs(hash((body, width)))}.c"
     source.write_text(SOURCE.format(body=body, width=width), encoding="utf-8")
     text = solvers_ir.neutral(solvers_ir.compiled(source, folder))
-    code = jit.load(Source(text, partial(ir, text), ("sweep",), loops=True))
+    code = jit.load(Source(text, partial(_finished, text), ("sweep",), loops=True))
     return code, ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * 3)(code.addresses["sweep"])
 
 

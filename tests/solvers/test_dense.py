@@ -27,17 +27,13 @@ int64_t solved(double *a, int64_t n, double *order, double *right, int64_t width
 """
 
 
-def ir(text, brief):
-    return _finished(text, brief)
-
-
 @cache
 def compiled(kind, width, folder):
     source, parts = folder / f"{kind}{width}.c", {"real": 1, "pair": 2}[kind]
     text = SOURCE.format(kind=kind, width=width, parts=parts)
     source.write_text(text, encoding="utf-8")
     text = solvers_ir.neutral(solvers_ir.compiled(source, folder))
-    code = jit.load(Source(text, partial(ir, text), ("solved",), loops=True))
+    code = jit.load(Source(text, partial(_finished, text), ("solved",), loops=True))
     return code, ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * 5)(code.addresses["solved"])
 
 

@@ -314,7 +314,7 @@ def test_generators_give_the_same_trajectory(solver, generator):
 def test_a_generated_function_is_not_called_through_python():
     f = generated()
     call = f.native((np.zeros(2), np.array([4.0, 0.3])))
-    assert call.kernel.cell is not None
+    assert call.kernel.addresses is not None
     assert call.inputs is None
 
 
@@ -349,10 +349,10 @@ def test_a_prepared_run_goes_on_in_code_that_takes_the_others_place():
         out[0] = out[1] = 0.0
         return 0
 
-    own = (int(kernel.cell[0]), int(kernel.cell[1]))
-    kernel.entry.replace((ctypes.cast(at_rest, ctypes.c_void_p).value, own[1]), at_rest)
+    own = (int(kernel.addresses[0]), int(kernel.addresses[1]))
+    kernel.functions.replace((ctypes.cast(at_rest, ctypes.c_void_p).value, own[1]), at_rest)
     try:
         np.testing.assert_array_equal(run(np.array([0.5, 0.1]))[-1], [0.5, 0.1])
     finally:
-        kernel.entry.replace(own, None)
+        kernel.functions.replace(own, None)
     np.testing.assert_array_equal(run(np.array([0.5, 0.1])), before)

@@ -97,7 +97,7 @@ def test_only_functions_are_called_from_python():
         system.ode_solver = lambda f, x0, t, args, calls=calls: calls.append(f.native(args))
         system.integrate()
         assert (calls[0].inputs is not None) is functions
-        assert calls[0].kernel.cell is not None
+        assert calls[0].kernel.addresses is not None
 
 
 @pytest.mark.parametrize("native", [False, True])

@@ -200,7 +200,7 @@ class Model:
         options, events = self.options, self.options.events
         assert events is not None
         kernels = (events.values, events.rates, events.resets)
-        native = all(k is None or k.entry is not None for k in kernels)
+        native = all(k is None or k.functions is not None for k in kernels)
         python = bool(self.sampled) or options.constraints is not None  # acts on resets then
         acts = not (any(events.resetting) and python) and not any(events.turns)
         return native and acts and not (self.sensitivities or any(events.constant))

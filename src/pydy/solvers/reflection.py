@@ -130,7 +130,8 @@ def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
         _rebuilt,
         (kernel, count),
         lanes=kernel.lanes,
-        entry=kernel.entry,
+        functions=kernel.functions,
+        size_of_c=kernel.size_of_c,
         negated=count,
     )
 
@@ -184,4 +185,4 @@ def _event(kernel: Kernel) -> Kernel:
         found[:, odd] *= -1.0
         return found, failed
 
-    return replace(kernel, sweep=sweep, gate=_no_gate, entry=None)
+    return replace(kernel, sweep=sweep, gate=_no_gate, functions=None)

@@ -314,7 +314,7 @@ def native(kernel, x, t=0.0, p=(), shift=0):
     """Call the native functions with arrays laid out [item][lane], `shift` doubles off a line."""
     lanes, program = kernel.lanes, kernel.program
     signature = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 5)
-    prepare = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)(int(kernel.cell[1]))
+    prepare = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)(int(kernel.addresses[1]))
 
     def place(values):
         values = np.ascontiguousarray(values, dtype=float).ravel()
@@ -325,11 +325,11 @@ def native(kernel, x, t=0.0, p=(), shift=0):
         assert not len(part) or part.ctypes.data % 64 == 8 * shift
         return part
 
-    constants, c = place(np.repeat(p, lanes)), place(np.zeros(len(program.carried) * lanes))
+    constants, c = place(np.repeat(p, lanes)), place(np.zeros(kernel.size_of_c * lanes))
     prepare(constants.ctypes.data, c.ctypes.data)
     out = place(np.zeros(len(program.outputs) * lanes))
     arrays = [place([t] * lanes), place(x.T), place([]), c, out]
-    status = signature(int(kernel.cell[0]))(*(a.ctypes.data for a in arrays))
+    status = signature(int(kernel.addresses[0]))(*(a.ctypes.data for a in arrays))
     return status, out.reshape(-1, lanes).T
 
 

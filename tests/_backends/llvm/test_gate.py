@@ -23,8 +23,8 @@ define ptr @first(ptr %self, ptr %args, i64 %count) nounwind {
 
 def test_a_function_keeps_its_machine_code():
     """Two threads that make the same gate at once keep one of them, and a function of each."""
-    source = Source("gate of the tests", lambda brief: TEXT, ("first",))
-    code = jit.load_quickly(source)
+    source = Source("gate of the tests", lambda: TEXT, ("first",))
+    code = jit.load(source)
     gate, left = Gate(b"first", code, "first"), ref(code)
     function = gate.function(np.zeros(1))
     del gate, code

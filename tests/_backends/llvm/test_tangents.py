@@ -12,7 +12,6 @@ import zoo
 from _backends.llvm.test_guards import by_hand, states
 from cases import system_of
 from graphs import on_tape
-from pydy._backends.llvm import jit
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import Columns
@@ -256,25 +255,6 @@ def test_of_several_states_the_singular_one_is_reported(lanes):
     x[7, :9] = 0.0
     _, failed = kernel.evaluate(np.zeros(11), x, np.empty((11, 0)), np.array([1.0]))
     assert np.flatnonzero(failed).tolist() == [7]
-
-
-@pytest.fixture
-def nothing_cached(monkeypatch):
-    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
-    jit.memory.clear()
-
-
-@pytest.mark.parametrize("name", ["fourbar", "pendulum"])
-def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
-    assembly = assembly_of(name)
-    n = assembly.sizes[0]
-    kernel = LLVMBackend().compile(in_parts(assembly, [(0, n // 2), (n // 2, n)]))
-    arguments = sample(assembly, 20)
-    quick = kernel.evaluate(*arguments)[0]
-    before = kernel.cell.copy()
-    kernel.settle()
-    assert (kernel.cell != before).all(), "the best code did not take the quick code's place"
-    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
 
 
 def test_a_kernel_is_pickled_as_what_it_was_made_of():

@@ -16,9 +16,9 @@ from harness.program import assembly_of
 
 from graphs import solve_program
 from pydy._backends.llvm.native import LLVMBackend
+from pydy._backends.llvm.sources import width_of
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
 from pydy._backends.llvm.text import kernel_text
-from pydy._backends.llvm.tiers import width_of
 
 TESTS = Path(__file__).parents[2]
 V3 = {"avx", "avx2", "bmi", "bmi2", "cx16", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse3"}
@@ -134,7 +134,7 @@ from cases import system_of
 from harness import frozen
 from harness.program import assembly_of
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._backends.llvm.tiers import width_of
+from pydy._backends.llvm.sources import width_of
 
 def say(what, values):
     print(what, hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest())
@@ -213,7 +213,7 @@ def test_where_little_is_done_for_each_result_all_lanes_go_at_once(
     monkeypatch, name, features, width
 ):
     host = chosen("native", X86, "some", features)
-    monkeypatch.setattr("pydy._backends.llvm.tiers.target", lambda: host)
+    monkeypatch.setattr("pydy._backends.llvm.sources.target", lambda: host)
     program = assembly_of(frozen.read(name)).program("rates")
     assert width_of(program, 8) == width
 

@@ -22,8 +22,8 @@ from types import ModuleType
 from typing import Any
 
 from pydy._backends.c.source import c_source
+from pydy._backends.llvm.functions import NativeFunctions
 from pydy._backends.llvm.native import native_kernel
-from pydy._backends.llvm.tiers import Entry
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
@@ -103,9 +103,9 @@ class CythonBackend:
                 shutil.rmtree(directory, ignore_errors=True)
             raise
         recipe = ("cython", self.options)
-        entry = Entry()
-        entry.replace(module.addresses(), module)
-        return native_kernel(program, entry, 1, compile_program, recipe)
+        functions = NativeFunctions()
+        functions.replace(module.addresses(), module)
+        return native_kernel(program, functions, 1, compile_program, recipe)
 
     def _reserve(self, digest: str) -> tuple[str, Path]:
         """Return a module name that is new to this process, and a new directory for it.

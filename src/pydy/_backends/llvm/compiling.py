@@ -1,15 +1,9 @@
-"""From IR text to object code, in this process or in another one."""
+"""From IR text to object code."""
 
 from __future__ import annotations
 
 import hashlib
-import os
-import pickle
-import signal
-import subprocess
-import sys
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from mmap import mmap
@@ -47,13 +41,13 @@ def _circumstances() -> bytes:
     return sha.digest()
 
 
-def target_machine(quick: bool = False) -> Any:
+def target_machine(effort: int = 2) -> Any:
     """Return a machine to write object code for the target."""
     host = target()
     return binding.Target.from_triple(host.triple).create_target_machine(
         cpu=host.processor,
         features=host.features,
-        opt=0 if quick else 2,
+        opt=effort,
         codemodel="jitdefault",
         jit=True,
     )
@@ -64,14 +58,14 @@ class Source:
     """A module that can be compiled."""
 
     what: str  # identifies the IR: a Program's digest with the options
-    # returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
-    # quickly. It knows the functions of libm, of Python's C interface, and those of the code
-    # that is passed as `calls`. It can be pickled.
-    text: Callable[[bool], str]
+    # returns the IR, a module. It knows the functions of libm, of Python's C interface, and those
+    # of the code that is passed as `calls`.
+    text: Callable[[], str]
     names: tuple[str, ...]  # the functions whose addresses are wanted
     # whether the code has loops, or does the same many times side by side: LLVM's
     # optimisation passes then pay
     loops: bool = False
+    effort: int = 2  # LLVM's level of optimisation in its code generator
 
     @property
     def key(self) -> str:
@@ -80,9 +74,9 @@ class Source:
 
 
 @once
-def _emitter(quick: bool) -> Any:
+def _emitter(effort: int) -> Any:
     """Return the machine that writes object code; an engine needs one of its own, and keeps it."""
-    return target_machine(quick)
+    return target_machine(effort)
 
 
 def _find_room(size: int) -> None:
@@ -96,22 +90,22 @@ def _find_room(size: int) -> None:
         ) from None
 
 
-def object_code(source: Source, quick: bool = False) -> bytes:
+def object_code(source: Source) -> bytes:
     """Compile a module of IR text.
 
     LLVM's optimisation passes run only for code with loops, in the text or in the model: on
     straight-line code that comes from a graph without redundancy they cost a third of the time and
     change nothing (measured on pendulums of 10 and 20 links).
     """
-    text = source.text(quick)
+    text = source.text()
     # LLVM's passes took 10 MB, and 27 bytes for each letter of 100 links.
     _find_room(2**24 + 32 * len(text))
     # A context of its own lets two threads compile at the same time.
     context = binding.create_context()
     _CONTEXTS[id(context)] = context
     with binding.parse_assembly(text, context) as module:
-        machine = _emitter(quick)
-        if source.loops and not quick:
+        machine = _emitter(source.effort)
+        if source.loops:
             tuning = binding.create_pipeline_tuning_options(speed_level=2)
             tuning.slp_vectorization = True
             passes = binding.create_pass_builder(machine, tuning)
@@ -146,113 +140,7 @@ class Shipped:
 CORE = Shipped(Path(__file__).parents[1] / "core")
 
 
-def _finished(text: str, brief: bool) -> str:
+def _finished(text: str) -> str:
     """Return the IR with its target, by which LLVM's passes lay out data."""
-    layout = _emitter(False).target_data
+    layout = _emitter(2).target_data
     return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n{text}'
-
-
-# -- another process ------------------------------------------------------------------------------
-
-
-class HelperError(RuntimeError):
-    """The other process cannot be started, or has ended."""
-
-
-_BEGIN = """\
-import sys
-sys.path[:] = sys.argv[2:]
-from pydy._backends.llvm.compiling import serve
-serve(sys.argv[1])
-"""
-
-
-class Helper:
-    """A process that compiles; it starts when it is first needed, and ends with this one."""
-
-    def __init__(self) -> None:
-        self._process: Any = None
-
-    def compile(self, source: Source) -> bytes:
-        """Compile as `object_code` does, elsewhere; a HelperError tells that it cannot be done."""
-        try:
-            process = self._process  # `close` may be called meanwhile, when the program ends
-            if process is None:
-                process = self._process = _started()
-                _wait_until_ready(process.stdout)
-            rest = memoryview(pickle.dumps(source))
-            while rest:
-                rest = rest[process.stdin.write(rest) :]
-            size = int.from_bytes(_received(process.stdout, _SIZE))
-            return _received(process.stdout, size)
-        except (OSError, EOFError, ValueError) as error:
-            raise HelperError("the process that compiles does not answer") from error
-
-    def close(self, ours: bool = True) -> None:
-        """End the process, whatever it is doing; one of the process forked from is only left."""
-        process, self._process = self._process, None
-        if process is None:
-            return
-        if ours:
-            process.kill()
-            process.wait()
-        else:
-            process.returncode = 0
-        for pipe in (process.stdin, process.stdout):
-            with suppress(OSError):
-                pipe.close()
-
-
-_SIZE = 8  # bytes that say how many follow
-_READY = b"\npydy is ready to compile\n"
-
-
-def _wait_until_ready(pipe: Any) -> None:
-    """Skip the output that the user's own settings of Python print at its start."""
-    seen = b""
-    while not seen.endswith(_READY):
-        seen = seen[-len(_READY) :] + _received(pipe, 1)
-
-
-def _received(pipe: Any, size: int) -> bytes:
-    """Read so many bytes."""
-    data = bytearray()
-    while len(data) < size:
-        chunk = pipe.read(min(size - len(data), 2**20))
-        if not chunk:
-            raise EOFError
-        data += chunk
-    return bytes(data)
-
-
-def _started() -> subprocess.Popen[bytes]:
-    # Python may live inside another program, which is then the executable.
-    if "python" not in Path(sys.executable or "").name.lower():
-        raise OSError("this program is not Python itself")
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", _BEGIN, _SOURCES.hex(), *map(os.path.abspath, sys.path)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        bufsize=0,  # a forked child must not write again what is under way
-        env={**os.environ, "PYDY_CPU": target().name},
-        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-    )
-
-
-def serve(sources: str) -> None:
-    """Serve requests to compile until the pipe closes; refuse those of another version."""
-    if sources != _SOURCES.hex():
-        return
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a Ctrl-C is meant for the program
-    if hasattr(os, "nice"):
-        os.nice(10)
-    with suppress(EOFError, OSError), os.fdopen(os.dup(1), "wb") as replies:
-        os.dup2(2, 1)  # whatever is printed is no reply
-        replies.write(_READY)
-        replies.flush()
-        while True:
-            source = pickle.load(sys.stdin.buffer)
-            code = object_code(source)
-            replies.write(len(code).to_bytes(_SIZE) + code)
-            replies.flush()

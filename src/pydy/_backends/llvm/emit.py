@@ -13,7 +13,7 @@ from itertools import chain
 
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
-from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
+from pydy._backends.llvm.sincos import sincos, sincos_together
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import SPARSE, TEMPORARY
 from pydy._graph.operations import (
@@ -320,9 +320,8 @@ BRANCH_WEIGHTS = (
 class Emitter:
     """Writes the operations of one stage.
 
-    In `brief`, routines are called where there are any. As a `whole` they are one basic block,
-    whose values LLVM moves to memory as it likes. Without `fallbacks` a guard that is not sound
-    reports status -1 in place of solving its system.
+    As a `whole` they are one basic block, whose values LLVM moves to memory as it likes. Without
+    `fallbacks` a guard that is not sound reports status -1 in place of solving its system.
     """
 
     def __init__(
@@ -331,7 +330,6 @@ class Emitter:
         program: Program,
         lanes: int,
         setup: bool,
-        brief: bool = False,
         whole: bool = False,
         fallbacks: bool = True,
     ) -> None:
@@ -339,7 +337,6 @@ class Emitter:
         self.program = program
         self.lanes = lanes
         self.setup = setup
-        self.sincos = sincos_call if brief else sincos
         self.v = vector_type("double", lanes)
         self.b = vector_type("i1", lanes)
         self.suffix = suffix(lanes)
@@ -600,14 +597,14 @@ class Emitter:
     def _side_by_side(self, group: list[int], width: int) -> None:
         f = self.f
         if width == 1:
-            self.angles[group[0]] = self.sincos(f, self.names[group[0]], 1)
+            self.angles[group[0]] = sincos(f, self.names[group[0]], 1)
             return
         v = vector_type("double", width)
         packed = "poison"
         for lane in range(width):
             value = self.names[group[min(lane, len(group) - 1)]]
             packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
-        sine, cosine = self.sincos(f, packed, width)
+        sine, cosine = sincos(f, packed, width)
         room = f.slot(v, 2)
         f.store(v, sine, room)
         f.store(v, cosine, room, "1")

@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import partial
-from typing import Any
+from typing import Any, Protocol
 from weakref import WeakValueDictionary
 
 from llvmlite import binding
 
 from pydy import _cache_folder, _forks
-from pydy._backends.llvm import background
-from pydy._backends.llvm.background import Compile
 from pydy._backends.llvm.compiling import Source, object_code, target_machine
 
 # Linking uses LLVM's global state; compiling does not.
 _LOCK = _forks.Lock()
 
 
+class Addresses(Protocol):
+    """Functions that code calls; it keeps this object."""
+
+    addresses: dict[str, int]
+
+
 class Code:
     """Machine code in memory, by `addresses`: this object keeps it and the code it calls."""
 
-    def __init__(self, engine: Any, names: Sequence[str], calls: Sequence[Code]) -> None:
+    def __init__(self, engine: Any, names: Sequence[str], calls: Sequence[Addresses]) -> None:
         self._engine = engine
         self._calls = calls
         self.addresses: dict[str, int] = {n: engine.get_function_address(n) for n in names}
@@ -32,7 +34,7 @@ memory: WeakValueDictionary[str, Code] = WeakValueDictionary()
 """The code of this process that is in use, by the keys of its sources."""
 
 
-def _linked(code: bytes, names: Sequence[str], calls: Sequence[Code]) -> Code:
+def _linked(code: bytes, names: Sequence[str], calls: Sequence[Addresses]) -> Code:
     with _LOCK:
         for part in calls:
             for name, address in part.addresses.items():
@@ -43,7 +45,7 @@ def _linked(code: bytes, names: Sequence[str], calls: Sequence[Code]) -> Code:
         return Code(engine, names, calls)
 
 
-def _shared(source: Source, code: bytes, calls: Sequence[Code]) -> Code:
+def _shared(source: Source, code: bytes, calls: Sequence[Addresses]) -> Code:
     """Return the one code of a source, which may have come into use meanwhile.
 
     Addresses are handed on without their code, which then has to be the one that is kept.
@@ -55,7 +57,7 @@ def _shared(source: Source, code: bytes, calls: Sequence[Code]) -> Code:
     return known
 
 
-def find(source: Source, calls: Sequence[Code] = ()) -> Code | None:
+def find(source: Source, calls: Sequence[Addresses] = ()) -> Code | None:
     """Return compiled code from memory or disk, or None."""
     key = source.key
     known = memory.get(key)
@@ -69,21 +71,11 @@ def find(source: Source, calls: Sequence[Code] = ()) -> Code | None:
     return known
 
 
-def load(source: Source, calls: Sequence[Code] = (), compile_source: Compile = object_code) -> Code:
-    """Return compiled code from memory, from disk, or from LLVM, by default at its best."""
+def load(source: Source, calls: Sequence[Addresses] = ()) -> Code:
+    """Return compiled code from memory, from disk, or from LLVM."""
     known = find(source, calls)
     if known is None:
-        stored = compile_source(source)
+        stored = object_code(source)
         _cache_folder.write(source.key, stored)
         known = _shared(source, stored, calls)
     return known
-
-
-def load_quickly(source: Source, calls: Sequence[Code] = ()) -> Code:
-    """Return code that LLVM compiles in a tenth of the time and that runs half as fast.
-
-    It computes the same bits: what is fused and in which order is written in the IR.
-    """
-    background.in_use()
-    hasty = replace(source, what=f"{source.what}, quickly")
-    return load(hasty, calls, partial(object_code, quick=True))

@@ -12,19 +12,19 @@ from __future__ import annotations
 import ctypes
 import sysconfig
 from collections.abc import Callable
-from functools import partial
 from typing import Any, Literal, cast
 
 import numpy as np
 
-from pydy import _array_layout, _cache_folder
+from pydy import _array_layout
 from pydy._backends.base import call_of
-from pydy._backends.llvm import background, jit
-from pydy._backends.llvm.background import Compile, Task
-from pydy._backends.llvm.compiling import CORE, Source
+from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import CORE
+from pydy._backends.llvm.functions import NativeFunctions
 from pydy._backends.llvm.ir import WIDTHS
 from pydy._backends.llvm.jit import Code
-from pydy._backends.llvm.tiers import Entry, tiers_of, wide_code
+from pydy._backends.llvm.sources import leaves_out_fallbacks, wide_code
+from pydy._backends.llvm.text import size_with_constants
 from pydy._backends.registry import compile_program
 from pydy._backends.tuning import SWEPT
 from pydy._forks import once
@@ -73,7 +73,7 @@ def scratch_size(lanes: int, n: int, s: int, k: int, carried: int, outputs: int)
 
 def native_kernel(
     program: Program | Tangent,
-    entry: Entry,
+    functions: NativeFunctions,
     lanes: int,
     rebuild: Callable[..., Kernel],
     recipe: tuple[Any, ...],
@@ -83,30 +83,17 @@ def native_kernel(
 
     `strided` is the address of the form that takes items at any distance, if there is one.
     """
-    sweep = _make_sweep(program, entry, lanes, strided)
-    call = _make_call(program, entry, lanes, sweep)
+    sweep = _make_sweep(program, functions, lanes, strided)
+    call = _make_call(program, functions, lanes, sweep)
     own = cast("Program", program)
-    return Kernel(own, sweep, call, rebuild, recipe, lanes, entry)
-
-
-def _keep(source: Source, compile_source: Compile) -> None:
-    """Compile for later processes; this one uses the code that is ready first."""
-    _cache_folder.write(source.key, compile_source(source))
+    return Kernel(own, sweep, call, rebuild, recipe, lanes, functions, _size_of_c(program, lanes))
 
 
 class _Gates:
     """The gates from Python."""
 
     def __init__(self) -> None:
-        source = CORE.source("gates", _GATES)
-        self.better: Task | None = None
-        code = jit.find(source)
-        if code is None:
-            if _cache_folder.folder() is not None:
-                self.better = Task(partial(_keep, source))
-                background.submit(self.better)
-            code = jit.load_quickly(source)
-        self.code = code
+        self.code = code = jit.load(CORE.source("gates", _GATES))
         self.call = Gate(b"native_call", code, "kernel_gate")
         self.step = Gate(b"native_step", code, "step_gate")
         self._sweep = Gate(b"native_sweep", code, "sweep_gate")
@@ -132,23 +119,30 @@ def gates() -> _Gates:
     return _Gates()
 
 
-def _sizes(program: Program | Tangent) -> tuple[int, int, int, int, int]:
+def _sizes(program: Program | Tangent, lanes: int) -> tuple[int, int, int, int, int]:
     """Return the numbers of states, specifieds, constants, carried values, and outputs."""
     inputs = program.num_states, program.num_specifieds, program.num_constants
-    return *inputs, len(program.carried), len(program.outputs)
+    return *inputs, _size_of_c(program, lanes), len(program.outputs)
+
+
+def _size_of_c(program: Program | Tangent, lanes: int) -> int:
+    """Return the size of the array c for each lane."""
+    if lanes == 1 and isinstance(program, Program) and leaves_out_fallbacks(program):
+        return size_with_constants(program)
+    return len(program.carried)
 
 
 def _make_sweep(
-    program: Program | Tangent, entry: Entry, lanes: int, strided: int
+    program: Program | Tangent, functions: NativeFunctions, lanes: int, strided: int
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
-    sizes = _sizes(program)
+    sizes = _sizes(program, lanes)
     n, outputs = sizes[0], sizes[-1]
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
     run, columns = gates().sweep, strided != 0
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
     words = np.array([0, 0, strided, native, *sizes, 0, 0, 0], np.int64)
-    entry.bind(words)
+    functions.bind(words)
 
     def part(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
@@ -161,19 +155,13 @@ def _make_sweep(
             x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
         values = np.empty((m, outputs), order=order) if out is None else out
         failed = np.zeros(m, dtype=np.bool_)
-        short = entry.short
         run(words, t, x, r, p, values, failed, np.empty(room))
-        if short and failed.any():
-            entry.complete()
-            failed[:] = False
-            run(words, t, x, r, p, values, failed, np.empty(room))
         return values, failed
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        if not entry.cell[0]:
-            entry.begin()
+        functions.link()
         m = len(t)
         if m <= most:
             return part(t, x, r, p, out)
@@ -212,7 +200,7 @@ def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any
     memory it needs, and what keeps the code alive.
     """
     code = wide_code(program, lanes)
-    sizes = _sizes(program)
+    sizes = _sizes(program, lanes)
     entries = [code.addresses[name] for name in ("kernel", "prepare", "strided")]
     words = np.array([*entries, wide_sweep(lanes), *sizes, 0, 0, 1], np.int64)
     return words, scratch_size(lanes, *sizes), code
@@ -220,14 +208,16 @@ def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any
 
 def _make_call(
     program: Program | Tangent,
-    entry: Entry,
+    functions: NativeFunctions,
     lanes: int,
     sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
 ) -> Callable[..., int]:
     if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
-        words = np.zeros(_CALL_WORDS + program.num_constants + len(program.carried), dtype=np.int64)
-        words[2:7] = _sizes(program)
-        entry.bind(words)
+        words = np.zeros(
+            _CALL_WORDS + program.num_constants + _size_of_c(program, 1), dtype=np.int64
+        )
+        words[2:7] = _sizes(program, 1)
+        functions.bind(words)
         gate: Callable[..., int] = gates().call.function(words)
         return gate
 
@@ -266,15 +256,14 @@ class LLVMBackend:
     def compile(self, program: Program | Tangent) -> Kernel:
         """Return the Kernel of a Program or Tangent.
 
-        Nothing is compiled before the Kernel is called or asked for its best code; see `tiers`.
-        Wide kernels get the best at once.
+        Code for one state is compiled when the Kernel is first called, wide code at once.
         """
         lanes: int = self.options["lanes"]
         recipe = ("llvm", self.options)
         if lanes == 1:
-            return native_kernel(program, Entry(tiers_of(program)), 1, compile_program, recipe)
+            return native_kernel(program, NativeFunctions(program), 1, compile_program, recipe)
         code = wide_code(program, lanes, self.options.get("width"))
-        entry = Entry()
-        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+        functions = NativeFunctions()
+        functions.use(code)
         strided = code.addresses.get("strided", 0)
-        return native_kernel(program, entry, lanes, compile_program, recipe, strided)
+        return native_kernel(program, functions, lanes, compile_program, recipe, strided)

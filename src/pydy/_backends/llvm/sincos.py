@@ -183,14 +183,6 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
     return sin_x, cos_x
 
 
-def sincos_call(f: Function, x: str, lanes: int) -> tuple[str, str]:
-    """Write a call of the routine with the same code: less to compile, the same bits."""
-    v = vector_type("double", lanes)
-    room = f.slot(v, 2)
-    f.do(f"call void @pydy_sincos_{lanes}({v} {x}, ptr {room})")
-    return f.load(v, room), f.load(v, room, "1")
-
-
 def sincos_names(lanes: int) -> tuple[str, ...]:
     """Return the routines that a kernel of `lanes` lanes may call.
 

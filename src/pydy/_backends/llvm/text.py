@@ -7,6 +7,7 @@ multiply-adds are those that the IR spells out.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from enum import Enum
 
 import numpy as np
 
@@ -16,7 +17,15 @@ from pydy._backends.llvm.emit import (
     called,
     solver_declarations,
 )
-from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, suffix, vector_type
+from pydy._backends.llvm.ir import (
+    HEAP_DECLARATIONS,
+    MALLOC,
+    WIDTHS,
+    Function,
+    literal,
+    suffix,
+    vector_type,
+)
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
@@ -25,20 +34,28 @@ from pydy._graph.program import Program
 from pydy._graph.tangent import Part, Tangent
 
 
-def kernel_text(
-    program: Program, lanes: int, width: int = 0, brief: bool = False, fallbacks: bool = True
-) -> str:
-    """Return the module of a Program, with the functions `kernel` and `prepare`.
+class Fallbacks(Enum):
+    """Which code for one state has the fallbacks of guards.
 
-    A `brief` one calls a routine for sines and cosines instead of writing them in line. Without
-    `fallbacks` code of one lane gives the status -1 where a guard is not sound.
+    Where these are most of the code, it is compiled without them first: where a guard is not sound,
+    that calls `COMPLETE`, the code that has them, with the same arguments. The array c then ends in
+    a copy of the constants p and a number that is zero as long as the constants for fallbacks
+    are missing in it: the code that has them computes those at its first call.
     """
+
+    ALWAYS, LEFT_OUT, ADDED = range(3)
+
+
+def kernel_text(
+    program: Program, lanes: int, width: int = 0, fallbacks: Fallbacks = Fallbacks.ALWAYS
+) -> str:
+    """Return the module of a Program, with the functions `kernel` and `prepare`."""
     width = width or lanes
     if width < lanes:
-        body = _in_turns(program, lanes, width, brief)
+        body = _in_turns(program, lanes, width)
     else:
-        body = prepare_text(program, lanes, brief, fallbacks=fallbacks)
-        body += _kernel(program, lanes, brief, fallbacks)
+        body = prepare_text(program, lanes, fallbacks=fallbacks)
+        body += _kernel(program, lanes, fallbacks)
     return module_text(body, [(program, width)])
 
 
@@ -106,21 +123,32 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
 def prepare_text(
     program: Program,
     lanes: int,
-    brief: bool,
     prefix: str = "",
-    fallbacks: bool = True,
     layout: Layout | None = None,
+    fallbacks: Fallbacks = Fallbacks.ALWAYS,
 ) -> str:
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
-    e = Emitter(f, program, lanes, True, brief, fallbacks=fallbacks)
+    complete = fallbacks is not Fallbacks.LEFT_OUT
+    e = Emitter(f, program, lanes, True, fallbacks=complete)
     e.names.lie(layout)
     e.stage()
+    if fallbacks is not Fallbacks.ALWAYS:
+        if not complete:
+            with f.loop("0", str(program.num_constants)) as k:
+                place = f.let(f"add i64 {k}, {len(program.carried)}")
+                f.store("double", f.load("double", "%p", k), "%c", place)
+        f.store("double", literal(float(complete), 1), "%c", str(size_with_constants(program) - 1))
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
     return f.text()
+
+
+def size_with_constants(program: Program) -> int:
+    """Return the size of the array c of code whose fallbacks may be added."""
+    return len(program.carried) + program.num_constants + 1
 
 
 PREPARE = "ptr noalias readonly %p, ptr noalias %c"
@@ -135,7 +163,7 @@ def _parameters(suffix: str = "") -> str:
 KERNEL = _parameters()
 
 
-def _kernel(program: Program, lanes: int, brief: bool, fallbacks: bool) -> str:
+def _kernel(program: Program, lanes: int, fallbacks: Fallbacks) -> str:
     """Return the functions of the second stage: `kernel`, and `strided` for wide code.
 
     It reads from memory, after the arrays, the distances between two items of x, r and out; how
@@ -150,35 +178,65 @@ def _kernel(program: Program, lanes: int, brief: bool, fallbacks: bool) -> str:
     parts = [*BRANCH_WEIGHTS, ""]
     small = is_small(program)
     if lanes == 1 or small:
-        parts.insert(0, stage_text(program, lanes, brief, fallbacks=fallbacks))
+        parts.insert(0, stage_text(program, lanes, fallbacks=fallbacks))
     else:
         parts.append(_packed_kernel(lanes))
     if lanes > 1:
-        parts.insert(0, _strided(program, lanes, brief, small))
+        parts.insert(0, _strided(program, lanes, small))
     return "\n".join(parts)
 
 
 def stage_text(
     program: Program,
     lanes: int,
-    brief: bool,
     name: str = "kernel",
     layout: Layout | None = None,
-    fallbacks: bool = True,
+    fallbacks: Fallbacks = Fallbacks.ALWAYS,
 ) -> str:
     """Return the function of the run stage; see `kernel_text`.
 
     A function that others of the module call is told the layout of its arrays.
     """
-    f = Function(name, "i32", KERNEL, f"{'internal' if layout else ''}|nounwind")
-    e = Emitter(f, program, lanes, False, brief, fallbacks=fallbacks)
+    complete = fallbacks is not Fallbacks.LEFT_OUT
+    parameters = KERNEL
+    if fallbacks is not Fallbacks.ALWAYS:
+        parameters = KERNEL.replace("readonly %c", "%c")
+    f = Function(name, "i32", parameters, f"{'internal' if layout else ''}|nounwind")
+    if fallbacks is Fallbacks.ADDED:
+        _complete_constants(f, program)
+    e = Emitter(f, program, lanes, False, fallbacks=complete)
     e.solves.status = f.variable("i32", "0")
     e.names.lie(layout)
     e.stage()
-    f.do(f"ret i32 {f.get('i32', e.solves.status)}")
+    status = f.get("i32", e.solves.status)
+    if complete:
+        f.do(f"ret i32 {status}")
+    else:
+        f.do(f"br i1 {f.let(f'icmp slt i32 {status}, 0')}, label %unsound, label %sound, !prof !0")
+        f.label("%unsound")
+        arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
+        f.do(f"ret i32 {f.let(f'tail call i32 @{COMPLETE}({arguments})')}")
+        f.label("%sound")
+        f.do(f"ret i32 {status}")
     f.label("%bail")
     f.do("ret i32 0")
-    return f.text()
+    declared = "" if complete else f"declare i32 @{COMPLETE}(ptr, ptr, ptr, ptr, ptr)\n"
+    return declared + f.text()
+
+
+def _complete_constants(f: Function, program: Program) -> None:
+    """Write the call of `prepare` where the array c lacks the constants for fallbacks."""
+    flag = f.load("double", "%c", str(size_with_constants(program) - 1))
+    f.do(f"br i1 {f.let(f'fcmp oeq double {flag}, 0.0')}, label %missing, label %there, !prof !0")
+    f.label("%missing")
+    p = f.at("%c", str(len(program.carried)))
+    f.do(f"call void @prepare(ptr {p}, ptr %c)")
+    f.do("br label %there")
+    f.label("%there")
+
+
+# The kernel with all fallbacks; the code without them is linked with its address.
+COMPLETE = "pydy_complete"
 
 
 def is_small(program: Program) -> bool:
@@ -192,12 +250,12 @@ def _is_one_block(program: Program, lanes: int) -> bool:
     return lanes == registers.widest and size <= registers.whole
 
 
-def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str = "") -> str:
+def _strided(program: Program, lanes: int, loop: bool, prefix: str = "") -> str:
     parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
     whole = not loop and _is_one_block(program, lanes)
-    e = Emitter(f, program, lanes, False, brief, whole)
+    e = Emitter(f, program, lanes, False, whole)
     e.solves.status = f.variable("i32", "0")
     for place, group in enumerate(("%x", "%r", "%out")):
         e.names.steps[group] = f.load("i64", "%steps", str(place))
@@ -237,7 +295,7 @@ def _packed_kernel(lanes: int) -> str:
     return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()
 
 
-def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
+def _in_turns(program: Program, lanes: int, width: int) -> str:
     """Return functions of all lanes that call code for some of them, turn by turn.
 
     Where all lanes of a value do not fit in a register, it takes several, and half as many values
@@ -265,14 +323,12 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
         bits = f.let(f"shl i64 {f.let(f'and i64 {both}, {2**32 - 1}')}, {first}")
         status = f.let(f"or i64 {status}, {bits}")
     f.do(f"ret i64 {f.let(f'or i64 {status}, {2**32}')}")
-    own = prepare_text(program, width, brief, "turn.") + _strided(
-        program, width, brief, False, "turn."
-    )
+    own = prepare_text(program, width, "turn.") + _strided(program, width, False, "turn.")
     outer = [prepare.text(), f.text(), _packed_kernel(lanes)]
     return "\n".join([own, *outer, *BRANCH_WEIGHTS, ""])
 
 
-def angles_text(lanes: int, brief: bool) -> str:
+def angles_text(lanes: int) -> str:
     """Return the module of the sines and cosines that kernels share."""
     widths = WIDTHS if lanes == 1 else (lanes,)
     parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]
@@ -297,9 +353,9 @@ def pieces(program: Program | Tangent, lanes: int) -> list[tuple[Program, int]]:
     return [*zip(programs, (own, *widths), strict=True)]
 
 
-def tangent_text(tangent: Tangent, lanes: int, brief: bool) -> str:
+def tangent_text(tangent: Tangent, lanes: int) -> str:
     """Return the module of a Tangent, with the functions `kernel` and `prepare`."""
-    return _Text(tangent, lanes, brief).module()
+    return _Text(tangent, lanes).module()
 
 
 class _Text:
@@ -314,8 +370,8 @@ class _Text:
     The array c holds the constants of the shared part, then those of each vector of columns.
     """
 
-    def __init__(self, tangent: Tangent, lanes: int, brief: bool) -> None:
-        self.tangent, self.lanes, self.brief = tangent, lanes, brief
+    def __init__(self, tangent: Tangent, lanes: int) -> None:
+        self.tangent, self.lanes = tangent, lanes
         self.pieces = pieces(tangent, lanes)
         self.kernel = Function("kernel", "i32", KERNEL, "|nounwind")
         self.prepare = Function("prepare", "void", PREPARE, "|nounwind")
@@ -369,8 +425,8 @@ class _Text:
         (program, width), lanes, f = self.pieces[0], self.lanes, self.kernel
         layout = Layout(dict.fromkeys(("%x", "%r", "%p", "%out"), lanes))
         self.functions += [
-            prepare_text(program, width, self.brief, "shared.", layout=layout),
-            stage_text(program, width, self.brief, "shared", layout),
+            prepare_text(program, width, "shared.", layout=layout),
+            stage_text(program, width, "shared", layout),
         ]
         self.values = f.slot(f"<{lanes} x double>", max(len(program.outputs), 1))
         for lane in range(0, lanes, width):
@@ -390,8 +446,8 @@ class _Text:
         spread = ["%r"] if single else ["%p", *([] if given else ["%x"])]
         layout = Layout(steps if single else {**steps, "%p": 1}, spread)
         self.functions += [
-            prepare_text(part.program, width, self.brief, f"{name}.", layout=layout),
-            stage_text(part.program, width, self.brief, name, layout),
+            prepare_text(part.program, width, f"{name}.", layout=layout),
+            stage_text(part.program, width, name, layout),
         ]
         after, begin = tangent.values * lanes, tangent.shared.num_states * lanes
         starts = [*range(0, part.count, width if single else 1)]

@@ -77,7 +77,7 @@ class WayBack:
         self._turned = _turned(method, self.length)
         self._work = Workspace(method, rates, n, np.zeros(1), (), Options())
         self.nodes = np.array(tableau_of(method).nodes)[: len(tableau_of(method).stages)]
-        self._python = turned.kernel.cell is None
+        self._python = turned.kernel.addresses is None
         self._problem = self._bound(turned)
 
     def _bound(self, call: KernelCall) -> Any:

@@ -356,11 +356,11 @@ def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[
 
 def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
     """Return the place of a Kernel of `LANES` lanes, its constants, and what prepares these."""
-    cell = kernel.cell
-    assert cell is not None
+    addresses = kernel.addresses
+    assert addresses is not None
     assert kernel.lanes == LANES
     c = lined_up(LANES * max(1, len(kernel.program.carried)))
-    place = address(cell)
+    place = address(addresses)
     return place, c, [(place + 8, address(c))]
 
 

@@ -40,16 +40,16 @@ class Bound:
     """
 
     def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
-        cell = kernel.cell
-        assert cell is not None
-        self._kernel, self._cell = kernel, cell  # the code lives as long as they do
-        self.place, first = address(cell), 0
-        carried = max(1, len(kernel.program.carried))
+        addresses = kernel.addresses
+        assert addresses is not None
+        self._kernel, self._addresses = kernel, addresses  # the code lives as long as they do
+        self.place, first = address(addresses), 0
+        size = max(1, kernel.size_of_c)
         if kernel.negated is not None:
-            self.place, first = address(_reflecting_cell()), REFLECTED
-        self.c = np.zeros(first + carried)
+            self.place, first = address(_reflecting_addresses()), REFLECTED
+        self.c = np.zeros(first + size)
         if kernel.negated is not None:
-            self.c[:2] = np.array([address(cell), kernel.negated]).view(float)
+            self.c[:2] = np.array([address(addresses), kernel.negated]).view(float)
         self._p = np.empty(np.shape(p))
         self._places = address(self._p), address(self.c) + 8 * first
         self.take(p)
@@ -57,7 +57,7 @@ class Bound:
     def take(self, p: np.ndarray) -> None:
         """Take other constants: compute the array c from them."""
         self._p[:] = p
-        _prepare(int(self._cell[1]))(*self._places)
+        _prepare(int(self._addresses[1]))(*self._places)
 
 
 def lined_up(*shape: int) -> np.ndarray:
@@ -69,13 +69,13 @@ def lined_up(*shape: int) -> np.ndarray:
 
 
 @once
-def _python_cell() -> np.ndarray:
+def _python_addresses() -> np.ndarray:
     """Return the address of what calls Python functions, as Kernels have theirs."""
     return np.array([gates().code.addresses["call_python"]], dtype=np.int64)
 
 
 @once
-def _reflecting_cell() -> np.ndarray:
+def _reflecting_addresses() -> np.ndarray:
     """Return the address of what calls a Kernel at the reversed time."""
     return np.array([shipped.address_of("reflect"), 0], dtype=np.int64)
 
@@ -137,7 +137,7 @@ class Callback:
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
         self.until = np.array([np.inf])
         self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
-        self.place = address(_python_cell())
+        self.place = address(_python_addresses())
         self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
 
     def __call__(self) -> None:

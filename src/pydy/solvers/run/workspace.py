@@ -287,7 +287,7 @@ class Workspace:
 
     def _bind(self, f: Callable[..., Any], args: tuple[Any, ...]) -> Problem:
         call, n = self.call, self.n
-        if call is not None and call.inputs is None and call.kernel.cell is not None:
+        if call is not None and call.inputs is None and call.kernel.addresses is not None:
             if call.kernel.program.num_states != n:
                 raise ValueError(
                     f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
@@ -310,7 +310,7 @@ class Workspace:
         """Return the place of the address and the constants of a further Kernel of the system."""
         call = self.call
         assert call is not None
-        if call.inputs is None and kernel.cell is not None:
+        if call.inputs is None and kernel.addresses is not None:
             bound = self._bind_native(kernel, call.p)
             return bound.place, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
@@ -398,7 +398,7 @@ class Workspace:
             )
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
-        if (far := wanted.reach) is not None and far.cell is not None and not self.callbacks:
+        if (far := wanted.reach) is not None and far.addresses is not None and not self.callbacks:
             assert self.call is not None
             bound = self._bind_native(far, self.call.p)
             size, moving = far.program.num_specifieds, far.program.num_states
@@ -440,7 +440,7 @@ class Workspace:
         beside = beside or options.recorded not in (None, self.n)  # such as an integral
         if beside or self.callbacks or call is None or call.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
-        if resets.cell is None or wanted.rates.cell is None:
+        if resets.addresses is None or wanted.rates.addresses is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (wanted.rates, resets))
         return [shipped.address_of("act_on_event"), rater, resetter], rates_c, resets_c
