@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -124,6 +125,112 @@ def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     k = np.repeat(np.arange(len(gaps)), parts)
     part = np.arange(len(k)) - (np.cumsum(parts) - parts)[k]
     return trajectory.at(np.append(own[k] + gaps[k] * (part / parts[k]), own[-1]))
+
+
+STEPS = 100_000  # places within steps of a solver that a curve is evaluated at, at most
+PARTS = 16  # of a step, which may be half a period long: 0.5 % of an amplitude are missed at most
+
+
+def detailed(trajectory: Any, step_of: Callable[[float], float]) -> Any:
+    """Refine a trajectory for curves: what is narrower than its times, and what jumps, is seen.
+
+    It has the times of `filled`, those of the solver's own steps and some within them, and at each
+    event, and where an input jumps, the rows of both sides at the same time.
+    """
+    if isinstance(getattr(trajectory, "_detail", None), Detail):
+        return trajectory
+    trajectory = in_order(trajectory)
+    found = filled(trajectory, step_of)
+    starts = getattr(getattr(trajectory, "_dense", None), "starts", None)
+    if starts is not None and len(trajectory.times) > 1:
+        first, last = _span(trajectory.times)
+        nodes = np.append(np.unique(np.clip(starts, first, last)), last)
+        parts = int(np.clip(STEPS // len(nodes), 1, PARTS))
+        inside = nodes[:-1, None] + np.diff(nodes)[:, None] * (np.arange(parts) / parts)
+        more = np.setdiff1d(inside, found.times)
+        if len(more):
+            found = trajectory.at(np.sort(np.concatenate([found.times, more])))
+    return _with_sides(trajectory, found)
+
+
+def _with_sides(known: Any, found: Any) -> Any:
+    """Insert both sides of the events of a Trajectory into the same motion at some times."""
+    if not hasattr(known, "_sensitivities") or not len(found.times):
+        return found
+    known._keep_jumps()
+    if not breaks(known) or (known._model is None and known._sides is None):
+        return found
+    moments, states = _at_events(known)
+    first, last = _span(found.times)
+    inside = (moments >= first) & (moments <= last)
+    if not inside.any():
+        return found
+    m, moments, states = len(found.times), moments[inside], states[inside]
+    early = np.tile([True, False], len(moments) // 2)
+    # Just before, in the modes and with the inputs that end there.
+    just = np.where(early, np.fmax(np.nextafter(moments, -np.inf), first), moments)
+    model = known._model
+    if known._sides is not None:
+        rates, outputs, specifieds = (table[inside] for table in known._sides)
+    else:
+        rates = None
+        outputs, specifieds = model.outputs(just, states), model.specifieds(just, states)
+    tables = [
+        (found.states, states),
+        (found.outputs, np.reshape(outputs, (len(moments), -1))),
+        (found.specifieds, np.reshape(specifieds, (len(moments), -1))),
+        (found.times[:, None], just[:, None]),
+    ]
+    if rates is not None and found._derivatives is not None:
+        tables.append((found._derivatives, rates))
+
+    def interpolated(table: np.ndarray) -> np.ndarray:
+        flat = table.reshape(m, -1)
+        return straight(found, moments, flat, None).reshape(len(moments), *table.shape[1:])
+
+    energy, values, table = None, None, None
+    if model is None and found._energy is not None:
+        energy = found._energy
+        tables.append((energy, interpolated(energy)))
+    if found._sensitivities is not None:
+        values = found._sensitivities[1]
+        sides = _sensitivities_at(known)
+        tables.append((values, interpolated(values) if sides is None else sides[inside]))
+    elif found._known_sensitivity is not None:  # of a file
+        table = found._known_sensitivity.table()
+        tables.append((table, interpolated(table)))
+    times, merged = _with_events(found, moments, tables)
+    own = object.__new__(type(found))
+    own.__dict__.update(found.__dict__)
+    own.times, own.states, own.outputs, own.specifieds, just, *more = times, *merged
+    own._derivatives = more.pop(0) if len(tables) > 4 and tables[4][1] is rates else None
+    own._energy = more.pop(0) if energy is not None else None
+    if values is not None:
+        own._sensitivities, own._known_sensitivity = (found._sensitivities[0], more.pop(0)), None
+    elif table is not None:
+        own._take_sensitivity(found._known_sensitivity.names, more.pop(0))
+    own._detail = Detail(model, just[:, 0])
+    own._model = None if model is None else own._detail
+    other = found._sensitivity_model
+    own._sensitivity_model = None if other is None else Detail(other, just[:, 0])
+    return own
+
+
+class Detail:
+    """A model at rows of which some are just before an event, though their times are the event's.
+
+    It is the Model or SensitivityModel of a Trajectory that `detailed` made.
+    """
+
+    def __init__(self, model: Any, times: np.ndarray) -> None:
+        self.model, self.times = model, times
+        for name in ("derivatives", "outputs", "specifieds", "energy", "rates"):
+            if hasattr(model, name):
+                setattr(self, name, partial(self._evaluate, name))
+
+    def _evaluate(self, name: str, times: np.ndarray, *tables: np.ndarray) -> np.ndarray:
+        result: np.ndarray = getattr(self.model, name)(self.times, *tables)
+        return result
 
 
 class Sides(NamedTuple):

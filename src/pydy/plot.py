@@ -19,7 +19,7 @@ import numpy as np
 
 from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
-from pydy._interpolation import filled
+from pydy._interpolation import detailed
 from pydy._names import label_parts, latex_of, name_of, some
 from pydy._optional import require
 
@@ -109,7 +109,8 @@ def curves_of(
 def runs_of(result: Any) -> list[tuple[str, Any]]:
     """List the results to draw together, with labels; a single one has none.
 
-    Trajectories have times enough for smooth curves where a solver's continuous extension is there.
+    Trajectories have times enough for smooth curves where a solver's continuous extension is there,
+    and both sides of events.
     """
     if isinstance(result, (list, tuple)) and result:
         result = {f"run {k}": run for k, run in enumerate(result, 1)}
@@ -122,7 +123,7 @@ def runs_of(result: Any) -> list[tuple[str, Any]]:
 
 
 def _smooth(run: Any) -> Any:
-    return filled(run, lambda span: span / SMOOTH)
+    return detailed(run, lambda span: span / SMOOTH)
 
 
 def is_trajectory(result: Any) -> bool:

@@ -301,7 +301,7 @@ def test_a_film_of_a_motion_backward_runs_forward():
     np.testing.assert_allclose(ours, theirs, atol=1e-6)
     plain = system().scene().animate(TIMES[::-1], backward.states, series={"s": TIMES[::-1]})
     np.testing.assert_allclose(plain._motion.states, theirs, atol=1e-6)
-    np.testing.assert_array_equal(plain._animation.series["s"], plain.times)
+    np.testing.assert_array_equal(plain._animation.series["s"], [plain.times, plain.times])
     assert len(backward.plot(["x"]).lines[0].get_xdata()) == len(TIMES)
 
 

@@ -162,7 +162,7 @@ def test_a_gap_in_a_series_is_no_error():
     made = Scene(N, O, Visual(Sphere(1), P)).animate(
         TIMES, TIMES[:, None], symbols=[q], series={"gap": np.where(TIMES < 1, np.nan, TIMES)}
     )
-    assert np.isnan(floats(data_of(made)["series"][0]["values"])[:60]).all()
+    assert np.isnan(floats(data_of(made)["series"][0]["values"], "<f8")[:60]).all()
     assert "NaN" not in made.html().split('id="pydy-data">')[1].split("</script>")[0]
 
 

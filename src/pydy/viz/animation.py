@@ -12,6 +12,7 @@ import scipy
 from pydy._interpolation import evenly
 from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
+from pydy.viz.curves import Curve
 from pydy.viz.defaults import default_shape
 from pydy.viz.motion import Geometry, Motion, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
@@ -183,8 +184,8 @@ class Animation:
 
     times: np.ndarray  # (m,)
     items: tuple[Item, ...]
-    series: dict[str, np.ndarray]  # (m,)
     bounds: np.ndarray  # (m', 2, 3): the box around everything but planes at some of the instants
+    series: Mapping[str, Curve] = field(default_factory=dict)  # at times of their own
     speed: float = 1.0  # seconds of it for each second shown
     events: tuple[tuple[float, str], ...] = ()  # (time, name)
     # Of each contact: (from, to, mode)
@@ -238,15 +239,13 @@ class Animation:
             arrays = {k: getattr(item, k) for k in ("positions", "vectors", "points")}
             moved: dict[str, Any] = {k: blend(a) for k, a in arrays.items() if a is not None}
             items.append(replace(item, rotations=turned(item.rotations), **moved))
-        series = {label: blend(values) for label, values in self.series.items()}
-        return Animation(wanted, tuple(items), series, self.bounds)
+        return Animation(wanted, tuple(items), self.bounds)
 
 
 def animate(
     reference: Any,
     origin: Any,
     visuals: Sequence[Visual],
-    series: Sequence[tuple[str, Any]],
     motion: Motion,
 ) -> Animation:
     """Return the Animation of a motion at the instants to show."""
@@ -257,7 +256,7 @@ def animate(
             points.update(dict.fromkeys(visual.shape.points))
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     vectors = tuple(v.shape.vector for v in arrows if isinstance(v.shape, Arrow))
-    geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors, tuple(series))
+    geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors)
     placed = place(geometry, motion)
     _check(placed, geometry, motion.times)
     return _assemble(visuals, placed, motion)
@@ -311,7 +310,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
     shown = [i for i in items if not isinstance(i.shape, Plane)] or items
     reach = np.stack([item.reach(rows) for item in shown])
     bounds = np.stack([reach[:, :, 0].min(0), reach[:, :, 1].max(0)], 1)
-    return Animation(motion.times, tuple(items), placed.series, bounds)
+    return Animation(motion.times, tuple(items), bounds)
 
 
 def _scales(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,9 @@ from sympy.physics.mechanics import Particle, RigidBody
 from pydy._checks import (
     Places,
     check_mapping,
-    descends,
     listed,
     merged,
+    monotonic,
     number,
     positive,
     real_array,
@@ -23,10 +24,11 @@ from pydy._checks import (
     shown,
     text,
 )
-from pydy._interpolation import filled
+from pydy._interpolation import detailed, filled
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of, some
 from pydy._rank import DIGITS, HALF
+from pydy.viz.curves import Curve, curve
 from pydy.viz.shapes import Arrow, Line
 from pydy.viz.visuals import Visual
 
@@ -110,35 +112,37 @@ def ground_height(value: Any) -> bool | float | None:
     raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
 
 
-def columns_of(
-    series: Mapping[str, Any] | None, own: np.ndarray, times: np.ndarray
-) -> dict[str, np.ndarray]:
-    """Return evaluated series, a value for each of its own times, at ascending `times`."""
-    columns, count = {}, len(own)
-    for label, values in check_mapping("series", series).items():
+def curves_of(series: Mapping[str, Any] | None, own: Any) -> dict[str, Curve]:
+    """Return the curves of evaluated series, a value for each of a motion's own times."""
+    given = check_mapping("series", series)
+    if not given:
+        return {}
+    curves, times = {}, monotonic(own, "`times`")
+    count = len(times)
+    for label, values in given.items():
         column = real_array(values, f"`series[{label!r}]`")
         if column.shape != (count,):
             raise ValueError(
                 f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "
                 f"{column.shape}."
             )
-        known, column = (own[::-1], column[::-1]) if descends(own) else (own, column)
-        columns[str(label)] = column if count == len(times) else np.interp(times, known, column)
-    return columns
+        curves[str(label)] = curve(times, column)
+    return curves
 
 
-def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, np.ndarray]:
+def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, Curve]:
     """Take the series that a trajectory holds."""
-    columns = {}
+    curves = {}
     for label, expression in series.items():
         if hasattr(trajectory, "__contains__") and expression in trajectory:
-            columns[label] = np.asarray(trajectory[expression], dtype=float)
+            values = np.asarray(trajectory[expression], dtype=float)
+            curves[label] = curve(np.asarray(trajectory.times, dtype=float), values)
         elif isinstance(expression, str):
             raise ValueError(
                 f"`series` has '{expression}', which is not one of the trajectory's quantities. "
                 "Give an expression, or the name of a state, output or specified."
             )
-    return columns
+    return curves
 
 
 def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]:
@@ -248,13 +252,18 @@ def playback(fps: float | None, speed: float | None, duration: float) -> tuple[f
 
 def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
     """Return a trajectory with an instant for each picture of a film, if it can be interpolated."""
+    return filled(trajectory, partial(_step_of, fps, speed))
 
-    def step_of(duration: float) -> float:
-        step = playback(fps, speed, duration)[1]
-        # No finer than two minutes of 60 pictures a second.
-        return np.inf if step is None else max(step * (1.0 - DIGITS), duration / 7200)
 
-    return filled(trajectory, step_of)
+def plotted(trajectory: Any, fps: float | None, speed: float | None) -> Any:
+    """Return a trajectory for curves beside a film: also with what happens between its pictures."""
+    return detailed(trajectory, partial(_step_of, fps, speed))
+
+
+def _step_of(fps: float | None, speed: float | None, duration: float) -> float:
+    step = playback(fps, speed, duration)[1]
+    # No finer than two minutes of 60 pictures a second.
+    return np.inf if step is None else max(step * (1.0 - DIGITS), duration / 7200)
 
 
 def watchable_speed(duration: float) -> float:

@@ -16,6 +16,7 @@ from pydy._backends.registry import compile_program
 from pydy._checks import (
     Places,
     check_mapping,
+    descends,
     describe,
     listed,
     merged,
@@ -246,6 +247,11 @@ class Motion:
         return Motion(
             self.names, self.times[rows], self.states[rows], self.specifieds[rows], self.constants
         )
+
+
+def forward(motion: Motion) -> Motion:
+    """Return a Motion whose times ascend: a film runs forward."""
+    return motion.taken(np.arange(len(motion.times))[::-1]) if descends(motion.times) else motion
 
 
 @dataclass(frozen=True)

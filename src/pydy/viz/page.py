@@ -1,4 +1,4 @@
-"""The page: one HTML file with everything in it, the numbers as base64 of 32-bit floats.
+"""The page: one HTML file with everything in it, the numbers as base64: poses of 32-bit floats.
 
 Visuals that are rigidly connected share one *track*, the motion of the first of them, and keep a
 constant offset from it: a body of a dozen parts costs no more than one part. What never moves is
@@ -34,6 +34,7 @@ from pydy._version import __version__
 from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE, MODES
+from pydy.viz.curves import BUCKETS, thinned
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import surface
 
@@ -42,8 +43,8 @@ from pydy.viz.surfaces import surface
 
 # The scripts of the page, in the order in which they build on each other.
 SCRIPTS = (
-    *("data.js", "shapes.js", "stage.js", "trails.js", "strip.js", "player.js", "share.js"),
-    "controls.js",
+    *("data.js", "shapes.js", "stage.js", "trails.js", "curves.js", "strip.js", "player.js"),
+    *("share.js", "controls.js"),
 )
 
 
@@ -67,7 +68,7 @@ def page(animation: Animation, look: Look, theme: str, live: LivePage | None = N
     style = _resource("style.css")
     if live is not None:
         code = content["live"].pop("code")
-        scripts += [f"const liveModel = {code};", _resource("live.js")]
+        scripts += [_resource("samples.js"), f"const liveModel = {code};", _resource("live.js")]
         style += _resource("live.css")
     # A "<" could end the script element that holds the data.
     data = json.dumps(content, allow_nan=False, separators=(",", ":"))
@@ -147,7 +148,20 @@ def page_data(animation: Animation, look: Look, live: LivePage | None = None) ->
     more: dict[str, Any] = {}
     if live is not None:
         code, data = live.code(tracks.places)
-        more["live"] = {"code": code, **data}
+        more["live"] = {"code": code, **data, "buckets": BUCKETS}
+    clocks = _Clocks()
+    series = [
+        {
+            "label": label,
+            "parts": label_parts(label),
+            "unit": look.units.get(label, ""),
+            "colour": CYCLE[(k + 1) % len(CYCLE)],
+            "clock": clocks.find(drawn.times),
+            "values": _packed(drawn.values, np.float64),
+        }
+        for k, (label, whole) in enumerate(animation.series.items())
+        for drawn in [thinned(whole)]
+    ]
     return {
         **more,
         "version": __version__,
@@ -156,16 +170,8 @@ def page_data(animation: Animation, look: Look, live: LivePage | None = None) ->
         "speed": animation.speed,
         "tracks": tracks.entries,
         "visuals": visuals,
-        "series": [
-            {
-                "label": label,
-                "parts": label_parts(label),
-                "unit": look.units.get(label, ""),
-                "colour": CYCLE[(k + 1) % len(CYCLE)],
-                "values": _packed(values),
-            }
-            for k, (label, values) in enumerate(animation.series.items())
-        ],
+        "clocks": clocks.entries,
+        "series": series,
         "events": [{"time": t, "name": name} for t, name in animation.events],
         "modes": [
             {
@@ -205,6 +211,21 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
     if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= HALF * scale:
         return {"width": rows.shape[1], "fixed": rows[0].tolist()}
     return {"width": rows.shape[1], "rows": _packed(rows)}
+
+
+class _Clocks:
+    """Times of curves; those that several share are stored once."""
+
+    def __init__(self) -> None:
+        self.entries: list[str] = []
+
+    def find(self, times: np.ndarray) -> int:
+        """Return the number of the entry that holds some times."""
+        # 64 bits, as of the values: a clock far from zero, or small changes of a large value.
+        entry = _packed(times, np.float64)
+        if entry not in self.entries:
+            self.entries.append(entry)
+        return self.entries.index(entry)
 
 
 class _Tracks:

@@ -15,7 +15,6 @@ from sympy.physics.vector import Point, ReferenceFrame
 from pydy._checks import (
     Keyed,
     choice,
-    descends,
     file_of,
     flag,
     instance,
@@ -33,7 +32,7 @@ from pydy.trajectory import Trajectory
 from pydy.viz.animation import Animation, Item, Look, animate
 from pydy.viz.arguments import (
     as_visual,
-    columns_of,
+    curves_of,
     events_of,
     filmed,
     ground_height,
@@ -41,12 +40,14 @@ from pydy.viz.arguments import (
     modes_of,
     named_constants,
     playback,
+    plotted,
     recorded,
     series_of,
     symbols_of,
     units_of,
     within,
 )
+from pydy.viz.curves import Curve, evaluated
 from pydy.viz.defaults import unit_vector
 from pydy.viz.live import live_page
 from pydy.viz.motion import (
@@ -54,6 +55,7 @@ from pydy.viz.motion import (
     Motion,
     checked_samples,
     constants_of,
+    forward,
     motion_of_arrays,
     motion_of_trajectory,
     sampled,
@@ -352,53 +354,56 @@ class Scene:
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
             trajectory, states = (model.times() if model.times else None), trajectory
-        again = {
-            "trajectory": trajectory, "states": states, "symbols": symbols, "constants": constants,
-            "specifieds": specifieds, "series": series, "compare": compare, "fps": fps,
-            "speed": speed,
-        }  # fmt: skip
-        wanted = symbols_of(self.visuals, self.series)
-        own = getattr(trajectory, "times", None)
+        own = trajectory if states is not None else getattr(trajectory, "times", None)
+        curves = {} if own is None else curves_of(series, own)
+        film = detail = trajectory
         if states is None:
-            trajectory = filmed(trajectory, fps, speed)
-        motion = self._motion_of(trajectory, states, symbols, (constants, specifieds), wanted)
-        own = motion.times if own is None else own
-        if descends(motion.times):  # a film runs forward
-            motion = motion.taken(np.arange(len(motion.times))[::-1])
+            film = detail = filmed(trajectory, fps, speed)
+            if self.series:
+                detail = plotted(trajectory, fps, speed)
+        given = (symbols, constants, specifieds, compare, fps, speed)
+        self._set_motion(film, detail, states, curves, given)
+        return self
+
+    def _set_motion(
+        self, film: Any, detail: Any, states: Any, curves: dict[str, Curve], given: tuple[Any, ...]
+    ) -> None:
+        """Set the motion: that of a film with its instants, and in detail for the curves."""
+        *_, compare, fps, speed = given
+        motion = forward(self._motion_of(film, states, given[:3]))
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
-        rows = sampled(motion.times, step)
-        given = columns_of(series, own, motion.times)
-        columns = recorded(self.series, trajectory if states is None else None) | given
-        if states is None:  # with its own instants: a pickle does not know what is between others
-            again |= {"trajectory": trajectory, "series": given}
-        formulas = tuple((k, e) for k, e in self.series.items() if k not in columns)
         scene = (self.reference_frame, self.origin, self.visuals)
-        animation = animate(*scene, formulas, motion.taken(rows))
+        taken = motion.taken(sampled(motion.times, step))
+        animation = animate(*scene, taken)
 
         def moved(run: Any) -> Animation:
             values = (Keyed(motion.values) | dict(run.constants)).data
-            other = motion_of_trajectory(run, model, values, wanted)
-            return animate(*scene, (), other)
+            wanted = symbols_of(self.visuals, self.series)
+            return animate(*scene, motion_of_trajectory(run, self._model, values, wanted))
 
-        animation = compared(animation, compare, moved)
-        values = {**animation.series, **{label: c[rows] for label, c in columns.items()}}
-        order = dict.fromkeys((*self.series, *columns))
+        known = recorded(self.series, detail if states is None else None) | curves
+        formulas = [(label, e) for label, e in self.series.items() if label not in known]
+        if formulas:
+            fine = motion if detail is film else self._motion_of(detail, states, given[:3])
+            known |= evaluated(self.reference_frame, self.origin, formulas, fine)
         self._animation = replace(
-            animation,
+            compared(animation, compare, moved),
             speed=rate,
-            series={label: values[label] for label in order},
-            events=events_of(trajectory if states is None else None, motion.times),
-            modes=modes_of(trajectory if states is None else None, motion.times),
+            series={label: known[label] for label in dict.fromkeys((*self.series, *curves))},
+            events=events_of(film if states is None else None, motion.times),
+            modes=modes_of(film if states is None else None, motion.times),
         )
-        self._motion = motion.taken(rows)
-        self._again = again, [v.version for v in self.visuals]
-        return self
+        self._motion = taken
+        # With the instants that it has: a pickle does not know what is between others.
+        self._again = (film, detail, states, curves, given), [v.version for v in self.visuals]
 
-    def _motion_of(
-        self, trajectory: Any, states: Any, symbols: Any, given: tuple[Any, Any], wanted: set[Any]
-    ) -> Motion:
-        """Return the Motion that `animate` was asked for; given are constants and specifieds."""
-        model, (constants, specifieds) = self._model, given
+    def _motion_of(self, trajectory: Any, states: Any, given: tuple[Any, ...]) -> Motion:
+        """Return the Motion that `animate` was asked for.
+
+        Given are symbols, constants and specifieds.
+        """
+        model, (symbols, constants, specifieds) = self._model, given
+        wanted = symbols_of(self.visuals, self.series)
         if states is not None:
             if symbols is not None or model is None or model.trajectory is None:
                 return motion_of_arrays(trajectory, states, symbols, constants, specifieds)
@@ -483,7 +488,7 @@ class Scene:
 
     def _moving(self) -> Animation:
         if self._animation and self._again[1] != [v.version for v in self.visuals]:
-            self.animate(**self._again[0])  # a shape or visual was changed
+            self._set_motion(*self._again[0])  # a shape or visual was changed
         if self._animation is None and self._states is not None:
             symbols, constants, times = self.states_symbols, self.constants, self._times
             if times is None:

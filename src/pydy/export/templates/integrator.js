@@ -73,6 +73,7 @@ class Integration {
     /** "running", "finished", "stopped" by a terminal event, or why it failed. */
     this.status = "running";
     this.started = false;
+    this.onStep = null; // `onStep(t, x)`, if any, is called after each step, and on both sides of an event that acts
     if (system.projection) this.status = system.projection.begin(this.t, this.x) || this.status;
     if (system.events) {
       this.sides = new Int8Array(system.events.count);
@@ -232,7 +233,9 @@ class Integration {
         this.t = end;
         this.h = 0;
         this.started = false;
+        if (this.onStep) this.onStep(end, x);
         this.act();
+        if (this.onStep) this.onStep(end, x);
         if (this.next === times.length && this.status === "running") this.status = "finished";
         return;
       }
@@ -247,6 +250,7 @@ class Integration {
     this.t = after;
     x.set(fresh);
     stages[0].set(stages[count]);
+    if (this.onStep) this.onStep(after, x);
   }
 
   fail(why) { this.status = why; }

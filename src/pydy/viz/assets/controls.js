@@ -281,5 +281,10 @@ window.pydy = {
     return { frames: costs.frames, all: median(costs.last), drawing: median(costs.drawn),
       calls: renderer ? renderer.info.render.calls : 0 };
   },
+  /** The curves of the strip, with the scale of each, and the places of their points on it. */
+  curves() {
+    return series.map((one) => ({ label: one.label, low: one.low, high: one.high, times: Array.from(one.times), values: Array.from(one.values),
+      places: Array.from(one.values, (value, k) => [atTime(one.times[k]), atValue(one, value)]), now: valueAt(one, now.time) }));
+  },
   forgetCosts() { costs.last.length = costs.drawn.length = costs.frames = 0; },
 };

@@ -17,8 +17,26 @@ const AT_SERIES = AT_ARROWS + 3 * live.arrows.filter(Boolean).length;
 const basis = new THREE.Matrix4(), turn = new THREE.Quaternion(), before = new THREE.Quaternion();
 const spot = new THREE.Vector3(), middle = new THREE.Vector3();
 
+const drawn = new Set(live.series.map(([group]) => group)), samples = [];
+
+/** Add a sample to the curves, of the poses that were just computed. */
+function addValues(t, x) {
+  const { poses, outputs, inputs } = motion;
+  if (drawn.has("y")) liveModel.evaluateOutputs(t, x, inputs, outputs);
+  live.series.forEach(([group, place], i) => {
+    samples[i].add(t, { x: x[place], r: inputs[place], y: outputs[place], f: poses[AT_SERIES + place] }[group]);
+    Object.assign(series[i], samples[i]);
+  });
+}
+
+/** Add what the simulation computes between the frames. */
+function addSample(t, x) {
+  if (drawn.has("f")) liveModel.poses(t, x, motion.inputs, motion.poses);
+  addValues(t, x);
+}
+
 function writeRow(k, t, x) {
-  const { poses, outputs, states, inputs } = motion;
+  const { poses, states, inputs } = motion;
   states.set(x, k * width);
   liveModel.poses(t, x, inputs, poses);
   live.tracks.forEach(([frame, point], i) => {
@@ -45,10 +63,7 @@ function writeRow(k, t, x) {
     if (arrow) for (let j = 0; j < 3; j++)
       visual.object.column.values[3 * k + j] = (arrow[1] / unit) * poses[AT_ARROWS + 3 * arrow[0] + j];
   });
-  if (live.series.some(([group]) => group === "y")) liveModel.evaluateOutputs(t, x, inputs, outputs);
-  live.series.forEach(([group, place], i) => {
-    series[i].values[k] = { x: x[place], r: inputs[place], y: outputs[place], f: poses[AT_SERIES + place] }[group];
-  });
+  addValues(t, x);
   if (path) {
     middle.set(0, 0, 0);
     for (const i of live.path) middle.add(whereabouts(visuals[i], k));
@@ -79,7 +94,10 @@ function fillRest(from) {
     copy(turns.values, 4);
   }
   for (const { object } of visuals) if (object.column && !object.column.fixed) copy(object.column.values, object.column.width);
-  for (const one of series) copy(one.values, 1);
+  samples.forEach((one, i) => {
+    one.add(end, one.values[one.values.length - 1]);
+    Object.assign(series[i], one);
+  });
   if (path) copy(path.values, 3);
 }
 
@@ -123,10 +141,13 @@ function restart() {
     return;
   }
   resize3();
+  series.forEach((_, i) => { samples[i] = new Samples(); });
   motion.run = liveModel.integration(times, x, r, (k, t, state) => {
     writeRow(k, t, state);
     motion.reached = k + 1;
   }, live.options);
+  addSample(motion.run.t, motion.run.x); // after events that act at once
+  motion.run.onStep = addSample;
 }
 
 function stop(status) {
@@ -267,6 +288,6 @@ Object.assign(window.pydy, {
     get speed() { return (1000 * motion.simulated) / motion.cost; },
     get milliseconds() { return motion.cost; },
     states() { return Array.from({ length: count }, (_, k) => Array.from(motion.states.subarray(k * width, (k + 1) * width))); },
-    series() { return series.map((one) => Array.from(one.values)); },
+    series() { return series.map((one) => Array.from(times, (time) => valueAt(one, time))); },
   },
 });

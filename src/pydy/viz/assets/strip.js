@@ -1,5 +1,4 @@
 // The plot strip: all series over time, drawn once, and a cursor that moves over them.
-const series = data.series.map((entry) => ({ ...entry, values: unpacked(entry.values, Float32Array) }));
 const strip = document.getElementById("strip");
 const curves = document.getElementById("strip-curves"), cursor = document.getElementById("strip-cursor");
 const MARGIN = { left: 46, right: 8, top: 6, bottom: 20 };
@@ -136,7 +135,7 @@ function drawStrip() {
     // More points than pixels are drawn as they are: a peak must not be lost.
     one.values.forEach((v, k) => {
       if (!Number.isFinite(v)) { pen = false; return; }
-      if (pen) g.lineTo(atTime(times[k]), atValue(one, v)); else g.moveTo(atTime(times[k]), atValue(one, v));
+      if (pen) g.lineTo(atTime(one.times[k]), atValue(one, v)); else g.moveTo(atTime(one.times[k]), atValue(one, v));
       pen = true;
     });
     g.stroke();
@@ -155,8 +154,7 @@ function drawCursor() {
   over.lineTo(x, plot.height - MARGIN.bottom + 2);
   over.stroke();
   for (const one of series) {
-    const a = one.values[now.k], b = one.values[Math.min(now.k + 1, times.length - 1)];
-    const value = now.part ? a + now.part * (b - a) : a;
+    const value = valueAt(one, now.time);
     const text = Number.isFinite(value) ? value.toPrecision(4) : "–";
     if (one.output.textContent !== text) one.output.textContent = text;
     if (!Number.isFinite(value)) continue;

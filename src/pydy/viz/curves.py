@@ -1,0 +1,88 @@
+"""Curves over time beside a scene: at times of their own, and thinned without losing a peak."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from pydy._checks import descends
+from pydy.viz.motion import Geometry, Motion, place
+
+# Parts of the time that a thinned curve has points in: a strip has fewer columns of pixels than
+# that on most screens, and is drawn like the whole curve. A part keeps at most seven points (see
+# `thinned`), a smooth one four: that is up to 8,000 points of 16 bytes, 170 kB of a page, for a
+# curve, and never more than 300 kB.
+BUCKETS = 2000
+WHOLE = 4 * BUCKETS  # a curve of so many points is not thinned
+
+
+class Curve(NamedTuple):
+    """A quantity over time; a jump is two points at the same time, a gap is NaN."""
+
+    times: np.ndarray  # (k,), ascending
+    values: np.ndarray  # (k,)
+
+
+def curve(times: np.ndarray, values: np.ndarray) -> Curve:
+    """Return the Curve of values at ascending or descending times."""
+    return Curve(times[::-1], values[::-1]) if descends(times) else Curve(times, values)
+
+
+def evaluated(
+    reference: Any, origin: Any, formulas: Sequence[tuple[str, Any]], motion: Motion
+) -> dict[str, Curve]:
+    """Return the curves of expressions, by label, at all instants of a motion."""
+    if not formulas:
+        return {}
+    placed = place(Geometry(reference, origin, (), (), (), tuple(formulas)), motion)
+    return {label: curve(motion.times, values) for label, values in placed.series.items()}
+
+
+def thinned(whole: Curve) -> Curve:
+    """Return a curve with points enough to draw it.
+
+    The time is divided into equal parts, of each of which the first, the lowest, the highest and
+    the last point are kept: a curve of these covers the same pixels as the whole one (U. Jugel
+    et al., M4: A Visualization-Oriented Time Series Data Aggregation, VLDB 2014). Both ends of the
+    largest jump in each part are kept too, and one point of a gap.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from pydy.viz.curves import Curve, thinned
+    >>> values = np.zeros(1_000_001)
+    >>> values[616_161] = 129.6
+    >>> drawn = thinned(Curve(np.linspace(0.0, 1.0, 1_000_001), values))
+    >>> len(drawn.times), drawn.times[drawn.values.argmax()], drawn.values.max()
+    (4001, np.float64(0.616161), np.float64(129.6))
+    """
+    times, values = whole
+    count = len(times)
+    if count <= WHOLE:
+        return whole
+    span = times[-1] - times[0]
+    part = (times - times[0]) / span if span > 0.0 else np.zeros(count)
+    buckets = np.minimum((BUCKETS * part).astype(int), BUCKETS - 1)
+    first = np.flatnonzero(np.diff(buckets, prepend=-1))
+    number = np.repeat(np.arange(len(first)), np.diff(first, append=count))
+    finite = np.isfinite(values)
+
+    def largest(keys: np.ndarray) -> np.ndarray:
+        """Return the row of the largest key of each part, the first one of several."""
+        rows = np.flatnonzero(keys == np.maximum.reduceat(keys, first)[number])
+        result: np.ndarray = rows[np.unique(number[rows], return_index=True)[1]]
+        return result
+
+    with np.errstate(over="ignore", invalid="ignore"):
+        jumps = np.append(np.where(np.diff(times) == 0.0, np.abs(np.diff(values)), 0.0), 0.0)
+    before = largest(np.nan_to_num(jumps, nan=0.0))
+    before = before[jumps[before] > 0.0]
+    gaps = largest(~finite)
+    rows = (
+        *(first, np.append(first[1:], count) - 1, before, before + 1, gaps[~finite[gaps]]),
+        *(largest(np.where(finite, sign * values, -np.inf)) for sign in (1.0, -1.0)),
+    )
+    kept = np.unique(np.concatenate(rows))
+    return Curve(times[kept], values[kept])
