@@ -60,9 +60,10 @@ class FourBar:
                 for f, shift in ((sm.cos, GROUND), (sm.sin, 0))
             ]
 
-    def definition(self, **options):
+    def definition(self, order=(0, 1, 2), **options):
+        q, u = ([symbols[k] for k in order] for symbols in (Q, U))
         return Definition(
-            self.N, Q, U, bodies=self.bodies, loads=self.loads, auxiliary_speeds=[UX, UY],
+            self.N, q, u, bodies=self.bodies, loads=self.loads, auxiliary_speeds=[UX, UY],
             holonomic_constraints=self.loop, dependent_coordinates=[q2, q3],
             dependent_speeds=[u2, u3], **options,
         )  # fmt: skip
@@ -93,6 +94,8 @@ class FourBar:
 
 WAYS = {
     "Definition": lambda bar: bar.definition(),
+    "dependent ones first": lambda bar: bar.definition(order=(2, 1, 0)),
+    "dependent ones around": lambda bar: bar.definition(order=(1, 0, 2)),
     "KanesMethod": lambda bar: bar.kane(called=False),
     "kanes_equations": lambda bar: bar.kane(called=True),
     "System": lambda bar: bar.system(formed=False),

@@ -7,6 +7,7 @@ damping.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -58,8 +59,8 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
     else:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
-        for i in range(count):
-            forcing[n - count + i] = graph.sub(forcing[n - count + i], pull[i])
+        for k, own in zip(_constraint_rows(assembly), pull, strict=True):
+            forcing[k] = graph.sub(forcing[k], own)
         after = solve_accelerations(graph, rows, forcing, "lu")
     pairs = zip(before, after, strict=True)
     mapping = {old: new for old, new in pairs if not graph.constant[old]}
@@ -72,6 +73,13 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         outputs=substitute(graph, assembly.outputs, mapping),
         ordinary=substitute(graph, assembly.ordinary, mapping),
     )
+
+
+def _constraint_rows(assembly: Assembly) -> Sequence[int]:
+    """Return which rows of the mass matrix are the acceleration constraints, in their order."""
+    n, equations = len(assembly.speeds), assembly.equations
+    last = range(n - len(assembly.velocity), n)
+    return last if equations is None else equations.dependent_columns
 
 
 def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np.ndarray:
@@ -89,7 +97,8 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
     for name, (nodes, by) in names.items():
         cells = dense_jacobian(graph, nodes, by)
         blocks.append((name, (len(nodes), len(by)), cells))
-    blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
+    below = [assembly.mass_matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
+    blocks.append(("rows", (count, n), below))
     inputs = generic_inputs(assembly.sizes, 3 + len(holonomic))
     parts = evaluator_of(graph, blocks)(*inputs)
     if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=HALF, atol=ROUNDED):

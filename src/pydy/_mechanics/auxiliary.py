@@ -68,13 +68,14 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
     g, n, body = k.graph, len(k.speeds), k.body
     _, rest = composite(k, [], loads_and_inertias(k)[1])
     found = rest[n:]
-    if d := len(body.velocity):
+    if body.velocity:
         nodes = k.read.all(body.velocity)
-        held = [row[n - d :] for row in jacobian_rows(g, nodes, k.speeds)]
+        dependent = body.dependent_columns
+        held = [[row[j] for j in dependent] for row in jacobian_rows(g, nodes, k.speeds)]
         columns = [[g.neg(row[a]) for row in moved] for a in range(len(found))]
         shares = g.solve(held, columns, "lu")
         for a, share in enumerate(shares):
-            terms = [(g.mul(s, f), 1.0) for s, f in zip(share, rest[n - d : n], strict=True)]
+            terms = [(g.mul(s, rest[j]), 1.0) for s, j in zip(share, dependent, strict=True)]
             found[a] = g.sum([(found[a], 1.0), *terms])
     found = substitute(g, found, dict.fromkeys(k.auxiliary, g.zero))
     return [NodeExpression.of(g, node, k.symbols()) for node in found]

@@ -61,6 +61,7 @@ class Definition:
     frame : ReferenceFrame
         The inertial frame.
     coordinates : sequence of functions of time
+        The states are the coordinates in this order, then the speeds in theirs.
     speeds : sequence of functions of time, or of the coordinates' derivatives, optional
         By default the derivatives of the coordinates.
     bodies : sequence of Particle and RigidBody
@@ -79,7 +80,7 @@ class Definition:
         nonholonomic ones: for shorter forms of them.
     dependent_coordinates, dependent_speeds : sequence of functions of time, optional
         Those that the constraints give. By default they are chosen so that the constraints can be
-        solved for them at random states. They are moved behind the independent ones.
+        solved for them at random states. They keep their places among the states.
     auxiliary_speeds : sequence of functions of time, optional
         Speeds that are zero, and bring noncontributing forces into evidence.
     configuration : mapping of coordinates and constants to numbers, optional
@@ -253,7 +254,7 @@ class Definition:
 
     @cached_property
     def multibody(self) -> Multibody:
-        """The same, with q' solved for and dependent coordinates and speeds behind the others."""
+        """The same, with q' solved for and dependent coordinates and speeds chosen."""
         return self.multibody_with(None)
 
     def multibody_with(self, implicit: Implicit | None) -> Multibody:

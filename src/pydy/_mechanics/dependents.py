@@ -112,7 +112,7 @@ def constrained(
     speeds: Sequence[Any] | None = None,
     near: Mapping[Any, float] | None = None,
 ) -> Multibody:
-    """Return the same with constraints, and dependent coordinates and speeds behind the others.
+    """Return the same with constraints, and with dependent coordinates and speeds chosen.
 
     Redundant constraints are left out, and those that all motions satisfy: the kinematic equations
     keep the norm of a quaternion. The user may choose dependent `coordinates` and `speeds`, and a
@@ -122,14 +122,8 @@ def constrained(
     body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
     found = _choose(kinematics_of(body), coordinates, speeds, near)
     (places, q_dep), (motions, u_dep), rounded = found
-    order = {q: k for k, q in enumerate(body.coordinates)}
-    moved = _behind(body.coordinates, q_dep)
     return replace(
         body,
-        coordinates=moved,
-        speeds=_behind(body.speeds, u_dep),
-        coordinate_rates=tuple(body.coordinate_rates[order[q]] for q in moved),
-        coordinate_derivatives=tuple(body.coordinate_derivatives[order[q]] for q in moved),
         holonomic=tuple(body.holonomic[k] for k in places.rows),
         velocity=tuple(body.velocity[k] for k in motions.rows),
         dependent_coordinates=q_dep,
@@ -146,10 +140,6 @@ def constrained(
 
 def _others(rows: Sequence[Any], kept: Sequence[int], rounded: Sequence[int]) -> tuple[Any, ...]:
     return tuple(e for k, e in enumerate(rows) if k not in kept and k not in rounded)
-
-
-def _behind(symbols: Sequence[Any], last: Sequence[Any]) -> tuple[Any, ...]:
-    return (*(s for s in symbols if s not in last), *last)
 
 
 def _moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:

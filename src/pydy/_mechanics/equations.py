@@ -140,6 +140,7 @@ class Equations:
     # All velocity-level constraints, differentiated holonomic ones included.
     velocity: tuple[Any, ...] = ()
     nonholonomic: tuple[Any, ...] = ()  # those of `velocity` that no holonomic constraint implies
+    # Anywhere among the coordinates and speeds; these in the order of the velocity constraints.
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
     # Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
@@ -211,6 +212,17 @@ class Equations:
         """
         rates = zip(self.coordinate_rates, self.coordinate_derivatives, strict=True)
         return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
+
+    @cached_property
+    def dependent_columns(self) -> tuple[int, ...]:
+        """The positions of the dependent speeds among the speeds, in their own order."""
+        return tuple(self.speeds.index(u) for u in self.dependent_speeds)
+
+    @cached_property
+    def independent_columns(self) -> tuple[int, ...]:
+        """The positions of the independent speeds among the speeds."""
+        dependent = {*self.dependent_columns}
+        return tuple(k for k in range(len(self.speeds)) if k not in dependent)
 
     def check_unchanged(self) -> None:
         """Raise where a body has been changed since these equations were made."""

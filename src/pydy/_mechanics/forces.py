@@ -89,22 +89,22 @@ class ConstraintForces:
     @cached_property
     def _multipliers(self) -> Vec:
         kinematics = self._kinematics
-        g, n, d = kinematics.graph, len(kinematics.speeds), len(self.body.dependent_speeds)
+        g, own = kinematics.graph, self.body.dependent_columns
         rest = self._unbalanced()
         rows = [
             *kinematics.dt(kinematics.read.all(self.holonomic.values())),
             *kinematics.read.all(self.nonholonomic.values()),
             *kinematics.read.all(self.redundant.values()),
         ]
-        rank = d
+        rank = len(own)
         if self.body.changing:  # no speed is dependent in all configurations
-            d = n
-        bound = jacobian(g, rows, kinematics.speeds[n - d :])
-        columns = dense_rows(g, bound, d)  # Jᵀ, by columns
-        force = [g.neg(x) for x in rest[n - d :]]
+            own = tuple(range(len(kinematics.speeds)))
+        bound = jacobian(g, rows, [kinematics.speeds[k] for k in own])
+        columns = dense_rows(g, bound, len(own))  # Jᵀ, by columns
+        force = [g.neg(rest[k]) for k in own]
         if self.body.changing:
             found = multipliers_of(g, columns, force, rank)
-        elif len(columns) == d:
+        elif len(columns) == len(own):
             found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
         else:
             found = self._shortest(columns, force)

@@ -50,7 +50,7 @@ class Formed:
     constants: list[Any]
     specifieds: list[Any]
     rates: list[int]  # q'
-    # M; with dependent speeds the last rows are those of the acceleration constraints.
+    # M; the rows of dependent speeds are those of the acceleration constraints.
     matrix: list[list[int]]
     forcing: list[int]
     accelerations: list[int] | None  # u', where it is formed without the mass matrix of all speeds
@@ -116,6 +116,41 @@ class Formed:
         if simplified is not None:
             simplified = simplified[0].renamed(names), simplified[1]
         return replace(self, graph=self.graph.renamed(names), simplified=simplified)
+
+    def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> Formed:
+        """Return the same with coordinates and speeds in another order.
+
+        It is given by the present positions. The rows of M move with the speeds.
+        """
+        n, m = len(coordinates), len(speeds)
+        if [*coordinates, *speeds] == [*range(n), *range(m)]:
+            return self
+        states = [*coordinates, *(n + k for k in speeds)]
+        names = {("x", old): ("x", new) for new, old in enumerate(states)}
+        names |= {("a", old): ("a", new) for new, old in enumerate(speeds)}
+        simplified = self.simplified
+        if simplified is not None:
+            simplified = simplified[0].renamed(names), [simplified[1][k] for k in states]
+        solved = self.accelerations
+        return replace(
+            self,
+            graph=self.graph.renamed(names),
+            rates=[self.rates[k] for k in coordinates],
+            matrix=[[self.matrix[i][j] for j in speeds] for i in speeds],
+            forcing=[self.forcing[k] for k in speeds],
+            accelerations=None if solved is None else [solved[k] for k in speeds],
+            start=[self.start[k] for k in speeds],
+            rest=[self.rest[k] for k in speeds],
+            simplified=simplified,
+        )
+
+    def for_body(self, body: Multibody) -> Formed:
+        """Return the same, formed with dependent speeds last, in the order of a body's states."""
+        first = body.independent_first
+        return self.ordered(
+            [first.coordinates.index(q) for q in body.coordinates],
+            [first.speeds.index(u) for u in body.speeds],
+        )
 
 
 def forms(
@@ -307,9 +342,10 @@ def form_lagrangian(body: Multibody) -> Formed:
     With constraints, q'' follows from multipliers: that holds in every configuration, whatever
     speeds are dependent. M and F are reduced as Kane's.
     """
-    kinematics = moving(body, in_bodies=True)
+    kinematics = moving(body.independent_first, in_bodies=True)
     matrix, forcing = lagranges_equations(kinematics)
-    return _composed(kinematics, matrix, forcing, [kinematics.graph.zero] * len(forcing))
+    nothing = [kinematics.graph.zero] * len(forcing)
+    return _composed(kinematics, matrix, forcing, nothing).for_body(body)
 
 
 def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:

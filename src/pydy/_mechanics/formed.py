@@ -91,8 +91,13 @@ def chosen(body: Multibody) -> Formed:
 
     The axes are chosen by estimates, articulated or composite bodies by what is compiled. Beyond a
     dozen speeds one set of axes is tried, and estimates decide both. Specifieds that cancel are
-    left out where rates of some occur, which the kinematics brings in unasked.
+    left out where rates of some occur, which the kinematics brings in unasked. Dependent speeds are
+    last while equations are formed, and in their own places afterwards.
     """
+    return _fewest(body.independent_first).for_body(body)
+
+
+def _fewest(body: Multibody) -> Formed:
     # Forms are estimated then, and one set of axes is tried: to count them takes as long as all the
     # rest (twice the time for a tree of 29 joints, four times for 20 links).
     many = len(body.speeds) > 12

@@ -20,7 +20,7 @@ def equations_of_lagrange(
 ) -> Equations:
     """Return the equations of a LagrangesMethod. The speeds are the derivatives q'.
 
-    Constraints are solved for dependent coordinates and speeds, which come behind the others.
+    Constraints are solved for dependent coordinates and speeds, which stay in their places.
     """
     if implicit is not None:
         raise ValueError(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -48,7 +48,7 @@ class Multibody:
     bodies: tuple[Any, ...]
     loads: tuple[tuple[Any, Any], ...]
     time: Any
-    coordinates: tuple[Any, ...]  # Of the speeds the dependent ones are last
+    coordinates: tuple[Any, ...]  # in the order of the states, like the speeds
     speeds: tuple[Any, ...]
     coordinate_rates: tuple[Any, ...]
     coordinate_derivatives: tuple[Any, ...]  # q' in q, u and t
@@ -57,7 +57,7 @@ class Multibody:
     # Their derivatives, in u' and the states; empty where they are just that.
     acceleration: tuple[Any, ...] = ()
     auxiliary: tuple[Any, ...] = ()  # auxiliary speeds
-    # Of the coordinates and speeds, where they are last.
+    # Of the coordinates and speeds; the speeds in the order of the velocity constraints.
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
     chosen: tuple[Any, ...] = ()  # those of the dependent ones that the user did not name
@@ -105,6 +105,32 @@ class Multibody:
     def speed_rates(self) -> tuple[Any, ...]:
         """The derivatives of the speeds."""
         return tuple(rate_of(u, self.time) for u in self.speeds)
+
+    @cached_property
+    def dependent_columns(self) -> tuple[int, ...]:
+        """The positions of the dependent speeds among the speeds, in their own order."""
+        return tuple(self.speeds.index(u) for u in self.dependent_speeds)
+
+    @property
+    def independent_first(self) -> Multibody:
+        """The same with the dependent coordinates and speeds last, as equations are formed."""
+        coordinates = _last(self.coordinates, self.dependent_coordinates)
+        speeds = _last(self.speeds, self.dependent_speeds)
+        if (coordinates, speeds) == (self.coordinates, self.speeds):
+            return self
+        order = [self.coordinates.index(q) for q in coordinates]
+        return replace(
+            self,
+            coordinates=coordinates,
+            speeds=speeds,
+            coordinate_rates=tuple(self.coordinate_rates[k] for k in order),
+            coordinate_derivatives=tuple(self.coordinate_derivatives[k] for k in order),
+        )
+
+
+def _last(symbols: Sequence[Any], dependent: Sequence[Any]) -> tuple[Any, ...]:
+    """Return the symbols with the dependent ones last."""
+    return (*(s for s in symbols if s not in dependent), *dependent)
 
 
 def _noted(body: Any) -> tuple[Any, ...]:

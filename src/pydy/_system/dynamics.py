@@ -98,21 +98,23 @@ def _columns(
 def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
     """Return accelerations and their speeds: all of them, or the independent ones."""
     n = len(equations.speeds)
-    free = n - len(equations.dependent_speeds)
+    independent = equations.independent_columns
+    free = len(independent)
     if value is None:
-        return np.zeros(free), range(free)
+        return np.zeros(free), independent
     if not isinstance(value, np.ndarray) and isinstance(value, Mapping):
         speeds = Places(equations.speeds, "speeds of the system")
         found: np.ndarray = speeds.read("a", value, 0.0)
         named = sorted(speeds.find(key, "a") for key in value)
-        if all(k < free for k in named):
-            return found[:free], range(free)
+        if all(k in independent for k in named):
+            return found[list(independent)], independent
         if len(named) not in (free, n):
             raise ValueError(
                 f"`a` must have the accelerations of {free} of the {n} speeds, which those of the "
                 f"others follow from by the constraints, or of all {n}, got {len(named)}: "
                 f"{describe([equations.speeds[k] for k in named])}. Of independent speeds alone, "
-                f"{describe(equations.speeds[:free])}, those that are not given are zero."
+                f"{describe([equations.speeds[k] for k in independent])}, those that are not given "
+                "are zero."
             )
         return found[named], named
     array = real_array(value, "`a`")
@@ -122,7 +124,7 @@ def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequen
             f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
             f"{array.shape}."
         )
-    return array, range(array.shape[-1])
+    return array, range(n) if array.shape[-1] == n else independent
 
 
 def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
@@ -266,7 +268,7 @@ def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
     speeds, held = equations.speeds, len(equations.velocity)
     free = len(speeds) - held
     if isinstance(at, str) and at == "independent":
-        return tuple(range(free))
+        return equations.independent_columns
     known = Places(speeds, "speeds of the system")
     found = tuple(known.find(one, "at") for one in one_or_more("at", at))
     if len({*found}) != len(found) or len(found) != free:

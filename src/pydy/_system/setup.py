@@ -321,7 +321,12 @@ class Setup:
 
     @property
     def states(self) -> list[Any]:
-        """List of the states in the order of all arrays: coordinates, speeds, auxiliaries."""
+        """List of the states in the order of all arrays: coordinates, speeds, auxiliaries.
+
+        Coordinates and speeds have the order in which they were given to a `Definition` or a
+        LagrangesMethod, whatever is dependent; those of a KanesMethod or a System of SymPy have the
+        order of its attributes ``q`` and ``u``. Quantities of an `Implicit` follow the coordinates.
+        """
         return list(self._definition.states)
 
     @property

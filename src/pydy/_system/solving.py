@@ -221,7 +221,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         velocity=len(assembly.velocity),
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
-        dependent_speeds=len(equations.dependent_speeds),
+        dependent_speeds=equations.dependent_columns,
         weighted=weighted,
         judged="r" not in moved and ("t" in moved or bool(equations.following[1])),
         following=equations.following[1],

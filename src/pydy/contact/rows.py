@@ -233,21 +233,26 @@ class ContactRows:
     def _moves(self) -> list[list[int]]:
         """Return for each row the change of u' by a unit of its force.
 
-        With dependent speeds u_d = A u_i + …, by the last rows of the matrix, the force of a row
-        is Jᵢ + Aᵀ J_d.
+        With dependent speeds u_d = A u_i + …, by their rows of the matrix, the force of a row is
+        Jᵢ + Aᵀ J_d.
         """
         g, e, matrix = self.graph, self.equations, self.formed.matrix
-        d, n = len(e.velocity), len(matrix)
-        p = n - d
-        columns = [list(row) for row in self.jacobian]
-        if d:
-            held = [list(row[p:]) for row in matrix[p:]]
-            shares = g.solve(held, [[g.neg(row[i]) for row in matrix[p:]] for i in range(p)], "lu")
+        dependent, columns = e.dependent_columns, [list(row) for row in self.jacobian]
+        if dependent:
+            below = [matrix[k] for k in dependent]
+            held = [[row[j] for j in dependent] for row in below]
+            moved = [[g.neg(row[i]) for row in below] for i in e.independent_columns]
+            shares = dict(zip(e.independent_columns, g.solve(held, moved, "lu"), strict=True))
             columns = [
-                [dot(g, shares[i], row[p:], (row[i], 1.0)) for i in range(p)] + [g.zero] * d
+                [
+                    dot(g, shares[i], [row[j] for j in dependent], (row[i], 1.0))
+                    if i in shares
+                    else g.zero
+                    for i in range(len(row))
+                ]
                 for row in columns
             ]
-        kind = "ldl" if e.positive_definite and not d else "lu"
+        kind = "ldl" if e.positive_definite and not dependent else "lu"
         return g.solve([list(row) for row in matrix], columns, kind)
 
     def _terms(self) -> list[int]:

@@ -33,7 +33,7 @@ class CompiledConstraints:
     velocity: int
     coordinates: int
     speeds: int
-    dependent_speeds: int  # speeds, the last ones, taken from the velocity constraints
+    dependent_speeds: tuple[int, ...]  # positions of those taken from the velocity constraints
     weighted: bool  # whether corrections are measured by the mass matrix; else by their square sum
     # Whether a step whose errors do not explain its residuals is rejected: where rows depend on
     # time or on residuals, but for inputs that have rates of their own, such as samples, which
@@ -129,7 +129,7 @@ class CompiledConstraints:
         lengths = np.linalg.norm(rows, axis=1)
         if not self.dependent_speeds or not np.isfinite(rows).all() or not lengths.all():
             return 1.0
-        given = (rows / lengths[:, None])[:, -self.dependent_speeds :]
+        given = (rows / lengths[:, None])[:, list(self.dependent_speeds)]
         return float(np.linalg.svd(given, compute_uv=False)[-1])
 
 
