@@ -40,11 +40,8 @@ WHOLE_FILES = None if _FILES is None else tuple(_FILES.split())
 
 
 def drawn(index: int, parts: int) -> bool:
-    """Whether the item with this index is in the part that this run tries.
-
-    While times are recorded it is a part, too: the table does not hold what draws.
-    """
-    return (WHOLE and not RECORDING) or index % parts == PART % parts
+    """Whether the item with this index is in the part that this run tries."""
+    return WHOLE or index % parts == PART % parts
 
 
 def function_of(nodeid: str) -> str:
