@@ -233,7 +233,7 @@ def check_copied(value: Any, what: str) -> None:
     """Refuse what no library can copy into an array: nested too deeply, broadcast to gigabytes."""
     if type(value) is not np.ndarray:
         _refuse_dropped(value, what)
-    elif is_endless(value):
+    elif value.size > _MOST and 0 in value.strides:
         raise ValueError(f"{what} must hold numbers that fit in memory, got {_sized(value)}.")
 
 

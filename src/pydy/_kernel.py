@@ -82,8 +82,10 @@ class Kernel:
     @property
     def addresses(self) -> np.ndarray | None:
         """The addresses of the native functions ``kernel`` and ``prepare``, shape (2,), or None."""
-        self.link()
-        return None if self.functions is None else self.functions.addresses
+        functions = self.functions
+        if functions is not None and not functions.addresses[0]:
+            functions.link()
+        return None if functions is None else functions.addresses
 
     def evaluate(
         self,

@@ -139,12 +139,12 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 645, 55),
+        (construct, 655, 55),
         (integrate, 27, 11),
         (simulate, 97, 23),
         (with_contacts, 133, 29),
-        (ensemble, 87, 24),
-        (stiff_ensemble, 91, 24),
+        (ensemble, 89, 24),
+        (stiff_ensemble, 93, 24),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

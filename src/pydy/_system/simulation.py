@@ -540,11 +540,11 @@ class Simulation(Setup):
         self._dependent = solved
 
     def _shown(self, given: Mapping[str, Any]) -> Snapshot:
-        """Return the Snapshot of a call; `progress` shows what is made before the motion begins.
+        """Return the Snapshot of a call, and show what is made before the motion begins.
 
         That bar goes where the solver's own begins.
         """
-        if given.get("progress") is not True or not isinstance(self.ode_solver, Solver):
+        if not isinstance(self.ode_solver, Solver):
             return self._now(given.get("events"))
         with progress_of(True, " parts", desc="preparation", leave=False) as told:
             told(0, part="equations")
@@ -606,7 +606,11 @@ class Simulation(Setup):
             The initial conditions violate the constraints by more than rounding to six digits
             explains, and `constraints` is not set.
         """
-        now, solver = self._shown(solver_kwargs), self.ode_solver
+        solver = self.ode_solver
+        if solver_kwargs.get("progress") is True:
+            now = self._shown(solver_kwargs)
+        else:
+            now = self._now(solver_kwargs.get("events"))
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
@@ -671,7 +675,10 @@ class Simulation(Setup):
         """
         if isinstance(solver_kwargs.get("events"), Iterator):
             solver_kwargs["events"] = [*solver_kwargs["events"]]
-        now = self._shown(solver_kwargs)
+        if solver_kwargs.get("progress") is True:
+            now = self._shown(solver_kwargs)
+        else:
+            now = self._now(solver_kwargs.get("events"))
         wanted, control = None, False
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")

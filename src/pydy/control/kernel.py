@@ -127,7 +127,7 @@ class Equations:
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
         constraints = [*places, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraints]
-        for i in range(nu - len(motion), nu):  # the last rows of M u' = F
+        for i in equations.dependent_columns:  # these rows of M u' = F are the constraints
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
             held.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))

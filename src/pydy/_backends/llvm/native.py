@@ -161,7 +161,8 @@ def _make_sweep(
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        functions.link()
+        if not functions.addresses[0]:
+            functions.link()
         m = len(t)
         if m <= most:
             return part(t, x, r, p, out)
