@@ -41,7 +41,7 @@ def listed(
         value = _entries(value)
     if isinstance(value, np.ndarray) and value.size > _MOST:
         raise TypeError(f"`{argument}` must be a sequence of {what}, got {_sized(value)}.")
-    if is_endless(value):
+    if isinstance(value, range) and is_endless(value):
         raise TypeError(f"`{argument}` must be a sequence of {what}, got {value!r}.")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
