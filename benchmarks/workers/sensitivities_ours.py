@@ -14,8 +14,8 @@ from harness.program import compiled_model_of, solver_function
 from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
 
-from pydy._system.parameters import Parameter
-from pydy._system.sensitivities import Sensitive
+from pydy._simulation.parameters import Parameter
+from pydy._simulation.sensitivities import Sensitive
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers import dop853, tsit5, vern9
 

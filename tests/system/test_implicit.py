@@ -10,7 +10,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy._system.jumps import Jumps
+from pydy._simulation.discontinuities import Jumps
 from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
 from pydy.control import OptimalControl

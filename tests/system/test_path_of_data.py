@@ -140,8 +140,8 @@ def construct():
     ("make", "functions", "files"),
     [
         (construct, 655, 55),
-        (integrate, 27, 11),
-        (simulate, 97, 23),
+        (integrate, 27, 12),
+        (simulate, 97, 24),
         (with_contacts, 133, 29),
         (ensemble, 89, 24),
         (stiff_ensemble, 93, 24),

@@ -567,5 +567,7 @@ def test_no_constraints_option_means_none(solver):
 def test_constraints_are_printed_only_for_messages(monkeypatch):
     # Those of a Stewart platform take a second to print.
     system = at_times(zoo.fourbar(), 0.1)
-    monkeypatch.setattr("pydy._system.solving.constraint_names", lambda equations: 1 / 0)
+    monkeypatch.setattr(
+        "pydy._simulation.events_and_constraints.constraint_names", lambda equations: 1 / 0
+    )
     system.integrate(constraints="project")

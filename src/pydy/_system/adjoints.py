@@ -27,14 +27,14 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
-from pydy._system.definition import refuse_descending
-from pydy._system.jumps import node_of, warn_of_jumps
-from pydy._system.parameters import Parameter, by_samples, marker
-from pydy._system.sensitivities import Sensitive, compiled_event
+from pydy._simulation.definition import refuse_descending
+from pydy._simulation.discontinuities import node_of, warn_of_jumps
+from pydy._simulation.events_and_constraints import native_solver, with_residuals_held
+from pydy._simulation.integration import Ready, begin, explain_failure, judge_motion
+from pydy._simulation.parameters import Parameter, by_samples, marker
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
-from pydy._system.simulation import Ready, begin, explain_failure, judge_motion
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
 from pydy.solvers.constraints import CompiledConstraints

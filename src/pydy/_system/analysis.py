@@ -13,12 +13,12 @@ from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._names import unique_names
 from pydy._rank import ROUNDED
-from pydy._system.balance import Point
-from pydy._system.forgotten import warn_of_forgotten
-from pydy._system.jumps import warn_of_kinks
-from pydy._system.kept import first_violation
+from pydy._simulation.constraint_drift import first_violation
+from pydy._simulation.discontinuities import warn_of_kinks
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import At, Snapshot, samples
+from pydy._simulation.states import Point
 from pydy._system.setup import Setup
-from pydy._system.snapshot import At, Snapshot, samples
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
 

@@ -32,10 +32,10 @@ from pydy._mechanics.inverse import (
 )
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
-from pydy._system.forgotten import warn_of_forgotten
-from pydy._system.kept import first_violation
+from pydy._simulation.constraint_drift import first_violation
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import At, Snapshot
 from pydy._system.setup import Setup
-from pydy._system.snapshot import At, Snapshot
 from pydy._system.values import Sweep, variables
 
 

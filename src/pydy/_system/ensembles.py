@@ -24,14 +24,18 @@ from pydy._checks import (
 )
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, some, unique_names
-from pydy._system.definition import check_times, refuse_descending
-from pydy._system.jumps import watched
-from pydy._system.kept import check_samples, kept_programs
-from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
+from pydy._simulation.constraint_drift import check_samples, kept_programs
+from pydy._simulation.definition import check_times, refuse_descending
+from pydy._simulation.discontinuities import watched
+from pydy._simulation.events_and_constraints import (
+    ConstraintNames,
+    native_solver,
+    with_residuals_held,
+)
+from pydy._simulation.integration import Ready
+from pydy._simulation.problem import At, Snapshot, check_specifieds
+from pydy._simulation.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
-from pydy._system.simulation import Ready
-from pydy._system.snapshot import At, Snapshot, check_specifieds
-from pydy._system.solving import ConstraintNames, native_solver, with_residuals_held
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
@@ -48,7 +52,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pydy._system.solving import EnsembleOptions
+    from pydy._simulation.events_and_constraints import EnsembleOptions
 
 
 def differentiated(

@@ -22,11 +22,8 @@ from pydy._graph.program import Program
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._optional import progress_of
-from pydy._system.dependents import latest_dependents
-from pydy._system.forgotten import warn_of_forgotten
-from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import (
+from pydy._simulation.dependent_states import latest_dependents
+from pydy._simulation.events_and_constraints import (
     check_events,
     event_bounds_program,
     event_rates_program,
@@ -34,6 +31,9 @@ from pydy._system.solving import (
     projection_program,
     with_all,
 )
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import Snapshot
+from pydy._system.setup import Setup
 from pydy.codegen.arguments import SpecifiedsPlan
 
 if TYPE_CHECKING:

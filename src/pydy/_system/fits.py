@@ -35,13 +35,13 @@ from pydy._errors import (
 )
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._system.balance import located
-from pydy._system.dependents import latest_dependents
-from pydy._system.scipy_solvers import SolveIvp, call_odeint, is_odeint
+from pydy._simulation.dependent_states import latest_dependents
+from pydy._simulation.events_and_constraints import native_solver
+from pydy._simulation.scipy_solvers import SolveIvp, call_odeint, is_odeint
+from pydy._simulation.states import located
+from pydy._simulation.tuning import FIT
 from pydy._system.setup import Setup
-from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial, in_units_of_noise, warn_of_estimates
-from pydy._system.tuning import FIT
 from pydy.analysis.fit import FitResult, covariance_of, estimate, held_by
 from pydy.analysis.residuals import told_of_correlation
 from pydy.analysis.trial import Trial

@@ -17,12 +17,12 @@ from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.definition import refuse_descending
-from pydy._system.dependents import latest_dependents
-from pydy._system.forgotten import warn_of_forgotten
+from pydy._simulation.definition import refuse_descending
+from pydy._simulation.dependent_states import latest_dependents
+from pydy._simulation.events_and_constraints import native_solver
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import Snapshot
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import native_solver
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.layers.layer import Function, Given, Layer, Part

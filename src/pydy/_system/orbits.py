@@ -14,13 +14,13 @@ from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
 from pydy._rank import HALF, or_one
-from pydy._system.balance import energetic_motions
-from pydy._system.dependents import latest_dependents
-from pydy._system.jumps import warn_of_jumps
+from pydy._simulation.dependent_states import latest_dependents
+from pydy._simulation.discontinuities import warn_of_jumps
+from pydy._simulation.events_and_constraints import native_solver
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.states import energetic_motions
+from pydy._simulation.tuning import BEGINNING, ORBIT
 from pydy._system.simulation import Simulation
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import native_solver
-from pydy._system.tuning import BEGINNING, ORBIT
 from pydy._system.values import Evaluation
 from pydy.analysis.orbits import Flight, Measure, PeriodicOrbit, Shooting
 from pydy.analysis.tuning import ORBIT_CLOSED

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pydy._simulation.problem import read_numbers
 from pydy._system.exporting import Exporting
 from pydy._system.simulation import Simulation
-from pydy._system.snapshot import read_numbers
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ class Pictures(Simulation, Exporting):
 
         ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
         """
-        from pydy._system.scene import make_scene
+        from pydy._simulation.scene import make_scene
 
         definition = self._definition
         constants = read_numbers(definition, "constants", self._constants, None)

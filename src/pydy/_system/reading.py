@@ -24,8 +24,8 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.to_sympy import written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
 from pydy._names import name_of
+from pydy._simulation.missing_derivatives import warn_of_forgotten
 from pydy._system.dynamics import without_bodies
-from pydy._system.forgotten import warn_of_forgotten
 from pydy._system.setup import Setup
 
 

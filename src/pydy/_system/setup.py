@@ -22,11 +22,11 @@ from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
-from pydy._system.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
-from pydy._system.energy import EnergyModel, check_potential
-from pydy._system.forgotten import warn_of_forgotten
-from pydy._system.scipy_solvers import resolve_ode_solver
-from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
+from pydy._simulation.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
+from pydy._simulation.energy import EnergyModel, check_potential
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import Snapshot, checked_plan, read_numbers
+from pydy._simulation.scipy_solvers import resolve_ode_solver
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
 from pydy.solvers.events import Event

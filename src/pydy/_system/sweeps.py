@@ -13,10 +13,11 @@ from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
-from pydy._system.balance import Balance, located
-from pydy._system.forgotten import warn_of_forgotten
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import Snapshot, samples
+from pydy._simulation.states import located
+from pydy._system.balance import Balance
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot, samples
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding

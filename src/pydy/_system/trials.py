@@ -22,7 +22,7 @@ from pydy._checks import (
 from pydy._errors import warn_user
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import few, some, unique_names
-from pydy._system.definition import sort_out
+from pydy._simulation.definition import sort_out
 from pydy.analysis.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import ABOVE_TOLERANCE, LARGEST_RESIDUAL
 

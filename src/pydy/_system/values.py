@@ -22,14 +22,14 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
-from pydy._system.balance import GROUPS, located, members
-from pydy._system.causes import explain, warn_not_finite
-from pydy._system.energy import Energy
-from pydy._system.forgotten import warn_of_forgotten
-from pydy._system.kept import warn_of_left_out
+from pydy._simulation.constraint_drift import warn_of_left_out
+from pydy._simulation.diagnostics import explain, warn_not_finite
+from pydy._simulation.energy import Energy
+from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.problem import At, Snapshot, samples
+from pydy._simulation.states import GROUPS, located, members
+from pydy._simulation.tuning import TOGETHER
 from pydy._system.setup import Setup
-from pydy._system.snapshot import At, Snapshot, samples
-from pydy._system.tuning import TOGETHER
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""

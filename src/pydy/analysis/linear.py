@@ -10,7 +10,6 @@ multibody systems", Multibody System Dynamics 33 (2015) 143-161).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +18,6 @@ import numpy as np
 from pydy._checks import choice, real_array
 from pydy._names import some
 from pydy._optional import require
-from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED
 from pydy.plot import axes_of, rows_of_axes, typeset
 
@@ -212,55 +210,6 @@ class LinearModel:
                 "state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
-
-
-def independent_places(
-    jacobian: np.ndarray, dependent: Sequence[int]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the places of independent and dependent states.
-
-    The Jacobian (c, n) of the constraints' residuals has rows and columns in units of their own;
-    rows may depend on each other. What the user called `dependent` is taken if the constraints can
-    be solved for it, and completed or replaced otherwise.
-    """
-    rank = len(independent_columns(jacobian))
-    if rank < len(dependent):
-        raise _singular(0)
-    chosen = np.array(sorted(dependent), dtype=np.int64)
-    if len(chosen) < rank or len(independent_columns(jacobian[:, chosen])) < rank:
-        chosen = np.sort(independent_columns(jacobian))
-    return np.setdiff1d(np.arange(jacobian.shape[1]), chosen), chosen
-
-
-def _singular(k: int) -> ValueError:
-    return ValueError(
-        f"The constraints cannot be solved for the dependent states at state {k} of `at`: the "
-        "configuration is singular there. Linearize at a nearby state."
-    )
-
-
-def tangents(
-    jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray, units: np.ndarray
-) -> np.ndarray:
-    """Return T (m, n, n - rank) with J T = 0 and rows of the identity at the independent states.
-
-    The Jacobian (m, c, n) has columns as they are; `units` (m, n) are those of its columns, `free`
-    and `bound` the places of independent and dependent states.
-    """
-    m, _, n = jacobian.shape
-    result = np.zeros((m, n, len(free)))
-    result[:, free, np.arange(len(free))] = 1.0
-    if len(bound):
-        held, moved = jacobian[:, :, bound] * units[:, None, bound], jacobian[:, :, free]
-        left, sizes, right = np.linalg.svd(held, full_matrices=False)
-        smallest = sizes[:, -1]
-        if not smallest.min() > DEPENDENT:
-            raise _singular(int(smallest.argmin()))
-        # The pseudo-inverse from the same decomposition.
-        projected = left.transpose(0, 2, 1) @ moved / sizes[:, :, None]
-        solved = -right.transpose(0, 2, 1) @ projected
-        result[:, bound] = units[:, bound, None] * solved
-    return result
 
 
 def complex_plane(ax: Any) -> Any:

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from pydy._simulation.events_and_constraints import with_residuals_held
+from pydy._simulation.integration import begin
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.sensitivities import Sensitive
 from pydy._system.adjoints import Stretch, Task, read_term, travelled
-from pydy._system.sensitivities import Sensitive
-from pydy._system.simulation import begin
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode

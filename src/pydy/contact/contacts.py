@@ -14,12 +14,12 @@ import sympy as sm
 from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
-from pydy._system.causes import warn_of_outputs
-from pydy._system.definition import refuse_descending
-from pydy._system.jumps import warn_of_jumps
-from pydy._system.sensitivities import Sensitive
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import check_events, native_solver
+from pydy._simulation.definition import refuse_descending
+from pydy._simulation.diagnostics import warn_of_outputs
+from pydy._simulation.discontinuities import warn_of_jumps
+from pydy._simulation.events_and_constraints import check_events, native_solver
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.sensitivities import Sensitive
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent

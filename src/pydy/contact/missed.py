@@ -10,7 +10,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._interpolation import evenly
 from pydy._rank import ROUNDING
-from pydy._system.causes import cause_of
+from pydy._simulation.diagnostics import cause_of
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK

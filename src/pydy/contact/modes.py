@@ -17,7 +17,7 @@ from pydy._mechanics.components import dot
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
 from pydy._names import name_of
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.problem import Snapshot
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
     BACKWARD,

@@ -14,8 +14,8 @@ from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted,
 from pydy._forks import cached_property
 from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED, ROUNDING
-from pydy._system.simulation import simulated
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.integration import simulated
+from pydy._simulation.problem import Snapshot
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,

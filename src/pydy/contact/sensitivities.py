@@ -26,9 +26,9 @@ from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
 from pydy._names import column_names
 from pydy._rank import DEPENDENT, ROUNDING
-from pydy._system.sensitivities import Sensitive, Wanted
-from pydy._system.simulation import simulated
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.integration import simulated
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.sensitivities import Sensitive, Wanted
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode

@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._interpolation import between
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.problem import Snapshot
 from pydy.trajectory import EventRecord, Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)

@@ -15,8 +15,8 @@ from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy.analysis.dependence import follow
-from pydy.analysis.jumps import Passed, Watched
+from pydy._simulation.dependence import follow
+from pydy._simulation.passages import Passed, Watched
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of

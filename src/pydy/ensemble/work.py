@@ -18,7 +18,7 @@ from pydy._interpolation import evenly
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy.analysis.jumps import Watched, told_of_jump
+from pydy._simulation.passages import Watched, told_of_jump
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers.kept import (

@@ -19,8 +19,8 @@ from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
-from pydy._system.snapshot import At, Snapshot
-from pydy._system.undefined import first_undefined
+from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.undefined import first_undefined
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     NOT_FINITE,

@@ -14,7 +14,7 @@ from pydy._graph.node import Graph, input_symbols
 from pydy._graph.operations import OPERATIONS
 from pydy._mechanics.to_sympy import written
 from pydy._names import numbers_of
-from pydy._system.snapshot import At
+from pydy._simulation.problem import At
 
 _SCALARS = {"sum", "prod", "const", "input", *OPERATIONS}
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._system.scipy_solvers import SolveIvp, is_odeint
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.scipy_solvers import SolveIvp, is_odeint
 from pydy.solvers.options import Options
 from pydy.solvers.solver import Solver
 

@@ -18,8 +18,8 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._interpolation import in_order
 from pydy._rank import HALF, ROUNDING, is_zero
-from pydy._system.snapshot import At, Snapshot
-from pydy.analysis.jumps import Passed, Values, Watched, passages, told_of_jump
+from pydy._simulation.passages import Passed, Values, Watched, passages, told_of_jump
+from pydy._simulation.problem import At, Snapshot
 
 _MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
 

@@ -24,8 +24,8 @@ from pydy._rank import (
     rank,
     unrounded,
 )
-from pydy._system.balance import point_at
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.states import point_at
 from pydy.solvers.constraints import satisfied
 
 

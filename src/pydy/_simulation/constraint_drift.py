@@ -23,10 +23,10 @@ from pydy._interpolation import evenly
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
-from pydy._system.energy import EnergyModel
-from pydy._system.snapshot import At, Snapshot
-from pydy._system.solving import ConstraintNames, constraint_names
-from pydy._system.tuning import TOGETHER
+from pydy._simulation.energy import EnergyModel
+from pydy._simulation.events_and_constraints import ConstraintNames, constraint_names
+from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.tuning import TOGETHER
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.kept import (
     Ran,

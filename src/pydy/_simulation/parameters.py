@@ -11,7 +11,7 @@ import sympy as sm
 
 from pydy._assembly.definition import Definition
 from pydy._checks import one_or_more, refuse_twice
-from pydy._system.balance import located, members
+from pydy._simulation.states import located, members
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.sensitivities import Sized

@@ -29,7 +29,7 @@ from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of, told_apart, untaken
-from pydy._system.energy import EnergyModel
+from pydy._simulation.energy import EnergyModel
 from pydy.codegen.arguments import checked_expression, one_format, symbolic_entries
 from pydy.solvers.events import Event, identified
 

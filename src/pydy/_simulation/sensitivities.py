@@ -25,13 +25,13 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._system.causes import explain_columns
-from pydy._system.dependents import latest_dependents
-from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
-from pydy._system.scipy_solvers import SolveIvp, of_states
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import with_all
-from pydy.analysis.dependence import follow
+from pydy._simulation.dependence import follow
+from pydy._simulation.dependent_states import latest_dependents
+from pydy._simulation.diagnostics import explain_columns
+from pydy._simulation.events_and_constraints import with_all
+from pydy._simulation.parameters import Parameter, by_samples, mean_spacing, read_parameters
+from pydy._simulation.problem import Snapshot
+from pydy._simulation.scipy_solvers import SolveIvp, of_states
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event

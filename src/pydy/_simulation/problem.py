@@ -22,8 +22,8 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
 from pydy._rank import ROUNDED
-from pydy._system.definition import check_times
-from pydy._system.energy import EnergyModel
+from pydy._simulation.definition import check_times
+from pydy._simulation.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import jumps_of
 from pydy.solvers.constraints import satisfied
@@ -423,7 +423,7 @@ class Snapshot:
 
     def scene(self, *visuals: Any, **options: Any) -> Any:
         """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
-        from pydy._system.scene import make_scene
+        from pydy._simulation.scene import make_scene
 
         return make_scene(self, self.definition, self.constants, visuals, options)
 

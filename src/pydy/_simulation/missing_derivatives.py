@@ -10,8 +10,8 @@ import numpy as np
 
 from pydy._errors import warn_user
 from pydy._rank import HALF
-from pydy._system.kept import rates
-from pydy._system.snapshot import Snapshot
+from pydy._simulation.constraint_drift import rates
+from pydy._simulation.problem import Snapshot
 
 
 def warn_of_forgotten(now: Snapshot) -> None:

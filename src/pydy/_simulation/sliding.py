@@ -12,8 +12,8 @@ import numpy as np
 
 from pydy._names import few
 from pydy._rank import DIGITS
-from pydy._system.jumps import Jumps
-from pydy._system.snapshot import At
+from pydy._simulation.discontinuities import Jumps
+from pydy._simulation.problem import At
 
 _BEYOND = 100.0  # how far beyond a jump the other side is looked at, in units of how far it is
 

@@ -8,7 +8,7 @@ from scipy.integrate import ODEintWarning
 
 import loops
 from pydy import System
-from pydy._system.kept import Motion, check_kept
+from pydy._simulation.constraint_drift import Motion, check_kept
 from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError

@@ -1,0 +1,1 @@
+"""Problems and their motions: a model with its numbers, integrated, and judged."""
