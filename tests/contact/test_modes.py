@@ -9,7 +9,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy._system import simulation
+from pydy._simulation import integration
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
@@ -125,7 +125,7 @@ def test_another_run_prepares_nothing_again(monkeypatch):
     contacts = Contacts(system, feet)
     first = contacts.simulate(rtol=1e-8)
     made = []
-    monkeypatch.setattr(simulation, "Ready", lambda *given: made.append(given))
+    monkeypatch.setattr(integration, "Ready", lambda *given: made.append(given))
     again = contacts.simulate(rtol=1e-8)
     assert len(again.modes) == len(first.modes) > 2
     assert not made
