@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 from collections import UserDict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
@@ -404,18 +404,19 @@ def file_of(value: Any, what: str) -> Path:
 
 
 class Keyed(UserDict[Any, Any]):
-    """A view of a user's dictionary, in which a symbol and its name are one key."""
+    """A view of a user's dictionary, in which a symbol and its name are one key.
+
+    A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: the view shows the later one
+    alone. What is merged with the view would else replace the value of the earlier, in its place.
+    """
 
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
-    def _own(self, key: Any) -> Any:
-        """Return the equivalent key that the dictionary already has, or this one.
-
-        A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: then the later one.
-        """
+    def _equivalent(self, key: Any) -> list[Any]:
+        """Return the keys of the dictionary that mean the same as this one, in their order."""
         if key in self.data and not any(isinstance(k, str) for k in self.data):
-            return key
+            return [key]
         spelled = _spellings(key)
         alike = [
             k
@@ -424,7 +425,20 @@ class Keyed(UserDict[Any, Any]):
             or ((isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k))
         ]
         symbols = [k for k in alike if not isinstance(k, str)]
-        return alike[-1] if alike and len(symbols) < 2 else key
+        return alike if alike and len(symbols) < 2 else [key]
+
+    def _own(self, key: Any) -> Any:
+        """Return the equivalent key whose value stands, or this one."""
+        return self._equivalent(key)[-1]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(merged(self.data))
+
+    def __len__(self) -> int:
+        return len(merged(self.data))
+
+    def __repr__(self) -> str:
+        return repr(merged(self.data))
 
     def __contains__(self, key: Any) -> bool:
         return self._own(key) in self.data
@@ -436,7 +450,8 @@ class Keyed(UserDict[Any, Any]):
         self.data[self._own(key)] = value
 
     def __delitem__(self, key: Any) -> None:
-        del self.data[self._own(key)]
+        for equivalent in self._equivalent(key):  # a value that was replaced does not come back
+            del self.data[equivalent]
 
     def __ior__(self, other: Any) -> Keyed:
         self.update(other)

@@ -1,5 +1,6 @@
 """Names in place of symbols, and symbols of one name that differ in their assumptions."""
 
+import itertools
 import warnings
 
 import numpy as np
@@ -109,6 +110,29 @@ def test_merged_dictionaries_are_taken_wherever_values_are(system):
     system.constants = both
     assert "m0 = 2" in str(system)
     close(system.simulate().constants[m0], 2.0)
+
+
+@pytest.mark.parametrize("merge", [dict, lambda view: {**view}, lambda view: view.copy()])
+def test_the_last_of_several_merges_stands(system, merge):
+    system.specifieds = {"f0": 3.0}
+    for first, *keys in itertools.product([M0, "m0"], repeat=3):
+        system.constants = {M0: 9.0, "m0": 8.0} if first == M0 else {"m0": 9.0, M0: 8.0}
+        for key, mass in zip(keys, (1.0, 2.0), strict=True):
+            values = merge(system.constants)
+            values[key] = mass
+            system.constants = values
+            close(system.evaluate_ode()[1], 3.0 / mass)
+
+
+def test_a_view_of_a_merged_dictionary_has_one_key_for_a_symbol_and_its_name(system):
+    system.constants = {M0: 9.0, "m0": 2.0, "k0": 5.0}
+    assert system.constants == {"m0": 2.0, "k0": 5.0}
+    assert (len(system.constants), repr(system.constants)) == (2, "{'m0': 2.0, 'k0': 5.0}")
+    del system.constants[M0]
+    assert system.constants == {"k0": 5.0}  # the 9 does not come back
+    system.initial_conditions = {"x0": 9.0, "x0(t)": 2.0}
+    assert system.initial_conditions.pop("x0") == 2.0
+    close(system.evaluate_ode(), [0.0, 0.0])
 
 
 def test_a_specified_in_two_tuples_is_refused(system):
