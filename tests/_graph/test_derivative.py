@@ -7,7 +7,8 @@ import sympy as sm
 
 from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._graph.derivative import jacobian
+from pydy._graph.adjoint import adjoints
+from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.node import Graph
 
 LOOP = frozenset({"ldl", "lu"})
@@ -306,3 +307,40 @@ def test_twenty_thousand_nested_choices_are_differentiated():
     (row,) = jacobian(graph, [node], [variable, other])
     cells = [row[0], row[1]]
     assert values(on_tape(graph, cells, (2, 0, 0)), [0.3, 0.5]).tolist() == [1.0, 0.0]
+
+
+# -- a Piecewise without a branch -----------------------------------------------------------------
+
+
+def test_where_no_branch_is_taken_derivatives_are_nan_by_either_way():
+    inner = sm.Piecewise((y**2, y > 0))
+    nested = sm.Piecewise((x**2, x > 1), (y**3, y > 0))
+    behind = sm.Piecewise((3 * x, x > 1), (inner + x, True))
+    graph, nodes = nodes_of([sm.Piecewise((x**2, x > 1)), nested, behind])
+    variables = [graph.input("x", k) for k in range(2)]
+    forward = dense_jacobian(graph, nodes, variables)
+    weights = [[graph.const(float(i == k)) for k in range(3)] for i in range(3)]
+    backward = [bar for row in weights for bar in adjoints(graph, nodes, row, variables)]
+    nan = np.nan
+    for point, expected in (
+        ((2.0, 3.0), [4, 0, 4, 0, 3, 0]),
+        ((0.5, 3.0), [nan, 0, 0, 27, 1, 6]),
+        ((2.0, -3.0), [4, 0, 4, 0, 3, 0]),
+        ((0.5, -3.0), [nan, 0, nan, nan, 1, nan]),
+    ):
+        for cells in (forward, backward):
+            assert values(on_tape(graph, cells, (2, 0, 0)), point) == pytest.approx(
+                expected, nan_ok=True
+            )
+
+
+def test_a_table_without_a_last_branch_is_differentiated_in_as_many_operations_as_it_has_rows():
+    counts = []
+    for rows in (50, 100):
+        graph, nodes = nodes_of([sm.Piecewise(*((k * X[0] ** 2, X[0] < k) for k in range(rows)))])
+        variable = graph.input("x", 0)
+        adjoint = adjoints(graph, nodes, [graph.one], [variable])
+        counts.append(
+            [len(graph.reachable(n)) for n in (adjoint, dense_jacobian(graph, nodes, [variable]))]
+        )
+    assert np.all(np.array(counts[1]) < 2.2 * np.array(counts[0]))

@@ -12,9 +12,11 @@ guard takes the sums of one of them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from operator import or_
 
-from pydy._graph.derivative import definite, times
+from pydy._graph.derivative import definite, times, undefined
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, symmetric
 from pydy._graph.roots import is_steep, of_half_power, slope
@@ -29,23 +31,29 @@ def adjoints(
 
     Switches are treated as `pydy._graph.derivative.jacobian` treats them.
     """
-    active = set(variables)
+    active = {node: 1 << k for k, node in enumerate(variables)}
     for node in graph.reachable(outputs):
-        if not active.isdisjoint(graph.operands(node)):
-            active.add(node)
+        bits = reduce(or_, (active.get(n, 0) for n in graph.operands(node)), 0)
+        if bits and node not in active:
+            active[node] = bits
     seeds = list(zip(outputs, weights, strict=True))
     sweep = _Sweep(graph, active, seeds, set(variables))
     return [sweep.of(variable) for variable in variables]
 
 
 class _Sweep:
-    """The adjoints of `active` nodes, which depend on variables, from seeds (node, adjoint).
+    """The adjoints of `active` nodes, from seeds (node, adjoint).
 
-    Those of `ends` are found, but not handed on.
+    Active are those that depend on variables: on which is in the bits of a number. Those of `ends`
+    are found, but not handed on.
     """
 
     def __init__(
-        self, graph: Graph, active: set[int], seeds: Sequence[tuple[int, int]], ends: set[int]
+        self,
+        graph: Graph,
+        active: Mapping[int, int],
+        seeds: Sequence[tuple[int, int]],
+        ends: set[int],
     ) -> None:
         self.graph, self.active, self.ends = graph, active, ends
         self.terms: dict[int, Terms] = {}
@@ -104,8 +112,9 @@ class _Sweep:
                     others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
                     self.add(n, times(g, bar, g.product([*others, (n, e - 1)], float(e))))
         elif op == "select":
-            self.add(args[1], g.call("select", args[0], bar, g.zero))
-            self.add(args[2], g.call("select", args[0], g.zero, bar))
+            _, yes, no = args
+            self.add(yes, g.call("select", args[0], bar, self._beside(no, yes, bar)))
+            self.add(no, g.call("select", args[0], self._beside(yes, no, bar), bar))
         elif op == "item":
             self.vectors.setdefault(args[0], {})[args[1]] = bar
         elif op in OPERATIONS:
@@ -116,6 +125,19 @@ class _Sweep:
                     slopes[0] = slope(g, node, bar)
                 for n, d in zip(args, slopes, strict=True):
                     self.add(n, d)
+
+    def _beside(self, taken: int, other: int, bar: int) -> int:
+        """Return the adjoint of the side of a switch that is not taken: zero, or NaN.
+
+        Where the side that is taken is a Piecewise without a branch, all derivatives are NaN: those
+        by variables of its own get it there, those by variables of the other side alone here.
+        """
+        g = self.graph
+        if not self.active.get(other, 0) & ~self.active.get(taken, 0):
+            return g.zero
+        nan = undefined(g, taken)
+        # An adjoint of zero is that of an output without weight, or of what is not taken itself.
+        return nan if nan == g.zero else g.call("select", g.call("eq", bar, g.zero), g.zero, nan)
 
     def _solve(self, node: int) -> None:
         g, bars = self.graph, self.vectors.get(node)

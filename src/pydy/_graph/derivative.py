@@ -17,6 +17,7 @@ and A' would be several times the code of all else.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
@@ -152,11 +153,12 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         return _combine(g, parts)
     if op == "select":
         condition, yes, no = args
-        keys = sorted({*rows[yes], *rows[no]})
-        zero = g.zero
+        keys = {*rows[yes], *rows[no]}
+        # What a branch does not depend on has derivative zero there, NaN where its value is.
+        rest = [undefined(g, n) if keys - rows[n].keys() else g.zero for n in (yes, no)]
         return {
-            k: g.call("select", condition, rows[yes].get(k, zero), rows[no].get(k, zero))
-            for k in keys
+            k: g.call("select", condition, rows[yes].get(k, rest[0]), rows[no].get(k, rest[1]))
+            for k in sorted(keys)
         }
     if op in SOLVES:
         for n in g.operands(node):
@@ -245,6 +247,20 @@ def _by_argument(g: Graph, node: int, others: Sequence[tuple[int, int]]) -> bool
     if is_carried(g, node) or g.ops[g.args[node][0]] in ("max", "min", "select"):
         return False
     return any(not g.constant[m] for m, _ in others)
+
+
+def undefined(g: Graph, node: int) -> int:
+    """Return NaN where a node is a Piecewise none of whose branches is taken, else zero."""
+    way: list[tuple[int, int]] = []  # down the last branches, of which there may be many
+    while g.ops[node] == "select":
+        condition, yes, node = g.args[node]
+        way.append((condition, undefined(g, yes)))
+    value = g.value(node)
+    result = node if value is not None and math.isnan(value) else g.zero
+    for condition, inner in reversed(way):
+        if inner != result:
+            result = g.call("select", condition, inner, result)
+    return result
 
 
 def times(g: Graph, a: int, b: int) -> int:

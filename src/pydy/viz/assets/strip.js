@@ -135,10 +135,19 @@ function drawStrip() {
     // More points than pixels are drawn as they are: a peak must not be lost.
     one.values.forEach((v, k) => {
       if (!Number.isFinite(v)) { pen = false; return; }
-      if (pen) g.lineTo(atTime(one.times[k]), atValue(one, v)); else g.moveTo(atTime(one.times[k]), atValue(one, v));
+      const x = atTime(one.times[k]), y = atValue(one, v);
+      if (pen) g.lineTo(x, y); else g.moveTo(x, y);
       pen = true;
     });
     g.stroke();
+    g.fillStyle = one.colour;
+    one.values.forEach((v, k) => {
+      // A line needs two values: one alone between gaps is a dot.
+      if (!Number.isFinite(v) || Number.isFinite(one.values[k - 1]) || Number.isFinite(one.values[k + 1])) return;
+      g.beginPath();
+      g.arc(atTime(one.times[k]), atValue(one, v), 1.7, 0, 2 * Math.PI);
+      g.fill();
+    });
   }
   drawCursor();
 }

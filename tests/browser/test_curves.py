@@ -1,0 +1,99 @@
+"""Curves below a scene: what is drawn on the canvas is the exact peak, jump and gap."""
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from exported_models import ball
+from pydy.viz import Live, Scene, Sphere, Visual
+
+q = dynamicsymbols("q")
+N, O = ReferenceFrame("N"), Point("O")
+P = O.locatenew("P", q * N.x)
+COLUMN = """
+  ([x, width]) => {
+    const canvas = document.getElementById("strip-curves");
+    const ratio = canvas.width / canvas.clientWidth, columns = Math.round(2 * ratio * width);
+    const g = canvas.getContext("2d");
+    const { data } = g.getImageData(Math.round(ratio * (x - width)), 0, columns, canvas.height);
+    const key = document.querySelectorAll("#strip-labels i")[NUMBER];
+    const colour = getComputedStyle(key).backgroundColor.match(/[0-9]+/g).map(Number);
+    const rows = new Set();
+    for (let k = 0; k < data.length; k += 4)
+      if (data[k + 3] > 99 && [0, 1, 2].every((j) => Math.abs(data[k + j] - colour[j]) < 40))
+        rows.add(Math.floor(k / 4 / columns) / ratio);
+    return [...rows].sort((a, b) => a - b);
+  }
+"""
+
+
+def shown(open_page, folder, times, values):
+    scene = Scene(N, O, Visual(Sphere(1), P), series={"q": q})
+    scene.animate(times, np.zeros((len(times), 1)), symbols=[q], series={"f": values})
+    return open_page(scene.to_html(folder / "curves.html"))
+
+
+def curve(page, label="f"):
+    return next(one for one in page.evaluate("pydy.curves()") if one["label"] == label)
+
+
+def drawn(page, x, width=2.0):
+    """The heights at which something of a curve's colour is, in CSS pixels."""
+    labels = [one["label"] for one in page.evaluate("pydy.curves()")]
+    return np.array(page.evaluate(COLUMN.replace("NUMBER", str(labels.index("f"))), [x, width]))
+
+
+@pytest.mark.parametrize("size", [129.6, 1e-9, 1e9])
+def test_the_extremes_of_the_strip_are_a_pulse_between_two_frames(tmp_path, open_page, size):
+    times = np.linspace(0.0, 1.0, 100_001)
+    values = np.zeros(len(times))
+    values[61_616] = size
+    page = shown(open_page, tmp_path, times, values)
+    found = curve(page)
+    assert (found["low"], found["high"]) == (0.0, size)
+    k = int(np.argmax(found["values"]))
+    assert (found["times"][k], found["values"][k]) == (times[61_616], size)
+    heights = [y for _, y in found["places"]]
+    assert heights[k] == min(heights) < max(heights) - 40
+
+
+def test_a_jump_is_vertical_and_the_cursor_has_its_sides(tmp_path, open_page):
+    times = np.array([0.0, 0.25, 0.5, 0.5, 0.75, 1.0])
+    page = shown(open_page, tmp_path, times, np.array([1.0, 1.0, 1.0, 5.0, 5.0, 5.0]))
+    found = curve(page)
+    before, after = (found["places"][found["values"].index(v) - b] for v, b in ((5.0, 1), (5.0, 0)))
+    assert before[0] == after[0]
+    assert before[1] > after[1] + 40
+    for time, value in ((0.5 - 1e-9, 1.0), (0.5, 5.0), (0.5 + 1e-9, 5.0)):
+        page.evaluate(f"pydy.seek({time!r})")
+        assert curve(page)["now"] == value
+
+
+def test_one_value_between_gaps_is_a_dot(tmp_path, open_page):
+    nan = np.nan
+    times, values = np.linspace(0.0, 1.0, 7), np.array([1.0, 1.0, nan, 2.0, nan, 3.0, 3.0])
+    page = shown(open_page, tmp_path, times, values)
+    found = curve(page)
+    x, y = found["places"][found["values"].index(2.0)]
+    assert np.min(np.abs(drawn(page, x) - y)) < 2.0
+
+
+def test_a_simulation_in_the_page_keeps_both_sides_of_resets_and_the_peaks(tmp_path, open_page):
+    system, bounce = ball()
+    scene = system.scene(series=list(system.states)).animate(system.simulate(), fps=None)
+    page = open_page(
+        scene.to_html(tmp_path / "live.html", live=Live({"y": (0.2, 2)}, events=bounce))
+    )
+    page.evaluate("pydy.live.set('y', 1.5)")
+    height, speed = page.evaluate("pydy.curves()")
+    # y = 1.5 - g t² / 2, until the ground: then 4/5 of the speed upwards.
+    fall, hit = np.sqrt(3.0 / 9.81), np.sqrt(3.0 * 9.81)
+    times, values = np.array(speed["times"]), np.array(speed["values"])
+    sides = np.flatnonzero(np.abs(times - fall) < 1e-6)[-2:]
+    assert times[sides] == pytest.approx([fall, fall], abs=1e-6)
+    assert times[sides[0]] == times[sides[1]]
+    assert values[sides] == pytest.approx([-hit, 0.8 * hit], rel=1e-6)
+    assert speed["low"] == pytest.approx(-hit, rel=1e-6)
+    assert min(height["values"]) == pytest.approx(0.0, abs=1e-9)
+    x = {speed["places"][k][0] for k in sides}
+    assert len(x) == 1
