@@ -19,7 +19,7 @@ from pydy.mechanics import Definition
 class Model:
     """Bodies, loads, coordinates and constraints in SymPy, and the numbers of their symbols."""
 
-    def __init__(self, data, joints=False, rates=False):
+    def __init__(self, data, joints=False, rates=False, positive=None):
         self.data = data
         self.said = data["said"] or bool(data["auxiliary"])
         self.real = physical(data)
@@ -34,7 +34,10 @@ class Model:
         self.u = (
             [q.diff(T) for q in self.q]
             if rates
-            else [me.dynamicsymbols(f"u{k}") for k in range(nu)]
+            else [
+                me.dynamicsymbols(f"u{k}", **({"positive": True} if k == positive else {}))
+                for k in range(nu)
+            ]
         )
         self.ground, self.origin = me.ReferenceFrame("N"), me.Point("O")
         self.origin.set_vel(self.ground, 0)
@@ -321,13 +324,15 @@ def _added(rows, weights):
 # -- front ends: a model, or None where a front end has no such mechanisms ------------------------
 
 
-def definition(data):
-    model = Model(data)
+def definition(data, orders=None, positive=None):
+    """A Definition; `orders` of its coordinates and speeds, by default those of the bodies."""
+    model = Model(data, positive=positive)
     start = dict(zip(model.q, model.real["q"], strict=True))
+    q, u = orders or (range(len(model.q)), range(len(model.u)))
     model.method = Definition(
         model.ground,
-        model.q,
-        model.u,
+        [model.q[k] for k in q],
+        [model.u[k] for k in u],
         bodies=model.bodies,
         loads=model.loads,
         kinematic_equations=model.kd,
@@ -430,6 +435,15 @@ def joints(data):
         else:
             system.add_loads(load)
     model.method = system
+    return model
+
+
+def permuted(data):
+    """A Definition with coordinates and speeds in another order, which is that of its states."""
+    rng = np.random.default_rng([30, data["seed"]])
+    orders = [rng.permutation(n).tolist() for n in layout(data)[1:]]
+    model = definition(data, orders)
+    model.order = [model.q[k] for k in orders[0]] + [model.u[k] for k in orders[1]]
     return model
 
 

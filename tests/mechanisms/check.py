@@ -6,6 +6,7 @@ import json
 import shutil
 import subprocess
 import tempfile
+import warnings
 from functools import cached_property
 from itertools import permutations
 from pathlib import Path
@@ -14,7 +15,7 @@ import numpy as np
 import sympy as sm
 from scipy.integrate._ivp import dop853_coefficients as dop853
 
-from mechanisms.build import FRONT_ENDS
+from mechanisms.build import FRONT_ENDS, definition, permuted
 from mechanisms.drawing import T
 from mechanisms.generate import numbers_of, replaced
 from mechanisms.oracle import World
@@ -42,11 +43,13 @@ class Check:
     """One mechanism by one front end; the model is None where that has no such mechanisms."""
 
     def __init__(self, data, front_end):
-        self.front_end, self.worst = front_end, {}
-        self.model = model = FRONT_ENDS[front_end](data)
+        self.front_end, self.worst, self.drawn = front_end, {}, data
+        self.model = model = {**FRONT_ENDS, "permuted": permuted}[front_end](data)
         if model is None:
             return
         self.system = system = System(model.method)
+        if system.states != getattr(model, "order", system.states):
+            raise DisagreementError(f"{front_end}: order of states[0] is {system.states}")
         self._know()
         self.data = data = model.real
         self.world = World(data, data["q"], data["u"])
@@ -209,8 +212,8 @@ class Check:
         motion = self._motion(
             lambda s: s.simulate(sensitivities=["states", *names], **self._precise())
         )
-        end, size = self._end(World(self.data, self.data["q"], self.data["u"])), self._size_at_end()
-        self.compare("motion", motion.states[-1], end[self.order], size[self.order])
+        size = self._size_at_end()
+        self._compare_end(motion)
         expected = self._derivative(step, paths, self._end)
         # Of states that a method calls dependent there are no columns: they follow the others.
         columns, every = (
@@ -221,6 +224,65 @@ class Check:
         found = motion.sensitivity.values[-1].astype(LONG) @ given
         bound = (size + np.abs(expected)) * self.world.condition
         self.compare("sensitivity", found, expected[self.order], bound[self.order])
+
+    def motions(self):
+        self._compare_end(self._motion(lambda s: s.simulate(**self._precise())))
+
+    def _compare_end(self, motion):
+        end, size = self._end(World(self.data, self.data["q"], self.data["u"])), self._size_at_end()
+        self.compare("motion", motion.states[-1], end[self.order], size[self.order])
+
+    def orders(self):
+        """The same Definition with coordinates and speeds in another order."""
+        other = Check(self.drawn, "permuted")
+        for name, ratio in other(("rates", "outputs", "motions")).items():
+            self.worst[name] = max(self.worst.get(name, 0.0), ratio)
+
+    def returns(self):
+        """The motion there and back ends where it began."""
+        forth = self._motion(lambda s: s.simulate(**self._precise()))
+        system, start = self.system, self.system.initial_conditions
+        system.initial_conditions = dict(zip(system.states, forth.states[-1], strict=True))
+        system.times = system.times[::-1]
+        back = system.simulate(**self._precise())
+        system.initial_conditions = start
+        bound = (self._size_at_end() * self.world.condition)[self.order]
+        self.compare("return", back.states[-1], self.x, bound)
+
+    def assumptions(self):
+        """A speed that is assumed positive: one warning where the motion leaves that, else none.
+
+        It goes on until the speed that is first to vanish is as large on the other side.
+        """
+        speeds, rates = np.array(self.data["u"]), self.world.a.astype(float)
+        with np.errstate(all="ignore"):
+            spans = np.where((speeds > 0) & (rates < 0), -2 * speeds / rates, np.inf)
+        if not (speeds > 0).any() or self.model.auxiliary:
+            return
+        k = int(np.argmin(spans) if np.isfinite(spans).any() else np.argmax(speeds > 0))
+        span = min(spans[k], 5 * SPAN * self.data["units"][2])
+        told, motions = [], []
+        for positive in (None, k):
+            other = definition(self.drawn, positive=positive)
+            system = System(other.method, ode_solver="dop853")
+            for kind in ("constants", "specifieds"):
+                known = getattr(other, kind).items()
+                own = getattr(system, f"{kind}_symbols")
+                setattr(system, kind, {s: v for s, v in known if s in own})
+            start = zip([*other.q, *other.u], [*self.data["q"], *self.data["u"]], strict=True)
+            system.initial_conditions = dict(start)
+            system.times = self.t + np.linspace(0.0, span, 9)
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                motions.append(system.simulate(**self._precise())[f"u{k}"])
+            told.append([str(w.message) for w in caught])
+        least, size = motions[0].min(), np.abs(motions[0]).max() + self._sizes()[-len(speeds) + k]
+        if abs(least) < 1e-8 * size:
+            return  # rounding decides
+        self.compare("warnings without assumptions", len(told[0]), 0, 0)
+        named = [text for text in told[1] if text.startswith(f"`u{k}(t)` is -")]
+        self.compare("warnings of an assumption", len(named), int(least < 0), 0)
+        self.compare("other warnings", len(told[1]) - len(named), 0, 0)
 
     def adjoints(self):
         names, paths = self._parameters(())
@@ -370,8 +432,11 @@ class Check:
     ALWAYS = ("rates", "outputs")
     IN_TURN = ("jacobians", "energies", "sensitivities", "adjoints", "linear_models", "exports")
 
+    # These have turns of their own.
+    BESIDE = ("orders", "returns", "assumptions")
+
     def __call__(self, answers=()):
-        for name in answers or (*self.ALWAYS, *self.IN_TURN):
+        for name in answers or (*self.ALWAYS, *self.IN_TURN, *self.BESIDE):
             getattr(self, name)()
         return self.worst
 
@@ -419,7 +484,9 @@ def turn_of(seed):
     """The front ends and answers that a seed is checked with where all of them would take long."""
     fronts, answers = list(FRONT_ENDS), Check.IN_TURN
     first = fronts[seed % len(fronts)]
-    return [first, "definition"], [*Check.ALWAYS, answers[seed // len(fronts) % len(answers)]]
+    beside = Check.BESIDE[seed % len(Check.BESIDE)]
+    own = answers[seed // len(fronts) % len(answers)]
+    return [first, "definition"], [*Check.ALWAYS, own, beside]
 
 
 def check(data, front_ends=None, answers=()):

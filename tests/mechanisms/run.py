@@ -1,5 +1,7 @@
 """Check seeds: ``python tests/mechanisms/run.py 0:600 [JOBS]``, or one seed, with all answers.
 
+Each seed is a mechanism and a block in contact.
+
 What disagrees is shrunk and printed as a script. The last lines tell the largest ratios to what is
 allowed.
 """
@@ -11,6 +13,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from mechanisms import contacts
 from mechanisms.check import check, turn_of
 from mechanisms.generate import draw
 from mechanisms.shrink import script, shrunk
@@ -22,10 +25,15 @@ def checked(seed, everything=False):
     data = draw(seed)
     front_ends, answers = (None, ()) if everything else turn_of(seed)
     try:
-        return seed, check(data, front_ends, answers), None
+        ratios = check(data, front_ends, answers)
     except Exception as error:  # noqa: BLE001 (a failure of any kind is shrunk and shown)
         least = shrunk(data, front_ends, answers)
         return seed, {}, script(least, front_ends, answers, error)
+    block = contacts.draw(seed)
+    try:
+        return seed, {**ratios, "contact": contacts.check(block)}, None
+    except Exception as error:  # noqa: BLE001
+        return seed, ratios, contacts.script(contacts.shrunk(block), error)
 
 
 def main(seeds, jobs=1):

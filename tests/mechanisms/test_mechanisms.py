@@ -5,11 +5,14 @@ import sys
 import numpy as np
 import pytest
 
+from mechanisms import contacts
+from mechanisms.build import permuted
 from mechanisms.check import MOST_STEPS, Check, DisagreementError, check
 from mechanisms.generate import BODIES, QUARTER, TWISTED, draw, leaves, physical
 from mechanisms.oracle import World
 from mechanisms.run import checked
 from mechanisms.shrink import kind_of
+from pydy.system import System
 
 # Small ones: most of the time of large ones is SymPy's and the compiler's, as with these two.
 SLOW = {79, 3007}
@@ -147,3 +150,55 @@ def test_hinges_are_nearly_parallel_or_their_twists_are_constants_of_zero():
 def test_energies_are_compared_at_states_that_are_some():
     """Quaternions of another length are none, and a spring's energy is written for length one."""
     assert checked(2707)[2] is None
+
+
+def test_an_order_of_states_that_is_not_the_users_is_found(monkeypatch):
+    def reordered(data):
+        model = permuted(data)
+        model.order = model.order[::-1]
+        return model
+
+    monkeypatch.setattr("mechanisms.check.permuted", reordered)
+    with pytest.raises(DisagreementError, match="permuted: order of states"):
+        check(draw(34), ["definition"], ["orders"])
+
+
+def test_a_way_back_that_leads_elsewhere_is_found(monkeypatch):
+    simulate = System.simulate
+
+    def forwards(system, **options):
+        system.times = np.sort(system.times)
+        return simulate(system, **options)
+
+    check(draw(4), ["definition"], ["returns"])
+    monkeypatch.setattr(System, "simulate", forwards)
+    with pytest.raises(DisagreementError, match="definition: return"):
+        check(draw(4), ["definition"], ["returns"])
+
+
+def test_an_assumption_that_a_motion_leaves_without_a_word_is_found(monkeypatch):
+    check(draw(4), ["definition"], ["assumptions"])
+    monkeypatch.setattr("pydy._assembly.assumptions.Assumptions.tell", lambda *_, **__: None)
+    with pytest.raises(DisagreementError, match="warnings of an assumption"):
+        check(draw(4), ["definition"], ["assumptions"])
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_block_on_a_slope_follows_its_parabolas(seed):
+    contacts.check(contacts.draw(seed))
+
+
+def test_a_wrong_contact_is_found_and_shrunk(monkeypatch):
+    made = contacts.contacts
+
+    def slippery(data, times):
+        return made(data | {"friction": 0.9 * data["friction"]}, times)
+
+    monkeypatch.setattr(contacts, "contacts", slippery)
+    block = contacts.draw(1)
+    with pytest.raises(contacts.DisagreementError, match="the parabolas say") as found:
+        contacts.check(block)
+    least = contacts.shrunk(block)
+    assert least["units"] == [1.0, 1.0, 1.0]
+    assert sum(least[name] == value for name, value in contacts.SIMPLER.items()) >= 6
+    assert "Found by seed 1: block: " in contacts.script(least, found.value)
