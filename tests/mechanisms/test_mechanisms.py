@@ -108,6 +108,13 @@ def test_prescribed_motions_that_constraints_hold_are_no_inputs_of_linear_models
     check(draw(980), ["definition"], ["linear_models"])
 
 
+def test_motions_that_cannot_keep_a_driven_loop_are_not_compared():
+    """A drive is a number with rates here: along a motion the loop that holds it would open."""
+    assert not Check(draw(33), "definition")._moves
+    assert Check(draw(0), "definition")._moves
+    assert checked(33)[2] is None
+
+
 def test_places_that_are_told_twice_are_told_by_doubles():
     """The square of 3e-5 beside offsets of one has 6 digits, and is off the other place by them."""
     assert draw(898)["loops"] == []

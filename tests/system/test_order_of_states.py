@@ -402,7 +402,12 @@ def optimal_control(system, folder):
     F = me.dynamicsymbols("F")
     system = System(definition(tuple(system.coordinates), push=F), dict(CONSTANTS))
     moved = system.optimize_trajectory(
-        sm.Integral(F**2, T), 0.5, start=dict.fromkeys(system.states, 0.0), end={x: 0.2}, mesh=4
+        sm.Integral(F**2, T),
+        0.5,
+        start=dict.fromkeys(system.states, 0.0),
+        end={x: 0.2},
+        mesh=4,
+        method="hermite-simpson",  # which holds the constraints' rows of M u' = F at its nodes
     )
     return [moved.objective, *in_order(system, moved.states[-1])]
 
