@@ -182,7 +182,7 @@ class FitResult:
         quantity  samples  rms of residuals  correlation of neighbours
         x0        101      ...
         <BLANKLINE>
-        deviation of the noise: 0.009..., 99 degrees of freedom
+        standard deviation of the noise: 0.009..., 99 degrees of freedom
         """
         intervals, share = self.confidence_intervals(level), number(level, "`level`")
         rows = [
