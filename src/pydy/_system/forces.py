@@ -242,7 +242,7 @@ class Forces(Setup):
         >>> pin = system.reaction(bob, cart.masscenter)  # of the cart on the rod
         >>> system.outputs = pin.outputs('pin')
         >>> system.constants = {'m1': 3.0, 'g': 10.0}
-        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2]
+        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2] + 0.0
         array([ 0., 30.])
         """
         equations = self._equations

@@ -40,10 +40,14 @@ def as_visual(thing: Any) -> Visual:
         return thing
     if isinstance(thing, (RigidBody, Particle)):
         return Visual(None, thing)
-    file = " To write a file, call `to_html(path)` of the animated scene, or `save(path)` for a film."
+    remedy = (
+        " To write a file, call `to_html(path)` of the animated scene, or `save(path)` for a film."
+        if isinstance(thing, (str, PurePath))
+        else ""
+    )
     raise TypeError(
         "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {shown(thing)}.{file if isinstance(thing, (str, PurePath)) else ''}"
+        f"{type(thing).__name__} {shown(thing)}.{remedy}"
     )
 
 
