@@ -138,6 +138,10 @@ class System(
             # Called for what there is not: names of other versions get the one that is meant.
             if (meant := _OF_OTHER_VERSIONS.get(name)) is not None:
                 raise AttributeError(f"System has no `{name}`. Use {meant}.", name=name)
+            if name[0] != "_" and not hasattr(type(self), name):
+                public = [n for n in dir(type(self)) if n[0] != "_"]
+                if hint := nearest(name, public, or_all=False):
+                    raise AttributeError(f"System has no attribute `{name}`. {hint}", name=name)
             return object.__getattribute__(self, name)  # its error says the rest
 
 

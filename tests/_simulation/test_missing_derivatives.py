@@ -8,6 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy.control import OptimalControl
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -46,6 +47,9 @@ CALLS = {
     "mass_matrix": lambda s: s.mass_matrix(),
     "generate_ode_function": lambda s: s.generate_ode_function(),
     "equations_of_motion": lambda s: s.equations_of_motion(),
+    "constraint_forces": lambda s: s.constraint_forces,
+    "reaction": lambda s: s.reaction("bob", s.eom_method.bodies[0].masscenter),
+    "OptimalControl": lambda s: OptimalControl(s, sm.Integral(V**2, T), 1.0, mesh=2),
 }
 
 
@@ -55,6 +59,19 @@ def test_what_evaluates_linearizes_or_compiles_gives_one_warning_with_the_remedy
         CALLS[call](forgotten())
     assert len(told) == 1
     assert told[0].filename == __file__
+
+
+def test_an_optimal_trajectory_gives_the_warning_once():
+    with pytest.warns(PyDyUserWarning, match=MISSING) as told:
+        forgotten().optimize_trajectory(sm.Integral(V**2, T), 0.1, mesh=2)
+    assert len(told) == 1
+    assert told[0].filename == __file__
+
+
+def test_constraint_forces_of_complete_equations_are_formed_in_silence():
+    system = on_a_circle(velocity=[X * V + Y * W])
+    assert len(system.constraint_forces) == 1
+    assert system.reaction("bob", system.eom_method.bodies[0].masscenter).force != 0
 
 
 def test_exports_give_the_warning(tmp_path):

@@ -1,5 +1,7 @@
 """Fits of parameters to measurements."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -452,6 +454,18 @@ def test_a_fit_as_a_table_and_as_a_data_frame(oscillator):
     np.testing.assert_allclose(result.fitted[0]["x0"] + result.residuals[0]["x0"], known)
     with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
         result.summary(95)
+
+
+def test_a_summary_says_whether_the_noise_is_estimated_or_compared_with_the_given_one(oscillator):
+    """With the noise given, the figure is a ratio near 1, not a standard deviation near 0.01."""
+    trial = noisy(0.0, 1)
+    result = oscillator.fit(["k0", "c0"], trial)
+    assert result.noise == pytest.approx(0.01, rel=0.3)
+    assert f"\nstandard deviation of the noise: {result.noise:.4g}, 99 " in result.summary()
+    ratio = oscillator.fit(["k0", "c0"], replace(trial, noise=0.01))
+    assert ratio.noise == pytest.approx(result.noise / 0.01, rel=1e-6)
+    words = f"residuals divided by the given noise: {ratio.noise:.4g}, 99 degrees"
+    assert words in ratio.summary()
 
 
 def test_measured_and_fitted_are_plotted_with_residuals(oscillator):

@@ -217,10 +217,12 @@ def test_a_misspelt_attribute_is_refused_with_the_nearest_name(name, meant):
     [
         ("evaluate_holonomic", "Use `evaluate_holonomic_constraints`"),
         ("evaluate_nonholonomic", "Use `evaluate_constraints`, whose last"),
-        ("integrat", "has no attribute 'integrat'"),
+        ("integrat", "no attribute `integrat`. Did you mean `integrate`"),
+        ("Times", "no attribute `Times`. Did you mean `times`"),
+        ("qqqqqq", "no attribute 'qqqqqq'$"),
     ],
 )
-def test_a_name_of_another_version_is_refused_with_the_one_that_is_meant(name, meant):
+def test_a_name_that_there_is_not_is_refused_with_the_one_that_is_meant(name, meant):
     system = System(zoo.timed().kane)
     with pytest.raises(AttributeError, match=meant):
         getattr(system, name)

@@ -90,6 +90,7 @@ def test_a_slider_of_ones_own_sets_initial_conditions():
     ("live", "words"),
     [
         ({"l9": (0, 1)}, "`live` has `l9`, which is not one of the system's constants, states"),
+        ({"l00": (0, 1)}, r"Did you mean `l0`\? A slider of your own"),
         ({"l0": 3}, r"`live\[l0\]` must be a Slider or a range such as \(0.1, 2.0\), got 3"),
         ({"l0": (2, 1)}, "`low` of Slider must be less than `high`, got 2.0 and 1.0"),
         ({"l0": (0, 1, 3)}, "`value` of Slider must be from `low` to `high`, 0.0 to 1.0, got 3.0"),

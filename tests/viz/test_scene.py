@@ -2,6 +2,7 @@
 
 import os
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -41,6 +42,12 @@ def trajectory():
 def test_a_scene_needs_a_visual():
     with pytest.raises(ValueError, match="needs at least one visual"):
         Scene(N, O).animate(TIMES, STATES, symbols=[q, u])
+
+
+@pytest.mark.parametrize("path", ["film.gif", Path("page.html")])
+def test_a_path_among_the_visuals_is_answered_with_what_writes_files(path):
+    with pytest.raises(TypeError, match=r"takes Visuals.*To write a file, call `to_html\(path\)`"):
+        Scene(N, O, path)
 
 
 @pytest.mark.parametrize(("up", "expected"), [("-z", [0, 0, -1]), (2 * N.x, [1, 0, 0])])

@@ -68,7 +68,10 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
     names = [event.name for event in checked]
     double = [name for name in names if names.count(name) > 1]
     if double:
-        raise ValueError(f"`events` must have different names, got `{double[0]}` twice.")
+        raise ValueError(
+            f"`events` must have different names, got `{double[0]}` twice. An event without a name "
+            "is called after its expression: use `Event(..., name=...)`."
+        )
     return tuple(checked)
 
 

@@ -554,6 +554,7 @@ def _result(
         measured=[dict(zip(d.names, d.values.T.copy(), strict=True)) for d in work.data],
         labels=tuple(d.label for d in work.data),
         warnings=tuple(messages),
+        noise_given=not work.own_noise,
     )
 
 

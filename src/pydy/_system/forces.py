@@ -15,6 +15,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
 from pydy._names import name_of
+from pydy._simulation.missing_derivatives import warn_of_forgotten
 from pydy._system.dynamics import named
 from pydy._system.setup import Setup
 
@@ -181,6 +182,8 @@ class Forces(Setup):
         >>> system.evaluate_outputs([0.0, -2.0, 1.0, 0.0])[0].round(12)  # 3*10 + 3*1**2/2
         np.float64(31.5)
         """
+        if self._equations.forgotten:
+            warn_of_forgotten(self._now())
         if not self._equations.velocity:
             return Multipliers()
         return Multipliers(_forces(self._equations, bodies=False).multipliers(self._forces))
@@ -239,7 +242,7 @@ class Forces(Setup):
         >>> pin = system.reaction(bob, cart.masscenter)  # of the cart on the rod
         >>> system.outputs = pin.outputs('pin')
         >>> system.constants = {'m1': 3.0, 'g': 10.0}
-        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2]
+        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2] + 0.0
         array([ 0., 30.])
         """
         equations = self._equations
@@ -268,4 +271,6 @@ class Forces(Setup):
                 _check_way(item if isinstance(item, Point) else item.masscenter, point)
         name = f"reaction_{point}"
         found = forces.reaction(members, point, frame, more, name, self._forces)
+        if equations.forgotten:
+            warn_of_forgotten(self._now())
         return Reaction(*found, frame)

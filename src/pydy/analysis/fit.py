@@ -64,6 +64,8 @@ class FitResult:
         The names of the trials.
     warnings : tuple of str
         What the fit warned of.
+    noise_given : bool
+        Whether the trials gave the standard deviation of the noise; `noise` is a ratio then.
     """
 
     names: tuple[str, ...]
@@ -83,6 +85,7 @@ class FitResult:
     measured: list[dict[str, np.ndarray]] = field(default_factory=list)
     labels: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+    noise_given: bool = False
 
     def __getitem__(self, parameter: Any) -> float:
         """Return an estimate, by symbol or name."""
@@ -182,7 +185,7 @@ class FitResult:
         quantity  samples  rms of residuals  correlation of neighbours
         x0        101      ...
         <BLANKLINE>
-        deviation of the noise: 0.009..., 99 degrees of freedom
+        standard deviation of the noise: 0.009..., 99 degrees of freedom
         """
         intervals, share = self.confidence_intervals(level), number(level, "`level`")
         rows = [
@@ -206,11 +209,13 @@ class FitResult:
         ended = "converged after" if self.success else "did not converge in"
         trials = f"{len(self.times)} trial{'s' if len(self.times) != 1 else ''}"
         told = [f"warning: {one}" for one in self.warnings]
+        label = "residuals divided by the given noise" if self.noise_given else "the noise"
         return "\n".join([
             f"Fit of {len(self.names)} parameter{'s' if len(self.names) != 1 else ''} to {count} "
             f"samples of {trials}: {ended} {self.evaluations} evaluations",
             "", *table_of(heads, rows), "", *table_of(other, missed), "",
-            f"deviation of the noise: {self.noise:.4g}, {self.degrees} degrees of freedom", *told,
+            f"standard deviation of {label}: {self.noise:.4g}, {self.degrees} degrees of freedom",
+            *told,
         ])  # fmt: skip
 
     def plot_residuals(self, axes: Any = None) -> Any:

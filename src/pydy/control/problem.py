@@ -26,6 +26,7 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
+from pydy._simulation.missing_derivatives import warn_of_forgotten
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
@@ -168,6 +169,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             system._now().definition, free, (objective, *boundary, *path), duration
         )
         self._own, self._now = own, (now := system._now(further=own))
+        warn_of_forgotten(now)
         definition, plan = now.definition, now.plan
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
@@ -39,9 +40,14 @@ def as_visual(thing: Any) -> Visual:
         return thing
     if isinstance(thing, (RigidBody, Particle)):
         return Visual(None, thing)
+    remedy = (
+        " To write a file, call `to_html(path)` of the animated scene, or `save(path)` for a film."
+        if isinstance(thing, (str, PurePath))
+        else ""
+    )
     raise TypeError(
         "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {shown(thing)}."
+        f"{type(thing).__name__} {shown(thing)}.{remedy}"
     )
 
 

@@ -18,7 +18,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._names import label_parts, name_of, some
+from pydy._names import label_parts, name_of, nearest, some
 from pydy._rank import ROUNDED, or_one
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
@@ -352,12 +352,13 @@ def _sliders(
             rows.append({**row, "group": group, "place": place, "value": start})
             continue
         if found or not isinstance(key, sm.Symbol) or not slider.sets:
-            every = (*system.constants, *system.states, *system.inputs)
+            every = [name_of(one) for one in (*system.constants, *system.states, *system.inputs)]
+            hint = nearest(str(key), every, or_all=False)
             raise ValueError(
                 f"`live` has `{key}`, which is not one of the system's constants, states and "
-                f"inputs: {some(map(name_of, every))}. A slider of your own needs a Symbol "
-                "that the system does not have, and `sets`, the initial conditions that follow "
-                "from it."
+                f"inputs: {some(every)}. {f'{hint} ' if hint else ''}A slider of your own needs a "
+                "Symbol that the system does not have, and `sets`, the initial conditions that "
+                "follow from it."
                 if not found
                 else f"`sets` of the slider for `{key}` is for symbols of your own, but the system "
                 "has this one."
