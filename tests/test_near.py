@@ -35,6 +35,15 @@ def test_all_cases_of_the_mirroring_file_are_tried():
     assert whole == ["contact/test_laws.py"]
 
 
+def test_a_loop_in_c_is_tested_by_the_modules_that_name_it():
+    assert chosen("solvers/core/step_lanes.c")[0][0] == "ensemble/test_lanes.py"
+
+
+def test_a_header_is_tested_by_the_loops_that_include_it():
+    including = near.compiled([near.SOURCE / "solvers" / "core" / "lanes.h"])
+    assert "step_lanes.c" in {file.name for file in including}
+
+
 def test_every_file_has_near_tests_beside_the_contracts():
     lonely = []
     for file in FILES:

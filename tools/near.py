@@ -3,7 +3,8 @@
     python tools/near.py src/pydy/_graph/lower.py      (or `make test-near FILE=…`)
 
 Nearest are, in this order: the test file that mirrors a file, the tests that import it, those that
-mirror the modules that import it, and the other tests of its room and of theirs. Of the slow tests
+mirror the modules that use it, and the other tests of its room and of theirs. A module is used by
+those that import it, a compiled loop (C) by those that name its function. Of the slow tests
 (`tests/slow.txt`) those of the mirroring file are run whole, of the others a part. Tests are added
 in that order as long as their recorded times allow; the contracts of the house always run.
 """
@@ -39,7 +40,11 @@ def module_of(file: Path) -> str:
 
 
 def mirrors(file: Path) -> Iterator[Path]:
-    """Yield the test files that are named after a file, or its room: the nearest first."""
+    """Yield the test files that are named after a file, or its room: the nearest first.
+
+    A file whose name no other file of src has may be tested in another room: `lanes` by the tests
+    of ensembles.
+    """
     *rooms, name = file.relative_to(SOURCE).with_suffix("").parts
     rooms = ["system" if room == "_system" else room for room in rooms]
     name = name.strip("_") or "init"
@@ -47,6 +52,8 @@ def mirrors(file: Path) -> Iterator[Path]:
         yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{name}.py")
     for depth in range(len(rooms), 0, -1):
         yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{rooms[depth - 1].strip('_')}.py")
+    if sum(source.stem.strip("_") == name for source in sources()) == 1:
+        yield from (test for test in test_files() if test.stem == f"test_{name}")
 
 
 def room_of(file: Path) -> Path:
@@ -100,13 +107,38 @@ def sources() -> list[Path]:
     return sorted(SOURCE.rglob("*.py"))
 
 
+def users_of(files: list[Path]) -> list[Path]:
+    """Return the modules that import one of the files, or name a compiled loop that is one."""
+    modules = {module_of(file) for file in files if file.suffix == ".py"}
+    loops = [f'"{file.stem}"' for file in compiled(files)]
+    return [
+        source
+        for source in sources()
+        if imports(source) & modules
+        or any(loop in source.read_text(encoding="utf-8") for loop in loops)
+    ]
+
+
+def compiled(files: list[Path]) -> list[Path]:
+    """Return the C files among some files, and those that include a header among them."""
+    found = [file for file in files if file.suffix in (".c", ".h")]
+    for header in found:  # grows: a header may be included by another
+        if header.suffix == ".h":
+            found += [
+                other
+                for other in sorted(header.parent.glob("*.[ch]"))
+                if f'"{header.name}"' in other.read_text(encoding="utf-8") and other not in found
+            ]
+    return [file for file in found if file.suffix == ".c"]
+
+
 def near(files: list[Path]) -> tuple[list[Path], list[Path]]:
     """Return the test files to run, and those of which all cases are tried."""
     tests = test_files()
     mirroring = list(dict.fromkeys(test for file in files for test in mirrors(file)))
     modules = {module_of(file) for file in files}
     importing = [test for test in tests if imports(test) & modules]
-    users = [file for file in sources() if imports(file) & modules]
+    users = users_of(files)
     if not any(room_of(user).is_dir() for user in users):
         users += [file for file in sources() if imports(file) & {*map(module_of, users)}]
     mirroring_users = [test for user in users for test in mirrors(user)]

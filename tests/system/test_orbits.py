@@ -95,6 +95,13 @@ def test_an_orbit_of_a_constrained_system_is_found_in_the_states_that_are_not_so
     assert orbit.states == ("x", "v")
     # Liouville: the angle's damping is 1/2.
     assert np.prod(orbit.multipliers) == pytest.approx(np.exp(-np.pi / 2), rel=1e-8)
+    # The same bob by its angle. The product alone would not show a wrong dependent speed.
+    q, u = me.dynamicsymbols("q u")
+    P = O.locatenew("P", sm.sin(q) * N.x - sm.cos(q) * N.y)
+    loads = [(P, (sm.cos(2 * t) - u * sm.cos(q) / 2) * N.x - (10 + u * sm.sin(q) / 2) * N.y)]
+    bob = Definition(N, [q], [u], bodies=[me.Particle("bob", P, sm.Integer(1))], loads=loads)
+    angle = System(bob, initial_conditions={q: 0.05}).find_periodic_orbit(np.pi)
+    assert orbit.multipliers == pytest.approx(angle.multipliers, rel=1e-7)
 
 
 def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():

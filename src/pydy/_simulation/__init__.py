@@ -1,1 +1,1 @@
-"""Problems and their motions: a model with its numbers, integrated, and judged."""
+"""Problems and their motions: a model with numbers, its integration, and checks of the result."""

@@ -1,4 +1,4 @@
-"""Whether a computed motion keeps the assumptions that its states and specifieds were made with."""
+"""Check a computed motion against the assumptions of its symbols, such as `positive=True`."""
 
 from __future__ import annotations
 

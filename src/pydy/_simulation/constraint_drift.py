@@ -1,4 +1,7 @@
-"""Whether motions begin on the constraints, keep them, and change their energy with a cause."""
+"""Check that motions start on the constraints, satisfy them, and conserve energy.
+
+The error bounds are in `pydy.solvers.kept`.
+"""
 
 from __future__ import annotations
 

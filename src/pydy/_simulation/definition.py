@@ -1,4 +1,4 @@
-"""What a user's outputs, forces and specifieds define: symbols are sorted out and checked."""
+"""Make a `Definition` of a user's equations, outputs and specifieds; check their symbols."""
 
 from __future__ import annotations
 

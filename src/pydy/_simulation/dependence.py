@@ -1,4 +1,7 @@
-"""States that depend on others through constraints: which they are, and their derivatives."""
+"""The implicit function theorem for constraints: derivatives of the dependent states.
+
+The dependent states themselves are solved for in `dependent_states`.
+"""
 
 from __future__ import annotations
 
@@ -16,12 +19,13 @@ def follow(
     unknowns: Sequence[range],
     dependent: Sequence[int],
 ) -> bool:
-    """Let dependent states follow the others; tell whether the constraints determine them.
+    """Set the derivatives of dependent states; return whether the constraints determine them.
 
     From c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for the dependent states d. Coordinates
-    first: in one system with the speeds, units of time would decide what its rank is.
+    are solved for first, and enter the equations of the speeds. In one linear system for both, the
+    rank would depend on the unit of time.
 
-    Of the derivatives `values` (n, k), those of the dependent states, zero before, are set. Each
+    The rows of dependent states in `values` (n, k), which must be zero, are set in place. Each
     block of constraints has a gradient (c, n) by the states, and is solved for `unknowns`, those of
     its own kind; `moved` is c_i x_i' + c_θ of all blocks, one after the other.
     """

@@ -1,4 +1,7 @@
-"""Solve the constraints for the dependent coordinates and speeds."""
+"""Solve the constraints for the dependent coordinates and speeds.
+
+Their derivatives with respect to parameters are computed in `dependence`.
+"""
 
 from __future__ import annotations
 

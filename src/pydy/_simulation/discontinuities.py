@@ -1,4 +1,4 @@
-"""Where rates and prescribed motions jump: derivatives of a motion, and the motion, miss that."""
+"""Warn of discontinuous rates and prescribed motions, which derivatives of a motion ignore."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Kinetic and potential energy of a System, each found when it is first asked for."""
+"""Kinetic and potential energy of a System, each computed when it is first needed."""
 
 from __future__ import annotations
 

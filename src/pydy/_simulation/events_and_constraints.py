@@ -1,4 +1,4 @@
-"""What native solvers are handed beside the equations: events and constraints, compiled."""
+"""Compile the events and constraints that native solvers need in addition to the equations."""
 
 from __future__ import annotations
 

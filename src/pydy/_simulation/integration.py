@@ -1,4 +1,4 @@
-"""Integration of problems: a solver called, its motion judged."""
+"""Prepare an integration, call the solver, and check the computed motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a motion passes a jump of its rates, of which its derivatives know nothing."""
+"""Find where a motion crosses a discontinuity of its rates."""
 
 from __future__ import annotations
 

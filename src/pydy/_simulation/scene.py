@@ -1,4 +1,4 @@
-"""From a System's equations and numbers to a `pydy.viz.Scene`."""
+"""Make a `pydy.viz.Scene` from a System's equations and numbers."""
 
 from __future__ import annotations
 

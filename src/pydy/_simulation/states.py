@@ -1,4 +1,4 @@
-"""Many states of a problem with their numbers: values, derivatives, and natural sizes there."""
+"""Evaluate a problem at many states: values, derivatives, and natural sizes."""
 
 from __future__ import annotations
 

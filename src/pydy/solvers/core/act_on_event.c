@@ -1,4 +1,5 @@
-/* A reset by a single event, as `Integration._act` does it, without a return to Python. */
+/* A reset by a single event, as `Integration._act` does it, without a return to Python. Lanes call it
+   too, from `act_alone` of `step_lanes.c`. */
 
 #include "run.h"
 #include "departure.h"

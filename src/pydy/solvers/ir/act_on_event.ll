@@ -1,4 +1,4 @@
-; sources 1fdfce91b2652a77d3438ed2552eafee4b63ef04562bef0d3c84841927d3be71
+; sources 56f7cc8cc4b4c70ee0a9d4ac0c9690897be3688d186f4450b221c51297f914b7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
