@@ -15,7 +15,7 @@ from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
 
 from pydy._simulation.parameters import Parameter
-from pydy._simulation.sensitivities import Sensitive
+from pydy._simulation.sensitivities import AugmentedSystem
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers import dop853, tsit5, vern9
 
@@ -35,7 +35,7 @@ class OurSensitivities(SolverPeer):
         states = (*model.coordinates, *model.speeds)
         definition: Any = SimpleNamespace(states=states, specifieds=symbols)
         wanted = tuple(Parameter(model.constants[k], "constants", k) for k in parameters(model))
-        self.sensitive = Sensitive(definition, compiled, plan, wanted, self.values)
+        self.sensitive = AugmentedSystem(definition, compiled, plan, wanted, self.values)
         self.sensitive.kernel().link()
         self.function = self.sensitive.function()
         self.plain = solver_function(model, self.scenario.inputs)

@@ -8,14 +8,14 @@ from scipy.integrate import ODEintWarning
 
 import loops
 from pydy import System
-from pydy._simulation.constraint_drift import Motion, check_kept
+from pydy._simulation.constraint_drift import DriftCheck, check_drift
 from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from pydy.solvers.kept import is_near
+from pydy.solvers.constraint_drift import is_near
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from pydy.solvers.tuning import NEAR_SINGULAR
 from registry import ADAPTIVE_NAMES
@@ -45,13 +45,13 @@ def checked(system):
     options = {"rtol": 1e-8, "atol": 1e-8}
     x, info = system.integrate(constraints="project", full_output=True, **options)
     assert info["nearness"] < 0.05
-    motion = Motion(system._now(), system.times, x, options, info, mended=True)
+    motion = DriftCheck(system._now(), system.times, x, options, info, mended=True)
 
     def check(message=None, code=None):
         if message is None:
-            return check_kept(motion)
+            return check_drift(motion)
         with pytest.raises(IntegrationError, match=message) as caught:
-            check_kept(motion)
+            check_drift(motion)
         assert caught.value.info["code"] == code
         assert caught.value.time == system.times[40]
 
@@ -278,12 +278,12 @@ def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre)
     for share, sound in ((1e-9, True), (1e-6, False)):
         states[1, held] = share * rate
         info = {"steps": 1, "method": "dop853"}
-        motion = Motion(system._now(), system.times, states, options, info, mended=False)
+        motion = DriftCheck(system._now(), system.times, states, options, info, mended=False)
         if sound:
-            check_kept(motion)
+            check_drift(motion)
             continue
         with pytest.raises(IntegrationError, match="left the constraints"):
-            check_kept(motion)
+            check_drift(motion)
 
 
 # -- causes ---------------------------------------------------------------------------------------

@@ -125,7 +125,7 @@ def test_another_run_prepares_nothing_again(monkeypatch):
     contacts = Contacts(system, feet)
     first = contacts.simulate(rtol=1e-8)
     made = []
-    monkeypatch.setattr(integration, "Ready", lambda *given: made.append(given))
+    monkeypatch.setattr(integration, "PreparedIntegration", lambda *given: made.append(given))
     again = contacts.simulate(rtol=1e-8)
     assert len(again.modes) == len(first.modes) > 2
     assert not made

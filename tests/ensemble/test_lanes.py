@@ -19,7 +19,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
-from pydy.solvers.kept import judge
+from pydy.solvers.constraint_drift import judge
 from pydy.solvers.outcome import (
     ENERGY_CHANGED,
     EVENT_UNDEFINED,

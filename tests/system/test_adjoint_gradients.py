@@ -16,7 +16,7 @@ from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run import workspace
-from pydy.solvers.run.backward import WayBack
+from pydy.solvers.run.backward import DiscreteAdjoint
 from registry import EXPLICIT_NAMES, step_options
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
@@ -394,7 +394,7 @@ def test_ctrl_c_hands_over_the_motion(monkeypatch, capsys):
     def interrupted(*arguments):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(WayBack, "through", interrupted)
+    monkeypatch.setattr(DiscreteAdjoint, "through", interrupted)
     with pytest.raises(IntegrationInterrupted, match="way back through the motion") as caught:
         system.adjoint_gradient("k0", **run)
     assert caught.value.time == 1e4

@@ -10,7 +10,7 @@ from scipy.integrate import ODEintWarning, odeint, solve_ivp
 
 import zoo
 from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
-from pydy._simulation.diagnostics import cause_of
+from pydy._simulation.diagnostics import diagnosis_of
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from registry import step_options
@@ -247,7 +247,7 @@ def test_a_length_in_nanometres_is_no_gimbal_lock(metre):
     kane.kanes_equations([me.Particle("P", point, 1), body], [])
     system = System(kane, constants={r: 0.3 * metre, inertia: 0.0})
     now = system._now()
-    told = cause_of(now.at(np.zeros(1), now.x[None]))
+    told = diagnosis_of(now.at(np.zeros(1), now.x[None]))
     assert "The cause is the constant `I`, which is zero" in told
 
 

@@ -10,7 +10,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy._simulation.discontinuities import Jumps
+from pydy._simulation.discontinuities import Discontinuities
 from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
 from pydy.control import OptimalControl
@@ -492,7 +492,7 @@ def test_derivatives_of_motions_with_such_forces_are_those_of_differences(make):
 def test_only_own_switches_of_what_residuals_give_beside_constraints_are_looked_for():
     """Pivots that reduce the constraints were, at thousands of states: 17 s for a pendulum."""
     now = swung()._now()
-    jumps = Jumps(len(now.definition.equations.coordinates))
+    jumps = Discontinuities(len(now.definition.equations.coordinates))
     assert jumps(now.driven.assembly.fork())["switches"] == []
     kinked = swung(Implicit({D: D + C * D**3 - sm.Abs(V)}))
     with pytest.warns(PyDyUserWarning, match="the rate of D.* jumps by"):

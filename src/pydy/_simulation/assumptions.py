@@ -8,28 +8,28 @@ from typing import Any
 
 import numpy as np
 
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import SolveIvp, is_odeint
 from pydy.solvers.options import Options
 from pydy.solvers.solver import Solver
 
 
 @dataclass(frozen=True, eq=False)
-class Watch:
+class AssumptionMonitor:
     """One integration of a model whose symbols carry assumptions.
 
     Between the requested times a motion is known by the steps of a solver, or by where odeint
     evaluated: its predictions are near the solution, which RK stages are not.
     """
 
-    now: Snapshot
+    now: Problem
     solver: Any
     options: dict[str, Any]  # for the solver
     asked: bool  # whether the user asked for dense output
     evaluated: list[tuple[float, np.ndarray]] = field(default_factory=list)
 
     @classmethod
-    def of(cls, now: Snapshot, solver: Any, given: dict[str, Any], alone: bool) -> Watch:
+    def of(cls, now: Problem, solver: Any, given: dict[str, Any], alone: bool) -> AssumptionMonitor:
         """Return what watches an integration by a solver with these options."""
         keeps = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
         asked = "dense_output" in given or not keeps

@@ -1,6 +1,6 @@
 """Check that motions start on the constraints, satisfy them, and conserve energy.
 
-The error bounds are in `pydy.solvers.kept`.
+The error bounds are in `pydy.solvers.constraint_drift`.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy._simulation.energy import EnergyModel
 from pydy._simulation.events_and_constraints import ConstraintNames, constraint_names
-from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.problem import At, Problem
 from pydy._simulation.tuning import TOGETHER
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.solvers.kept import (
+from pydy.solvers.constraint_drift import (
     Ran,
     allowed_after,
     contradicted,
@@ -53,10 +53,12 @@ NO_INPUTS: Mapping[int, int | None] = {}
 
 def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     """Warn where a motion starts off the constraints; return whether it does."""
-    held = surely_held(at)[0]
+    held = satisfied_to_rounding(at)[0]
     if not held:
         _check_constant(at)
-    look: Callable[..., Any] = is_off if mended else violations  # nothing is told of it
+    look: Callable[..., Any] = (
+        violates_constraints if mended else violations
+    )  # nothing is told of it
     told = not held and look(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.unimplied
@@ -113,7 +115,7 @@ def check_resets(
             warn_of_reset(record.name, off)
 
 
-def surely_held(at: At) -> np.ndarray:
+def satisfied_to_rounding(at: At) -> np.ndarray:
     """Return which of m states have no `violations`, as far as the last operations tell."""
     residuals, sizes = evaluated_rows(at, "sizes")
     held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
@@ -123,7 +125,7 @@ def surely_held(at: At) -> np.ndarray:
 def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
     """Return the first tried state that has `violations`, and these."""
     tried = evenly(len(at.x), TRIED)
-    for k in tried[~surely_held(at.some(tried))]:
+    for k in tried[~satisfied_to_rounding(at.some(tried))]:
         if told := violations(at.some([k]), blocks=blocks):
             return int(k), told
     return None
@@ -142,13 +144,13 @@ def violations(
     counts as drift that it has not made. The `blocks` say whether holonomic constraints are looked
     at, and velocity constraints. What is returned is a sentence, or nothing.
     """
-    if surely_held(at)[0]:
+    if satisfied_to_rounding(at)[0]:
         return ""
     judged = _judged(at, redundant, before, blocks)
     return described(float(at.t[0]), *judged, ConstraintNames(at.definition.equations))
 
 
-def is_off(at: At, redundant: bool = True) -> bool:
+def violates_constraints(at: At, redundant: bool = True) -> bool:
     """Return whether a state has `violations`, without naming them: printing takes long."""
     residuals, allowed = _judged(at, redundant)
     return not (np.abs(residuals) <= allowed).all()
@@ -347,7 +349,7 @@ def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
     equations = at.definition.equations
     kept = _rows_of(equations, True, False, True, False)
     left = _rows_of(equations, False, blocks[0], False, blocks[1])
-    if not left.any() or surely_held(at).all():
+    if not left.any() or satisfied_to_rounding(at).all():
         return
     residuals, sizes = evaluated_rows(at, "bounds")
     off = np.abs(residuals) > DIGITS * sizes
@@ -438,7 +440,7 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 
 
 def part_of(
-    now: Snapshot, slopes: Slopes, name: str
+    now: Problem, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return the function that makes a part of `kept.Part` of an Assembly, or None."""
     if name == "contradictions" and not now.definition.equations.unimplied:
@@ -455,10 +457,10 @@ def part_of(
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class DriftCheck:
     """The result of a solver."""
 
-    now: Snapshot
+    now: Problem
     times: np.ndarray
     states: np.ndarray
     # for the solver, with its own tolerances if these are not those of `Options`
@@ -498,7 +500,7 @@ class Motion:
         )
 
 
-def check_kept(motion: Motion) -> None:
+def check_drift(motion: DriftCheck) -> None:
     """Refuse a motion that left the constraints, or changed its energy without a cause."""
     equations, projected = motion.now.definition.equations, "constraints" in motion.options
     held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
@@ -531,21 +533,21 @@ def check_kept(motion: Motion) -> None:
 # -- the motions of an ensemble --------------------------------------------------------------------
 
 
-def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> KeptPrograms:
+def drift_programs(now: Problem, model: CompiledModel, plan: SpecifiedsPlan) -> DriftPrograms:
     """Return the parts as Programs, kept from the latest ensemble of a model."""
     slopes = slopes_of(now.definition, plan)
     energies, by, found = model.latest.get("kept", (None, None, None))
     if energies is not now.energies or by != slopes:
-        found = KeptPrograms(now, model, slopes)
+        found = DriftPrograms(now, model, slopes)
         model.latest["kept"] = now.energies, slopes, found
-    made: KeptPrograms = found
+    made: DriftPrograms = found
     return made
 
 
-class KeptPrograms:
+class DriftPrograms:
     """The parts of `kept.Part` as Programs, which can be sent to other processes."""
 
-    def __init__(self, now: Snapshot, model: CompiledModel, slopes: Slopes) -> None:
+    def __init__(self, now: Problem, model: CompiledModel, slopes: Slopes) -> None:
         self._now, self._model, self._slopes = now, model, slopes
         self._made: dict[str, Program | None] = {}
         self._lock = _forks.Lock()

@@ -27,7 +27,7 @@ from pydy._rank import (
     rank,
     unrounded,
 )
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.states import point_at
 from pydy.solvers.constraints import satisfied
 
@@ -65,7 +65,7 @@ def check_dependents(
 
 
 def given_values(
-    now: Snapshot, keys: Iterable[Any], latest: Mapping[Any, float]
+    now: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
 ) -> dict[Any, float]:
     """Find initial conditions that are to stay: not zeros, nor solved for `latest`."""
     states = now.definition.states
@@ -74,7 +74,7 @@ def given_values(
     return {s: v for s, v in given.items() if v != 0.0 and len(given) < len(states)}
 
 
-def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
+def default_dependents(now: Problem, given: Iterable[Any]) -> list[Any]:
     """Return the states to solve for: the dependent ones, or others where these are given."""
     definition = now.definition
     equations = definition.equations
@@ -106,7 +106,7 @@ def _determined(matrix: np.ndarray, columns: Sequence[int], units: np.ndarray) -
     return sorted(columns[k] for k in independent_columns(scaled))
 
 
-def _motions(now: Snapshot, x: np.ndarray) -> np.ndarray:
+def _motions(now: Problem, x: np.ndarray) -> np.ndarray:
     """Return how fast states change in motions of one energy: units in which they compare."""
     known: np.ndarray = point_at(now, np.array([now.t]), x[None]).motions[0]
     return known
@@ -135,7 +135,7 @@ def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.n
         )
 
 
-def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
+def _at(now: Problem, kernel: Any, state: np.ndarray) -> np.ndarray:
     """Evaluate a block at the first time."""
     return np.asarray(now.at(np.array([now.t]), state[None]).evaluate(kernel)[0])
 
@@ -160,7 +160,7 @@ def _refined(
 
 
 def _solve_coordinates(
-    now: Snapshot,
+    now: Problem,
     coordinates: list[int],
     x: np.ndarray,
     use_jac: bool,
@@ -215,7 +215,7 @@ def _solve_coordinates(
     return met
 
 
-def _solve_speeds(now: Snapshot, speeds: list[int], x: np.ndarray) -> None:
+def _solve_speeds(now: Problem, speeds: list[int], x: np.ndarray) -> None:
     """Solve the velocity constraints for `speeds` in place."""
     model, definition, value = now.driven, now.definition, partial(_at, now)
     kernel = model.compiled_jacobian("velocity", "x")
@@ -264,7 +264,7 @@ def _solve_speeds(now: Snapshot, speeds: list[int], x: np.ndarray) -> None:
 
 
 def solve_dependents(
-    now: Snapshot,
+    now: Problem,
     places: tuple[list[int], list[int]],
     given: Mapping[Any, float],
     use_jac: bool,

@@ -19,7 +19,7 @@ from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
-from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.problem import At, Problem
 from pydy._simulation.undefined import first_undefined
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
@@ -40,7 +40,7 @@ def explain(
     """Put the cause into the message of an error, in place of general advice."""
     code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
     if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW, CONSTRAINTS_NOT_MET):
-        cause = cause_of(at(np.array([error.time]), np.array([error.state])))
+        cause = diagnosis_of(at(np.array([error.time]), np.array([error.state])))
         if cause:
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
 
@@ -56,7 +56,7 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
         )
 
 
-def cause_of(at: At, outputs: bool = False) -> str | None:
+def diagnosis_of(at: At, outputs: bool = False) -> str | None:
     """Describe the singularity at a state, or return None if it is of no known kind.
 
     It may be one of `outputs`, where the equations have none.
@@ -244,12 +244,14 @@ def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
 
     def place(k: int) -> tuple[str, str | None]:
         state = numbers_of(at.definition.states, at.x[k])
-        return f"t = {float(at.t[k])!r} in the state {state}", cause_of(at.some([k]), outputs=True)
+        return f"t = {float(at.t[k])!r} in the state {state}", diagnosis_of(
+            at.some([k]), outputs=True
+        )
 
     _errors.warn_not_finite(wrong, names, place)
 
 
-def warn_of_outputs(trajectory: Trajectory, now: Snapshot) -> None:
+def warn_of_outputs(trajectory: Trajectory, now: Problem) -> None:
     """Warn of outputs along a motion that are not finite where its states are."""
     at = now.at(trajectory.times, trajectory.states)
     warn_not_finite(trajectory.outputs, at, unique_names(trajectory.outputs_symbols))

@@ -18,8 +18,8 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._interpolation import in_order
 from pydy._rank import HALF, ROUNDING, is_zero
-from pydy._simulation.passages import Passed, Values, Watched, passages, told_of_jump
-from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.passages import Passed, Values, Watched, jump_message, passages
+from pydy._simulation.problem import At, Problem
 
 _MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
 
@@ -69,7 +69,7 @@ def _inputs(assembly: Assembly, groups: str) -> list[int]:
 
 
 @dataclass(frozen=True)
-class Jumps:
+class Discontinuities:
     """The switches of rates and of the `integral`, their derivatives, and the steps there."""
 
     coordinates: int
@@ -85,7 +85,7 @@ class Jumps:
 
 
 @dataclass(frozen=True)
-class Kinks:
+class DerivativeDiscontinuities:
     """The switches of rates with rounding bounds, and the rates' derivatives on both sides."""
 
     coordinates: int
@@ -106,7 +106,7 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
 
 
 @dataclass(frozen=True)
-class Impulses:
+class ImpulsiveInputs:
     """The switches and steps of functions of time whose derivatives the equations contain."""
 
     definition: Definition = field(compare=False)
@@ -141,7 +141,7 @@ def _switches(at: At, parts: Any) -> bool:
 def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | None:
     """Return the jumps of the rates to watch for, or None where nothing switches."""
     equations, states = at.definition.equations, at.definition.states
-    parts = Jumps(len(equations.coordinates), integral)
+    parts = Discontinuities(len(equations.coordinates), integral)
     if not _switches(at, parts):
         return None
     names = [f"the {'load on' if s in equations.speeds else 'rate of'} {s}" for s in states]
@@ -154,7 +154,7 @@ def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | No
 
 
 def warn_of_jumps(
-    now: Snapshot, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
+    now: Problem, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
 ) -> None:
     """Warn where a motion passes a jump of the rates, which its derivatives do not contain."""
     found = watched(now.at(np.array([now.t]), now.x[None]), sensitive, integral)
@@ -169,7 +169,7 @@ def warn_of_jumps(
     def evaluate(times: np.ndarray) -> Values:
         return now.at(times, motion.at(times).states).values(parts)
 
-    if told := told_of_jump(
+    if told := jump_message(
         Passed.of(motion.times, motion._dense, motion.events, columns), found, evaluate
     ):
         warn_user(told)
@@ -182,7 +182,7 @@ def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int
     """
     definition, (m, n, _) = at.definition, T.shape
     equations, states = definition.equations, definition.states
-    parts = Kinks(len(equations.coordinates))
+    parts = DerivativeDiscontinuities(len(equations.coordinates))
     if not _switches(at, parts):
         return
     found, w = at.values(parts), len(definition.specifieds)
@@ -217,9 +217,9 @@ def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int
             return
 
 
-def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
+def warn_of_impulses(now: Problem, times: np.ndarray) -> None:
     """Warn where a prescribed motion, or a constraint, jumps of which derivatives are taken."""
-    parts = Impulses(now.definition, now.plan)
+    parts = ImpulsiveInputs(now.definition, now.plan)
     if not _switches(now.at(times[:1], now.x[None]), parts):
         return
     assembly = now.driven.assembly.fork()
@@ -255,7 +255,7 @@ class _Slopes:
         return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
 
 
-def _acts(now: Snapshot, places: Sequence[int], t: float) -> bool:
+def _acts(now: Problem, places: Sequence[int], t: float) -> bool:
     """Return whether specifieds move the states, with these constants, at this or other states.
 
     The second derivative of a steering angle is in the equations with an inertia that may be zero.
@@ -267,7 +267,7 @@ def _acts(now: Snapshot, places: Sequence[int], t: float) -> bool:
     return not is_zero(found["slopes"], found["bounds"]).all()
 
 
-class Asked:
+class EvaluationRecorder:
     """A right-hand side that keeps the times at which a solver evaluated it."""
 
     def __init__(self, f: Callable[..., Any]) -> None:
@@ -280,7 +280,7 @@ class Asked:
 
 
 def warn_of_pulses(
-    now: Snapshot,
+    now: Problem,
     asked: Sequence[float],
     times: np.ndarray,
     states: np.ndarray,

@@ -22,17 +22,17 @@ from pydy._errors import (
     SingularMatrixError,
     warn_user,
 )
-from pydy._simulation.assumptions import Watch
-from pydy._simulation.constraint_drift import Motion, check_kept, check_resets, check_start
+from pydy._simulation.assumptions import AssumptionMonitor
+from pydy._simulation.constraint_drift import DriftCheck, check_drift, check_resets, check_start
 from pydy._simulation.diagnostics import explain
-from pydy._simulation.discontinuities import Asked, warn_of_impulses, warn_of_pulses
+from pydy._simulation.discontinuities import EvaluationRecorder, warn_of_impulses, warn_of_pulses
 from pydy._simulation.events_and_constraints import (
     check_events,
     compile_constraints,
     compile_events,
     with_residuals_held,
 )
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import (
     MORE_STEPS,
     SolveIvp,
@@ -41,7 +41,7 @@ from pydy._simulation.scipy_solvers import (
     is_odeint,
     odeint_options,
 )
-from pydy._simulation.sensitivities import Wanted
+from pydy._simulation.sensitivities import SensitivityRequest
 from pydy._simulation.sliding import stuck_at
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
@@ -71,7 +71,7 @@ _STEPPING = frozenset(
 )
 
 
-class Ready:
+class PreparedIntegration:
     """A prepared integration, which can be repeated with other numbers."""
 
     def __init__(
@@ -87,7 +87,7 @@ class Ready:
         self.constrained = definition.equations.constrained
         self.model, self.options = self._prepared(definition, model)
         self.read: Options | None = None  # as the solver has read them
-        self.now: Snapshot | None = None  # of the latest call
+        self.now: Problem | None = None  # of the latest call
         # What the latest call has reserved, with its options, if no other call has it.
         self.free: list[tuple[Prepared, dict[str, Any]]] = []
 
@@ -142,7 +142,7 @@ class Ready:
         several = events if isinstance(events, (list, tuple)) else [events]
         return not any(isinstance(event, Event) for event in several)
 
-    def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
+    def is_compatible(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
         """Return whether a call differs in numbers alone, as far as that can be seen."""
         if solver is not self._solver or [*given] != [*self._given]:
             return False
@@ -160,7 +160,9 @@ class Ready:
             return self._events is not None and self._events == identified(value)
         return type(value) in _PLAIN and type(value) is type(known) and bool(value == known)
 
-    def retuned(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> Ready | None:
+    def retuned(
+        self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]
+    ) -> PreparedIntegration | None:
         """Return the same with other tolerances or step sizes, where no more differs, or None."""
         native = isinstance(solver, Solver)
         if solver is not self._solver or not (native or [*given] == [*self._given]):
@@ -185,7 +187,9 @@ class Ready:
         )
 
 
-def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
+def begin(
+    now: Problem, solver: SolverFunction, given: dict[str, Any]
+) -> tuple[PreparedIntegration, np.ndarray]:
     """Check the state at the start; return the prepared integration and the times."""
     latest = now.model.latest
     if len(now.times) < 2:
@@ -196,14 +200,14 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
     times, plan = now.checked_times(), now.plan
     if plan.sampled:
         plan.check_times(times, "times")
-    ready: Ready | None = latest.get("simulation")
-    if ready is not None and not ready.suits(plan, solver, given):
+    ready: PreparedIntegration | None = latest.get("simulation")
+    if ready is not None and not ready.is_compatible(plan, solver, given):
         ready = latest["simulation"] = ready.retuned(plan, solver, given)
     if now.definition.equations.constrained if ready is None else ready.constrained:
         mended = given.get("constraints") is not None
         check_start(now.at(times[:1], now.x[None]), mended=mended)
     if ready is None:
-        ready = Ready(now.definition, now.model, plan, solver, given)
+        ready = PreparedIntegration(now.definition, now.model, plan, solver, given)
         if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready
@@ -213,7 +217,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
 
 
 def _run(
-    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray, own: dict[str, Any]
+    ready: PreparedIntegration, solver: Solver, now: Problem, times: np.ndarray, own: dict[str, Any]
 ) -> tuple[np.ndarray, Prepared]:
     """Integrate by a native solver, with the latest call's memory if it is free."""
     plan = now.plan
@@ -235,12 +239,12 @@ def _run(
 
 
 def run_solver(
-    now: Snapshot,
+    now: Problem,
     solver: SolverFunction,
     given: dict[str, Any],
     *,
     checked: bool,
-    wanted: Wanted | None = None,
+    wanted: SensitivityRequest | None = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
     if now.definition.equations.implicit is not None:
@@ -248,7 +252,7 @@ def run_solver(
     free, full = given.get("constraints") is None, given.get("full_output", False)
     watch = None
     if now.definition.assumes_motions and now.contradicted is not None:
-        watch = Watch.of(now, solver, given, wanted is None)
+        watch = AssumptionMonitor.of(now, solver, given, wanted is None)
         given = watch.options
     ready, times = begin(now, solver, given)
     own = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
@@ -269,7 +273,7 @@ def run_solver(
             asked = None
             of_scipy = isinstance(solver, SolveIvp) or is_odeint(solver)
             if of_scipy and now.plan.sampled and now.jumps().size:
-                f = asked = Asked(f)
+                f = asked = EvaluationRecorder(f)
             if watch is not None:
                 f = watch.watching(f)
             if checked and is_odeint(solver):
@@ -294,7 +298,7 @@ def run_solver(
                 states, info = result
                 judge_motion(now, times, states, info, options, free)
             elif motion := _motion(now, solver, times, result, options, not free):
-                check_kept(motion)
+                check_drift(motion)
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
             error.add_note(
@@ -313,9 +317,12 @@ def run_solver(
 
 
 def simulated(
-    now: Snapshot, solver: SolverFunction, given: dict[str, Any], wanted: Wanted | None = None
+    now: Problem,
+    solver: SolverFunction,
+    given: dict[str, Any],
+    wanted: SensitivityRequest | None = None,
 ) -> dict[str, Any]:
-    """Integrate, and return what `Snapshot.trajectory` takes."""
+    """Integrate, and return what `Problem.trajectory` takes."""
     native, n = isinstance(solver, Solver), len(now.definition.states)
     options = {"dense_output": True, **given} if native else given
     if native or isinstance(solver, SolveIvp) or is_odeint(solver):
@@ -355,7 +362,7 @@ def simulated(
 class Leg:
     """A motion that can be continued where it ended."""
 
-    now: Snapshot
+    now: Problem
     solver: SolverFunction
     options: dict[str, Any]
     end: float = np.nan
@@ -363,7 +370,9 @@ class Leg:
     sides: tuple[int, ...] | None = None  # of the events, just after the end
     refusal: str = ""
 
-    def simulated(self, begun: Begun | None = None, wanted: Wanted | None = None) -> Trajectory:
+    def simulated(
+        self, begun: Begun | None = None, wanted: SensitivityRequest | None = None
+    ) -> Trajectory:
         """Simulate, and return a Trajectory that can be continued."""
         options = self.options if begun is None else {**self.options, "begun": begun}
         found = simulated(self.now, self.solver, options, wanted)
@@ -403,7 +412,7 @@ class Leg:
 
 
 def judge_motion(
-    now: Snapshot,
+    now: Problem,
     times: np.ndarray,
     states: np.ndarray,
     info: Mapping[str, Any],
@@ -414,10 +423,10 @@ def judge_motion(
     if free:
         check_resets(info["events"], now.at)
     n = len(now.definition.states)
-    check_kept(Motion(now, times, states[:, :n], options, info, not free))
+    check_drift(DriftCheck(now, times, states[:, :n], options, info, not free))
 
 
-def explain_failure(error: Any, now: Snapshot, ready: Ready, free: bool) -> None:
+def explain_failure(error: Any, now: Problem, ready: PreparedIntegration, free: bool) -> None:
     """Say why a motion failed, and warn of resets that left the constraints before."""
     if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
         stuck = _stuck_at(now, ready, error.time, error.state)
@@ -436,13 +445,13 @@ def explain_failure(error: Any, now: Snapshot, ready: Ready, free: bool) -> None
 _GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
 
 
-def _stuck_at(now: Snapshot, ready: Ready, t: float, x: np.ndarray) -> str | None:
+def _stuck_at(now: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
     """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
     at = replace(now.at(np.array([t]), np.array([x])), model=ready.model)
     return stuck_at(at, float(now.times[-1] - now.times[0]))
 
 
-def _warn_of_many_steps(ready: Ready, t: float, x: np.ndarray) -> None:
+def _warn_of_many_steps(ready: PreparedIntegration, t: float, x: np.ndarray) -> None:
     now = ready.now
     stuck = None if now is None else _stuck_at(now, ready, t, x)
     if stuck is not None:
@@ -450,13 +459,13 @@ def _warn_of_many_steps(ready: Ready, t: float, x: np.ndarray) -> None:
 
 
 def _motion(
-    now: Snapshot,
+    now: Problem,
     solver: Any,
     times: np.ndarray,
     result: Any,
     options: dict[str, Any],
     mended: bool,
-) -> Motion | None:
+) -> DriftCheck | None:
     """Return the result of SciPy's or a user's solver, if it reached the end and is readable."""
     states, info = result if isinstance(result, tuple) and len(result) == 2 else (result, {})
     if isinstance(solver, SolveIvp):
@@ -478,4 +487,4 @@ def _motion(
     times = info.get("times", times) if isinstance(info, dict) else times
     if states.shape[1] < n or not len(states):
         return None
-    return Motion(now, times, states[:, :n], options, info, mended)
+    return DriftCheck(now, times, states[:, :n], options, info, mended)

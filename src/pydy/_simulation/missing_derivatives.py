@@ -11,10 +11,10 @@ import numpy as np
 from pydy._errors import warn_user
 from pydy._rank import HALF
 from pydy._simulation.constraint_drift import rates
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 
 
-def warn_of_forgotten(now: Snapshot) -> None:
+def warn_of_missing_derivatives(now: Problem) -> None:
     """Warn of a holonomic constraint that no velocity constraint and no kinematics keeps."""
     equations = now.definition.equations
     if not equations.forgotten:
@@ -32,7 +32,7 @@ def warn_of_forgotten(now: Snapshot) -> None:
     )
 
 
-def _implied(now: Snapshot, place: int) -> bool:
+def _implied(now: Problem, place: int) -> bool:
     """Return whether velocity constraints keep a holonomic one with the numbers of the System.
 
     They may do so with these constants, and not with those at which it was tried. Where the

@@ -99,7 +99,7 @@ def _shaped(found: Values) -> Values:
     return found | {name: found[name].reshape(m, k, -1) for name in found.keys() & _BY_SWITCH}
 
 
-def told_of_jump(motion: Passed, watched: Watched, evaluate: Evaluate) -> str:
+def jump_message(motion: Passed, watched: Watched, evaluate: Evaluate) -> str:
     """Say where a motion passes a jump that moves its derivatives, or nothing."""
     n, known = watched.states, motion.columns(motion.times)
     for k, beside, found, sizes in passages(evaluate, motion.looked_at, motion.resets):

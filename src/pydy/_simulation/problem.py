@@ -183,7 +183,7 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class Snapshot:
+class Problem:
     """A System's settings during one call, which later changes of the System do not affect."""
 
     definition: Definition

@@ -35,7 +35,7 @@ def make_scene(
     visuals: Sequence[Any],
     options: dict[str, Any],
 ) -> Scene:
-    """Return a scene of a System or Snapshot, with defaults from the bodies and loads."""
+    """Return a scene of a System or Problem, with defaults from the bodies and loads."""
     assembly = partial(attrgetter("model.assembly"), source)  # made where u' is shown
     moving: tuple[Any, ...] = ()
     if hasattr(source, "_live_system"):

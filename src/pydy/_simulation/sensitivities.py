@@ -30,7 +30,7 @@ from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.diagnostics import explain_columns
 from pydy._simulation.events_and_constraints import with_all
 from pydy._simulation.parameters import Parameter, by_samples, mean_spacing, read_parameters
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import SolveIvp, of_states
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -46,7 +46,7 @@ _SEEN = 1e3
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitive:
+class AugmentedSystem:
     """A System's equations with columns of sensitivities after the state."""
 
     definition: Definition
@@ -61,13 +61,13 @@ class Sensitive:
 
     @staticmethod
     def of(
-        now: Snapshot,
+        now: Problem,
         model: CompiledModel,
         plan: SpecifiedsPlan,
         wanted: Any,
         solved: Iterable[Any] | None,
         argument: str = "sensitivities",
-    ) -> Sensitive:
+    ) -> AugmentedSystem:
         """Return the sensitivities with respect to a user's parameters.
 
         The initial conditions that were `solved` for, or else the method's, depend on the others.
@@ -75,7 +75,7 @@ class Sensitive:
         following = latest_dependents(now.definition, solved)
         places = tuple(now.definition.states.index(s) for s in following)
         parameters = read_parameters(now.definition, plan, wanted, argument, following)
-        return Sensitive(now.definition, model, plan, parameters, now.p, argument, places)
+        return AugmentedSystem(now.definition, model, plan, parameters, now.p, argument, places)
 
     def __post_init__(self) -> None:
         s = len(self.definition.specifieds)
@@ -173,7 +173,7 @@ class Sensitive:
         return scales_of(sized, x, self.plan.values, self.p, self.columns.count)
 
     @property
-    def whole(self) -> Sensitive:
+    def whole(self) -> AugmentedSystem:
         """The same with all constraints, as they are projected on."""
         model = with_all(self.model, self.definition)
         return self if model is self.model else replace(self, model=model)
@@ -407,24 +407,24 @@ def compiled_event(
 
 
 @dataclass
-class Wanted:
+class SensitivityRequest:
     """The sensitivities wanted of a simulation, with the model and options that give them."""
 
     parameters: Any  # as the user names them
     controlled: bool  # whether the step control of a native solver looks at the sensitivities too
-    solved: Iterable[Any] | None  # see `Sensitive.of`
+    solved: Iterable[Any] | None  # see `AugmentedSystem.of`
     given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
     untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
-    sensitive: Sensitive = field(init=False)  # from the call of `problem` on
+    sensitive: AugmentedSystem = field(init=False)  # from the call of `problem` on
 
     def problem(
-        self, now: Snapshot, model: CompiledModel, t: float, solver: Any, options: dict[str, Any]
+        self, now: Problem, model: CompiledModel, t: float, solver: Any, options: dict[str, Any]
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.
 
         The model that is integrated is of the states alone.
         """
-        self.sensitive = sensitive = Sensitive.of(
+        self.sensitive = sensitive = AugmentedSystem.of(
             now, model, now.plan, self.parameters, self.solved
         )
         values = sensitive.start(now.x, t) if self.given is None else self.given

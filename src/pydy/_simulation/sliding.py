@@ -12,7 +12,7 @@ import numpy as np
 
 from pydy._names import few
 from pydy._rank import DIGITS
-from pydy._simulation.discontinuities import Jumps
+from pydy._simulation.discontinuities import Discontinuities
 from pydy._simulation.problem import At
 
 _BEYOND = 100.0  # how far beyond a jump the other side is looked at, in units of how far it is
@@ -26,7 +26,7 @@ def stuck_at(at: At, span: float) -> str | None:
     """
     equations, states = at.definition.equations, at.definition.states
     n = len(states)
-    found = at.values(Jumps(len(equations.coordinates)))
+    found = at.values(Discontinuities(len(equations.coordinates)))
     values = found["switches"][0]
     if not values.size or not np.isfinite(at.x).all():
         return None

@@ -18,7 +18,7 @@ from pydy._kernel import Kernel
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
 from pydy._simulation.dependence import independent_places, tangents
-from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.problem import At, Problem
 from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
@@ -203,7 +203,7 @@ class Point(At):
         return rows, units
 
 
-def point_at(now: Snapshot, times: np.ndarray, states: np.ndarray) -> Point:
+def point_at(now: Problem, times: np.ndarray, states: np.ndarray) -> Point:
     """Return the states (m, n) of a System at its numbers."""
     x = np.ascontiguousarray(states)
     r = np.broadcast_to(now.plan.rows(x, times), (len(x), len(now.plan.symbols)))
@@ -211,7 +211,7 @@ def point_at(now: Snapshot, times: np.ndarray, states: np.ndarray) -> Point:
 
 
 def energetic_motions(
-    now: Snapshot, times: np.ndarray, states: np.ndarray
+    now: Problem, times: np.ndarray, states: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return least sizes of coordinates, and of changes at one energy; 0 if unknown."""
     m, q = len(states), len(now.definition.equations.coordinates)

@@ -30,10 +30,10 @@ from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy._simulation.definition import refuse_descending
 from pydy._simulation.discontinuities import node_of, warn_of_jumps
 from pydy._simulation.events_and_constraints import native_solver, with_residuals_held
-from pydy._simulation.integration import Ready, begin, explain_failure, judge_motion
+from pydy._simulation.integration import PreparedIntegration, begin, explain_failure, judge_motion
 from pydy._simulation.parameters import Parameter, by_samples, marker
-from pydy._simulation.problem import Snapshot
-from pydy._simulation.sensitivities import Sensitive, compiled_event
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import AugmentedSystem, compiled_event
 from pydy._system.setup import Setup
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
@@ -188,7 +188,7 @@ Place = tuple[str, int]
 class Task:
     """The equations, objective and parameters of one gradient."""
 
-    sensitive: Sensitive  # its model is of the states alone
+    sensitive: AugmentedSystem  # its model is of the states alone
     final: Any  # the place of an output, an expression, or None
     integral: Any
 
@@ -264,7 +264,7 @@ class Task:
         return call, beside.columns.together(whole, values), compiled
 
     def turned(self) -> KernelCall:
-        """Return the derivatives of Σ weight · rate; see `WayBack`."""
+        """Return the derivatives of Σ weight · rate; see `DiscreteAdjoint`."""
         model = self.whole
         assembly = model.assembly
         n = assembly.sizes[0]
@@ -294,7 +294,7 @@ class Task:
         return self.call(model.compiled_by(key, make))
 
 
-class Stretch:
+class MotionSegment:
     """A motion of the states and the integral, to the state `last`; its steps are noted.
 
     Derivatives may `guide` its steps; see `Task.guided`.
@@ -309,7 +309,7 @@ class Stretch:
         options: dict[str, Any],
         guide: np.ndarray | None = None,
     ) -> None:
-        from pydy.solvers.run.backward import WayBack
+        from pydy.solvers.run.backward import DiscreteAdjoint
         from pydy.solvers.run.integration import Integration
 
         n = len(x0)
@@ -345,7 +345,7 @@ class Stretch:
         self.starts, self.ends = starts[moves], ends[moves]
         self.before = rows[rows[:, 1] > 0.0, 2 : 2 + width][moves]
         further, kept = len(task.wanted), len(task.sampled)
-        self._back = WayBack(solver.name, rates, task.turned(), further, kept)
+        self._back = DiscreteAdjoint(solver.name, rates, task.turned(), further, kept)
         self._kept = kept
         integrals = 0 if task.integral is None else 1
         self.value = float(self.last[n : n + integrals].sum())
@@ -390,7 +390,7 @@ class Stretch:
             times.copy(), states.copy(), self.end, self.last[: self.n].copy(), self.info,
         )  # fmt: skip
 
-    def passed(self, now: Snapshot) -> Any:
+    def passed(self, now: Problem) -> Any:
         """Return the motion as a Trajectory at the solver's own steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
         return now.trajectory(np.append(self.starts, self.end), states, events=self.records)
@@ -409,7 +409,7 @@ class Stretch:
             return self._all_back()
 
     def through(
-        self, matrix: np.ndarray, time: np.ndarray, earlier: Stretch | None = None
+        self, matrix: np.ndarray, time: np.ndarray, earlier: MotionSegment | None = None
     ) -> np.ndarray:
         """Go back through a transition that leads here; return the derivatives by the state before.
 
@@ -593,22 +593,22 @@ class Stretch:
         return both
 
 
-def travelled(
-    now: Snapshot,
+def integrate_forward(
+    now: Problem,
     solver: Solver,
-    ready: Ready,
+    ready: PreparedIntegration,
     times: np.ndarray,
     task: Task,
     free: bool,
     guide: np.ndarray | None = None,
-) -> Stretch:
+) -> MotionSegment:
     """Return a motion from the initial conditions, or say why it could not go on.
 
     It is `free` if its constraints were not to be held.
     """
     n = len(now.definition.states)
     try:
-        found = Stretch(task, solver, now.x, times, ready.options, guide)
+        found = MotionSegment(task, solver, now.x, times, ready.options, guide)
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
         if not isinstance(error, SingularMatrixError):
             error.states, error.state = error.states[:, :n], error.state[:n]
@@ -734,14 +734,14 @@ class Gradients(Setup):
 
     def _there_and_back(
         self,
-        now: Snapshot,
+        now: Problem,
         solver: Solver,
         wrt: Any,
         final: Any,
         integral: Any,
         given: dict[str, Any],
         weights: np.ndarray | None = None,
-    ) -> tuple[Stretch, Sensitive, np.ndarray, np.ndarray]:
+    ) -> tuple[MotionSegment, AugmentedSystem, np.ndarray, np.ndarray]:
         """Return a motion and the derivatives by the parameters and by the first state.
 
         They are those of the objective, or of the last state's sum with some `weights`.
@@ -752,10 +752,12 @@ class Gradients(Setup):
         refuse_descending(now.checked_times(), "`adjoint_gradient` integrates forward, then back")
         ready, instants = begin(now, solver, given)
         model = ready.model
-        sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
+        sensitive = AugmentedSystem.of(now, model, plan, wrt, self._dependent, "wrt")
         beginning = sensitive.start(now.x, float(instants[0]))
         n = len(definition.states)
-        run = travelled(now, solver, ready, instants, Task(sensitive, final, integral), free)
+        run = integrate_forward(
+            now, solver, ready, instants, Task(sensitive, final, integral), free
+        )
         run.finish(weights)
         warn_of_jumps(now, partial(run.passed, now), sensitive, integral)
         try:

@@ -15,8 +15,8 @@ from pydy._names import unique_names
 from pydy._rank import ROUNDED
 from pydy._simulation.constraint_drift import first_violation
 from pydy._simulation.discontinuities import warn_of_kinks
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import At, Snapshot, samples
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import At, Problem, samples
 from pydy._simulation.states import Point
 from pydy._system.setup import Setup
 from pydy.analysis.equilibria import Equilibrium
@@ -40,7 +40,7 @@ def _warn_of_violations(at: At) -> None:
 
 
 def _outputs(
-    now: Snapshot,
+    now: Problem,
     outputs: Iterable[Any] | None,
     point: Point,
     T: np.ndarray,
@@ -151,7 +151,7 @@ class LinearModels(Setup):
         1.414214
         """
         now = self._now()
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         definition = now.definition
         n, s = len(definition.states), len(definition.specifieds)
         plan, p = now.plan, now.p

@@ -15,11 +15,11 @@ from pydy._errors import EquilibriumError, warn_user
 from pydy._graph.interpret import run
 from pydy._names import some, unique_names
 from pydy._rank import or_one
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem
 from pydy._simulation.states import GROUPS, ForcesWithoutConstraints, Point, located
 from pydy._system.setup import Setup
-from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, left_ahead, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
 # Times at which an equilibrium is tried again; powers of two where none are given.
@@ -57,7 +57,7 @@ class Balance:
 
     def __init__(
         self,
-        now: Snapshot,
+        now: Problem,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
         moving: Iterable[Any],
@@ -223,7 +223,7 @@ class Balance:
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])
 
-    def problem(self, last: float | None = None) -> Problem:
+    def problem(self, last: float | None = None) -> RootProblem:
         """Return the conditions of equilibrium; the `last` unknown may be given."""
         more = [] if last is None else [last]
         k = len(self.wanted.symbols) - len(more)
@@ -231,7 +231,7 @@ class Balance:
         def whole(z: np.ndarray) -> np.ndarray:
             return np.append(z, more)
 
-        return Problem(
+        return RootProblem(
             residual=lambda z: self.residuals(whole(z)[None])[0],
             jacobian=lambda z: self.slopes(whole(z)[None])[0, :, :k],
             unknowns=self.wanted.names[:k],
@@ -405,7 +405,7 @@ class Equilibria(Setup):
         >>> system.initial_conditions = found.initial_conditions
         """
         now = self._now()
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         balance = Balance(now, unknowns, given, moving)
         wanted = balance.wanted
         return balance.equilibrium(

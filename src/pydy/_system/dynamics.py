@@ -33,14 +33,14 @@ from pydy._mechanics.inverse import (
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
 from pydy._simulation.constraint_drift import first_violation
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import At, Snapshot
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import At, Problem
 from pydy._system.setup import Setup
 from pydy._system.values import Sweep, variables
 
 
 def _states(
-    now: Snapshot, q: Any, v: Any, a: np.ndarray, t: Any
+    now: Problem, q: Any, v: Any, a: np.ndarray, t: Any
 ) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
     """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
     equations, n = now.definition.equations, len(now.definition.states)
@@ -333,7 +333,7 @@ class Dynamics(Setup):
     ) -> np.ndarray:
         """Evaluate at the user's q, v, a and t."""
         now = self._now(constants=p)
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         # Values of constants that the motion does not depend on.
         definition, silent = now.definition, getattr(self._eom_method, "values", {})
         equations = definition.equations

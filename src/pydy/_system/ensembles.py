@@ -24,7 +24,7 @@ from pydy._checks import (
 )
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, some, unique_names
-from pydy._simulation.constraint_drift import check_samples, kept_programs
+from pydy._simulation.constraint_drift import check_samples, drift_programs
 from pydy._simulation.definition import check_times, refuse_descending
 from pydy._simulation.discontinuities import watched
 from pydy._simulation.events_and_constraints import (
@@ -32,9 +32,9 @@ from pydy._simulation.events_and_constraints import (
     native_solver,
     with_residuals_held,
 )
-from pydy._simulation.integration import Ready
-from pydy._simulation.problem import At, Snapshot, check_specifieds
-from pydy._simulation.sensitivities import Sensitive, changed_by, program_of_event
+from pydy._simulation.integration import PreparedIntegration
+from pydy._simulation.problem import At, Problem, check_specifieds
+from pydy._simulation.sensitivities import AugmentedSystem, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 
 
 def differentiated(
-    at: At, sensitive: Sensitive, options: Mapping[str, Any], control: bool
+    at: At, sensitive: AugmentedSystem, options: Mapping[str, Any], control: bool
 ) -> EnsembleSensitivities:
     """Return the sensitivities of an ensemble as Programs and numbers."""
     watch = watched(at, sensitive)
@@ -131,7 +131,7 @@ class _Names:
         }
 
     @staticmethod
-    def latest(now: Snapshot, sensitive: bool) -> _Names:
+    def latest(now: Problem, sensitive: bool) -> _Names:
         """Return those of a model, made once."""
         key = "names beside sensitivities" if sensitive else "names"
         more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
@@ -291,7 +291,7 @@ def _columns(
 
 
 def _check_assumptions(
-    now: Snapshot, columns: list[tuple[Any, Any]], kind: str, given: Mapping[Any, Any], what: str
+    now: Problem, columns: list[tuple[Any, Any]], kind: str, given: Mapping[Any, Any], what: str
 ) -> None:
     """Warn once of samples, (dims, values) for each symbol, that contradict assumptions."""
     assumed, told = now.definition.assumptions.get(kind), now.contradicted
@@ -546,15 +546,15 @@ class Ensembles(Setup):
             equations = definition.equations
             left_out, every = any(equations.left_out), equations.beyond_projection
             names_of = ConstraintNames(equations) if "events" in given else ()
-            kept = Kept(kept_programs(now, moved, plan), left_out, every, mended, names_of)
-        ready: Ready | None = now.model.latest.get("ensemble")
+            kept = Kept(drift_programs(now, moved, plan), left_out, every, mended, names_of)
+        ready: PreparedIntegration | None = now.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None
-        if ready is None or not ready.suits(plan, solver, given):
-            ready = Ready(definition, now.model, plan, solver, given)
+        if ready is None or not ready.is_compatible(plan, solver, given):
+            ready = PreparedIntegration(definition, now.model, plan, solver, given)
         integrated, options, beside = ready.model, ready.options, None
         if sensitivities is not None and motions is None:
-            sensitive = Sensitive.of(now, integrated, plan, sensitivities, self._dependent)
+            sensitive = AugmentedSystem.of(now, integrated, plan, sensitivities, self._dependent)
             looked_at = sensitive.sized(control, options) is not None
             options = sensitive.stepped(solver, options, now.x, times, looked_at)
             beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)

@@ -31,8 +31,8 @@ from pydy._simulation.events_and_constraints import (
     projection_program,
     with_all,
 )
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem
 from pydy._system.setup import Setup
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -105,7 +105,7 @@ def _names(symbols: Sequence[Any]) -> list[str]:
     return spelled
 
 
-def _held(now: Snapshot) -> dict[str, Any]:
+def _held(now: Problem) -> dict[str, Any]:
     """Return the sizes that projection works with."""
     equations, assembly = now.definition.equations, now.driven.assembly
     if not (assembly.holonomic or assembly.velocity):
@@ -124,7 +124,7 @@ def _held(now: Snapshot) -> dict[str, Any]:
 
 
 def _builders(
-    now: Snapshot, places: tuple[int, ...], events: Sequence[Event], projected: bool
+    now: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
 ) -> dict[str, Callable[[], Program]]:
     """Return what makes the Programs of a model with specifieds at some places as inputs."""
     from pydy.export.model import PARTS, with_inputs
@@ -242,7 +242,7 @@ class Exporting(Setup):
         from pydy.export.model import EventData, Model, Variable, identifiers
 
         now = self._now(events)
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         definition, times = now.definition, now.times
         start = float(times[0]) if len(times) else 0.0
         places = _input_places(definition, now.plan, inputs)

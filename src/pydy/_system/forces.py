@@ -15,7 +15,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
 from pydy._names import name_of
-from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._system.dynamics import named
 from pydy._system.setup import Setup
 
@@ -183,7 +183,7 @@ class Forces(Setup):
         np.float64(31.5)
         """
         if self._equations.forgotten:
-            warn_of_forgotten(self._now())
+            warn_of_missing_derivatives(self._now())
         if not self._equations.velocity:
             return Multipliers()
         return Multipliers(_forces(self._equations, bodies=False).multipliers(self._forces))
@@ -272,5 +272,5 @@ class Forces(Setup):
         name = f"reaction_{point}"
         found = forces.reaction(members, point, frame, more, name, self._forces)
         if equations.forgotten:
-            warn_of_forgotten(self._now())
+            warn_of_missing_derivatives(self._now())
         return Reaction(*found, frame)

@@ -20,8 +20,8 @@ from pydy._names import unique_names
 from pydy._simulation.definition import refuse_descending
 from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem
 from pydy._system.setup import Setup
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -31,7 +31,7 @@ from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
 _KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
 
 
-def _plan(now: Snapshot, part: Part | None) -> SpecifiedsPlan:
+def _plan(now: Problem, part: Part | None) -> SpecifiedsPlan:
     """Return the plan of the specifieds, with numbers for those in the layer's arguments."""
     if part is None:
         return now.plan
@@ -58,7 +58,7 @@ def _runs(rows: np.ndarray) -> Iterator[slice]:
 class _Values:
     """A block of the equations as a function of x, t, r and p."""
 
-    def __init__(self, now: Snapshot, block: str, parts: tuple[Part, ...]) -> None:
+    def __init__(self, now: Problem, block: str, parts: tuple[Part, ...]) -> None:
         self.now, self.block, self.parts = now, block, parts
         self._of = {part.group: part for part in parts}
         self._plan = _plan(now, self._of.get("r"))
@@ -202,7 +202,7 @@ class _Motion:
     """The states of a simulation, or the last of them, as a function of x, r and p."""
 
     def __init__(
-        self, system: Any, now: Snapshot, final: bool, parts: tuple[Part, ...], contacts: Any,
+        self, system: Any, now: Problem, final: bool, parts: tuple[Part, ...], contacts: Any,
         options: Any,
     ) -> None:  # fmt: skip
         self.parts, self._final, self._options = parts, final, options
@@ -440,7 +440,7 @@ class _Frozen:
 
     def __init__(self, system: Any, contacts: Any, options: dict[str, Any]) -> None:
         self._now = system._now(options.get("events"), contacts=contacts)
-        warn_of_forgotten(self._now)
+        warn_of_missing_derivatives(self._now)
         self._system, self._contacts, self._options = copy(system), contacts, options
         self._made: dict[Any, Function] = {}
 

@@ -17,7 +17,7 @@ from pydy._rank import HALF, or_one
 from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.discontinuities import warn_of_jumps
 from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.states import energetic_motions
 from pydy._simulation.tuning import BEGINNING, ORBIT
 from pydy._system.simulation import Simulation
@@ -34,7 +34,7 @@ _SAMPLES = 201
 _ON_THE_WAY, _RESIZED = 65, 5
 
 
-def _depends_on_time(now: Snapshot) -> bool:
+def _depends_on_time(now: Problem) -> bool:
     plan = now.plan
     if plan.functions or plan.sampled:
         return True

@@ -24,7 +24,7 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.to_sympy import written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
 from pydy._names import name_of
-from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._system.dynamics import without_bodies
 from pydy._system.setup import Setup
 
@@ -262,7 +262,7 @@ class Reading(Setup):
         s1 = sin(q1)
         """
         if self._equations.forgotten:
-            warn_of_forgotten(self._now())
+            warn_of_missing_derivatives(self._now())
         made = equations_to_read(self._equations, tuple(self._forces))
         if flag(short, "`short`"):
             return made

@@ -24,8 +24,8 @@ from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
 from pydy._simulation.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
 from pydy._simulation.energy import EnergyModel, check_potential
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import Snapshot, checked_plan, read_numbers
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem, checked_plan, read_numbers
 from pydy._simulation.scipy_solvers import resolve_ode_solver
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
@@ -235,7 +235,7 @@ class Setup:
         constants: Any = None,
         contacts: Any = None,
         further: Iterable[Any] = (),
-    ) -> Snapshot:
+    ) -> Problem:
         """Return everything as it is now, with the symbols that one call brings.
 
         Those of events are constants, and so are `further` symbols.
@@ -260,7 +260,7 @@ class Setup:
         }
         told = None if self._searching else self._contradicted
         energies, derivatives = self._energies, self._told
-        return Snapshot(made.definition, made.model, user, self._times, energies, derivatives, told)
+        return Problem(made.definition, made.model, user, self._times, energies, derivatives, told)
 
     def _told_again(self, definition: Definition, what: str) -> set[str] | None:
         """Forget that values of a kind contradict assumptions; return what remains told."""
@@ -651,7 +651,7 @@ class Setup:
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
         if self._equations.forgotten:
-            warn_of_forgotten(self._now())
+            warn_of_missing_derivatives(self._now())
         function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
         return function

@@ -18,12 +18,12 @@ from pydy._simulation.dependent_states import (
 from pydy._simulation.diagnostics import warn_of_outputs
 from pydy._simulation.discontinuities import warn_of_jumps
 from pydy._simulation.integration import Leg, run_solver
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import (
     SolveIvp,
     is_odeint,
 )
-from pydy._simulation.sensitivities import Wanted
+from pydy._simulation.sensitivities import SensitivityRequest
 from pydy._system.setup import Setup
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.solver import Solver
@@ -80,8 +80,8 @@ class Simulation(Setup):
         self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
         self._dependent = solved
 
-    def _shown(self, given: Mapping[str, Any]) -> Snapshot:
-        """Return the Snapshot of a call, and show what is made before the motion begins.
+    def _shown(self, given: Mapping[str, Any]) -> Problem:
+        """Return the Problem of a call, and show what is made before the motion begins.
 
         That bar goes where the solver's own begins.
         """
@@ -224,7 +224,7 @@ class Simulation(Setup):
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
-            wanted = Wanted(sensitivities, control, self._dependent)
+            wanted = SensitivityRequest(sensitivities, control, self._dependent)
         trajectory = Leg(now, self.ode_solver, solver_kwargs).simulated(wanted=wanted)
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now)

@@ -13,8 +13,8 @@ from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import Snapshot, samples
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem, samples
 from pydy._simulation.states import located
 from pydy._system.balance import Balance
 from pydy._system.setup import Setup
@@ -46,7 +46,7 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     return definition.places[kind].symbols[place], values
 
 
-def check_swept(now: Snapshot, parameter: Any, values: np.ndarray) -> None:
+def check_swept(now: Problem, parameter: Any, values: np.ndarray) -> None:
     """Warn of values of a parameter that contradict its assumptions."""
     kind, _ = located(now.definition, parameter, "over")
     for value in (values.min(), values.max()):
@@ -58,7 +58,7 @@ class Family:
 
     def __init__(
         self,
-        now: Snapshot,
+        now: Problem,
         parameter: Any,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
@@ -264,7 +264,7 @@ class Sweeps(Setup):
         [(0.0, 1j, True)]
         """
         now = self._now()
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         definition = now.definition
         given_at, at = at, now.x_with(at, "at")
         if at is not None:
@@ -363,7 +363,7 @@ class Sweeps(Setup):
         ('Hopf', 0.0, 1.0)
         """
         now = self._now()
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         definition = now.definition
         parameter, values = parameter_of(definition, over)
         check_swept(now, parameter, values)

@@ -25,8 +25,8 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._simulation.constraint_drift import warn_of_left_out
 from pydy._simulation.diagnostics import explain, warn_not_finite
 from pydy._simulation.energy import Energy
-from pydy._simulation.missing_derivatives import warn_of_forgotten
-from pydy._simulation.problem import At, Snapshot, samples
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import At, Problem, samples
 from pydy._simulation.states import GROUPS, located, members
 from pydy._simulation.tuning import TOGETHER
 from pydy._system.setup import Setup
@@ -129,11 +129,11 @@ def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
 
 
 def evaluate_block(
-    now: Snapshot, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
+    now: Problem, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
     if block in ("rates", "outputs"):
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
 
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled(block) if wrt is None else model.compiled_jacobian(block, wrt)
@@ -147,14 +147,14 @@ def evaluate_block(
 
 
 def evaluate_product(
-    now: Snapshot, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
+    now: Problem, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
 ) -> np.ndarray:
     """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
     definition = now.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
     target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
     if target.block in ("", "rates", "outputs"):
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
     by = variables(definition, wrt)
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):
@@ -213,7 +213,7 @@ class Sweep:
     look: Callable[[At], None] | None = None  # at the states first
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
 
-    def at(self, now: Snapshot, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+    def at(self, now: Problem, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
         """Evaluate it at a user's x, t, r and p."""
         model, definition = now.model, now.definition
         n = len(definition.states)

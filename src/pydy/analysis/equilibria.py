@@ -81,7 +81,7 @@ class Equilibrium:
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
+class RootProblem:
     """Equations of equilibrium ``residual(z) = 0``, with the sizes of rows and unknowns."""
 
     residual: Function  # of z (k,): shape (m,)
@@ -101,7 +101,7 @@ class Sizes:
     An unknown is at least as large as those that are large by themselves, as `natural` says, or
     else as the largest, in units of motions of one energy. The `inertia` says how large the rows
     are for such motions, and by which power of an angular frequency that is to be multiplied: 1 for
-    accelerations. For `rates` see `Problem`.
+    accelerations. For `rates` see `RootProblem`.
 
     Accelerations come from one linear solve, so that none is more exact than a rounding error of
     the largest, in units of the same energy: a bicycle's wheels at rest are moved by what is left
@@ -146,8 +146,8 @@ class Sizes:
         return result
 
 
-def solve_equilibrium(problem: Problem, start: np.ndarray, bounds: Bounds) -> Found:
-    """Solve a `Problem` between the lowest and the highest values of its unknowns.
+def solve_equilibrium(problem: RootProblem, start: np.ndarray, bounds: Bounds) -> Found:
+    """Solve a `RootProblem` between the lowest and the highest values of its unknowns.
 
     Return the solution, its largest residual, and the combinations of unknowns that the equations
     do not determine. Where there is none, raise EquilibriumError.
@@ -183,7 +183,7 @@ def solve_equilibrium(problem: Problem, start: np.ndarray, bounds: Bounds) -> Fo
 
 
 def _beyond_noise(
-    problem: Problem, slopes: np.ndarray, sizes: Sizes, z: np.ndarray
+    problem: RootProblem, slopes: np.ndarray, sizes: Sizes, z: np.ndarray
 ) -> tuple[Sizes, np.ndarray, np.ndarray]:
     """Return sizes and slopes without rows that are rounding errors of loads, and of these terms.
 
@@ -195,7 +195,7 @@ def _beyond_noise(
     return problem.sizes(slopes, z), slopes, more
 
 
-def left_ahead(ahead: Problem, z: np.ndarray) -> tuple[str, float, np.ndarray] | None:
+def left_ahead(ahead: RootProblem, z: np.ndarray) -> tuple[str, float, np.ndarray] | None:
     """Return a row that is not zero `ahead`, with its value and all, where coordinates moved on.
 
     None where the equilibrium is one there, too.
@@ -210,7 +210,7 @@ def left_ahead(ahead: Problem, z: np.ndarray) -> tuple[str, float, np.ndarray] |
     return None
 
 
-def _as_begun(accepted: Found, problem: Problem, start: np.ndarray, bounds: Bounds) -> Found:
+def _as_begun(accepted: Found, problem: RootProblem, start: np.ndarray, bounds: Bounds) -> Found:
     """Return the equilibrium with free states as at the start, if that is an equilibrium too.
 
     The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
@@ -236,13 +236,13 @@ def _as_begun(accepted: Found, problem: Problem, start: np.ndarray, bounds: Boun
     return again if nearer else accepted
 
 
-def _scaled(problem: Problem, rows: np.ndarray) -> tuple[Function, Function]:
+def _scaled(problem: RootProblem, rows: np.ndarray) -> tuple[Function, Function]:
     """Return residuals and Jacobian with each row in units of its size."""
     return lambda z: problem.residual(z) / rows, lambda z: problem.jacobian(z) / rows[:, None]
 
 
 def _search(
-    problem: Problem, z: np.ndarray, bounds: Bounds, rows: np.ndarray, units: np.ndarray
+    problem: RootProblem, z: np.ndarray, bounds: Bounds, rows: np.ndarray, units: np.ndarray
 ) -> tuple[np.ndarray, str]:
     """Search with rows and unknowns in the given units; return the result and why it ended."""
     low, high = bounds
@@ -259,7 +259,7 @@ def _search(
     return _polished(share, slopes, found_z, bounds, units), found.message
 
 
-def _accepted(problem: Problem, z: np.ndarray, bounds: Bounds, message: str) -> Found:
+def _accepted(problem: RootProblem, z: np.ndarray, bounds: Bounds, message: str) -> Found:
     """Return the result of `solve_equilibrium` if the residuals are rounding errors, else None."""
     low, high = bounds
     values, slopes = problem.residual(z), problem.jacobian(z)
@@ -416,7 +416,7 @@ def scaled_step(slopes: np.ndarray, values: np.ndarray, units: np.ndarray) -> np
 # so that the way does not depend on units.
 
 
-def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
+def settled(problem: RootProblem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
     """Return where the unknowns settle, or have come to when this was given up."""
     values, slopes = problem.residual(z), problem.jacobian(z)
     own, columns = list(problem.rates), list(problem.rates.values())

@@ -15,15 +15,15 @@ import numpy as np
 
 from pydy._simulation.events_and_constraints import with_residuals_held
 from pydy._simulation.integration import begin
-from pydy._simulation.problem import Snapshot
-from pydy._simulation.sensitivities import Sensitive
-from pydy._system.adjoints import Stretch, Task, read_term, travelled
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import AugmentedSystem
+from pydy._system.adjoints import MotionSegment, Task, integrate_forward, read_term
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers
 from pydy.contact.run import Run
-from pydy.contact.sensitivities import Carried, Transitions
+from pydy.contact.sensitivities import HybridSensitivities, Transitions
 from pydy.contact.trajectory import Piece
 from pydy.trajectory import EventRecord
 
@@ -37,9 +37,9 @@ class Noted(Transitions):
     """
 
     def __init__(
-        self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Snapshot, solved: Any
+        self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem, solved: Any
     ) -> None:
-        sensitive = Sensitive.of(now, now.model, now.plan, wrt, solved, "wrt")
+        sensitive = AugmentedSystem.of(now, now.model, now.plan, wrt, solved, "wrt")
         self.start = sensitive.start(now.x, float(now.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.solved, self.together = solved, False
@@ -49,10 +49,10 @@ class Noted(Transitions):
         self._unit = np.eye(n, n + len(wanted))
         super().__init__(rows, now, [*[None] * n, *own], self._unit)
         self.counts = {p.symbol: p.count for p in self._parameters}
-        self.stretches: list[tuple[Stretch, np.ndarray, np.ndarray]] = []
+        self.stretches: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
 
     def simulate(
-        self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
+        self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
     ) -> dict[str, Any]:
         """Simulate in one mode, with the matrix at the start `given`."""
         definition = now.definition
@@ -67,12 +67,12 @@ class Noted(Transitions):
         parameters = tuple(
             replace(p, place=places[p.kind].symbols.index(p.symbol)) for p in self._parameters
         )
-        sensitive = Sensitive(definition, ready.model, now.plan, parameters, now.p, "wrt")
+        sensitive = AugmentedSystem(definition, ready.model, now.plan, parameters, now.p, "wrt")
         guide = given.copy() if mode.turns else None
         if guide is not None and STARTING in mode.modes:  # what begins to slide has no speed
             guide[:, self._first : len(guide)] = 0.0
         free = options.get("constraints") is None
-        found = travelled(now, solver, ready, times, Task(sensitive, *terms), free, guide)
+        found = integrate_forward(now, solver, ready, times, Task(sensitive, *terms), free, guide)
         compiled: Any = found.options.events
         self._moments = {
             r.index: found.moment(r, r.index in mode.untimed)[2]
@@ -133,7 +133,7 @@ def gradient(run: Run) -> AdjointGradient:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
     values = stretches[0][0].by_parameters(by_state @ noted.start)
     if noted.together:  # sensitivities tell whether parameters part what happens at one instant
-        columns = Carried([*noted.counts], False, run.rows, run.now, noted.solved)
+        columns = HybridSensitivities([*noted.counts], False, run.rows, run.now, noted.solved)
         Run(
             run.kept, run.solver, run.now, run.times, run.user_events, run.options, columns
         ).trajectory()

@@ -18,15 +18,15 @@ from pydy._simulation.definition import refuse_descending
 from pydy._simulation.diagnostics import warn_of_outputs
 from pydy._simulation.discontinuities import warn_of_jumps
 from pydy._simulation.events_and_constraints import check_events, native_solver
-from pydy._simulation.problem import Snapshot
-from pydy._simulation.sensitivities import Sensitive
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import AugmentedSystem
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import Compiled, modes_of
 from pydy.contact.rows import StartError
 from pydy.contact.run import Run, State
-from pydy.contact.sensitivities import Carried
+from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
 from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, START_OFF_CONSTRAINTS, TERMINATED
@@ -153,7 +153,7 @@ class Contacts:
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
 
-    def _now(self, events: Any = None) -> tuple[Snapshot, Compiled]:
+    def _now(self, events: Any = None) -> tuple[Problem, Compiled]:
         now = self.system._now(events, contacts=self)
         if self._kept is None or self._kept.definition != now.definition:
             self._kept = Compiled(self.system, now, self.contacts, self.hypothesis)
@@ -209,7 +209,7 @@ class Contacts:
         trajectory = run.trajectory()
         if not (self.system._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, run.now)
-        if isinstance(run.carried, Carried) and not self.system._searching:
+        if isinstance(run.carried, HybridSensitivities) and not self.system._searching:
             warn_of_jumps(run.now, lambda: trajectory, run.carried.sensitive)
         return trajectory
 
@@ -362,10 +362,10 @@ class Contacts:
         return Run(kept, solver, now, times, given, solver_kwargs, carried)
 
 
-def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:
+def _columns(wanted: Any, controlled: Any) -> Callable[..., HybridSensitivities] | None:
     """Return the sensitivities to compute, or None."""
     controlled = flag(controlled, "`control_sensitivities`")
-    return None if wanted is None else partial(Carried, wanted, controlled)
+    return None if wanted is None else partial(HybridSensitivities, wanted, controlled)
 
 
 class Motions:
@@ -377,7 +377,7 @@ class Motions:
     def __init__(
         self,
         contacts: Contacts,
-        now: Snapshot,
+        now: Problem,
         solver: Solver,
         specifieds: Mapping[Any, Any],
         columns: Sequence[int],
@@ -391,7 +391,7 @@ class Motions:
         self.columns: tuple[str, ...] = ()
         wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if wanted is not None:
-            made = Sensitive.of(now, now.model, now.plan, wanted, system._dependent)
+            made = AugmentedSystem.of(now, now.model, now.plan, wanted, system._dependent)
             wanted = [p.symbol for p in made.parameters]
             self.columns = column_names({p.symbol: p.count for p in made.parameters})
         self._wanted = _columns(wanted, self._control)

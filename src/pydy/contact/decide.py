@@ -172,7 +172,7 @@ SLIDES = {FORWARD: 1.0, BACKWARD: -1.0, SLIDING: 1.0, STARTING: 1.0}
 
 
 @dataclass(frozen=True)
-class Problem:
+class ComplementarityProblem:
     """The problem that combinations of modes are tried on."""
 
     free: np.ndarray  # (rows,), c
@@ -243,7 +243,7 @@ def opened(contacts: int, rows: int) -> Solution:
     return Solution(modes, nothing, nothing, margins, True, sizes, {}, None, np.zeros((0, 0)))
 
 
-def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
+def held_rows(problem: ComplementarityProblem, modes: Sequence[str]) -> list[int]:
     """Return the rows that a combination holds."""
     found = []
     for i, mode in enumerate(modes):
@@ -271,7 +271,7 @@ def independent(square: np.ndarray, rows: Sequence[int]) -> list[int]:
     return found
 
 
-def linked(problem: Problem, some: Collection[int]) -> set[int]:
+def linked(problem: ComplementarityProblem, some: Collection[int]) -> set[int]:
     """Return the contacts whose forces may depend on those of some, through bodies in between."""
     size = np.sqrt(np.abs(problem.square.diagonal()))
     rows = {
@@ -294,14 +294,16 @@ def linked(problem: Problem, some: Collection[int]) -> set[int]:
     return found
 
 
-def direction(problem: Problem, i: int, mode: str) -> np.ndarray:
+def direction(problem: ComplementarityProblem, i: int, mode: str) -> np.ndarray:
     """Return the unit vector in which a contact slides."""
     if mode in (SLIDING, STARTING):
         return problem.directions[i]
     return np.array([SLIDES[mode]])
 
 
-def directions(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+def directions(
+    problem: ComplementarityProblem, modes: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the forces of all rows as B y + k of unknowns y, and k."""
     rows = len(problem.free)
     columns, known = [], np.zeros(rows)
@@ -324,13 +326,15 @@ def directions(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.n
     return np.array(columns).reshape(len(columns), rows).T, known
 
 
-def press(problem: Problem, forces: np.ndarray, i: int) -> float:
+def press(problem: ComplementarityProblem, forces: np.ndarray, i: int) -> float:
     """Return the normal force of a contact: the known part plus that of its row."""
     normal = problem.normal[i]
     return float(problem.pressed[i] + (0.0 if normal is None else forces[normal]))
 
 
-def _held(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _held(
+    problem: ComplementarityProblem, modes: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the forces of a combination that hold its rows, or come next to it.
 
     Also by how much each row is missed beyond `SLACK` of its terms, and what forces may differ by
@@ -370,7 +374,7 @@ def _held(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.ndarra
     return forces, np.abs(matrix @ found - right) - SLACK * most, null
 
 
-def solved(problem: Problem, modes: Sequence[str]) -> Solution:
+def solved(problem: ComplementarityProblem, modes: Sequence[str]) -> Solution:
     """Return the forces of a combination, and how well its inequalities hold."""
     forces, missed, null = _held(problem, modes)
     free, square, held = problem.free, problem.square, held_rows(problem, modes)
@@ -416,7 +420,9 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
 
 
 def turned(
-    problem: Problem, modes: Sequence[str], guess: Mapping[int, np.ndarray] | None = None
+    problem: ComplementarityProblem,
+    modes: Sequence[str],
+    guess: Mapping[int, np.ndarray] | None = None,
 ) -> Solution | None:
     """Return the solution where contacts that begin to slide do so in the directions of a_t.
 
@@ -439,7 +445,7 @@ def turned(
 
 
 def _turned(
-    problem: Problem, modes: Sequence[str], free: Sequence[int], vectors: np.ndarray
+    problem: ComplementarityProblem, modes: Sequence[str], free: Sequence[int], vectors: np.ndarray
 ) -> Solution | None:
     """Turn the directions of some contacts by Newton's method until a_t has no part across."""
     angles = np.arctan2(vectors[:, 1], vectors[:, 0])
@@ -474,7 +480,7 @@ def _turned(
     return None
 
 
-def within(problem: Problem, found: Solution) -> Solution:
+def within(problem: ComplementarityProblem, found: Solution) -> Solution:
     """Return a solution with the innermost forces, if the least ones are outside of their cones.
 
     Those that differ by what changes no acceleration are tried.
@@ -507,7 +513,7 @@ def leaps(solution: Solution, free: np.ndarray, tangents: Sequence[Sequence[int]
     return bool(sizes) and all(rate > BEGUN * alone for rate, alone in sizes)
 
 
-def _good(problem: Problem, found: Solution | None) -> Solution | None:
+def _good(problem: ComplementarityProblem, found: Solution | None) -> Solution | None:
     """Return a solution within its cones, if there is one; None if its equations have none."""
     if found is None or not found.consistent or not np.isfinite(found.forces).all():
         return None
@@ -515,7 +521,9 @@ def _good(problem: Problem, found: Solution | None) -> Solution | None:
 
 
 def _relaxed(
-    problem: Problem, options: Sequence[Sequence[str]], excluded: Collection[Sequence[str]]
+    problem: ComplementarityProblem,
+    options: Sequence[Sequence[str]],
+    excluded: Collection[Sequence[str]],
 ) -> Solution | None:
     """Return the combination that forces tell, found by iteration; None if they tell none."""
     contacts, tied = [], {}
@@ -555,7 +563,7 @@ def _relaxed(
 
 
 def chosen(
-    problem: Problem,
+    problem: ComplementarityProblem,
     options: Sequence[Sequence[str]],
     excluded: Collection[Sequence[str]] = (),
 ) -> Solution | None:

@@ -35,7 +35,7 @@ from pydy.contact.decide import (
     OPEN,
     STARTING,
     STICKS,
-    Problem,
+    ComplementarityProblem,
     chosen,
     solved,
 )
@@ -103,7 +103,7 @@ class Blow:
 
 
 def newton(
-    problem: Problem, speed: np.ndarray, e: np.ndarray, closing: Collection[int],
+    problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray, closing: Collection[int],
     still: Collection[int],
 ) -> Blow | None:  # fmt: skip
     """Return the impact of the contacts that touch; None if no impulses satisfy the laws.
@@ -125,7 +125,7 @@ def newton(
     return Blow(found.forces, rates, (Phase(found.forces, rates, found.modes, np.zeros(len(e))),))
 
 
-def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
+def poisson(problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
     """Return the impact of the contacts that touch; None if no impulses satisfy the laws."""
     pressing = chosen(replace(problem, free=speed, sizes=None), _options(problem))
     if pressing is None:
@@ -167,7 +167,7 @@ def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
     return None
 
 
-def _options(problem: Problem) -> list[Sequence[str]]:
+def _options(problem: ComplementarityProblem) -> list[Sequence[str]]:
     return [
         OPTIONS[len(tangent)] if i in problem.touching else [OPEN]
         for i, tangent in enumerate(problem.tangent)
@@ -237,7 +237,7 @@ def _blow(
     run: Any,
     state: Any,
     p: Any,
-    problem: Problem,
+    problem: ComplementarityProblem,
     rates: np.ndarray,
     hit: set[int],
     closing: set[int],

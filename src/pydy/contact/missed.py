@@ -10,7 +10,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._interpolation import evenly
 from pydy._rank import ROUNDING
-from pydy._simulation.diagnostics import cause_of
+from pydy._simulation.diagnostics import diagnosis_of
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
@@ -118,7 +118,7 @@ def flat(run: Any, t: float, x: np.ndarray, some: Collection[int]) -> str:
         normal = run.rows.normal[i]
         own = p.square[normal, normal]
         if not np.isfinite(own):
-            cause = cause_of(run.now.at(np.array([t]), x[None]))
+            cause = diagnosis_of(run.now.at(np.array([t]), x[None]))
             return (
                 f"The force that closes the gap of {run.contacts[i].name!r} cannot be computed. "
                 f"{cause or 'Check that no mass or inertia of the bodies there is zero.'}"

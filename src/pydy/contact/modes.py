@@ -17,7 +17,7 @@ from pydy._mechanics.components import dot
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
 from pydy._names import name_of
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
     BACKWARD,
@@ -341,7 +341,7 @@ class Compiled:
     """The compiled parts of a definition: rows of the contacts, and modes as they occur."""
 
     def __init__(
-        self, system: System, now: Snapshot, contacts: tuple[Contact, ...], hypothesis: str
+        self, system: System, now: Problem, contacts: tuple[Contact, ...], hypothesis: str
     ) -> None:
         self.hypothesis = hypothesis  # of restitution
         self.definition, self.contacts = now.definition, contacts

@@ -15,7 +15,7 @@ from pydy._forks import cached_property
 from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED, ROUNDING
 from pydy._simulation.integration import simulated
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,
@@ -26,7 +26,7 @@ from pydy.contact.decide import (
     SLIDING,
     STARTING,
     STICKS,
-    Problem,
+    ComplementarityProblem,
     Solution,
     chosen,
     held_rows,
@@ -41,7 +41,7 @@ from pydy.contact.impacts import strike
 from pydy.contact.missed import flat, missed
 from pydy.contact.modes import Compiled
 from pydy.contact.rows import Numbers, StartError
-from pydy.contact.sensitivities import Carried
+from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
 from pydy.solvers.options import Begun, Options, read_options
@@ -71,7 +71,7 @@ class Run:
         self,
         kept: Compiled,
         solver: Solver,
-        now: Snapshot,
+        now: Problem,
         times: np.ndarray,
         events: Sequence[Any],
         options: dict[str, Any],
@@ -140,10 +140,10 @@ class Run:
             values.update(zip(definition.specifieds, r.tolist(), strict=True))
         return values
 
-    def problem(self, p: Numbers, state: State) -> Problem:
+    def problem(self, p: Numbers, state: State) -> ComplementarityProblem:
         """Return the problem of accelerations that combinations of modes are tried on."""
         self.note_directions(p, state)
-        return Problem(
+        return ComplementarityProblem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
             frozenset(state.resting), frozenset(state.touching), dict(state.directions), self.bias,
             p.terms,
@@ -300,7 +300,7 @@ class Run:
         later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
         limit, name = float(state.t + 2.0 * v * later), f"{self.contacts[i].name} rests"
         record = EventRecord(limit, name, i, state.x.copy(), state.x.copy())
-        if isinstance(self.carried, Carried):  # with the forces of other contacts held
+        if isinstance(self.carried, HybridSensitivities):  # with the forces of other contacts held
             normal, by_e = self.rows.normal[i], slopes["restitution"][i]
             slower = v * later * a * by_e + v / a * slopes["free"][normal]
             faster = -p.restitution[i] * slopes["speed"][normal] - p.speed[normal] * by_e

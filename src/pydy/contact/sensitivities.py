@@ -27,8 +27,8 @@ from pydy._graph.interpret import evaluator
 from pydy._names import column_names
 from pydy._rank import DEPENDENT, ROUNDING
 from pydy._simulation.integration import simulated
-from pydy._simulation.problem import Snapshot
-from pydy._simulation.sensitivities import Sensitive, Wanted
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import AugmentedSystem, SensitivityRequest
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode
@@ -49,7 +49,7 @@ class Transitions:
     """
 
     def __init__(
-        self, rows: ContactRows, now: Snapshot, constants: Sequence[Any], total: np.ndarray
+        self, rows: ContactRows, now: Problem, constants: Sequence[Any], total: np.ndarray
     ) -> None:
         self.rows, self.now, self._constants = rows, now, constants
         self._first = len(rows.equations.coordinates)  # the place of the first speed
@@ -243,7 +243,7 @@ class Transitions:
             self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
 
 
-class Carried(Transitions):
+class HybridSensitivities(Transitions):
     """Sensitivities that are carried from mode to mode.
 
     `counts` has the number of columns of each parameter. Where `controlled`, the step control looks
@@ -251,9 +251,9 @@ class Carried(Transitions):
     """
 
     def __init__(
-        self, wanted: Any, controlled: bool, rows: ContactRows, now: Snapshot, solved: Any
+        self, wanted: Any, controlled: bool, rows: ContactRows, now: Problem, solved: Any
     ) -> None:
-        self.sensitive = sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
+        self.sensitive = sensitive = AugmentedSystem.of(now, now.model, now.plan, wanted, solved)
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
@@ -264,12 +264,12 @@ class Carried(Transitions):
         self._columns = np.full((len(now.times), *self.total.shape), np.nan)
 
     def simulate(
-        self, mode: Mode, given: np.ndarray, now: Snapshot, solver: Any, options: dict[str, Any]
+        self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
     ) -> dict[str, Any]:
         """Simulate in one mode, with S at the start `given`."""
         self._columns[self.now.times == now.times[0]] = given
         controlled = self._controlled or mode.turns
-        wanted = Wanted([*self._counts], controlled, None, given, mode.untimed)
+        wanted = SensitivityRequest([*self._counts], controlled, None, given, mode.untimed)
         return simulated(now, solver, options, wanted)
 
     def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:

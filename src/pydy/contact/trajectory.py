@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._interpolation import between
-from pydy._simulation.problem import Snapshot
+from pydy._simulation.problem import Problem
 from pydy.trajectory import EventRecord, Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -37,7 +37,7 @@ class Part:
     """What was integrated in one mode, up to the event that ended it; see `simulated`."""
 
     mode: Any  # Mode
-    now: Snapshot
+    now: Problem
     times: np.ndarray
     states: np.ndarray
     events: Sequence[EventRecord]

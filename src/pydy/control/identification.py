@@ -58,7 +58,7 @@ from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import labels_of
 from pydy.control.refine import Moved, checked_mesh, interval_errors, knots, refined
 from pydy.control.schemes import Scheme, scheme_of
-from pydy.control.transcription import Problem, Transcription, metric_of, sizes_of
+from pydy.control.transcription import TranscribedProblem, Transcription, metric_of, sizes_of
 from pydy.control.tuning import (
     FIT_ORDER,
     LEAST_FIT_ERROR,
@@ -116,11 +116,11 @@ class Identification:
         self.experiments, self.shared = experiments, shared
         self.noise, self.limits, self.priors = noise, limits, priors
         self.scheme: Scheme = scheme_of("radau", FIT_ORDER)
-        self.problems: list[Problem] = []
+        self.problems: list[TranscribedProblem] = []
         for experiment in experiments:
             self.problems.append(self._problem(experiment))
 
-    def _problem(self, e: Experiment) -> Problem:
+    def _problem(self, e: Experiment) -> TranscribedProblem:
         now, definition, plan = e.now, e.now.definition, e.now.plan
         count = len(definition.constants)
         columns = [
@@ -143,7 +143,7 @@ class Identification:
             same = other.now.driven is now.driven and made.measured == e.measured
             if same and [*map(_places, made.signals)] == [*map(_places, plan.sampled)]:
                 return replace(made, **numbers)
-        return Problem(
+        return TranscribedProblem(
             equations=Equations.of(now, disturbed=self._disturbed(e)),
             states=len(definition.states),
             labels=labels,

@@ -30,7 +30,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._rank import HALF, ROUNDING
-from pydy.control.transcription import Problem
+from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
 
 _DECADES = 9.0  # unknowns without bounds are looked for up to this power of ten
@@ -204,7 +204,7 @@ def branching(definition: Any) -> dict[Any, Any]:
 class Expressions:
     """Reads the expressions of a problem into a graph whose unknowns are inputs ``('x', k)``."""
 
-    problem: Problem
+    problem: TranscribedProblem
     # Names and bounds of states, their rates, controls, free constants and the duration.
     ranges: Mapping[tuple[str, int], Range]
     at_instants: Sequence[Range]  # of values at instants

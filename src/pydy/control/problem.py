@@ -26,7 +26,7 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
-from pydy._simulation.missing_derivatives import warn_of_forgotten
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
@@ -56,7 +56,7 @@ from pydy.control.refine import (
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.search import Search
-from pydy.control.transcription import Problem, Transcription
+from pydy.control.transcription import TranscribedProblem, Transcription
 from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
 
@@ -169,7 +169,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             system._now().definition, free, (objective, *boundary, *path), duration
         )
         self._own, self._now = own, (now := system._now(further=own))
-        warn_of_forgotten(now)
+        warn_of_missing_derivatives(now)
         definition, plan = now.definition, now.plan
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")
@@ -221,7 +221,7 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _read(
         self, reader: Reader, objective: Any, boundary: Any, path: Any, hessian: Any
-    ) -> Problem:
+    ) -> TranscribedProblem:
         """Return the problem as data."""
         now, definition, plan = self._now, self._now.definition, self._now.plan
         equations, places = definition.equations, definition.specifieds.index
@@ -253,7 +253,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         labels, held = labels_of(definition)
         self._fixed = all(low == high for low, high in self._start.values())
         self._held = tuple(f"{label} at the start" for label in held)
-        return Problem(
+        return TranscribedProblem(
             equations=made,
             states=len(definition.states),
             labels=labels,

@@ -56,7 +56,7 @@ class Lifted:
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
+class TranscribedProblem:
     """An optimal control problem as ordered data."""
 
     equations: Equations
@@ -335,7 +335,7 @@ class Problem:
 class Transcription:
     """A problem on a mesh."""
 
-    problem: Problem
+    problem: TranscribedProblem
     scheme: Scheme
     mesh: np.ndarray  # (M + 1,), the nodes as fractions of the duration, from 0 to 1
 

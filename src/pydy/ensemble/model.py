@@ -127,7 +127,7 @@ class Kept:
 
     programs: Any  # of `kept.Part` by name, None where unknown; 'screen' is both rows and products
     redundant: bool  # whether constraints were left out
-    every: bool  # whether rows that projection does not hold are looked at: see `check_kept`
+    every: bool  # whether rows that projection does not hold are looked at: see `check_drift`
     mended: bool  # whether motions are brought back onto the constraints
     names: Sequence[str]  # of the rows
 

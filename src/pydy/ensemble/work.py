@@ -18,10 +18,10 @@ from pydy._interpolation import evenly
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy._simulation.passages import Watched, told_of_jump
+from pydy._simulation.passages import Watched, jump_message
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
-from pydy.solvers.kept import (
+from pydy.solvers.constraint_drift import (
     Ran,
     allowed_after,
     beyond_digits,
@@ -272,7 +272,7 @@ class Work:
                 found = _values(batch, {"nodes": watched.nodes}, "nodes", [k], t, states(t)[None])
                 return {name: values[0] for name, values in found.items()}
 
-            if (told := told_of_jump(passed, watched, evaluate)) and self._first("jumps"):
+            if (told := jump_message(passed, watched, evaluate)) and self._first("jumps"):
                 warn_user(f"In one sample or more: {told[0].lower()}{told[1:]}")
 
     def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:

@@ -54,7 +54,7 @@ def _turned(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarra
     )
 
 
-class WayBack:
+class DiscreteAdjoint:
     """The adjoint of an explicit method: repeats its steps and goes back through their stages.
 
     The calls are of the derivatives of the n states, and of the same inputs with n weights after

@@ -58,7 +58,7 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 """
 
 
-class Verdict(NamedTuple):
+class DriftReport(NamedTuple):
     """A defect of a motion."""
 
     code: int  # LEFT_CONSTRAINTS or ENERGY_CHANGED
@@ -160,7 +160,7 @@ def is_near(products: np.ndarray) -> np.ndarray:
     return np.asarray(near.any(axis=-1))
 
 
-def judge(ran: Ran, part: Part) -> Verdict | None:
+def judge(ran: Ran, part: Part) -> DriftReport | None:
     """Return the defect of a motion, or None.
 
     Energies are looked at where residuals exceed six digits, or the constraints nearly lost rank.
@@ -172,7 +172,9 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
     near = ran.nearness is not None and ran.nearness < NEAR_SINGULAR
     if ran.nearness is not None:
         if wrong := contradicted(part("contradictions", t, x)):
-            return Verdict(LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]})
+            return DriftReport(
+                LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]}
+            )
         if not (near or ran.redundant):  # projection holds the rows
             return None
     found = part("rows", t, x)
@@ -201,7 +203,7 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
         k = int((off > 1.0).any(axis=1).argmax())
         row = int(np.argmax(off[k]))
         details = {"row": row, "residual": found["rows"][k, row], "explained": allowed[k, row]}
-        return Verdict(LEFT_CONSTRAINTS, k, details)
+        return DriftReport(LEFT_CONSTRAINTS, k, details)
     return _energy(ran, part) if sound else None
 
 
@@ -227,7 +229,7 @@ def contradicted(found: Mapping[str, np.ndarray]) -> tuple[int, int, float] | No
     return None
 
 
-def _energy(ran: Ran, part: Part) -> Verdict | None:
+def _energy(ran: Ran, part: Part) -> DriftReport | None:
     if ran.resets or ran.steps is None:
         return None
     found = part("energy", ran.times, ran.states)
@@ -252,7 +254,7 @@ def _energy(ran: Ran, part: Part) -> Verdict | None:
         return None
     k = int((changes > allowed).argmax())
     details = {"change": changes[k], "explained": allowed[k], "kinetic": kinetic}
-    return Verdict(ENERGY_CHANGED, k, details)
+    return DriftReport(ENERGY_CHANGED, k, details)
 
 
 def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:
