@@ -5,6 +5,7 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame
 
+import pictured
 import zoo
 from cases import system_of
 from exported_models import ball, hostile, pendulum
@@ -211,3 +212,17 @@ def test_a_live_page_fits_a_phone_in_the_dark(path, open_page, screenshot):
     page.locator("#live .toggle").click()
     assert page.locator("#live ul").is_visible()
     screenshot(page, "bicycle-live-phone")
+
+
+def test_on_a_phone_the_parameters_are_below_the_picture(open_page, tmp_path):
+    states = pictured.system_of("Planar double pendulum").states
+    scene = pictured.animated("Planar double pendulum")
+    path = scene.to_html(tmp_path / "phone.html", live={states[1]: (-3.0, 3.0)})
+    page = open_page(path, width=390, height=760)
+    page.click("#live .toggle")
+    panel, canvas = page.locator("#live").bounding_box(), page.locator("#stage").bounding_box()
+    assert page.locator("#live li").first.is_visible()
+    assert panel["y"] >= canvas["y"] + canvas["height"] - 1
+    assert canvas["height"] > 150
+    page.set_viewport_size({"width": 1000, "height": 700})
+    until(page, "document.getElementById('view').contains(document.getElementById('live'))")

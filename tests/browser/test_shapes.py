@@ -7,17 +7,20 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+import pictured
 from pydy.viz import (
     Arrow,
     Box,
     Capsule,
     Cone,
     Cylinder,
+    Damper,
     Line,
     Mesh,
     Plane,
     Scene,
     Sphere,
+    Spring,
     Torus,
     Trace,
     Visual,
@@ -141,3 +144,37 @@ def test_a_scene_looks_the_same_in_every_unit(unit, tmp_path, open_page, screens
 
     differs = np.abs(picture(unit) - picture(1.0)).max(axis=-1) > 30
     assert differs.mean() < 3e-4  # pixels at edges
+
+
+def test_dark_colours_are_seen_on_the_dark_page_and_others_stay(open_page, tmp_path):
+    def luminance(colour):
+        levels = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
+        linear = np.where(levels <= 0.04045, levels / 12.92, ((levels + 0.055) / 1.055) ** 2.4)
+        return float(linear @ [0.2126, 0.7152, 0.0722])
+
+    N, O = ReferenceFrame("N"), Point("O")
+    x = dynamicsymbols("x")
+    colours = ["#000080", "#000000", "#4c8bd9"]
+    points = [O.locatenew(f"P{k}", (x + k) * N.x) for k, _ in enumerate(colours)]
+    balls = [Visual(Sphere(0.1, colour=c), p) for c, p in zip(colours, points, strict=True)]
+    scene = Scene(N, O, *balls).animate([0.0, 1.0], [[0.0], [1.0]], symbols=[x])
+    dark = open_page(scene.to_html(tmp_path / "dark.html", theme="dark")).evaluate("pydy.colours()")
+    page = open_page(scene.to_html(tmp_path / "light.html", theme="light"))
+    light = page.evaluate("pydy.colours()")
+    assert light == colours
+    assert dark[2] == colours[2]
+    paper = luminance("#171b21")
+    for colour in dark[:2]:
+        assert (luminance(colour) + 0.05) / (paper + 0.05) == pytest.approx(2.0, rel=0.05)
+
+
+def test_springs_and_dampers_reach_from_point_to_point(open_page, tmp_path):
+    scene = pictured.animated("Quarter of a car")
+    page = open_page(scene.to_html(tmp_path / "car.html"))
+    axle, car = scene.poses[-1, 0, 1, 3], scene.poses[-1, 1, 1, 3]
+    page.evaluate(f"pydy.seek({scene.times[-1]})")
+    boxes = page.evaluate("pydy.boxes()")
+    for box, item in zip(boxes, scene._animation.items, strict=True):
+        if isinstance(item.shape, (Spring, Damper)) and item.shape.points[1].name == "B":
+            wire = 0.18 * item.shape.radius if isinstance(item.shape, Spring) else 0.0
+            assert [box[0][1], box[1][1]] == pytest.approx([axle, car], abs=2 * wire + 1e-6)

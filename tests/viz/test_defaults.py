@@ -5,9 +5,11 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import pictured
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
-from pydy.viz import Box, Cylinder, Line, Sphere
+from pydy.viz import Bar, Box, Cube, Cylinder, Damper, Line, Sphere, Spring, Visual
 from pydy.viz.defaults import default_shape
 
 q, u = me.dynamicsymbols("q, u")
@@ -52,8 +54,11 @@ def test_without_a_mass_the_proportions_are_right():
     assert isinstance(default_shape(body(1, sm.Symbol("I"), 1, 1), {}, 1.0), Sphere)
 
 
-def test_springs_are_lines_and_carts_hang_on_nothing():
-    assert len(lines_of(multi_mass_spring_damper(2))) == 2
+def test_springs_hang_one_on_the_other_and_carts_hang_on_nothing():
+    visuals = multi_mass_spring_damper(2).scene().visuals
+    for kind in (Spring, Damper):
+        pairs = [v.shape.points for v in visuals if type(v.shape) is kind]
+        assert [[p.name for p in pair] for pair in pairs] == [["O", "P0"], ["P0", "P1"]]
     names = [[p.name for p in pair] for pair in lines_of(n_link_pendulum_on_cart(2))]
     assert names == [["P0", "P1"], ["P1", "P2"]]
 
@@ -79,8 +84,165 @@ def test_joints_of_sympy_are_reached_by_arms():
     multibody = me.System.from_newtonian(base)
     multibody.add_joints(joint)
     multibody.apply_uniform_gravity(-9.81 * base.y)
-    ((centre, end),) = lines_of(System(multibody))
-    assert centre == arm.masscenter
-    assert end == joint.child_point
+    (ends,) = lines_of(System(multibody))
+    assert {*ends} == {arm.masscenter, joint.child_point}
     system = System(multibody, times=np.linspace(0, 1, 3))
     assert system.animate().poses.shape == (3, 3, 4, 4)
+
+
+# -- What points and frames show: bars, ropes, springs, wheels, supports ---------------------------
+
+
+def items_of(scene, kind):
+    return [item for item in scene._moving().items if isinstance(item.shape, kind)]
+
+
+def ends_of(item):
+    return [p.name for p in item.shape.points]
+
+
+def lengths_of(item):
+    return np.linalg.norm(item.points[:, 1] - item.points[:, 0], axis=1)
+
+
+def test_planar_links_are_bars_between_their_joints():
+    scene = pictured.animated("Four-bar linkage of planar links")
+    bars = items_of(scene, Bar)
+    assert [ends_of(bar) for bar in bars] == [["O", "E0"], ["E0", "E1"], ["E1", "E2"]]
+    for bar, length in zip(bars, (1.0, 3.0, 2.0), strict=True):
+        assert lengths_of(bar) == pytest.approx(length)
+        assert bar.shape.radius < 0.05
+    # Both bearings stand on the ground; of the inertias, which no body has, no disc is drawn.
+    assert [i.visual.point.name for i in items_of(scene, Cube)] == ["O", "D"]
+    assert not items_of(scene, Cylinder)
+    assert all(i.shape.radius < 0.1 for i in items_of(scene, Sphere))
+
+
+def test_a_rope_of_varying_length_follows_its_two_points():
+    scene = pictured.animated("Crane with a winch")
+    (rope,) = items_of(scene, Line)
+    assert ends_of(rope) == ["T", "L"]
+    trolley, load = (scene.poses[:, k, :3, 3] for k in (0, 1))
+    assert rope.points[:, 0] == pytest.approx(trolley)
+    assert rope.points[:, 1] == pytest.approx(load)
+    assert np.ptp(lengths_of(rope)) > 0.01
+
+
+def test_a_rod_may_be_written_in_fixed_axes():
+    (rod,) = items_of(pictured.animated("Pendulum in fixed axes, by Lagrange"), Bar)
+    assert ends_of(rod) == ["O", "P"]
+    assert lengths_of(rod) == pytest.approx(1.0)
+
+
+def test_springs_and_dampers_connect_the_points_of_opposite_forces():
+    scene = pictured.animated("Quarter of a car")
+    assert [ends_of(i) for i in items_of(scene, Spring)] == [["A", "B"], ["O", "A"]]
+    assert [ends_of(i) for i in items_of(scene, Damper)] == [["A", "B"]]
+    spring, damper = items_of(scene, Spring)[0], items_of(scene, Damper)[0]
+    axle, car = (scene.poses[:, k, 1, 3] for k in (0, 1))
+    assert lengths_of(spring) == pytest.approx(car - axle)
+    assert damper.tube == pytest.approx(0.6 * (car - axle).min())
+
+
+def test_a_spring_of_a_lagrangian_is_one_and_weight_is_none():
+    theta, r = me.dynamicsymbols("theta r")
+    origin, own = me.Point("O"), N.orientnew("A", "Axis", [theta, N.z])
+    origin.set_vel(N, 0)
+    bob = origin.locatenew("P", -r * own.y)
+    bob.set_vel(N, bob.pos_from(origin).dt(N))
+    for stiffness, kind in ((50, Spring), (0, Line)):
+        particle = me.Particle("bob", bob, 1)
+        height = -r * sm.cos(theta)
+        particle.potential_energy = sm.Rational(981, 100) * height + stiffness * (r - 1) ** 2 / 2
+        method = me.LagrangesMethod(
+            me.Lagrangian(N, particle), [theta, r], bodies=[particle], frame=N
+        )
+        method.form_lagranges_equations()
+        shapes = [v.shape for v in System(method).scene().visuals if isinstance(v.shape, Line)]
+        assert [type(shape) for shape in shapes] == [kind]
+
+
+def test_gravity_between_two_points_is_no_spring():
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    origin = me.Point("O")
+    origin.set_vel(N, 0)
+    sun, earth = origin.locatenew("S", x * N.x), origin.locatenew("E", y * N.y)
+    bodies = [me.Particle("sun", sun, 5), me.Particle("earth", earth, 1)]
+    way = earth.pos_from(sun)
+    for law, count in ((way.magnitude() ** -3, 0), (sm.S.One, 1)):
+        loads = [(sun, law * way), (earth, -law * way)]
+        system = System(Definition(N, [x, y], [v, w], bodies=bodies, loads=loads))
+        assert len([s for s in system.scene().visuals if isinstance(s.shape, Spring)]) == count
+
+
+@pytest.mark.parametrize(
+    "title", ["Rolling disc of SymPy's documentation", "Wheel on a level road"]
+)
+def test_a_wheel_reaches_to_the_point_where_it_touches(title):
+    scene = pictured.animated(title)
+    (wheel,) = items_of(scene, Cylinder)
+    assert wheel.shape.radius == pytest.approx(pictured.system_of(title).constants["r"])
+    assert wheel.shape.axis == {"R": "y", "W": "z"}[wheel.visual.frame.name]
+    assert not items_of(scene, Line)
+
+
+def test_both_wheels_of_a_bicycle_have_their_radii():
+    wheels = items_of(pictured.animated("Whipple's bicycle"), Cylinder)
+    assert [w.shape.radius for w in wheels] == pytest.approx([0.3, 0.35])
+    assert [w.shape.axis for w in wheels] == ["y", "y"]
+
+
+def test_a_flywheel_at_the_end_of_an_arm_does_not_reach_to_the_bearing():
+    theta, phi, w, s = me.dynamicsymbols("theta phi w s")
+    origin = me.Point("O")
+    origin.set_vel(N, 0)
+    arm, own = N.orientnew("A", "Axis", [theta, N.z]), N.orientnew("B", "Axis", [phi, N.z])
+    centre = origin.locatenew("G", 2 * arm.x)
+    wheel = me.RigidBody("wheel", centre, own, 1, (me.inertia(own, 1, 1, 2), centre))
+    system = System(Definition(N, [theta, phi], [w, s], bodies=[wheel]), times=[0, 1])
+    scene = system.animate()
+    assert [ends_of(bar) for bar in items_of(scene, Bar)] == [["O", "G"]]
+    (disc,) = items_of(scene, Cylinder)
+    assert disc.shape.radius == pytest.approx(2.0)  # m r² / 2 = 2
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1e9])
+def test_the_picture_is_the_same_in_every_unit(unit):
+    def drawn(system, size):
+        for item in system.animate()._animation.items:
+            lengths = [getattr(item.shape, name) for name in item.shape.lengths]
+            points = item.points if item.points is not None else item.positions
+            yield type(item.shape), np.array(lengths) / size, points[0] / size
+
+    for make in (pictured.planar_double_pendulum, pictured.rolling_wheel):
+        small, usual = [*drawn(make(unit), unit)], [*drawn(make(), 1.0)]
+        assert [kind for kind, *_ in small] == [kind for kind, *_ in usual]
+        for (_, lengths, points), (_, expected, where) in zip(small, usual, strict=True):
+            assert lengths == pytest.approx(expected, rel=1e-6)
+            assert points == pytest.approx(where, rel=1e-6, abs=1e-6)
+
+
+def test_shapes_that_are_given_are_the_only_ones():
+    system = pictured.system_of("Four-bar linkage of planar links")
+    link = system.eom_method.bodies[0]
+    scene = system.scene(Visual(Box(1, 0.1, 0.2), link))
+    assert [v.shape for v in scene.visuals] == [Box(1, 0.1, 0.2)]
+
+
+def test_a_body_that_hangs_on_nothing_keeps_the_solid_of_its_inertia():
+    (box,) = items_of(pictured.animated("Gyroscope"), Box)
+    assert len(pictured.animated("Gyroscope").visuals) == 1
+    assert box.shape.x > 0
+
+
+def test_a_plane_body_without_another_point_is_a_plate_that_hides_nothing():
+    shape = default_shape(body(1, 0, 0, 1), {}, 0.1, alone=False)
+    assert (shape.radius, shape.axis) == (pytest.approx(0.008), "z")
+    # With nothing else to compare with, it is a disc with that moment: m r² / 2.
+    assert default_shape(body(1, 0, 0, 2), {}, 1.0).radius == pytest.approx(2.0)
+
+
+def test_a_solid_is_drawn_on_bars_where_it_is_small_beside_them():
+    heavy = body(5, 2, 2, 2)  # a ball of radius 1
+    assert default_shape(heavy, {}, 1.0, reach=3.0).radius == pytest.approx(1.0)
+    assert default_shape(heavy, {}, 1.0, reach=1.5).radius < 0.1

@@ -19,13 +19,10 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.reader import given_velocity
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF
-from pydy.viz.defaults import arms, find_origin, gravities, guess_up, load_arrows, skeleton
+from pydy.viz.defaults import find_origin, gravities, guess_up, load_arrows, visuals_of
 from pydy.viz.motion import Geometry, Model, Motion, Names, place
+from pydy.viz.outline import Outline, outline
 from pydy.viz.scene import Scene
-from pydy.viz.shapes import Line
-from pydy.viz.visuals import Visual
-
-_LINES = "#7d8796"  # grey, to be seen on white and on nearly black
 
 
 def make_scene(
@@ -65,13 +62,13 @@ def make_scene(
     definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
     model = Model(definition.states, definitions, *moving)
     if not visuals:
-        # Bodies, and lines that show how they hang together.
         assert mechanism is not None
-        pairs = arms(mechanism.joints)
-        if not mechanism.joints:
-            pairs = skeleton(origin, [body.masscenter for body in bodies], mechanism.loads)
-        lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
-        visuals = [*bodies, *lines]
+        found = Outline()
+        if reference_frame is mechanism.frame:
+            names = Names(definition.states, definition.specifieds, definitions=dict(definitions))
+            places = mechanism, origin, equations.coordinates
+            found = _outline(*places, names, constants, bool(equations.holonomic))
+        visuals = visuals_of(bodies, found)
     if loads and mechanism is not None:
         # Gravity on the ground's own body moves nothing: the equations do not hold its mass.
         shown = [
@@ -81,6 +78,25 @@ def make_scene(
         ]
         visuals = [*visuals, *load_arrows(mechanism.bodies, shown)]
     return Scene(reference_frame, origin, *visuals, model=model, **options)
+
+
+def _outline(
+    mechanism: Mechanism,
+    origin: Any,
+    coordinates: Sequence[Any],
+    names: Names,
+    constants: Mapping[Any, float],
+    closed: bool,
+) -> Outline:
+    """Return what the points of a mechanism show."""
+    potential = None
+    if mechanism.lagrangian is not None:
+        lagrangian = sm.sympify(mechanism.lagrangian)
+        potential = -lagrangian.xreplace(dict.fromkeys(lagrangian.atoms(sm.Derivative), 0))
+    return outline(
+        mechanism.frame, origin, mechanism.bodies, mechanism.loads, coordinates, names, constants,
+        potential, closed,
+    )  # fmt: skip
 
 
 def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[Any, Any]:

@@ -32,8 +32,9 @@ class Pictures(Simulation, Exporting):
         Parameters
         ----------
         *visuals : pydy.viz.Visual, RigidBody or Particle
-            By default all bodies of the method (a solid with the same inertia for each RigidBody,
-            a ball for each Particle), and lines between points that were located from each other.
+            By default what points and frames show: bars between the joints of bodies, ropes,
+            springs, dampers, wheels and supports; a ball for each Particle; and a solid with the
+            same inertia for a RigidBody without further points.
         reference_frame : ReferenceFrame, optional
             By default the inertial frame.
         origin : Point, optional

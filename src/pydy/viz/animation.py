@@ -13,10 +13,10 @@ from pydy._interpolation import evenly
 from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
 from pydy.viz.curves import Curve
-from pydy.viz.defaults import default_shape
+from pydy.viz.defaults import BAR, default_shape
 from pydy.viz.motion import Geometry, Motion, Placement, place
-from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
-from pydy.viz.surfaces import arrow, rods, surface
+from pydy.viz.shapes import Arrow, Bar, Cube, Damper, Line, Plane, Shape, Spring, Support, Trace
+from pydy.viz.surfaces import arrow, coil, piston, rods, surface
 from pydy.viz.visuals import Visual
 
 # -- From where a scene is seen: the camera, the ground, and what they follow ----------------------
@@ -154,11 +154,22 @@ class Item:
             assert isinstance(self.shape, Line)
             if self.shape.radius is None:
                 return None
+            if isinstance(self.shape, Spring):
+                return coil(self.points[k], self.shape.radius, self.shape.coils)
+            if isinstance(self.shape, Damper):
+                return piston(self.points[k], self.shape.radius, self.tube)
             return rods(self.points[k], self.shape.radius)
         if isinstance(self.shape, Trace):
             return None
         vertices, faces = surface(self.shape)
         return vertices @ self.rotations[k].T + self.positions[k], faces
+
+    @property
+    def tube(self) -> float:
+        """Length of a damper's tube: most of the shortest distance between its ends."""
+        assert self.points is not None
+        lengths = np.linalg.norm(self.points[:, 1] - self.points[:, 0], axis=1)
+        return 0.6 * float(lengths.min())
 
     def reach(self, rows: np.ndarray) -> np.ndarray:
         """Return the lowest and highest coordinates at some instants, shape (len(rows), 2, 3)."""
@@ -280,7 +291,7 @@ def _check(placed: Placement, geometry: Geometry, times: np.ndarray) -> None:
 def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> Animation:
     m = len(motion.times)
     identity = np.broadcast_to(np.eye(3), (m, 3, 3))
-    size = _size(placed)
+    size, alone = _size(placed)
     # A default shape may need numbers for the state too; everything else depends on constants.
     constants = motion.values
     first = {motion.names.time: float(motion.times[0]), **constants}
@@ -289,9 +300,11 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
     colours: dict[str, str] = {}
     scales = _scales(visuals, placed, size)
     items, arrows = [], 0
+    reaches = _reaches(visuals, placed)
     for visual in visuals:
-        shape = visual.shape or default_shape(visual.body, first, size)
-        shape = shape.measured(constants)
+        far = reaches.get(id(visual.body), 0.0)
+        shape = visual.shape or default_shape(visual.body, first, size, far, alone)
+        shape = _suited(shape.measured(constants), size)
         if shape.colour is None:
             colour = colours.setdefault(visual.name, CYCLE[len(colours) % len(CYCLE)])
             shape = replace(shape, colour=colour)
@@ -343,9 +356,31 @@ def _shown(longest: np.ndarray) -> float:
     return 1.0 / max(3.0 * usual, peak) if peak else 1.0
 
 
-def _size(placed: Placement) -> float:
-    """Return how large the scene is, as far as its points tell."""
+def _suited(shape: Shape, size: float) -> Shape:
+    """Return a shape with the sizes that suit a scene, where it has none of its own."""
+    if isinstance(shape, Support):
+        return Cube(4 * BAR * size, colour=shape.colour, opacity=shape.opacity)
+    if isinstance(shape, Bar) and shape.radius is None:
+        thick = {Spring: 2.5 * BAR, Damper: 0.8 * BAR}.get(type(shape), BAR)
+        return replace(shape, radius=thick * size)
+    return shape
+
+
+def _reaches(visuals: Sequence[Visual], placed: Placement) -> dict[int, float]:
+    """Return the distances to which the bars of bodies reach from their mass centres."""
+    found: dict[int, float] = {}
+    for visual in visuals:
+        if visual.body is not None and isinstance(visual.shape, Bar):
+            centre = placed.positions[visual.point][0]
+            ends = (placed.positions[p][0] - centre for p in visual.shape.points)
+            far = max(float(np.linalg.norm(end)) for end in ends)
+            found[id(visual.body)] = max(found.get(id(visual.body), 0.0), far)
+    return found
+
+
+def _size(placed: Placement) -> tuple[float, bool]:
+    """Return how large the scene is, and whether no distance between its points is known."""
     cloud = np.stack(list(placed.positions.values()))
     spread = float(np.linalg.norm(np.ptp(cloud, axis=0), axis=-1).max())
     travel = float(np.linalg.norm(np.ptp(cloud, axis=(0, 1))))
-    return spread or travel or 1.0
+    return spread or travel or 1.0, not spread

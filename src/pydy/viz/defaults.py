@@ -7,50 +7,94 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
-from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
 from pydy._mechanics.reader import breadth_first_from, given_velocity
 from pydy._rank import DIGITS
-from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
+from pydy.viz.outline import Outline
+from pydy.viz.shapes import (
+    Arrow,
+    Bar,
+    Box,
+    Cylinder,
+    Damper,
+    Line,
+    Shape,
+    Sphere,
+    Spring,
+    Support,
+)
+from pydy.viz.surfaces import surface
 from pydy.viz.visuals import Visual
 
 # A plate is drawn no thinner than this part of its greatest edge.
 _THINNEST = 0.03
+# Radii of what has no size of its own, as parts of the scene's: a bar, a ball, a body in a plane.
+BAR, BALL, PLATE = 0.011, 0.04, 0.08
+# A solid that reaches further than this part of the distance to its body's own points hides them.
+_COMPACT = 0.5
 
 
-def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
+def default_shape(
+    body: Any, values: Mapping[Any, float], size: float, reach: float = 0.0, alone: bool = True
+) -> Shape:
     """Return the simplest solid with a body's inertia, or a ball for a particle.
 
     Where all three moments are equal that is a sphere, where two are a cylinder or disc about the
-    third axis, else a box. `values` are those of all symbols at the first instant, for an inertia
-    may be written in a frame in which the body turns; `size` is that of the scene.
+    third axis, else a box.
+
+    Parameters
+    ----------
+    body : RigidBody or Particle
+    values : mapping of symbols to float
+        Those of all symbols at the first instant, for an inertia may be written in a frame in which
+        the body turns.
+    size : float
+        That of the scene.
+    reach : float, optional
+        The distance from the mass centre to the farthest point of the body, of which bars are
+        drawn. The solid is then drawn only if it is small beside that.
+    alone : bool, optional
+        Whether no distance between points of the scene is known.
     """
-    ball = Sphere(0.04 * size)
+    ball = Sphere(BALL * size)
     if not isinstance(body, RigidBody):
         return ball
+    joint = Sphere(2 * BAR * size)  # on the bars
     numbers = {k: sm.Float(v) for k, v in values.items()}
     inertia = body.central_inertia.to_matrix(body.frame)
     try:
         moments = [float(sm.sympify(inertia[k, k]).xreplace(numbers)) for k in range(3)]
     except TypeError:  # a symbol without a value
-        return ball
+        return joint if reach else ball
     try:
         mass = float(sm.sympify(body.mass).xreplace(numbers))
     except TypeError:  # it is not in the equations: its size is free, its proportions are not
         mass = 12 * max(moments) / (0.4 * size) ** 2
+    if not mass > 0 or not max(moments) > 0 or not np.isfinite(moments).all():
+        return joint if reach else ball
     # I_x = m (y² + z²) / 12 and so on, solved for the edges.
     ix, iy, iz = moments
     squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
-    if not mass > 0 or not max(squares) > 0 or not np.isfinite(squares).all():
-        return ball
-    round_one = _round_shape(moments, mass)
-    if round_one is not None:
-        return round_one
-    edges = [float(np.sqrt(max(6 * s / mass, 0.0))) for s in squares]
-    return Box(*(max(edge, _THINNEST * max(edges)) for edge in edges))
+    if min(squares) < -DIGITS * max(moments):
+        # No body has such an inertia: it is one of motion in a plane, and tells no size.
+        if reach:
+            return joint
+        axis = int(np.argmax(moments))
+        radius = float(np.sqrt(2 * moments[axis] / mass))
+        if not alone:
+            radius = min(radius, PLATE * size)
+        return Cylinder(2 * _THINNEST * radius, radius, "xyz"[axis])
+    solid = _round_shape(moments, mass)
+    if solid is None:
+        edges = [float(np.sqrt(max(6 * s / mass, 0.0))) for s in squares]
+        solid = Box(*(max(edge, _THINNEST * max(edges)) for edge in edges))
+    corners = surface(solid)[0]
+    if reach and float(np.linalg.norm(corners, axis=1).max()) > _COMPACT * reach:
+        return joint
+    return solid
 
 
 def _round_shape(moments: list[float], mass: float) -> Shape | None:
@@ -77,17 +121,41 @@ def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     return next((p for p in every if given_velocity(p, frame) == Vector(0)), None)
 
 
-def arms(joints: Iterable[Any]) -> list[tuple[Any, Any]]:
-    """Return the pairs of points between which bodies reach: mass centres and joints."""
-    pairs = []
-    for joint in joints:
-        for body, point in (
-            (joint.parent, joint.parent_point),
-            (joint.child, joint.child_point),
-        ):
-            if point.pos_from(body.masscenter) != Vector(0):
-                pairs.append((body.masscenter, point))
-    return pairs
+_GREY = "#7d8796"  # to be seen on white and on nearly black
+_SPOKE = 0.12  # width of a wheel's spoke and of its rim, as parts of the radius
+
+
+def visuals_of(bodies: Iterable[Any], found: Outline) -> list[Visual]:
+    """Return visuals of bodies and of all that an outline says."""
+    visuals = []
+    for body in bodies:
+        if body in found.resting:
+            visuals.append(Visual(Support(colour=_GREY), body))
+        elif body in found.wheels:
+            visuals += _wheel(body, *found.wheels[body])
+        else:
+            visuals.append(Visual(None, body))
+    for body, pair in found.bars:
+        if body is None:
+            visuals.append(Visual(Bar(pair, colour=_GREY), name="rods"))
+        else:
+            visuals.append(Visual(Bar(pair), body))
+    visuals += [Visual(Line(pair, colour=_GREY), name="ropes") for pair in found.ropes]
+    visuals += [Visual(Spring(pair, colour=_GREY), name="springs") for pair in found.springs]
+    visuals += [Visual(Damper(pair, colour=_GREY), name="dampers") for pair in found.dampers]
+    visuals += [Visual(Support(colour=_GREY), point, name="ground") for point in found.supports]
+    return visuals
+
+
+def _wheel(body: Any, radius: Any, axis: str | None) -> list[Visual]:
+    """Return a ball, or a wheel about an axis with a spoke that shows how it turns."""
+    if axis is None:
+        return [Visual(Sphere(radius), body)]
+    edges = dict.fromkeys("xyz", _SPOKE * radius)
+    edges["x" if axis != "x" else "y"] = 1.8 * radius
+    edges[axis] = 1.3 * _SPOKE * radius
+    wheel = Visual(Cylinder(_SPOKE * radius, radius, axis), body)
+    return [wheel, Visual(Box(**edges, colour=_GREY), body)]
 
 
 def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list[Visual]:
@@ -102,36 +170,6 @@ def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list
             arrow = Arrow(vector, scale=None, colour=colour)
             arrows.append(Visual(arrow, point, name=name))
     return arrows
-
-
-def skeleton(
-    origin: Any, points: Iterable[Any], loads: Iterable[tuple[Any, Any]] = ()
-) -> list[tuple[Any, Any]]:
-    """Return the pairs of points that lead from the origin to the given ones.
-
-    Two points make a pair where the position of one was given relative to the other, unless
-    nothing holds them together: one floats, rolls or slides freely with respect to the other.
-    """
-    driven = {f for _, vector in loads for f in _functions(vector)}
-    before = breadth_first_from([origin])
-    pairs: dict[tuple[Any, Any], None] = {}
-    for point in points:
-        while (above := before.get(point)) is not None:
-            moving = _functions(point.pos_from(above))
-            if not moving or (len(moving) == 1 and moving <= driven):
-                pairs[above, point] = None
-            point = above
-    return list(pairs)
-
-
-def _functions(vector: Any) -> set[Any]:
-    """Return the functions of time in a vector's components, whatever its frames do."""
-    return {
-        f
-        for components, _ in vector.args
-        for c in components
-        for f in sm.sympify(c).atoms(AppliedUndef)
-    }
 
 
 def gravities(expression: Any) -> list[Any]:

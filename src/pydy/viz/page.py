@@ -36,7 +36,7 @@ from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.curves import BUCKETS, thinned
 from pydy.viz.live import LivePage, Witness
-from pydy.viz.surfaces import surface
+from pydy.viz.surfaces import helix, surface
 
 # -- The page --------------------------------------------------------------------------------------
 
@@ -305,6 +305,14 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     if item.points is not None:
         assert isinstance(shape, shapes.Line)
         entry["radius"] = shape.radius and shape.radius / unit
+        if isinstance(shape, shapes.Spring):
+            # As long as it is at first, so that its wire is round then.
+            length = float(np.linalg.norm(item.points[0, 1] - item.points[0, 0])) or shape.radius
+            vertices, faces = helix(shape.radius, shape.coils, length)
+            entry["vertices"], entry["faces"] = _packed(vertices / unit), _packed(faces, np.uint32)
+            entry |= {"smooth": True, "first": length / unit}
+        elif isinstance(shape, shapes.Damper):
+            entry["tube"] = item.tube / unit
         carried = tracks.carrier(shape.points, item.points)
         changing = tracks.witness is not None
         if carried is None:

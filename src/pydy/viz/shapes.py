@@ -548,6 +548,79 @@ class Line(Shape):
 
 
 @dataclass(unsafe_hash=True)
+class Bar(Line):
+    """A round bar through moving points; without a radius it has one that suits the scene.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point
+    >>> from pydy.viz import Bar
+    >>> Bar([Point("A"), Point("B")], colour="grey").points
+    (A, B)
+    """
+
+
+class _Stretched(Bar):
+    """A shape between two points whose distance may vary."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if len(self.points) != 2:
+            raise ValueError(
+                f"`points` of {type(self).__name__} must be two points, its ends, got "
+                f"{len(self.points)}."
+            )
+
+
+@dataclass(unsafe_hash=True)
+class Spring(_Stretched):
+    """A helical spring between two points, which it follows.
+
+    Attributes
+    ----------
+    points : sequence of sympy.physics.vector.Point
+        Its two ends.
+    radius : length, optional
+        Of the helix; by default one that suits the scene.
+    coils : int
+        Number of its turns.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point
+    >>> from pydy.viz import Spring
+    >>> Spring([Point("A"), Point("B")], radius=0.05).coils
+    8
+    """
+
+    coils: int = 8
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not isinstance(self.coils, int) or isinstance(self.coils, bool) or self.coils < 1:
+            raise ValueError(
+                f"`coils` of Spring must be a positive integer, got {shown(self.coils)}."
+            )
+
+
+class Damper(_Stretched):
+    """A damper or a hydraulic cylinder between two points: a rod that slides in a tube.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point
+    >>> from pydy.viz import Damper
+    >>> Damper([Point("A"), Point("B")], radius=0.02).radius
+    0.02
+    """
+
+
+@dataclass(unsafe_hash=True)
+class Support(Shape):
+    """A cube at a point at rest on which a mechanism hangs; its size suits the scene."""
+
+
+@dataclass(unsafe_hash=True)
 class Trace(Shape):
     """The path of the point.
 

@@ -169,6 +169,39 @@ def rods(points: np.ndarray, radius: float) -> Surface:
     return placed.reshape(-1, 3), (faces + offsets[:, None, None]).reshape(-1, 3)
 
 
+WIRE = 0.18  # radius of a spring's wire, relative to that of its helix
+TUBE = 1.8  # radius of a damper's tube, relative to that of its rod
+
+
+def coil(points: np.ndarray, radius: float, turns: int) -> Surface:
+    """Return a helical spring between two points."""
+    way = points[1] - points[0]
+    vertices, faces = helix(radius, turns, float(np.linalg.norm(way)))
+    return vertices @ _onto(way[None])[0].T + points[0], faces
+
+
+def helix(radius: float, turns: int, length: float) -> Surface:
+    """Return a helical spring with straight ends, from the origin along y."""
+    s = np.linspace(0.0, 1.0, 12 * turns + 1)
+    angle = 2 * np.pi * turns * s
+    away = np.stack([np.cos(angle), 0.12 + 0.76 * s, np.sin(angle)], 1)
+    line = np.concatenate([[[0, 0, 0], [0, 0.1, 0]], away, [[0, 0.9, 0], [0, 1, 0]]])
+    tall = length or radius  # without a length it is folded, and not a shape
+    return shapes.along(line * np.array([radius, tall, radius]), WIRE * radius, closed=False)
+
+
+def piston(points: np.ndarray, radius: float, tube: float) -> Surface:
+    """Return a rod between two points and the tube around its end."""
+    way = points[1] - points[0]
+    length = float(np.linalg.norm(way))
+    rod, faces = rods(points, radius)
+    if not length > 0.0:
+        return rod, faces
+    start = points[1] - way * min(tube / length, 1.0)
+    around, more = rods(np.stack([start, points[1]]), TUBE * radius)
+    return np.concatenate([rod, around]), np.concatenate([faces, more + len(rod)])
+
+
 @cache
 def _unit_rod(around: int) -> Surface:
     return _turned([(0, 1), (1, 1), (1, 0), (0, 0)], "y", around)

@@ -4,6 +4,8 @@ const theme = { accent: "" };
 function readTheme() {
   theme.accent = cssColour("--accent");
   paint();
+  for (const [visual, trail] of trails) trail.line.material.color.copy(visual.painted);
+  for (const { members, swatch } of legendParts) swatch.style.background = members[0].painted.getStyle();
   drawStrip();
   invalidate();
 }
@@ -102,7 +104,6 @@ const legendParts = [...rows].map(([name, members]) => {
   shown.className = "shown";
   label.textContent = name;
   shown.title = `Show or hide ${name}`;
-  swatch.style.background = members[0].colour;
   shown.append(swatch, label);
   shown.addEventListener("click", () => setVisible(name, !members[0].object.visible));
   row.append(shown);
@@ -121,7 +122,7 @@ const legendParts = [...rows].map(([name, members]) => {
   });
   follow.className = "path";
   legendRows.append(row);
-  return { members, shown, trail, follow, moving };
+  return { members, shown, swatch, trail, follow, moving };
 });
 
 function fillLegend() {
@@ -273,6 +274,8 @@ window.pydy = {
       return low.x <= high.x ? [low, high].map((end) => end.multiplyScalar(unit).toArray()) : null;
     });
   },
+  /** The colours that the visuals have on this page, light or dark: "#rrggbb". */
+  colours() { return visuals.map((visual) => `#${visual.painted.getHexString()}`); },
   /** Where the camera is and what it looks at. */
   camera() { return [camera.position, controls.target].map((place) => place.clone().multiplyScalar(unit).toArray()); },
   /** What the last frames cost, medians in milliseconds of script; `drawing` commands are part of `all`. */

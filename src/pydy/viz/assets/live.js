@@ -259,7 +259,10 @@ function fillPanel() {
   }
   panel.append(head, rows, complaint);
   open(innerWidth > 640);
-  document.getElementById("view").append(panel);
+  const picture = document.getElementById("view"), narrow = matchMedia("(max-width: 640px)");
+  const settle = () => (narrow.matches ? picture.after(panel) : picture.append(panel));
+  narrow.addEventListener("change", settle);
+  settle();
 }
 
 button(switchBox, "One frame on (→)", "M6 5l9 7-9 7zM18 5v14", () => {

@@ -23,15 +23,18 @@ const GEOMETRIES = {
 
 const geometries = new Map();
 
+/** The triangles that came with a visual. */
+function meshOf(visual) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(unpacked(visual.vertices, Float32Array), 3));
+  geometry.setIndex(new THREE.BufferAttribute(unpacked(visual.faces, Uint32Array), 1));
+  if (visual.smooth) geometry.computeVertexNormals();
+  return geometry;
+}
+
 /** Return the geometry of a visual; equal shapes share one. */
 function geometryOf(visual) {
-  if (visual.kind === "Mesh") {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(unpacked(visual.vertices, Float32Array), 3));
-    geometry.setIndex(new THREE.BufferAttribute(unpacked(visual.faces, Uint32Array), 1));
-    if (visual.smooth) geometry.computeVertexNormals();
-    return geometry;
-  }
+  if (visual.kind === "Mesh") return meshOf(visual);
   const key = visual.kind + JSON.stringify(visual.size);
   if (!geometries.has(key)) geometries.set(key, GEOMETRIES[visual.kind](visual.size));
   return geometries.get(key);
@@ -143,6 +146,60 @@ class RodShape extends THREE.Group {
     this.joints.instanceMatrix.needsUpdate = this.rods.instanceMatrix.needsUpdate = true;
   }
 }
+
+/** What lies between two moving points: `axis` is a group whose y axis leads from one to the other. */
+class Between extends THREE.Group {
+  constructor(visual) {
+    super();
+    this.column = new Column(visual.points);
+    this.row = new Float32Array(this.column.width);
+    this.end = new THREE.Vector3();
+    this.axis = new THREE.Group();
+    this.add(this.axis);
+  }
+  update() {
+    const { axis, row, end } = this;
+    this.column.blend(now.k, now.part, row);
+    axis.position.fromArray(row);
+    const length = end.fromArray(row, 3).sub(axis.position).length();
+    if (length > 0) axis.quaternion.setFromUnitVectors(Y, end.divideScalar(length));
+    this.stretch(length);
+  }
+}
+
+const TUBE = 1.8; // radius of a damper's tube, relative to that of its rod
+
+class SpringShape extends Between {
+  constructor(visual) {
+    super(visual);
+    this.first = visual.first; // the length of its triangles
+    this.axis.add(solid(meshOf(visual), materialOf(visual)));
+  }
+  stretch(length) {
+    this.axis.scale.y = Math.max(length / this.first, 1e-6);
+  }
+}
+
+class DamperShape extends Between {
+  constructor(visual) {
+    super(visual);
+    const material = materialOf(visual), r = visual.radius;
+    this.rod = solid(unitShaft(20), material);
+    this.tube = solid(unitShaft(24), material);
+    this.axis.add(this.rod, this.tube);
+    this.longest = visual.tube;
+    this.rod.scale.set(r, 1, r);
+    this.tube.scale.set(TUBE * r, 1, TUBE * r);
+  }
+  stretch(length) {
+    const tube = Math.min(this.longest, length);
+    this.rod.scale.y = Math.max(length, 1e-9);
+    this.tube.scale.y = Math.max(tube, 1e-9);
+    this.tube.position.y = length - tube;
+  }
+}
+
+const LINES = { Spring: SpringShape, Damper: DamperShape };
 
 function many(geometry, material, count) {
   const mesh = new THREE.InstancedMesh(geometry, material, count);

@@ -41,7 +41,7 @@ const visuals = data.visuals.map((visual) => {
     track.add(made.anchor);
   } else scene.add(made.anchor);
   if (visual.points) {
-    made.object = visual.radius === null ? new ThinLine(visual) : new RodShape(visual);
+    made.object = visual.radius === null ? new ThinLine(visual) : new (LINES[visual.kind] ?? RodShape)(visual);
     if (track) {
       made.anchor.add(made.object);
       made.object.update(); // once: its points rest in the track's frame
@@ -236,7 +236,25 @@ function cssColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
+const LUMINANCE = [0.2126, 0.7152, 0.0722];
+const luminance = (colour) => LUMINANCE[0] * colour.r + LUMINANCE[1] * colour.g + LUMINANCE[2] * colour.b;
+// Least contrast with the page, (lighter + 0.05) / (darker + 0.05); light bodies on a light page have shades too.
+const ON_DARK = 2, ON_LIGHT = 1.25;
+
+/** A colour made lighter on a dark page, or darker on a light one, where it would vanish. */
+function legible(colour) {
+  const made = new THREE.Color(colour), own = luminance(made), paper = luminance(new THREE.Color(cssColour("--paper")));
+  const dark = paper < 0.18, limit = dark ? ON_DARK * (paper + 0.05) - 0.05 : (paper + 0.05) / ON_LIGHT - 0.05;
+  if (dark && own < limit) made.lerp(new THREE.Color(0xffffff), (limit - own) / (1 - own));
+  else if (!dark && own > limit) made.multiplyScalar(limit / own);
+  return made;
+}
+
 function paint() {
+  for (const visual of visuals) {
+    visual.painted = legible(visual.colour);
+    visual.object.traverse((part) => part.material?.color.copy(visual.painted));
+  }
   grid.material.uniforms.colour.value.set(cssColour("--grid"));
   floor.material.opacity = Number(cssColour("--shadow"));
 }

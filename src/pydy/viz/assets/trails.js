@@ -26,7 +26,7 @@ class Trail {
     this.visual = visual;
     this.duration = (visual.size && visual.size.duration) || Infinity;
     this.places = pathOf(visual);
-    this.line = new WideLine(times.length, visual.colour, 0.85, 2.5);
+    this.line = new WideLine(times.length, legible(visual.colour), 0.85, 2.5);
     this.whole = -1; // segments written so far that are complete
     this.tip = new THREE.Vector3();
     this.tipRow = new Float32Array(3);

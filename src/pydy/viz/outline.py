@@ -1,0 +1,541 @@
+"""What a mechanism looks like, as far as its points and frames tell: bars, ropes, springs, wheels.
+
+All is decided by structure, at random states: two points belong to one body where their distance is
+constant in its frame, whatever the unit. Only the constants have their values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import Point, RigidBody, Vector, dynamicsymbols
+
+from pydy._graph.interpret import run
+from pydy._mechanics.reader import breadth_first_from, given_velocity, oriented, places
+from pydy._mechanics.symbols import find_symbols
+from pydy._rank import HALF, rank_of
+from pydy.viz.motion import Geometry, Names, pose_program
+
+Pair = tuple[Any, Any]
+
+_SAMPLES = 6  # random states; as many again with the speeds zero
+_JUMPS = (sm.Piecewise, sm.Max, sm.Min, sm.Heaviside, sm.sign, sm.Abs)
+
+
+@dataclass
+class Outline:
+    """Lines between points, wheels and supports of a mechanism."""
+
+    bars: list[tuple[Any, Pair]] = field(default_factory=list)  # (body or None, two points)
+    ropes: list[Pair] = field(default_factory=list)
+    springs: list[Pair] = field(default_factory=list)
+    dampers: list[Pair] = field(default_factory=list)
+    wheels: dict[Any, tuple[Any, str | None]] = field(default_factory=dict)  # body: radius, axis
+    supports: list[Any] = field(default_factory=list)  # points at rest on which something turns
+    resting: list[Any] = field(default_factory=list)  # bodies that do not move
+
+
+def outline(
+    frame: Any,
+    origin: Any,
+    bodies: Sequence[Any],
+    loads: Sequence[tuple[Any, Any]],
+    coordinates: Sequence[Any],
+    names: Names,
+    values: Mapping[Any, float],
+    potential: Any = None,
+    closed: bool = False,
+) -> Outline:
+    """Return the Outline of bodies and loads; an empty one where their places are not known.
+
+    Parameters
+    ----------
+    frame, origin : ReferenceFrame, Point
+        Inertial frame, and a point at rest in it.
+    bodies, loads, coordinates : sequences
+    names : Names
+        The states and specifieds; definitions of the rates of coordinates.
+    values : mapping of symbols to float
+        Constants; others are one.
+    potential : expression, optional
+        That of a Lagrangian, whose springs are no loads.
+    closed : bool, optional
+        Whether constraints close loops: points at rest may then be bearings where a loop ends.
+    """
+    try:
+        outliner = _Outliner(frame, origin, bodies, loads, coordinates, names, values, potential)
+        return outliner.outline(closed)
+    except ValueError:  # a point or a frame hangs in the air: `animate` says which
+        return Outline()
+
+
+class _Numbers:
+    """Vectors and expressions at random states; they are read together."""
+
+    def __init__(self, frame: Any, origin: Any, frames: Iterable[Any]) -> None:
+        self.frame, self.origin, self.frames = frame, origin, tuple(dict.fromkeys(frames))
+        self.vectors: dict[Any, Any] = {}
+        self.expressions: dict[Any, Any] = {}
+        self.speeds: frozenset[Any] = frozenset()  # those of the states
+        self.scale = 1.0  # of random states
+
+    def evaluate(self, names: Names, values: Mapping[Any, float]) -> None:
+        """Evaluate all of them; `names` and `values` as in `outline`."""
+        known = {*names.states, *names.specifieds, *names.definitions, names.time}
+        turns = (e for f in self.frames for m in oriented(f).values() for e in m)
+        parts = [c for v in self.vectors.values() for m, _ in v.args for c in m]
+        found = find_symbols([*parts, *self.expressions.values(), *turns])
+        constants = {**{s: 1.0 for s in found if isinstance(s, sm.Symbol) and s not in known}}
+        constants |= {s: float(v) for s, v in values.items()}
+        others = [s for s in found if not isinstance(s, sm.Symbol) and s not in known]
+        names = Names(
+            names.states, (*names.specifieds, *others), tuple(constants), names.definitions
+        )
+        geometry = Geometry(
+            self.frame, self.origin, self.frames, (), tuple(self.vectors.values()),
+            tuple((str(k), e) for k, e in enumerate(self.expressions.values())),
+        )  # fmt: skip
+        program = pose_program(geometry, names)
+        rng, m = np.random.default_rng(0), 2 * _SAMPLES
+        states = self.scale * rng.uniform(0.3, 1.2, (m, len(names.states)))
+        half = states[:_SAMPLES]
+        moving = [k for k, s in enumerate(names.states) if s in self.speeds]
+        states[_SAMPLES:] = half
+        states[_SAMPLES:, moving] = 0.0
+        inputs = rng.uniform(0.3, 1.2, (m, len(names.specifieds)))
+        inputs[_SAMPLES:] = inputs[:_SAMPLES]
+        times = np.tile(rng.uniform(0.3, 1.2, _SAMPLES), 2)
+        with np.errstate(all="ignore"):
+            out, _ = run(program, times, states, inputs, np.array([*constants.values()]))
+        blocks = program.by_block(out)
+        self.turns = {f: blocks["rotations"][:, k] for k, f in enumerate(self.frames)}
+        self._vectors = {k: blocks["vectors"][:, n] for n, k in enumerate(self.vectors)}
+        self._series = {k: blocks["series"][:, n] for n, k in enumerate(self.expressions)}
+
+    def vector(self, key: Any) -> np.ndarray:
+        """Return a vector at all samples, (m, 3)."""
+        return self._vectors[key]
+
+    def series(self, key: Any) -> np.ndarray:
+        """Return an expression at all samples, (m,)."""
+        return self._series[key]
+
+
+class _Outliner:
+    """Finds the parts of an Outline one after another."""
+
+    def __init__(
+        self,
+        frame: Any,
+        origin: Any,
+        bodies: Sequence[Any],
+        loads: Sequence[tuple[Any, Any]],
+        coordinates: Sequence[Any],
+        names: Names,
+        values: Mapping[Any, float],
+        potential: Any,
+    ) -> None:
+        self.frame, self.origin, self.bodies, self.names = frame, origin, bodies, names
+        self.loads = [(w, v) for w, v in loads if isinstance(w, Point) and v != Vector(0)]
+        self.values, self.potential = values, potential
+        self.above = breadth_first_from([origin])
+        self.centres = {body.masscenter for body in bodies}
+        self.rigid = [body for body in bodies if isinstance(body, RigidBody)]
+        self.groups: dict[Any, Any] = {}
+        frames = [frame, *(body.frame for body in self.rigid)]
+        self.numbers = _Numbers(frame, origin, frames)
+        self.numbers.speeds = frozenset(names.states) - {*coordinates}
+        self.result = Outline()
+
+    def outline(self, closed: bool) -> Outline:
+        """Return the Outline."""
+        self.edges = [*self._edges()]
+        self._prepare()
+        self.numbers.evaluate(self.names, self.values)
+        # Beside lengths of a million, a coordinate of one would change nothing.
+        scale = max(
+            (float(np.abs(self.numbers.vector(edge)).max()) for edge in self.edges), default=1
+        )
+        if scale > 1.0 and np.isfinite(scale):
+            self.numbers.scale = scale
+            self.numbers.evaluate(self.names, self.values)
+        self.pairs = [*self._force_pairs()]
+        self.ground = self._reached(self.origin, lambda a, b: self._is_fixed(a, b, self.frame))
+        self._find_bars()
+        self._find_wheels()
+        self._find_forces()
+        self._find_rods_and_ropes()
+        self._find_supports(closed)
+        return self.result
+
+    # -- what is read ----------------------------------------------------------------------------
+
+    def _edges(self) -> Iterator[Pair]:
+        """Yield the pairs of points that lead from the origin to mass centres and forces."""
+        seen: set[Any] = set()
+        for point in (*(b.masscenter for b in self.bodies), *(where for where, _ in self.loads)):
+            while point not in seen and (above := self.above.get(point)) is not None:
+                seen.add(point)
+                yield above, point
+                point = above
+
+    def _force_pairs(self) -> Iterator[tuple[Any, Any, Any, np.ndarray]]:
+        """Yield two points, the force on the second, opposite to that on the first, and numbers."""
+        kept = [
+            k
+            for k, (where, force) in enumerate(self.loads)
+            if where in self.above and _varying(force)
+        ]
+        self.paired: set[int] = set()
+        if not kept:
+            return
+        rows = np.stack([self.numbers.vector(("force", k)).ravel() for k in kept])
+        for i, k in enumerate(kept):
+            size = np.abs(rows[i]).max()
+            if k in self.paired or not size > 0:
+                continue
+            for j in (
+                i + 1 + np.flatnonzero(np.abs(rows[i + 1 :] + rows[i]).max(axis=1) <= HALF * size)
+            ).tolist():
+                (start, _), (point, force) = self.loads[k], self.loads[kept[j]]
+                if kept[j] not in self.paired and start is not point:
+                    self.paired |= {k, kept[j]}
+                    yield start, point, force, rows[j].reshape(-1, 3)
+                    break
+
+    def _prepare(self) -> None:
+        vectors, expressions = self.numbers.vectors, self.numbers.expressions
+        around = [(other, c) for c in self.centres for other in places(c)]
+        # All that hangs on the origin may be a point of a body, or of another mechanism.
+        every = [(a, b) for b, a in self.above.items() if a is not None]
+        related = {*breadth_first_from([self.frame], oriented)}
+        for a, b in (*self.edges, *around, *every):
+            if all(f in related for _, f in places(b)[a].args):
+                vectors[a, b] = places(b)[a]
+        for a, b in self.edges:
+            for symbol in _varying(vectors[a, b]):
+                vectors[a, b, symbol] = _slope(vectors[a, b], symbol)
+        for k, (_, force) in enumerate(self.loads):
+            vectors["force", k] = force
+            for symbol in _functions(force):
+                vectors["stiffness", k, symbol] = _slope(force, symbol)
+        for body in self.rigid:
+            for other, way in places(body.masscenter).items():
+                if other not in self.centres:
+                    velocity = given_velocity(body.masscenter, self.frame)
+                    if velocity is not None:
+                        spin = body.frame.ang_vel_in(self.frame)
+                        vectors["slip", body.name, other] = velocity - spin.cross(way)
+                        vectors["speed", body.name, other] = velocity
+        if self.potential is not None:
+            for _, b in self.edges:
+                for symbol in _varying(vectors[self.above[b], b]):
+                    expressions[symbol] = sm.diff(self.potential, symbol, 2)
+
+    # -- structure -------------------------------------------------------------------------------
+
+    def _group(self, frame: Any) -> Any:
+        """Return one frame for all that never turn relative to each other."""
+        if frame not in self.groups:
+            todo = [frame]
+            self.groups[frame] = frame
+            while todo:
+                for other, matrix in oriented(todo.pop()).items():
+                    if other not in self.groups and self.names.time not in matrix.free_symbols:
+                        self.groups[other] = frame
+                        todo.append(other)
+        return self.groups[frame]
+
+    def _is_fixed(self, a: Any, b: Any, frame: Any) -> bool:
+        """Return whether the vector from a to b is constant in a frame, as it was written."""
+        vector = places(b)[a]
+        own = self._group(frame)
+        return all(self._group(f) is own for _, f in vector.args) and not any(
+            self.names.time in part.free_symbols for part, _ in vector.args
+        )
+
+    def _is_fixed_in(self, body: Any, a: Any, b: Any) -> bool:
+        """Return whether the vector between two points is constant in a body's frame."""
+        if self._is_fixed(a, b, body.frame):
+            return True
+        if (a, b) not in self.numbers.vectors or body.masscenter not in (a, b):
+            return False
+        away = np.einsum("mji,mj->mi", self.numbers.turns[body.frame], self.numbers.vector((a, b)))
+        return _constant(away)
+
+    @staticmethod
+    def _reached(start: Any, joined: Any) -> dict[Any, Any]:
+        """Return the points reached from one along joined pairs, each with the one before."""
+        before, todo = {start: None}, [start]
+        while todo:
+            a = todo.pop(0)
+            for b in places(a):
+                if b not in before and joined(a, b):
+                    before[b] = a
+                    todo.append(b)
+        return before
+
+    # -- the parts -------------------------------------------------------------------------------
+
+    def _find_bars(self) -> None:
+        self.members: dict[Any, set[Any]] = {}  # the points of each body
+        taken: dict[tuple[Any, Any], Any] = {}
+        for body in self.rigid:
+            centre = body.masscenter
+            if self._group(body.frame) is self._group(self.frame) and centre in self.ground:
+                self.result.resting.append(body)
+                self.members[body] = {centre}
+                continue
+            tree = self._reached(centre, lambda a, b, body=body: self._is_fixed_in(body, a, b))
+            self.members[body] = {*tree}
+            if taken.setdefault((self._group(body.frame), centre), body) is not body:
+                continue  # two bodies on one link
+            taken.update({(self._group(body.frame), point): body for point in tree})
+            self.result.bars += [(body, pair) for pair in self._bars_of(tree)]
+
+    def _bars_of(self, tree: Mapping[Any, Any]) -> list[Pair]:
+        """Return the bars between points of a body: one where they are in line."""
+        offsets = {point: self._offset(point, tree) for point in tree}
+        rows = np.array([*offsets.values()])
+        length = float(np.abs(rows).max())
+        points = [*offsets]
+        if not length > 0.0:
+            return []
+        _, sizes, directions = np.linalg.svd(rows / length)
+        order = {point: k for k, point in enumerate(self.above)}  # from the origin
+        if rank_of(sizes) == 1:
+            along = rows @ directions[0]
+            ends = sorted(
+                (int(along.argmin()), int(along.argmax())), key=lambda k: order[points[k]]
+            )
+            return [(points[ends[0]], points[ends[1]])]
+        return [
+            (before, point)
+            for point, before in tree.items()
+            if before is not None and np.abs(offsets[point] - offsets[before]).max() > HALF * length
+        ]
+
+    def _first_sample(self, a: Any, b: Any) -> np.ndarray:
+        vectors = self.numbers.vectors
+        if (a, b) in vectors:
+            found: np.ndarray = self.numbers.vector((a, b))[0]
+            return found
+        return -self.numbers.vector((b, a))[0] if (b, a) in vectors else np.zeros(3)
+
+    def _offset(self, point: Any, tree: Mapping[Any, Any]) -> np.ndarray:
+        """Return the way from a tree's root to a point at the first sample."""
+        found = np.zeros(3)
+        while (before := tree[point]) is not None:
+            found += self._first_sample(before, point)
+            point = before
+        return found
+
+    def _find_wheels(self) -> None:
+        """Find bodies that roll or slip on a point that is no part of them."""
+        self.touching: set[Pair] = set()
+        fixed = {p for points in self.members.values() for p in points}
+        for body in self.rigid:
+            centre = body.masscenter
+            for other in places(centre):
+                if body in self.result.wheels or other in fixed | self.centres:
+                    continue
+                away = self.numbers.vector((other, centre))
+                if not away.any() or not _constant(np.linalg.norm(away, axis=1)):
+                    continue
+                if not self._touches(body, other):
+                    continue
+                seen = np.einsum("mji,mj->mi", self.numbers.turns[body.frame], away)
+                flat = np.abs(seen).max(axis=0) <= HALF * np.abs(seen).max()
+                if flat.sum() > 1:
+                    continue
+                axis = "xyz"[int(flat.argmax())] if flat.any() else None
+                vector = places(centre)[other]
+                radius: Any = sm.sqrt(vector.dot(vector))
+                if self.names.time in radius.free_symbols:  # written with angles that cancel
+                    radius = float(np.linalg.norm(away[0]))
+                self.result.wheels[body] = radius, axis
+                self.touching |= {(other, centre), (centre, other)}
+
+    def _touches(self, body: Any, other: Any) -> bool:
+        """Return whether a point is a contact: nothing hangs on it, or the body rolls there."""
+        if len(places(other)) == 1 and other is not self.origin:
+            return True
+        if ("slip", body.name, other) not in self.numbers.vectors:
+            return False
+        slip = self.numbers.vector(("slip", body.name, other))
+        return bool(
+            np.abs(slip).max()
+            <= HALF * np.abs(self.numbers.vector(("speed", body.name, other))).max()
+        )
+
+    def _find_forces(self) -> None:
+        """Find springs, dampers and actuators in opposite forces between two points."""
+        self.forced: set[frozenset[Any]] = set()
+        self.pulled: set[frozenset[Any]] = set()
+        ways = _Numbers(self.frame, self.origin, ())
+        ways.speeds, ways.scale = self.numbers.speeds, self.numbers.scale
+        ways.vectors = {k: b.pos_from(a) for k, (a, b, *_) in enumerate(self.pairs)}
+        if self.pairs:
+            ways.evaluate(self.names, self.values)
+        for k, (a, b, force, pull) in enumerate(self.pairs):
+            way = ways.vector(k)
+            length = np.linalg.norm(way, axis=1)
+            size = np.linalg.norm(pull, axis=1)
+            off = np.linalg.norm(np.cross(way, pull), axis=1)
+            if not np.isfinite(pull).all() or not (length > 0).all() or _constant(length):
+                continue
+            if (off > HALF * length * size).any() or _jumps(force):
+                continue
+            rest = slice(_SAMPLES, None)
+            key = frozenset((a, b))
+            if (size[rest] <= HALF * size.max()).all():
+                self.result.dampers.append((a, b))
+                self.forced.add(key)
+                continue
+            tension = -(way * pull).sum(1) / length
+            rising = np.diff(tension[rest][np.argsort(length[rest])])
+            if {*_functions(force)} - {*self.names.states} or _constant(tension):
+                self.pulled.add(key)  # an input: what pulls a rope, or an actuator
+            elif (rising >= -HALF * size.max()).all():
+                self.result.springs.append((a, b))
+                self.forced.add(key)
+        self.result.springs = [*dict.fromkeys(self.result.springs)]
+        self.result.dampers = [*dict.fromkeys(self.result.dampers)]
+
+    def _find_rods_and_ropes(self) -> None:
+        inside = [{*points} for points in self.members.values()]
+        for a, b in self.edges:
+            if (a, b) in self.touching or frozenset((a, b)) in self.forced:
+                continue
+            if (a in self.ground and b in self.ground) or any(a in s and b in s for s in inside):
+                continue
+            way = self.numbers.vector((a, b))
+            length = np.linalg.norm(way, axis=1)
+            if not (length > 0).all():
+                continue
+            if _constant(length):
+                self.result.bars.append((None, (a, b)))
+                continue
+            stretch = self._stretching(a, b, way)
+            if stretch is None:
+                continue
+            if self._is_held(b, stretch, self.numbers.vector((a, b, stretch))):
+                self.result.springs.append((a, b))
+                if self._is_damped(b, stretch):
+                    self.result.dampers.append((a, b))
+            elif not _constant(way / length[:, None]):
+                self.result.ropes.append((a, b))
+        drawn = {
+            frozenset(p) for p in (*self.result.ropes, *(pair for _, pair in self.result.bars))
+        }
+        for a, b, *_ in self.pairs:
+            key = frozenset((a, b))
+            if key in self.pulled and key not in drawn | self.forced:
+                self.result.dampers.append((a, b))
+                drawn.add(key)
+
+    def _stretching(self, a: Any, b: Any, way: np.ndarray) -> Any:
+        """Return the one function that changes the length of a vector and nothing else, or None.
+
+        Others may turn it: l sin θ N.x - l cos θ N.y is stretched by l, x N.x + y N.y by none.
+        """
+        found = []
+        length = np.linalg.norm(way, axis=1)
+        for symbol in _varying(places(b)[a]):
+            slope = self.numbers.vector((a, b, symbol))
+            size = np.linalg.norm(slope, axis=1) * length
+            across = np.linalg.norm(np.cross(slope, way), axis=1)
+            if (across <= HALF * size).all():
+                found.append(symbol)
+            elif (np.abs((slope * way).sum(1)) > HALF * size).any():
+                return None
+        return found[0] if len(found) == 1 else None
+
+    def _is_held(self, point: Any, symbol: Any, along: np.ndarray) -> bool:
+        """Return whether a force at a point, or a potential, brings a length back."""
+        if self.potential is not None and symbol in self.numbers.expressions:
+            return bool((self.numbers.series(symbol) > 0).all())
+        for k, (where, _) in enumerate(self.loads):
+            key = ("stiffness", k, symbol)
+            if where is point and self._is_single(k) and key in self.numbers.vectors:
+                slope = (self.numbers.vector(key) * along).sum(1)
+                if (slope < 0).all():
+                    return True
+        return False
+
+    def _is_single(self, k: int) -> bool:
+        """Return whether the k-th force is smooth, and its opposite acts at no other point."""
+        return k not in self.paired and not _jumps(self.loads[k][1])
+
+    def _is_damped(self, point: Any, symbol: Any) -> bool:
+        rate = sm.Derivative(symbol, self.names.time)
+        rates = {rate, self.names.definitions.get(rate)}
+        own = (k for k, (where, _) in enumerate(self.loads) if where is point)
+        every = (self.loads[k][1] for k in own if self._is_single(k))
+        return any(rates & {*_functions(force), *_derivatives(force)} for force in every)
+
+    def _find_supports(self, closed: bool) -> None:
+        """Find the points at rest on which bars, ropes and springs hang."""
+        lines = [pair for _, pair in self.result.bars]
+        lines += [*self.result.ropes, *self.result.springs, *self.result.dampers]
+        ends = dict.fromkeys(p for pair in lines for p in pair if p in self.ground)
+        # What is joined to a point at rest by a joint, whose own point is there.
+        for a, b in self.edges:
+            if a in self.ground and b not in self.ground and self.numbers.vector((a, b)).any():
+                continue
+            if a in self.ground and b not in self.ground:
+                ends[a] = None
+        if closed:
+            ends |= {p: None for p in self.ground if len(places(p)) == 1 and p is not self.origin}
+        known = [self._offset(body.masscenter, self.ground) for body in self.result.resting]
+        for point in ends:  # one where several points coincide
+            offset = self._offset(point, self.ground)
+            if not any((np.abs(offset - other) <= HALF * np.abs(other)).all() for other in known):
+                self.result.supports.append(point)
+                known.append(offset)
+
+
+def _constant(rows: np.ndarray) -> bool:
+    """Return whether rows are all the same up to rounding."""
+    return bool(np.ptp(rows, axis=0).max() <= HALF * np.abs(rows).max())
+
+
+def _functions(vector: Any) -> list[Any]:
+    """Return the functions of time in a vector's components, whatever its frames do."""
+    every = (c for part, _ in vector.args for c in part)
+    return sorted({f for c in every for f in sm.sympify(c).atoms(AppliedUndef)}, key=str)
+
+
+def _derivatives(vector: Any) -> set[Any]:
+    return {d for part, _ in vector.args for c in part for d in sm.sympify(c).atoms(sm.Derivative)}
+
+
+def _varying(vector: Any) -> list[Any]:
+    """Return the functions in a vector, and the time where it is written explicitly."""
+    found = _functions(vector)
+    time = dynamicsymbols._t
+    hidden = {f: sm.Dummy() for f in found}
+    if any(time in part.xreplace(hidden).free_symbols for part, _ in vector.args):
+        found.append(time)
+    return found
+
+
+def _slope(vector: Any, symbol: Any) -> Any:
+    """Return the partial derivative of a vector's components with respect to a function or time."""
+    hidden = {f: sm.Dummy() for f in _functions(vector)} | {
+        d: sm.Dummy() for d in _derivatives(vector)
+    }
+    shown = {dummy: f for f, dummy in hidden.items()}
+    by = hidden.get(symbol, symbol)
+    parts = [(part.xreplace(hidden).diff(by).xreplace(shown), frame) for part, frame in vector.args]
+    return sum((Vector([part]) for part in parts), Vector(0))
+
+
+def _jumps(vector: Any) -> bool:
+    """Return whether a force is one of a contact or of friction: it is not smooth."""
+    return any(part.has(*_JUMPS) for part, _ in vector.args)
