@@ -6,6 +6,7 @@ import pickle
 import numpy as np
 import pytest
 import sympy as sm
+from sympy.physics.mechanics import Point
 
 from pydy.errors import PyDyUserWarning
 from pydy.viz import (
@@ -13,14 +14,16 @@ from pydy.viz import (
     Capsule,
     Cone,
     Cylinder,
+    Damper,
     Mesh,
     Octahedron,
     Plane,
     Sphere,
+    Spring,
     Torus,
     Trace,
 )
-from pydy.viz.surfaces import arrow, rods, surface
+from pydy.viz.surfaces import arrow, coil, piston, rods, surface
 
 
 def volume(vertices, faces):
@@ -238,3 +241,24 @@ def test_broken_files_are_refused_by_name(write, name, content, message):
 def test_a_missing_file_is_said_to_be_missing(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"gone\.stl"):
         Mesh(tmp_path / "gone.stl")
+
+
+@pytest.mark.parametrize("kind", [Spring, Damper])
+def test_springs_and_dampers_have_two_ends_and_a_surface_between_them(kind):
+    ends = [Point(name) for name in "ABC"]
+    with pytest.raises(ValueError, match=f"`points` of {kind.__name__} must be two points"):
+        kind(ends)
+    start, way = np.array([1.0, 2.0, 3.0]), np.array([2.0, -1.0, 2.0])  # three long
+    points = np.stack([start, start + way])
+    made = coil(points, 0.1, 8) if kind is Spring else piston(points, 0.1, 1.5)
+    along = (made[0] - start) @ (way / 3.0)
+    assert [along.min(), along.max()] == pytest.approx([0.0, 3.0], abs=0.04)
+    away = np.linalg.norm(made[0] - start - np.outer(along, way / 3.0), axis=1)
+    assert away.max() == pytest.approx(0.118 if kind is Spring else 0.18, rel=0.01)
+
+
+def test_a_spring_has_one_coil_or_more():
+    ends = [Point("A"), Point("B")]
+    assert Spring(ends, coils=np.int64(3)).coils == 3
+    with pytest.raises(ValueError, match="`coils` of Spring"):
+        Spring(ends, coils=0)

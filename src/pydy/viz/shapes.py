@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.vector import Point
 
-from pydy._checks import choice, number, real_array, shown, text
+from pydy._checks import choice, number, real_array, shown, text, whole
 from pydy._errors import warn_user
 from pydy._mechanics.reader import checked_vector
 from pydy._names import nearest
@@ -597,10 +597,7 @@ class Spring(_Stretched):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not isinstance(self.coils, int) or isinstance(self.coils, bool) or self.coils < 1:
-            raise ValueError(
-                f"`coils` of Spring must be a positive integer, got {shown(self.coils)}."
-            )
+        self._set("coils", whole(self.coils, "`coils` of Spring"))
 
 
 class Damper(_Stretched):

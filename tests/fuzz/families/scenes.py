@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+import sympy.physics.mechanics as me
 
-from fuzz.kinds import Kind, RefusedError, anything, array, choice, nothing, real, text
+from fuzz.kinds import Kind, RefusedError, anything, array, choice, integer, nothing, real, text
 from fuzz.table import empty_or_none, flags, is_number, key, monotonic, number, one_of, target
 from fuzz.values import HUGE
 from fuzz.world import TIMES, world
@@ -38,6 +39,21 @@ for _name, (_shape, _fields) in _shapes.items():
         @target(f"{_name}.{_field}", length)
         def _(v, shape=_shape, fields=_fields, field=_field):
             return getattr(shape(**{**dict.fromkeys(fields, 1.0), field: v}), field)
+
+
+_ENDS = [me.Point("A"), me.Point("B")]
+
+
+@target("Spring.coils", integer(1))
+def _(v):
+    return viz.Spring(_ENDS, coils=v).coils
+
+
+for _line in (viz.Bar, viz.Spring, viz.Damper):
+
+    @target(f"{_line.__name__}.radius", Kind(_length, number.groups).or_none())
+    def _(v, line=_line):
+        return line(_ENDS, v).radius
 
 
 @target("Sphere.colour", array((3,), check=lambda a: ((a >= 0) & (a <= 1)).all()).or_none())
