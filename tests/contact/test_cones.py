@@ -12,8 +12,8 @@ from pydy.contact.decide import (
     OPEN,
     STARTING,
     STICKS,
+    ComplementarityProblem,
     Cone,
-    Problem,
     chosen,
     innermost,
     relaxed,
@@ -77,7 +77,7 @@ def impact(random, feet=3):
     start = rows @ speeds
     friction = np.full(feet, random.choice([0.1, 0.4, 1.0]))
     every = frozenset(range(feet))
-    return Problem(
+    return ComplementarityProblem(
         start, rows @ inverse @ rows.T, [3 * k for k in range(feet)],
         [[3 * k + 1, 3 * k + 2] for k in range(feet)], friction, friction, np.zeros(feet),
         every, every,

@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.contact.decide import Problem
+from pydy.contact.decide import ComplementarityProblem
 from pydy.contact.impacts import newton, poisson
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
@@ -121,7 +121,7 @@ def test_a_blow_passes_through_bodies_that_touch():
     # Three equal masses in a row: the rows of their gaps are (1, −1, 0) and (0, 1, −1).
     rows = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]])
     both = frozenset({0, 1})
-    problem = Problem(
+    problem = ComplementarityProblem(
         np.zeros(2), rows @ rows.T, [0, 1], [[], []], *np.zeros((3, 2)), both, both
     )  # fmt: skip
     speed = rows @ [1.0, 0.0, 0.0]
@@ -139,7 +139,7 @@ def test_a_blow_does_not_jam_contacts_that_it_moves_by_rounding(hypothesis):
     # The third row is that of another body: entries of 1e-18 should be zero.
     square = np.array([[0.3, -0.02, -7.6e-18], [-0.02, 0.3, -1.8e-18], [8.3e-18, -6.9e-18, 0.25]])
     every = frozenset({0, 1, 2})
-    problem = Problem(
+    problem = ComplementarityProblem(
         np.zeros(3), square, [0, 1, 2], [[], [], []], *np.zeros((3, 3)), every, every
     )  # fmt: skip
     speed, none = np.array([0.0, 0.0, -1.4]), np.zeros(3)
@@ -159,7 +159,7 @@ def test_random_impacts_with_friction_never_raise_the_energy():
             continue
         friction = random.choice([0.0, 0.3, 0.8, 2.0], size=c)
         tangent = [[2 * i + 1] for i in range(c)]
-        problem = Problem(
+        problem = ComplementarityProblem(
             speed, rows @ rows.T, [2 * i for i in range(c)], tangent, friction, friction,
             np.zeros(c), every, every,
         )  # fmt: skip

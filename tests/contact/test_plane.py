@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.contact.decide import SLIDING, STARTING, STICKS, Problem, chosen
+from pydy.contact.decide import SLIDING, STARTING, STICKS, ComplementarityProblem, chosen
 from pydy.mechanics import Definition
 from touching import TIGHT, N, O, g, m, mu, slope
 
@@ -120,7 +120,7 @@ def test_a_ball_with_spin_rolls_after_a_parabola():
 
 def test_sliding_begins_along_the_acceleration_whatever_the_mobility():
     square = np.array([[1.0, 0.1, 0.2], [0.1, 3.0, 0.5], [0.2, 0.5, 1.0]])
-    problem = Problem(
+    problem = ComplementarityProblem(
         np.array([-9.81, 4.0, 3.0]), square, [0], [[1, 2]], np.array([0.1]), np.array([0.1]),
         np.zeros(1), frozenset([0]), frozenset([0]),
     )  # fmt: skip
@@ -136,7 +136,7 @@ def test_many_bodies_begin_to_slide_beside_one_that_slides_already():
     number, mu = 31, np.full(31, 0.3)
     free = np.tile([-9.81, 7.0, 0.0], number)
     rows = [[k, k + 1, k + 2] for k in range(0, 3 * number, 3)]
-    problem = Problem(
+    problem = ComplementarityProblem(
         free, np.eye(len(free)) + 0.01, [row[0] for row in rows], [row[1:] for row in rows], mu, mu,
         np.zeros(number), frozenset(range(1, number)), frozenset(), {0: np.array([0.0, 1.0])},
     )  # fmt: skip

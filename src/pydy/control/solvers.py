@@ -112,7 +112,7 @@ def _by_package(
     interrupts = Interrupts()
     program = _Program(nlp, watch, interrupts)
     lower, upper, low, high = program_bounds(nlp)
-    problem = package.TranscribedProblem(
+    problem = package.Problem(
         n=nlp.size, m=nlp.rows, problem_obj=program, lb=lower, ub=upper, cl=low, cu=high
     )
     for name, value in {**solver_options(nlp, warm), **options}.items():

@@ -215,7 +215,8 @@ class _Outliner:
         every = [(a, b) for b, a in self.above.items() if a is not None]
         related = {*breadth_first_from([self.frame], oriented)}
         for a, b in (*self.edges, *around, *every):
-            if all(f in related for _, f in places(b)[a].args):
+            # SymPy gives NaN times a vector no components.
+            if all(f in related and m is not sm.nan for m, f in places(b)[a].args):
                 vectors[a, b] = places(b)[a]
         for a, b in self.edges:
             for symbol in _varying(vectors[a, b]):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import gc
-import signal
 import threading
 import time
 import weakref
@@ -145,7 +144,11 @@ def test_a_ctrl_c_while_fallbacks_are_compiled_is_not_lost(nothing_cached, monke
     kernel = chain().model.compiled("rates")
     p = np.array([*chain(-1.2).constants.values()])
     assert kernel.call
-    monkeypatch.setattr(CompleteCode, "link", lambda self: signal.raise_signal(signal.SIGINT))
+
+    def interrupted(_self):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(CompleteCode, "link", interrupted)
 
     def work():
         kernel.evaluate(np.zeros(1), np.linspace(0.1, 0.6, 12)[None], np.zeros((1, 1)), p)
