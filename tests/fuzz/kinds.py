@@ -120,7 +120,7 @@ def real(
     return Kind(read, ("common", "numbers"))
 
 
-def integer(least: int, *, floor: bool = False) -> Kind:
+def integer(least: int, most: float = 2.0**63 - 1024, *, floor: bool = False) -> Kind:
     """Return the kind of whole numbers from `least` on; `floor`: of a fraction, the whole part."""
 
     def read(value: Any) -> int:
@@ -131,7 +131,7 @@ def integer(least: int, *, floor: bool = False) -> Kind:
             return 2**62
         if not np.isfinite(number) or number < least or not (floor or number == int(number)):
             raise RefusedError
-        if number >= 2**63 and not floor:
+        if number > most and not floor:
             raise RefusedError
         return min(int(number), 2**62)
 

@@ -262,3 +262,5 @@ def test_a_spring_has_one_coil_or_more():
     assert Spring(ends, coils=np.int64(3)).coils == 3
     with pytest.raises(ValueError, match="`coils` of Spring"):
         Spring(ends, coils=0)
+    with pytest.raises(ValueError, match="`coils` of Spring must be at most 1000, got 1000000000"):
+        Spring(ends, coils=10**9)

@@ -19,10 +19,6 @@ SHORT = 6
 # they are needed: compiled later they take longer.
 MOST_WITHOUT_FALLBACKS = 0.75
 
-# Operations above which LLVM takes its least effort: it is done in a quarter of the time with 100
-# links, whose complete code then runs 1.3 times as long.
-BEST_EFFORT = 20_000
-
 # Entries of a matrix for each one that is computed at every call, from which only those are kept
 # for a fallback: 100 springs have 10,000 entries and compute none.
 SPARSE = 4

@@ -277,8 +277,9 @@ class Program:
                 user[other] = common(user.get(other, who), who)
         return {guard: nodes[::-1] for guard, nodes in found.items()}
 
-    def without_fallbacks(self) -> set[int]:
-        """Return the nodes that are needed while all guards are sound."""
+    @cached_property
+    def without_fallbacks(self) -> frozenset[int]:
+        """The nodes that are needed while all guards are sound."""
         wanted = bytearray(len(self.ops))
         for node in self.outputs:
             wanted[node] = 1
@@ -287,7 +288,7 @@ class Program:
                 op, args = self.ops[node], self.args[node]
                 for other in (args[3], *args[4]) if op == "guard" else operands(op, args):
                     wanted[other] = 1
-        return {node for node, flag in enumerate(wanted) if flag}
+        return frozenset(node for node, flag in enumerate(wanted) if flag)
 
     @cached_property
     def operation_count(self) -> dict[str, Counter[str]]:

@@ -137,6 +137,8 @@ class _Search:
         self.fixed = cache(self._fixed)
         self.away = cache(lambda point: distances(point, places))
         self.line = cache(self._line)
+        # Loads are tried again with fewer beside them: one alone that failed fails again.
+        self.antiderivative = cache(self._antiderivative)
         read = InputReader(Graph(), {}, ())
         self.turns = [m for m in rotations(self.frame) if orientation_rows([m], read)]
 
@@ -417,14 +419,14 @@ class _Search:
         """
         if not terms:
             return []
-        powers = [self._power(t.where, t.vector) for t in terms]
-        energy = self._antiderivative(powers)
+        powers = tuple(self._power(t.where, t.vector) for t in terms)
+        energy = self.antiderivative(powers)
         if energy is not None:
             self.taken.append((energy, sm.Add(*powers)))
             return []
         rest = []
         for term, power in zip(terms, powers, strict=True):
-            if (energy := self._antiderivative([power])) is None:
+            if (energy := self.antiderivative((power,))) is None:
                 rest.append(term)
             else:
                 self.taken.append((energy, power))
@@ -503,7 +505,7 @@ class _Search:
             found += [(c, u, slope) for u, slope in slopes if slope.is_number and slope][:1]
         return found
 
-    def _antiderivative(self, powers: Sequence[Any]) -> Any:
+    def _antiderivative(self, powers: tuple[Any, ...]) -> Any:
         """Return minus the integral of the work, one coordinate after the other, or None."""
         in_rates, speed = self._in_rates
         if not speed:

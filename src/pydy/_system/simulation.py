@@ -148,10 +148,8 @@ class Simulation(Setup):
             explains, and `constraints` is not set.
         """
         solver = self.ode_solver
-        if solver_kwargs.get("progress") is True:
-            now = self._shown(solver_kwargs)
-        else:
-            now = self._now(solver_kwargs.get("events"))
+        shown = solver_kwargs.get("progress") is True
+        now = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
@@ -216,10 +214,8 @@ class Simulation(Setup):
         """
         if isinstance(solver_kwargs.get("events"), Iterator):
             solver_kwargs["events"] = [*solver_kwargs["events"]]
-        if solver_kwargs.get("progress") is True:
-            now = self._shown(solver_kwargs)
-        else:
-            now = self._now(solver_kwargs.get("events"))
+        shown = solver_kwargs.get("progress") is True
+        now = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
         wanted, control = None, False
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")

@@ -90,7 +90,7 @@ class _Numbers:
         turns = (e for f in self.frames for m in oriented(f).values() for e in m)
         parts = [c for v in self.vectors.values() for m, _ in v.args for c in m]
         found = find_symbols([*parts, *self.expressions.values(), *turns])
-        constants = {**{s: 1.0 for s in found if isinstance(s, sm.Symbol) and s not in known}}
+        constants = {s: 1.0 for s in found if isinstance(s, sm.Symbol) and s not in known}
         constants |= {s: float(v) for s, v in values.items()}
         others = [s for s in found if not isinstance(s, sm.Symbol) and s not in known]
         names = Names(

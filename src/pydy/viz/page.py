@@ -36,7 +36,7 @@ from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.curves import BUCKETS, thinned
 from pydy.viz.live import LivePage, Witness
-from pydy.viz.surfaces import helix, surface
+from pydy.viz.surfaces import TUBE, helix, surface
 
 # -- The page --------------------------------------------------------------------------------------
 
@@ -312,7 +312,7 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
             entry["vertices"], entry["faces"] = _packed(vertices / unit), _packed(faces, np.uint32)
             entry |= {"smooth": True, "first": length / unit}
         elif isinstance(shape, shapes.Damper):
-            entry["tube"] = item.tube / unit
+            entry["tube"] = [TUBE * shape.radius / unit, item.tube / unit]  # radius and length
         carried = tracks.carrier(shape.points, item.points)
         changing = tracks.witness is not None
         if carried is None:

@@ -560,6 +560,10 @@ class Bar(Line):
     """
 
 
+# A screen shows no more along one line: each turn has a front, a back and gaps.
+MOST_COILS = 1000
+
+
 class _Stretched(Bar):
     """A shape between two points whose distance may vary."""
 
@@ -583,7 +587,7 @@ class Spring(_Stretched):
     radius : length, optional
         Of the helix; by default one that suits the scene.
     coils : int
-        Number of its turns.
+        Number of its turns, at most 1,000.
 
     Examples
     --------
@@ -598,6 +602,10 @@ class Spring(_Stretched):
     def __post_init__(self) -> None:
         super().__post_init__()
         self._set("coils", whole(self.coils, "`coils` of Spring"))
+        if self.coils > MOST_COILS:
+            raise ValueError(
+                f"`coils` of Spring must be at most {MOST_COILS}, got {shown(self.coils)}."
+            )
 
 
 class Damper(_Stretched):

@@ -79,7 +79,7 @@ class Machine:
         error = KeyboardInterrupt()
         error.itself = error  # the frames of its traceback go when the collector finds them
         raise error
-emitter, compiling._emitter = compiling._emitter, lambda effort: Machine()
+emitter, compiling._emitter = compiling._emitter, lambda: Machine()
 source = compiling.Source("f", lambda: "define i64 @f() {\\nret i64 1\\n}\\n", ("f",))
 for _ in range(3):
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import sys
 import threading
 import time
 import weakref
@@ -156,6 +157,26 @@ def test_a_ctrl_c_while_fallbacks_are_compiled_is_not_lost(nothing_cached, monke
 
     with pytest.raises(KeyboardInterrupt):
         work()
+
+
+def test_where_fallbacks_cannot_be_compiled_no_state_is_right_and_it_is_reported(
+    nothing_cached, monkeypatch
+):
+    # ctypes would have gone on with the status 0, and what lay in the results.
+    kernel = chain().model.compiled("rates")
+    p = np.array([*chain(-1.2).constants.values()])
+    assert kernel.call
+
+    def without_memory(_self):
+        raise MemoryError("Compiling may need 80 MB")
+
+    reported = []
+    monkeypatch.setattr(CompleteCode, "link", without_memory)
+    monkeypatch.setattr(sys, "unraisablehook", reported.append)
+    x = np.linspace(0.1, 0.6, 12)[None]
+    _, failed = kernel.evaluate(np.zeros(1), x, np.zeros((1, 1)), p)
+    assert failed.all()
+    assert [str(one.exc_value) for one in reported] == ["Compiling may need 80 MB"]
 
 
 def test_nothing_is_compiled_before_the_first_call(nothing_cached):

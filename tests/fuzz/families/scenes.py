@@ -44,7 +44,7 @@ for _name, (_shape, _fields) in _shapes.items():
 _ENDS = [me.Point("A"), me.Point("B")]
 
 
-@target("Spring.coils", integer(1))
+@target("Spring.coils", integer(1, viz.shapes.MOST_COILS))
 def _(v):
     return viz.Spring(_ENDS, coils=v).coils
 

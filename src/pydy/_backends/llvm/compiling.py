@@ -41,13 +41,13 @@ def _circumstances() -> bytes:
     return sha.digest()
 
 
-def target_machine(effort: int = 2) -> Any:
+def target_machine() -> Any:
     """Return a machine to write object code for the target."""
     host = target()
     return binding.Target.from_triple(host.triple).create_target_machine(
         cpu=host.processor,
         features=host.features,
-        opt=effort,
+        opt=2,
         codemodel="jitdefault",
         jit=True,
     )
@@ -65,7 +65,6 @@ class Source:
     # whether the code has loops, or does the same many times side by side: LLVM's
     # optimisation passes then pay
     loops: bool = False
-    effort: int = 2  # LLVM's level of optimisation in its code generator
 
     @property
     def key(self) -> str:
@@ -74,9 +73,9 @@ class Source:
 
 
 @once
-def _emitter(effort: int) -> Any:
+def _emitter() -> Any:
     """Return the machine that writes object code; an engine needs one of its own, and keeps it."""
-    return target_machine(effort)
+    return target_machine()
 
 
 def _find_room(size: int) -> None:
@@ -104,7 +103,7 @@ def object_code(source: Source) -> bytes:
     context = binding.create_context()
     _CONTEXTS[id(context)] = context
     with binding.parse_assembly(text, context) as module:
-        machine = _emitter(source.effort)
+        machine = _emitter()
         if source.loops:
             tuning = binding.create_pipeline_tuning_options(speed_level=2)
             tuning.slp_vectorization = True
@@ -142,5 +141,5 @@ CORE = Shipped(Path(__file__).parents[1] / "core")
 
 def _finished(text: str) -> str:
     """Return the IR with its target, by which LLVM's passes lay out data."""
-    layout = _emitter(2).target_data
+    layout = _emitter().target_data
     return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n{text}'

@@ -342,7 +342,7 @@ class Emitter:
         self.suffix = suffix(lanes)
         self.fused, self.swallowed = fusion(program)
         self.fallbacks = fallbacks
-        wanted = None if fallbacks else program.without_fallbacks()
+        wanted = None if fallbacks else program.without_fallbacks
         uses = readers(program, self.swallowed, setup, wanted)
         self.whole = whole
         self.capacity = len(program.ops) if whole else max(target().vectors(lanes) - TEMPORARY, 4)

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import _thread
 import ctypes
+import sys
 import threading
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any, cast
 from weakref import WeakSet, WeakValueDictionary, ref
 
@@ -123,6 +125,14 @@ class CompleteCode:
             kernel: Callable[..., int] = _KERNEL(self.link().addresses["kernel"])
         except KeyboardInterrupt:  # ctypes would lose it: it comes again after this call
             threading.Timer(0.01, _thread.interrupt_main).start()
+            return -1
+        except Exception as error:  # noqa: BLE001  # whatever it is, ctypes would lose it
+            # ctypes would go on with the status 0 and what lay in the results. No state is right.
+            report: Any = SimpleNamespace(
+                exc_type=type(error), exc_value=error, exc_traceback=error.__traceback__,
+                err_msg=None, object=self._callback,
+            )  # fmt: skip
+            sys.unraisablehook(report)
             return -1
         return kernel(*arrays)
 

@@ -133,7 +133,7 @@ class Registers:
 
 
 def readers(
-    program: Program, swallowed: set[int], setup: bool, wanted: set[int] | None = None
+    program: Program, swallowed: set[int], setup: bool, wanted: frozenset[int] | None = None
 ) -> dict[int, list[int]]:
     """Return which operations of a stage read each value, in order.
 

@@ -24,7 +24,6 @@ from pydy._backends.llvm.text import (
     tangent_text,
 )
 from pydy._backends.tuning import (
-    BEST_EFFORT,
     LARGE,
     MOST_WITHOUT_FALLBACKS,
     SHORT,
@@ -63,17 +62,14 @@ def source_for_one_state(program: Program | Tangent) -> Source:
 def source_without_fallbacks(program: Program) -> Source:
     """Return the code for one state that leaves its fallbacks out."""
     name = f"kernel {program.digest} without fallbacks"
-    size = effort(len(program.without_fallbacks()))
-    return Source(
-        name, _Text(program, 1, 1, Fallbacks.LEFT_OUT), ("kernel", "prepare"), effort=size
-    )
+    return Source(name, _Text(program, 1, 1, Fallbacks.LEFT_OUT), ("kernel", "prepare"))
 
 
 def leaves_out_fallbacks(program: Program | Tangent) -> bool:
     """Whether code for one state is compiled without fallbacks at first: they are much of it."""
     if isinstance(program, Tangent):
         return False
-    return len(program.without_fallbacks()) < MOST_WITHOUT_FALLBACKS * len(program.ops)
+    return len(program.without_fallbacks) < MOST_WITHOUT_FALLBACKS * len(program.ops)
 
 
 def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) -> jit.Code:
@@ -95,16 +91,7 @@ def _source(
     text = _Text(program, lanes, width, fallbacks)
     strided = lanes > 1 and isinstance(program, Program)
     names = ("kernel", "prepare", "strided")[: 2 + strided]
-    size = sum(len(part.ops) for part, _ in pieces(program, lanes))
-    return Source(name, text, names, loops=loops, effort=effort(size) if lanes == 1 else 2)
-
-
-def effort(operations: int) -> int:
-    """Return LLVM's level of effort for so many operations of one state.
-
-    Code for several states is for long work and always gets the best.
-    """
-    return 2 if operations <= BEST_EFFORT else 0
+    return Source(name, text, names, loops=loops)
 
 
 def routines_of(program: Program | Tangent, lanes: int, fallbacks: bool = True) -> list[jit.Code]:
@@ -119,7 +106,7 @@ def _called(program: Program, fallbacks: bool) -> set[str]:
     """Return the operations in a Program's code; without fallbacks guards solve nothing."""
     if fallbacks:
         return set(program.ops)
-    needed = program.without_fallbacks()
+    needed = program.without_fallbacks
     in_setup = {op for op, setup in zip(program.ops, program.setup, strict=True) if setup}
     return in_setup | {op for k in needed if (op := program.ops[k]) != "guard"}
 

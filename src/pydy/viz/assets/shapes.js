@@ -167,8 +167,6 @@ class Between extends THREE.Group {
   }
 }
 
-const TUBE = 1.8; // radius of a damper's tube, relative to that of its rod
-
 class SpringShape extends Between {
   constructor(visual) {
     super(visual);
@@ -187,9 +185,10 @@ class DamperShape extends Between {
     this.rod = solid(unitShaft(20), material);
     this.tube = solid(unitShaft(24), material);
     this.axis.add(this.rod, this.tube);
-    this.longest = visual.tube;
+    const [around, longest] = visual.tube;
+    this.longest = longest;
     this.rod.scale.set(r, 1, r);
-    this.tube.scale.set(TUBE * r, 1, TUBE * r);
+    this.tube.scale.set(around, 1, around);
   }
   stretch(length) {
     const tube = Math.min(this.longest, length);
