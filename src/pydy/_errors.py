@@ -10,6 +10,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from inspect import signature
+from typing import Any
 
 import numpy as np
 
@@ -123,6 +124,15 @@ class _Partial(_Pickled):
         self.time = time
         self.state = state
         self.info = info
+        self.motion: Any = None  # a `pydy._simulation.motion.Motion`
+
+    @property
+    def trajectory(self) -> Any:
+        """The results so far with names, outputs and energies, as a Trajectory.
+
+        None where a solver was called by itself, and after pickling.
+        """
+        return None if self.motion is None else self.motion.trajectory
 
 
 class IntegrationError(_Partial, RuntimeError):

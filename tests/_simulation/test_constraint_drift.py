@@ -8,7 +8,8 @@ from scipy.integrate import ODEintWarning
 
 import loops
 from pydy import System
-from pydy._simulation.constraint_drift import DriftCheck, check_drift
+from pydy._simulation.constraint_drift import check_drift
+from pydy._simulation.motion import Motion
 from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
@@ -40,12 +41,20 @@ def refused(system, code, **options):
     return error
 
 
+def motion_of(system, states, options, info, projected):
+    """A Motion as if the System's solver had returned these states."""
+    return Motion(
+        problem=system._now(), solver=system.ode_solver, options=options, times=system.times,
+        states=states, segments=(), statistics=info, projected=projected,
+    )  # fmt: skip
+
+
 def checked(system):
     """The states of a sound motion by projection, and what checks them when they have changed."""
     options = {"rtol": 1e-8, "atol": 1e-8}
     x, info = system.integrate(constraints="project", full_output=True, **options)
     assert info["nearness"] < 0.05
-    motion = DriftCheck(system._now(), system.times, x, options, info, mended=True)
+    motion = motion_of(system, x, options, info, projected=True)
 
     def check(message=None, code=None):
         if message is None:
@@ -278,7 +287,7 @@ def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre)
     for share, sound in ((1e-9, True), (1e-6, False)):
         states[1, held] = share * rate
         info = {"steps": 1, "method": "dop853"}
-        motion = DriftCheck(system._now(), system.times, states, options, info, mended=False)
+        motion = motion_of(system, states, options, info, projected=False)
         if sound:
             check_drift(motion)
             continue

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
@@ -28,6 +29,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy._simulation.energy import EnergyModel
 from pydy._simulation.events_and_constraints import ConstraintNames, constraint_names
+from pydy._simulation.motion import Motion
 from pydy._simulation.problem import At, Problem
 from pydy._simulation.tuning import TOGETHER
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -456,58 +458,45 @@ def part_of(
 # -- one motion ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class DriftCheck:
-    """The result of a solver."""
-
-    now: Problem
-    times: np.ndarray
-    states: np.ndarray
-    # for the solver, with its own tolerances if these are not those of `Options`
-    options: dict[str, Any]
-    # its statistics; where they do not tell the number of steps, its errors are not known
-    info: Mapping[str, Any]
-    mended: bool  # whether the motion is brought back onto the constraints
-
-    def part(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
-        """Return values along the motion; see `kept.Part`."""
-        made = part_of(self.now, slopes_of(self.now.definition, self.now.plan), name)
-        return {} if made is None else self.now.at(t, x).values(made)
-
-    @property
-    def ran(self) -> Ran:
-        """A few of its states, with the solver's errors and steps."""
-        projected = "constraints" in self.options
-        few = looked_at(self.states, projected)
-        steps = None
-        if "step" not in self.options:
-            known = self.info.get("nst", self.info.get("steps"))
-            steps = None if known is None else float(np.max(known))
-        given = [self.options.get(name) for name in ("rtol", "atol")]
-        defaults = Options.rtol, Options.atol
-        rtol, atol = (d if g is None else g for g, d in zip(given, defaults, strict=True))
-        records: Iterable[EventRecord] = self.info.get("events", ())
-        return Ran(
-            self.times[few],
-            np.ascontiguousarray(self.states[few]),
-            steps,
-            rtol,
-            atol,
-            self.info["nearness"] if projected else None,
-            self.mended,
-            [(e.time, e.after) for e in records if (e.after != e.before).any()],
-            any(self.now.definition.equations.left_out),
-        )
+def _part(motion: Motion, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
+    """Return values along a motion; see `kept.Part`."""
+    problem = motion.problem
+    made = part_of(problem, slopes_of(problem.definition, problem.plan), name)
+    return {} if made is None else problem.at(t, x).values(made)
 
 
-def check_drift(motion: DriftCheck) -> None:
+def _looked_at(motion: Motion, projected: bool) -> Ran:
+    """Return a few states of a motion, with the solver's errors and steps."""
+    few = looked_at(motion.states, projected)
+    steps, statistics = None, motion.statistics
+    if "step" not in motion.options and motion.errors_known:
+        known = statistics.get("nst", statistics.get("steps"))
+        steps = None if known is None else float(np.max(known))
+    given = [motion.options.get(name) for name in ("rtol", "atol")]
+    defaults = Options.rtol, Options.atol
+    rtol, atol = (d if g is None else g for g, d in zip(given, defaults, strict=True))
+    return Ran(
+        motion.times[few],
+        np.ascontiguousarray(motion.states[few]),
+        steps,
+        rtol,
+        atol,
+        statistics["nearness"] if projected else None,
+        motion.projected,
+        [(e.time, e.after) for e in motion.events if (e.after != e.before).any()],
+        any(motion.problem.definition.equations.left_out),
+    )
+
+
+def check_drift(motion: Motion) -> None:
     """Refuse a motion that left the constraints, or changed its energy without a cause."""
-    equations, projected = motion.now.definition.equations, "constraints" in motion.options
-    held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
-    if held and not equations.beyond_projection:
+    equations, projected = motion.problem.definition.equations, "constraints" in motion.options
+    statistics = motion.statistics
+    sound = statistics["nearness"] >= NEAR_SINGULAR if projected else False
+    if sound and not equations.beyond_projection:
         return
-    ran = motion.ran
-    verdict = judge(ran, motion.part)
+    ran = _looked_at(motion, projected)
+    verdict = judge(ran, partial(_part, motion))
     if verdict is None:
         return
     details, t = verdict.details, float(ran.times[verdict.place])
@@ -520,14 +509,16 @@ def check_drift(motion: DriftCheck) -> None:
             details = {**details, "row": names[details["row"]]}
         status = outcome.text.format(**details)
         text = f"{status} at t = {t!r}. {outcome.remedy}"
-    raise IntegrationError(
-        f"`{motion.info.get('method', 'odeint')}` {text}",
+    error = IntegrationError(
+        f"`{motion.method}` {text}",
         motion.times,
         motion.states,
         t,
         ran.states[verdict.place],
-        {**motion.info, "code": verdict.code, "status": status},
+        {**statistics, "method": motion.method, "code": verdict.code, "status": status},
     )
+    error.motion = motion
+    raise error
 
 
 # -- the motions of an ensemble --------------------------------------------------------------------

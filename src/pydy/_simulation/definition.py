@@ -561,3 +561,22 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
                 "motion: it contributes, and must be a specified."
             )
     return names
+
+
+def read_term(definition: Definition, term: Any, argument: str) -> Any:
+    """Return the place of an output, or an expression."""
+    place = definition.places["outputs"].get(term, argument)
+    if place is not None:
+        return place
+    if isinstance(term, str):
+        k = definition.places["states"].get(term, argument)
+        term = term if k is None else definition.states[k]
+    if isinstance(term, (int, float)) and not isinstance(term, bool):
+        term = sm.Float(term)
+    scalar = isinstance(term, sm.Expr) and term.is_commutative and not term.is_Matrix
+    if not scalar:
+        raise ValueError(
+            f"`{argument}` must be an output of the system, by symbol or name, or an expression of "
+            f"its states, specifieds, constants and time, got {shown(term)}."
+        )
+    return term

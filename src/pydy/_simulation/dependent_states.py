@@ -27,16 +27,9 @@ from pydy._rank import (
     rank,
     unrounded,
 )
-from pydy._simulation.problem import Problem
+from pydy._simulation.problem import Problem, solved_residuals
 from pydy._simulation.states import point_at
 from pydy.solvers.constraints import satisfied
-
-
-def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
-    """Return the states that were `solved` for last, by default the dependent ones."""
-    equations = definition.equations
-    own = (*equations.dependent_coordinates, *equations.dependent_speeds)
-    return own if solved is None else tuple(solved)
 
 
 def check_dependents(
@@ -283,3 +276,15 @@ def solve_dependents(
     if met:
         _warn_of_changes(now.definition, given, x)
     return x
+
+
+def consistent(problem: Problem) -> Problem:
+    """Return a Problem with its dependent states, and those of an Implicit, solved for."""
+    x = problem.x
+    if problem.dependent:
+        names = [problem.definition.states[k] for k in problem.dependent]
+        places = check_dependents(problem.definition, names)
+        x = solve_dependents(problem, places, {}, False, {})
+    if problem.definition.equations.implicit is not None:
+        x = solved_residuals(problem.at(np.array([problem.t]), x[None]))
+    return problem if x is problem.x else problem.replace(x=x)

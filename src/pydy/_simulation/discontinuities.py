@@ -18,8 +18,10 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._interpolation import in_order
 from pydy._rank import HALF, ROUNDING, is_zero
+from pydy._simulation.motion import Motion
 from pydy._simulation.passages import Passed, Values, Watched, jump_message, passages
 from pydy._simulation.problem import At, Problem
+from pydy.solvers.options import Options
 
 _MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
 
@@ -267,32 +269,17 @@ def _acts(now: Problem, places: Sequence[int], t: float) -> bool:
     return not is_zero(found["slopes"], found["bounds"]).all()
 
 
-class EvaluationRecorder:
-    """A right-hand side that keeps the times at which a solver evaluated it."""
-
-    def __init__(self, f: Callable[..., Any]) -> None:
-        self._f = f
-        self.times: list[float] = []
-
-    def __call__(self, x: Any, t: Any, *args: Any) -> Any:
-        self.times.append(t)
-        return self._f(x, t, *args)
-
-
-def warn_of_pulses(
-    now: Problem,
-    asked: Sequence[float],
-    times: np.ndarray,
-    states: np.ndarray,
-    tolerances: Sequence[Any],
-) -> None:
+def warn_of_pulses(motion: Motion) -> None:
     """Warn where a solver stepped across samples, between two jumps, that move the states.
 
     Solvers that are not told of jumps find them by error control, which sees what they evaluate.
     """
+    assert motion.evaluated is not None
+    problem, asked = motion.problem, motion.evaluated.times
+    times, states = motion.times, motion.states
     if times[-1] < times[0]:
         times, states = times[::-1], states[::-1]
-    jumps, (start, end) = now.jumps(), times[[0, -1]]
+    jumps, (start, end) = problem.jumps(), times[[0, -1]]
     jumps = jumps[(jumps > start) & (jumps < end)]
     until, evaluated = np.append(jumps[1:], np.inf), np.append(np.sort(asked), np.inf)
     missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, jumps)] >= until)
@@ -300,18 +287,20 @@ def warn_of_pulses(
     if not missed.size or not np.isfinite(states).all():
         return
     first, last = jumps[missed], until[missed]
-    n = len(now.x)
-    x = states[np.searchsorted(times, first), :n]
-    step = now.derivatives(first, x) - now.derivatives(np.nextafter(first, -np.inf), x)
+    x = states[np.searchsorted(times, first)]
+    before = np.nextafter(first, -np.inf)
+    step = problem.derivatives(first, x) - problem.derivatives(before, x)
     moved = np.abs(step) * (last - first)[:, None]
-    rtol, atol = (np.atleast_1d(given)[:n] for given in tolerances)
+    options, n = motion.options, x.shape[1]
+    given = options.get("rtol", Options.rtol), options.get("atol", Options.atol)
+    rtol, atol = (np.atleast_1d(one)[:n] for one in given)
     excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
     k, state = np.unravel_index(excess.argmax(), excess.shape)
     if excess[k, state] > 1.0:
         warn_user(
             f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "
             "does not know the 'previous' samples there: they change "
-            f"{now.definition.states[state]} by {moved[k, state]:.3g}. Set "
+            f"{problem.definition.states[state]} by {moved[k, state]:.3g}. Set "
             "`system.ode_solver = 'dop853'`, which ends a step at each jump, or limit the step: "
             "`hmax=` of odeint, `max_step=` of solve_ivp."
         )

@@ -1,37 +1,30 @@
-"""Prepare an integration, call the solver, and check the computed motion."""
+"""Integrate a Problem: call a solver with its prepared equations, and return a Motion.
+
+`integrate` judges nothing. `simulate` warns of what cannot be trusted, as users need it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from pydy._assembly.baumgarte import stabilised
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven
-from pydy._checks import choice, positive, real_array
+from pydy._checks import real_array
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
     SingularMatrixError,
     warn_user,
 )
-from pydy._simulation.assumptions import AssumptionMonitor
-from pydy._simulation.constraint_drift import DriftCheck, check_drift, check_resets, check_start
+from pydy._simulation.constraint_drift import check_resets
 from pydy._simulation.diagnostics import explain
-from pydy._simulation.discontinuities import EvaluationRecorder, warn_of_impulses, warn_of_pulses
-from pydy._simulation.events_and_constraints import (
-    check_events,
-    compile_constraints,
-    compile_events,
-    with_residuals_held,
-)
+from pydy._simulation.judges import judge_motion, judge_start
+from pydy._simulation.motion import EvaluationRecorder, Motion, Segment
+from pydy._simulation.preparation import PreparedIntegration, prepare
 from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import (
     MORE_STEPS,
@@ -39,17 +32,13 @@ from pydy._simulation.scipy_solvers import (
     call_odeint,
     came_to_the_end,
     is_odeint,
-    odeint_options,
 )
 from pydy._simulation.sensitivities import SensitivityRequest
 from pydy._simulation.sliding import stuck_at
-from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.events import Event, identified
-from pydy.solvers.options import Begun, Options, check_option_names, named_for_odeint
+from pydy.solvers.options import Begun
 from pydy.solvers.outcome import (
     EVENTS_ACCUMULATE,
-    FINISHED,
     NO_CONVERGENCE,
     OUTCOMES,
     STEP_UNDERFLOW,
@@ -63,242 +52,149 @@ from pydy.trajectory import Trajectory
 SolverFunction = Callable[..., Any]
 
 
-_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
+def integrate(
+    problem: Problem,
+    times: np.ndarray,
+    *,
+    solver: SolverFunction,
+    sensitivities: SensitivityRequest | None = None,
+    **options: Any,
+) -> Motion:
+    """Integrate a Problem from its state, and return the Motion.
+
+    Parameters
+    ----------
+    problem : Problem
+        It begins at the first of the `times`.
+    times : ndarray, shape (m,)
+        At least two, ascending or descending.
+    solver : callable
+        A native solver, one of SciPy's, or a function with the signature of odeint.
+    sensitivities : SensitivityRequest, optional
+        What to differentiate the states by.
+    **options
+        As of `System.simulate`: tolerances, `events`, `constraints`.
+
+    Returns
+    -------
+    Motion
+
+    Raises
+    ------
+    ValueError, SingularMatrixError, IntegrationError
+        As in `System.simulate`, but nothing is judged: a motion may have left its constraints, or
+        jump where its sensitivities do not know. See `pydy._simulation.judges`. An
+        IntegrationError has the Motion so far, as its attribute `motion`.
+    """
+    if problem.hybrid is not None:
+        return _hybrid_motion(problem, times, solver, sensitivities, options)
+    given = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
+    result = call_solver(problem, ready, times, solver, given, sensitivities)
+    return motion_of(problem, ready, times, solver, result, given, sensitivities)
 
 
-_STEPPING = frozenset(
-    ("rtol", "atol", "first_step", "max_step", "max_steps", "step", "hmax", "h0", "hmin", "mxstep")
-)
+def simulate(
+    problem: Problem,
+    times: np.ndarray,
+    *,
+    solver: SolverFunction,
+    sensitivities: SensitivityRequest | None = None,
+    **options: Any,
+) -> Motion:
+    """Integrate like `integrate`, and judge the start and the Motion: see `judges`."""
+    if problem.hybrid is not None:  # which judges its segments
+        return _hybrid_motion(problem, times, solver, sensitivities, options)
+    given = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
+    judge_start(problem, times, ready)
+    result = call_solver(problem, ready, times, solver, given, sensitivities)
+    motion = motion_of(problem, ready, times, solver, result, given, sensitivities)
+    judge_motion(motion)
+    return motion
 
 
-class PreparedIntegration:
-    """A prepared integration, which can be repeated with other numbers."""
-
-    def __init__(
-        self,
-        definition: Definition,
-        model: CompiledModel,
-        plan: SpecifiedsPlan,
-        solver: Any,
-        given: dict[str, Any],
-    ) -> None:
-        self._plan, self._solver, self._given = plan, solver, dict(given)
-        self._events = identified(given.get("events"))
-        self.constrained = definition.equations.constrained
-        self.model, self.options = self._prepared(definition, model)
-        self.read: Options | None = None  # as the solver has read them
-        self.now: Problem | None = None  # of the latest call
-        # What the latest call has reserved, with its options, if no other call has it.
-        self.free: list[tuple[Prepared, dict[str, Any]]] = []
-
-    def _prepared(
-        self, definition: Definition, model: CompiledModel
-    ) -> tuple[CompiledModel, dict[str, Any]]:
-        """Return the model with options that change the equations compiled in, and the others."""
-        options, equations = dict(self._given), definition.equations
-        if is_odeint(self._solver):
-            options = named_for_odeint(options)
-        constraints, events, gain = (
-            options.pop(name, None) for name in ("constraints", "events", "gain")
-        )
-        constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
-        if constraints == "project" and not (equations.holonomic or equations.velocity):
-            raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-        if constraints == "baumgarte" and not equations.velocity:
-            raise ValueError(
-                "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
-                "Give KanesMethod `velocity_constraints`, or use constraints='project'."
-            )
-        if (gain is None) == (constraints == "baumgarte"):
-            raise ValueError(
-                "`gain` and `constraints='baumgarte'` belong together: the gain g > 0, in 1/s, "
-                "lets residuals die out about as exp(−g t). Pass both or neither."
-            )
-        if constraints == "baumgarte":
-            gain = positive(gain, "`gain`", finite=True)
-            model = model.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
-        projected = constraints == "project"
-        if events is not None and self._looks_itself(events):
-            options["events"], events = events, None
-        if not isinstance(self._solver, Solver) and (projected or events is not None):
-            what = "constraints='project'" if projected else "events"
-            raise ValueError(
-                f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another "
-                "one of pydy.solvers."
-            )
-        model = driven(model, definition, self._plan)
-        if projected:
-            options["constraints"] = compile_constraints(model, definition)
-        if checked := check_events(events, definition.places["states"]):
-            options["events"] = compile_events(model, definition, checked)
-        return model, options
-
-    def _looks_itself(self, events: Any) -> bool:
-        """Return whether the solver has events of its own: a user's, and solve_ivp's functions."""
-        if isinstance(self._solver, Solver) or is_odeint(self._solver):
-            return False
-        if not isinstance(self._solver, SolveIvp):
-            return True
-        several = events if isinstance(events, (list, tuple)) else [events]
-        return not any(isinstance(event, Event) for event in several)
-
-    def is_compatible(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
-        """Return whether a call differs in numbers alone, as far as that can be seen."""
-        if solver is not self._solver or [*given] != [*self._given]:
-            return False
-        for name, value in given.items():  # at each call: what is said below, in line
-            known = self._given[name]
-            plain = type(value) in _PLAIN and type(value) is type(known) and value == known
-            # What a run begins with, `begun`, it is told itself.
-            if not (plain or name == "begun" or (name == "events" and self._alike(name, value))):
-                return False
-        return plan is self._plan or self._as_planned(plan)
-
-    def _alike(self, name: str, value: Any) -> bool:
-        known = self._given[name]
-        if name == "events":
-            return self._events is not None and self._events == identified(value)
-        return type(value) in _PLAIN and type(value) is type(known) and bool(value == known)
-
-    def retuned(
-        self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]
-    ) -> PreparedIntegration | None:
-        """Return the same with other tolerances or step sizes, where no more differs, or None."""
-        native = isinstance(solver, Solver)
-        if solver is not self._solver or not (native or [*given] == [*self._given]):
-            return None  # of other solvers, names were checked
-        rest = [name for name in given if name not in _STEPPING]
-        if rest != [name for name in self._given if name not in _STEPPING]:
-            return None
-        if not (all(self._alike(name, given[name]) for name in rest) and self._as_planned(plan)):
-            return None
-        other, own = copy(self), {name: v for name, v in given.items() if name in _STEPPING}
-        other._given = dict(given)
-        kept = {name: v for name, v in self.options.items() if not native or name not in _STEPPING}
-        other.options = {**kept, **(named_for_odeint(own) if is_odeint(solver) else own)}
-        return other
-
-    def _as_planned(self, plan: SpecifiedsPlan) -> bool:
-        known = self._plan
-        return plan is known or (
-            plan.expressions is known.expressions
-            and plan.sampled is known.sampled
-            and plan._functions is known._functions
-        )
+def _hybrid_motion(
+    problem: Problem, times: np.ndarray, solver: Any, sensitivities: Any, options: dict[str, Any]
+) -> Motion:
+    assert problem.hybrid is not None
+    motion: Motion = problem.hybrid.integrate(
+        problem, times, solver=solver, sensitivities=sensitivities, **options
+    )
+    return motion
 
 
-def begin(
-    now: Problem, solver: SolverFunction, given: dict[str, Any]
-) -> tuple[PreparedIntegration, np.ndarray]:
-    """Check the state at the start; return the prepared integration and the times."""
-    latest = now.model.latest
-    if len(now.times) < 2:
-        raise ValueError(
-            "`times` must have at least two values before integrate() can be called, got "
-            f"{len(now.times)}. Set `system.times`."
-        )
-    times, plan = now.checked_times(), now.plan
-    if plan.sampled:
-        plan.check_times(times, "times")
-    ready: PreparedIntegration | None = latest.get("simulation")
-    if ready is not None and not ready.is_compatible(plan, solver, given):
-        ready = latest["simulation"] = ready.retuned(plan, solver, given)
-    if now.definition.equations.constrained if ready is None else ready.constrained:
-        mended = given.get("constraints") is not None
-        check_start(now.at(times[:1], now.x[None]), mended=mended)
-    if ready is None:
-        ready = PreparedIntegration(now.definition, now.model, plan, solver, given)
-        if is_odeint(solver):
-            check_option_names("odeint", odeint_options(), ready.options)
-        latest["simulation"] = ready
-        if plan.expressions or ready.constrained:
-            warn_of_impulses(now, times)
-    return ready, times
+def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[str, Any]:
+    """Return the options with which a solver returns all that a Motion holds."""
+    if isinstance(solver, Solver):
+        return {"dense_output": True, "full_output": True, **options}
+    if isinstance(solver, SolveIvp) or is_odeint(solver):
+        return {"full_output": True, **options}
+    return options
 
 
-def _run(
-    ready: PreparedIntegration, solver: Solver, now: Problem, times: np.ndarray, own: dict[str, Any]
-) -> tuple[np.ndarray, Prepared]:
-    """Integrate by a native solver, with the latest call's memory if it is free."""
-    plan = now.plan
-    prepared: Prepared | None = None
-    with suppress(IndexError):
-        prepared, options = ready.free.pop()  # no other thread has it then
-        if options is not ready.options and not prepared.retune(solver, ready.options):
-            prepared = None
-    if prepared is None or not prepared.renumber(now.p, plan.values, times):
-        f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
-        prepared = solver.prepare(f, now.x, times, (r, now.p), **own)
-        prepared.on_many_steps = partial(_warn_of_many_steps, ready)
-    ready.now = now
-    prepared.begun = own.get("begun")
-    states = prepared(now.x)
-    if prepared.reusable:
-        ready.free = [(prepared, ready.options)]
-    return states, prepared
+def integrate_states(
+    problem: Problem, times: np.ndarray, *, solver: SolverFunction, checked: bool, **options: Any
+) -> Any:
+    """Return what a solver returns, judged as by `simulate`, for `System.integrate`.
+
+    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    """
+    ready, times = prepare(problem, times, solver, options)
+    judge_start(problem, times, ready)
+    result = call_solver(problem, ready, times, solver, options, checked=checked)
+    if ready.constrained or problem.judges_assumptions or result.evaluated is not None:
+        motion = readable_motion(problem, ready, times, solver, result)
+        if motion is not None:
+            judge_motion(motion)
+    if "dense_output" not in options and "dense_output" in ready.options:
+        result.info.pop("dense_output", None)  # which judges needed, not the user
+    return result.returned
 
 
-def run_solver(
-    now: Problem,
+# -- solvers ---------------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class SolverResult:
+    """What a solver returned."""
+
+    returned: Any  # as the caller of `System.integrate` gets it
+    states: Any
+    info: Any  # a dictionary; empty where nobody needs it
+    options: dict[str, Any]  # as the solver got them
+    evaluated: EvaluationRecorder | None = None
+
+
+def call_solver(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
     solver: SolverFunction,
     given: dict[str, Any],
-    *,
-    checked: bool,
-    wanted: SensitivityRequest | None = None,
-) -> Any:
-    """Call the solver; `checked` tells whether odeint's giving up is an error."""
-    if now.definition.equations.implicit is not None:
-        given = with_residuals_held(now.definition, solver, given)
-    free, full = given.get("constraints") is None, given.get("full_output", False)
-    watch = None
-    if now.definition.assumes_motions and now.contradicted is not None:
-        watch = AssumptionMonitor.of(now, solver, given, wanted is None)
-        given = watch.options
-    ready, times = begin(now, solver, given)
-    own = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
-    native = isinstance(solver, Solver)
-    watched = ready.constrained and isinstance(solver, (Solver, SolveIvp))
-    pair = True  # whether states come with information, even if that is not asked for
+    sensitivities: SensitivityRequest | None = None,
+    checked: bool = True,
+) -> SolverResult:
+    """Call a solver with a prepared integration.
+
+    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    """
+    options = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
     try:
-        if wanted is None and isinstance(solver, Solver):
-            states, prepared = _run(ready, solver, now, times, own)
-            needed = full or watched or watch is not None
-            info, options = prepared.info if needed else {}, own
-            result: Any = states, info
-        else:
-            f, x0, options = rates_function(ready.model, now.plan), now.x, own
-            if wanted is not None:
-                f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
-            args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
-            asked = None
-            of_scipy = isinstance(solver, SolveIvp) or is_odeint(solver)
-            if of_scipy and now.plan.sampled and now.jumps().size:
-                f = asked = EvaluationRecorder(f)
-            if watch is not None:
-                f = watch.watching(f)
-            if checked and is_odeint(solver):
-                result = call_odeint(f, x0, times, args, now.definition.states, options)
-            elif watched or (watch is not None and isinstance(solver, SolveIvp)):
-                whole = {**options, "full_output": True}
-                result = solver(f, x0, times, args=args, **whole)
-            else:
-                if "args" in options:
-                    raise TypeError(
-                        "`args` are the specifieds and constants, which a System hands to its "
-                        "`ode_solver`: set `specifieds` and `constants`."
-                    )
-                result, pair = solver(f, x0, times, args=args, **options), False
-            if asked is not None and (motion := _motion(now, solver, times, result, options, True)):
-                tolerances = motion.ran.rtol, motion.ran.atol
-                warn_of_pulses(now, asked.times, motion.times, motion.states, tolerances)
-        if watch is not None:
-            result = watch.judged(times, result)
-        if ready.constrained:
-            if native:
-                states, info = result
-                judge_motion(now, times, states, info, options, free)
-            elif motion := _motion(now, solver, times, result, options, not free):
-                check_drift(motion)
+        if isinstance(solver, Solver):
+            return _call_native(problem, ready, times, solver, given, options, sensitivities)
+        if "args" in options:
+            raise TypeError(
+                "`args` are the specifieds and constants, which a System hands to its "
+                "`ode_solver`: set `specifieds` and `constants`."
+            )
+        f, x0 = rates_function(ready.model, problem.plan), problem.x
+        if sensitivities is not None:
+            f, x0, options = sensitivities.augment(problem, ready.model, times, solver, options)
+        args = problem.plan.values.copy() if problem.plan.constant else problem.plan, problem.p
+        if isinstance(solver, SolveIvp) or is_odeint(solver):
+            return _call_scipy(problem, times, solver, given, options, (f, x0, args), checked)
+        return _call_users(times, solver, options, (f, x0, args))
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
             error.add_note(
@@ -307,43 +203,117 @@ def run_solver(
             )
         raise
     except (IntegrationInterrupted, IntegrationError, SingularMatrixError) as error:
-        if wanted is not None:
-            wanted.cut(error)
+        if sensitivities is not None:
+            sensitivities.cut(error)
+        if not isinstance(error, SingularMatrixError):
+            error.motion = _so_far(problem, ready, solver, options, error)
         if isinstance(error, IntegrationInterrupted):
             raise
-        explain_failure(error, now, ready, native and free)
+        explain_failure(error, problem, ready, isinstance(solver, Solver) and not ready.enforced)
         raise
-    return result[0] if pair and not full else result
 
 
-def simulated(
-    now: Problem,
-    solver: SolverFunction,
+def _call_native(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: Solver,
     given: dict[str, Any],
-    wanted: SensitivityRequest | None = None,
-) -> dict[str, Any]:
-    """Integrate, and return what `Problem.trajectory` takes."""
-    native, n = isinstance(solver, Solver), len(now.definition.states)
-    options = {"dense_output": True, **given} if native else given
-    if native or isinstance(solver, SolveIvp) or is_odeint(solver):
-        options = {"full_output": True, **options}
-    result = run_solver(now, solver, options, checked=True, wanted=wanted)
-    pair = isinstance(result, tuple) and len(result) == 2
-    states, info = result if pair else (result, None)
-    statistics = dict(info) if isinstance(info, dict) else {}
-    times = statistics.pop("times", now.times)
+    options: dict[str, Any],
+    sensitivities: SensitivityRequest | None,
+) -> SolverResult:
+    """Call a native solver, with the latest call's memory if it is free."""
+    full, plan = given.get("full_output", False), problem.plan
+    if sensitivities is not None:
+        f, x0, options = sensitivities.augment(problem, ready.model, times, solver, options)
+        args = plan.values.copy() if plan.constant else plan, problem.p
+        states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
+        return SolverResult((states, info) if full else states, states, info, options)
+    prepared: Prepared | None = None
+    with suppress(IndexError):
+        prepared, known = ready.free.pop()  # no other thread has it then
+        if known is not ready.options and not prepared.retune(solver, ready.options):
+            prepared = None
+    if prepared is None or not prepared.renumber(problem.p, plan.values, times):
+        f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
+        prepared = solver.prepare(f, problem.x, times, (r, problem.p), **options)
+        prepared.on_many_steps = partial(_warn_of_many_steps, ready)
+    ready.problem = problem
+    prepared.begun = options.get("begun")
+    states = prepared(problem.x)
+    if prepared.reusable:
+        ready.free = [(prepared, ready.options)]
+    info = prepared.info if full or ready.constrained or problem.judges_assumptions else {}
+    return SolverResult((states, info) if full else states, states, info, options)
+
+
+def _call_scipy(
+    problem: Problem,
+    times: np.ndarray,
+    solver: Any,
+    given: dict[str, Any],
+    options: dict[str, Any],
+    called: tuple[Any, np.ndarray, Any],
+    checked: bool,
+) -> SolverResult:
+    """Call odeint or solve_ivp, and record where they evaluate if judges need to know."""
+    (f, x0, args), evaluated, odeint = called, None, is_odeint(solver)
+    jumps = problem.plan.sampled and problem.jumps().size
+    if jumps or (odeint and problem.judges_assumptions):
+        f = evaluated = EvaluationRecorder(f)
+    if odeint and checked:
+        states, info = call_odeint(f, x0, times, args, problem.definition.states, options)
+    else:
+        options = {**options, "full_output": True}
+        states, info = solver(f, x0, times, args=args, **options)
+    returned = (states, info) if given.get("full_output", False) else states
+    return SolverResult(returned, states, info, options, evaluated)
+
+
+def _call_users(
+    times: np.ndarray,
+    solver: SolverFunction,
+    options: dict[str, Any],
+    called: tuple[Any, np.ndarray, Any],
+) -> SolverResult:
+    """Call a solver of the user's own."""
+    f, x0, args = called
+    returned = solver(f, x0, times, args=args, **options)
+    pair = isinstance(returned, tuple) and len(returned) == 2
+    states, info = returned if pair else (returned, None)
+    return SolverResult(returned, states, info if isinstance(info, dict) else {}, options)
+
+
+# -- motions ---------------------------------------------------------------------------------------
+
+
+def motion_of(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: SolverFunction,
+    result: SolverResult,
+    given: dict[str, Any],
+    sensitivities: SensitivityRequest | None = None,
+) -> Motion:
+    """Return what a solver returned as a Motion."""
+    n, statistics = len(problem.definition.states), dict(result.info)
+    times = statistics.pop("times", times)
     reached = statistics.pop("reached", None)  # an event may have ended it
+    states = result.states
     if reached is not None:
         times, states = times[:reached], states[:reached]
     events = statistics.pop("events", ())
     dense = statistics.pop("dense_output", None)
-    if wanted is not None and not native:
+    native = isinstance(solver, Solver)
+    if sensitivities is not None and not native:
         dense = None
         events = [replace(e, before=e.before[:n], after=e.after[:n]) for e in events]
     times = np.array(times, dtype=float)
-    own = "What the `ode_solver` returns, states or (states, info),"
-    states = np.array(real_array(states, own))
-    width = n if wanted is None else wanted.sensitive.columns.size
+    states = np.array(
+        real_array(states, "What the `ode_solver` returns, states or (states, info),")
+    )
+    width = n if sensitivities is None else sensitivities.sensitive.columns.size
     if states.shape != (len(times), width):
         raise ValueError(
             f"The `ode_solver` must return the shape {(len(times), n)}, one row "
@@ -351,140 +321,128 @@ def simulated(
             "its rows: return (states, {'times': times})."
         )
     if len(times):  # what is NaN to the end comes after a terminal event
-        reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
-        times, states = times[:reached], states[:reached]
-    states, found = (states, {}) if wanted is None else wanted.results(states)
-    told = {"events": events, "statistics": statistics or None, "dense": dense}
-    return {"times": times, "states": states, **told, **found}
+        rows = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+        times, states = times[:rows], states[:rows]
+    values, augmented, refusal = None, None, ""
+    if sensitivities is not None:
+        augmented = sensitivities.sensitive
+        states, values = map(np.ascontiguousarray, augmented.columns.apart(states))
+        refusal = (
+            "`sensitivities` of a motion that is continued are not known. Simulate over the "
+            "whole time at once, or without `sensitivities`."
+        )
+    elif statistics.get("code") == EVENTS_ACCUMULATE:
+        refusal = (
+            f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
+            f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+        )
+    options, errors_known = result.options, True
+    if isinstance(solver, SolveIvp):
+        defaults = solver.tolerances(options)
+        errors_known = bool(defaults)  # of a method of the user's they are not
+        options = {**defaults, **{k: v for k, v in options.items() if v is not None}}
+    elif not (native or is_odeint(solver)):
+        errors_known = False
+    start, end = (float(times[0]), float(times[-1])) if len(times) else (problem.t, problem.t)
+    if statistics.get("code") == TERMINATED:
+        end = float(statistics["time"])
+    return Motion(
+        problem=problem,
+        solver=solver,
+        options=options,
+        times=times,
+        states=states,
+        segments=(Segment(start, end, (), problem),),
+        events=events,
+        statistics=statistics,
+        dense=dense,
+        sensitivities=values,
+        augmented=augmented,
+        projected=ready.enforced,
+        errors_known=errors_known,
+        evaluated=result.evaluated,
+        refusal=refusal,
+        proceed=partial(_go_on, given),
+    )
 
 
-@dataclass(frozen=True, eq=False)
-class Leg:
-    """A motion that can be continued where it ended."""
-
-    now: Problem
-    solver: SolverFunction
-    options: dict[str, Any]
-    end: float = np.nan
-    state: np.ndarray | None = None
-    sides: tuple[int, ...] | None = None  # of the events, just after the end
-    refusal: str = ""
-
-    def simulated(
-        self, begun: Begun | None = None, wanted: SensitivityRequest | None = None
-    ) -> Trajectory:
-        """Simulate, and return a Trajectory that can be continued."""
-        options = self.options if begun is None else {**self.options, "begun": begun}
-        found = simulated(self.now, self.solver, options, wanted)
-        statistics = found["statistics"] or {}
-        sides, code = statistics.pop("sides", None), statistics.get("code", FINISHED)
-        trajectory = self.now.trajectory(**found)
-        if not len(trajectory.times):
-            return trajectory
-        end, state = float(trajectory.times[-1]), trajectory.states[-1]
-        if code == TERMINATED:
-            end = float(statistics["time"])
-        if self.options.get("events") and trajectory.events and trajectory.events[-1].time == end:
-            state = trajectory.events[-1].after
-        refusal = ""
-        if wanted is not None:
-            refusal = (
-                "`sensitivities` of a motion that is continued are not known. Simulate over the "
-                "whole time at once, or without `sensitivities`."
-            )
-        elif code == EVENTS_ACCUMULATE:
-            refusal = (
-                f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
-                f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
-            )
-        more = {"end": end, "state": state, "sides": sides, "refusal": refusal}
-        trajectory._leg = replace(self, **more)
-        return trajectory
-
-    def go_on(self, times: np.ndarray) -> Trajectory:
-        """Return the motion from the end on, at some times."""
-        assert self.state is not None
-        start = dict(zip(self.now.definition.states, self.state.tolist(), strict=True))
-        user = {**self.now.user, "initial_conditions": start}
-        leg = replace(self, now=replace(self.now, user=user, times=times))
-        watched = isinstance(self.solver, Solver) and self.options.get("events")
-        return leg.simulated(Begun(None, self.sides) if watched else None)
-
-
-def judge_motion(
-    now: Problem,
+def readable_motion(
+    problem: Problem,
+    ready: PreparedIntegration,
     times: np.ndarray,
-    states: np.ndarray,
-    info: Mapping[str, Any],
+    solver: SolverFunction,
+    result: SolverResult,
+) -> Motion | None:
+    """Return a Motion to judge, or None where a solver gave up or returned something else."""
+    if is_odeint(solver) and not came_to_the_end(result.states, result.info):
+        return None
+    with suppress(TypeError, ValueError):
+        motion = motion_of(problem, ready, times, solver, result, {})
+        return motion if len(motion.times) else None
+    return None
+
+
+def _so_far(
+    problem: Problem,
+    ready: PreparedIntegration,
+    solver: SolverFunction,
     options: dict[str, Any],
-    free: bool,
-) -> None:
-    """Warn of resets that leave the constraints, and refuse a native solver's motion that did."""
-    if free:
-        check_resets(info["events"], now.at)
-    n = len(now.definition.states)
-    check_drift(DriftCheck(now, times, states[:, :n], options, info, not free))
+    error: Any,
+) -> Motion:
+    """Return the Motion up to where an integration failed."""
+    start = float(error.times[0]) if len(error.times) else error.time
+    return Motion(
+        problem=problem,
+        solver=solver,
+        options=options,
+        times=error.times,
+        states=error.states,
+        segments=(Segment(start, error.time, (), problem),),
+        events=error.info.get("events", ()),
+        statistics=error.info,
+        projected=ready.enforced,
+        refusal="The integration failed where this motion ends.",
+    )
 
 
-def explain_failure(error: Any, now: Problem, ready: PreparedIntegration, free: bool) -> None:
+def _go_on(given: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajectory:
+    """Return a motion from its end on, at some times."""
+    options = dict(given)
+    sides = motion.statistics.get("sides")
+    if isinstance(motion.solver, Solver) and given.get("events"):
+        options["begun"] = Begun(None, sides)
+    return simulate(motion.last, times, solver=motion.solver, **options).trajectory
+
+
+# -- failures --------------------------------------------------------------------------------------
+
+_GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
+
+
+def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, free: bool) -> None:
     """Say why a motion failed, and warn of resets that left the constraints before."""
     if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
-        stuck = _stuck_at(now, ready, error.time, error.state)
+        stuck = _stuck_at(problem, ready, error.time, error.state)
         if stuck is not None:
             text = str(error)
             for remedy in (MORE_STEPS, *(OUTCOMES[code].remedy for code in _GIVEN_UP)):
                 text = text.removesuffix(remedy)
             error.args = (f"{text.rstrip()} {stuck}",)
             return
-    explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
+    explain(error, lambda t, x: replace(problem.at(t, x), model=ready.model))
     if ready.constrained and free and isinstance(error, IntegrationError):
-        told: Any = error.info
-        check_resets(told["events"], now.at)
+        info: Any = error.info
+        check_resets(info["events"], problem.at)
 
 
-_GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
-
-
-def _stuck_at(now: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
+def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
     """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
-    at = replace(now.at(np.array([t]), np.array([x])), model=ready.model)
-    return stuck_at(at, float(now.times[-1] - now.times[0]))
+    at = replace(problem.at(np.array([t]), np.array([x])), model=ready.model)
+    return stuck_at(at, ready.span)
 
 
 def _warn_of_many_steps(ready: PreparedIntegration, t: float, x: np.ndarray) -> None:
-    now = ready.now
-    stuck = None if now is None else _stuck_at(now, ready, t, x)
+    problem = ready.problem
+    stuck = None if problem is None else _stuck_at(problem, ready, t, x)
     if stuck is not None:
         warn_user(f"The solver has taken more than {MANY_STEPS} steps by t = {t:.4g}. {stuck}")
-
-
-def _motion(
-    now: Problem,
-    solver: Any,
-    times: np.ndarray,
-    result: Any,
-    options: dict[str, Any],
-    mended: bool,
-) -> DriftCheck | None:
-    """Return the result of SciPy's or a user's solver, if it reached the end and is readable."""
-    states, info = result if isinstance(result, tuple) and len(result) == 2 else (result, {})
-    if isinstance(solver, SolveIvp):
-        if not (defaults := solver.tolerances(options)):
-            info = {"method": solver.name}  # a method of the user's, whose errors are not known
-        options = {**defaults, **options}
-    elif is_odeint(solver):
-        if not came_to_the_end(states, info):
-            return None
-    else:  # the user's
-        info = {"method": getattr(solver, "__name__", "ode_solver")}
-        try:
-            states = np.asarray(states, dtype=float)
-        except (TypeError, ValueError):
-            return None
-        if states.ndim != 2 or len(states) != len(times):
-            return None
-    n = len(now.definition.states)
-    times = info.get("times", times) if isinstance(info, dict) else times
-    if states.shape[1] < n or not len(states):
-        return None
-    return DriftCheck(now, times, states[:, :n], options, info, mended)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Any, Protocol, Self
 
 import numpy as np
 import scipy
@@ -182,21 +182,58 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
     return z
 
 
+class Hybrid(Protocol):
+    """What makes a motion one of several modes, such as contacts."""
+
+    @property
+    def depends_on_time(self) -> bool:
+        """Whether the modes depend on time explicitly."""
+
+    def integrate(self, problem: Problem, times: np.ndarray, **options: Any) -> Any:
+        """Return the Motion from a Problem's state on, in its modes if it has any."""
+
+
+_REPLACED = frozenset(("t", "x", "p", "plan", "contradicted", "hybrid", "modes"))
+
+
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """A System's settings during one call, which later changes of the System do not affect."""
+    """A model with its numbers at one state, which later changes of the System do not affect.
+
+    It never changes itself: `replace` returns another one. What is expensive is read, checked or
+    compiled when it is first needed.
+    """
 
     definition: Definition
     model: CompiledModel  # takes all specifieds as inputs
     # 'constants', 'specifieds' and 'initial_conditions' as the user gave them, each checked when
     # it is first needed
     user: dict[str, dict[Any, Any]]
-    times: np.ndarray
+    times: np.ndarray  # the System's, which are the default of evaluations
     energies: EnergyModel
-    told: set[Any]  # derivatives of specifieds that the user has been warned of
+    already_warned: set[Any]  # derivatives of specifieds that the user has been warned of
     # Names of symbols whose values contradict their assumptions, as the user knows; None where
     # numbers are only tried.
     contradicted: set[str] | None = None
+    # The states that initial conditions were solved for last; None for the method's own.
+    solved_for: tuple[Any, ...] | None = None
+    hybrid: Hybrid | None = None  # what makes a motion one of several modes
+    modes: tuple[str, ...] | None = None  # of `hybrid`; None where they follow from the state
+
+    def replace(self, **numbers: Any) -> Problem:
+        """Return the same with other `t`, `x`, `p`, `plan`, `contradicted`, `hybrid` or `modes`.
+
+        Nothing is compiled or checked again. States that follow from others stay as they are: see
+        `consistent`.
+        """
+        if unknown := numbers.keys() - _REPLACED:
+            raise TypeError(f"a Problem has no {', '.join(sorted(unknown))} to replace")
+        other = object.__new__(Problem)
+        other.__dict__.update(self.__dict__)
+        if "plan" in numbers:
+            other.__dict__.pop("driven", None)
+        other.__dict__.update(numbers)
+        return other
 
     @cached_property
     def x(self) -> np.ndarray:
@@ -223,23 +260,58 @@ class Problem:
         """The constants' values by symbol."""
         return dict(zip(self.definition.constants, self.p.tolist(), strict=True))
 
-    @property
+    @cached_property
     def t(self) -> float:
-        """The first of the times, or zero."""
+        """The time of the state: at first that of the first of the System's times, or zero."""
         return float(self.times[0]) if len(self.times) else 0.0
+
+    @cached_property
+    def dependent(self) -> tuple[int, ...]:
+        """The places of the states that follow from the others by the constraints."""
+        equations, states = self.definition.equations, self.definition.states
+        method = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        chosen = method if self.solved_for is None else self.solved_for
+        return tuple(states.index(symbol) for symbol in chosen)
+
+    @property
+    def initial_conditions(self) -> dict[Any, float]:
+        """The states' values by symbol."""
+        return dict(zip(self.definition.states, self.x.tolist(), strict=True))
+
+    @property
+    def coordinate_count(self) -> int:
+        """How many of the states are coordinates: the first ones."""
+        return len(self.definition.equations.coordinates)
+
+    @property
+    def judges_assumptions(self) -> bool:
+        """Whether motions are compared with assumptions of symbols, such as `positive=True`."""
+        return self.definition.assumes_motions and self.contradicted is not None
+
+    @property
+    def depends_on_time(self) -> bool:
+        """Whether the equations, inputs or modes depend on time explicitly."""
+        if self.plan.functions or self.plan.sampled:
+            return True
+        if self.hybrid is not None and self.hybrid.depends_on_time:
+            return True
+        assembly = self.driven.assembly
+        return "t" in assembly.graph.inputs_of(assembly.rates)
 
     @cached_property
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
         given, latest = self.user["specifieds"], self.model.latest
-        told, known = latest.get("plan", (None, None))
-        plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
+        warned, known = latest.get("plan", (None, None))
+        plan: SpecifiedsPlan | None = None
+        if warned is self.already_warned:
+            plan = known.again(given)
         if plan is None:
-            plan = checked_plan(self.definition, given, self.told, self.contradicted)
-            _warn_of_activations(self.definition, plan, self.told)
+            plan = checked_plan(self.definition, given, self.already_warned, self.contradicted)
+            _warn_of_activations(self.definition, plan, self.already_warned)
         elif plan is not known and self.definition.assumes_motions:
             check_specifieds(self.definition, plan, self.contradicted)
-        latest["plan"] = self.told, plan
+        latest["plan"] = self.already_warned, plan
         return plan
 
     @cached_property
@@ -260,9 +332,9 @@ class Problem:
             return float(self.plan.rows(self.x[None], np.array([self.t]))[0][place])
         return float((self.x if kind == "states" else self.p)[place])
 
-    def checked_times(self) -> np.ndarray:
-        """Return a copy of the times, whose array may have been edited in place."""
-        times, known = self.times, self.model.latest.get("times")
+    def checked_times(self, times: np.ndarray) -> np.ndarray:
+        """Return a copy of times, whose array may have been edited in place."""
+        known = self.model.latest.get("times")
         if known is None or known.shape != times.shape or known.tobytes() != times.tobytes():
             self.model.latest["times"] = known = check_times(times)
         return known.copy()
@@ -303,10 +375,10 @@ class Problem:
         body, plan = self.definition.equations.multibody, None
         if body and body.activations:  # what has no value may have one in this call
             given = self.user["specifieds"]
-            plan = checked_plan(self.definition, given, self.told, self.contradicted)
+            plan = checked_plan(self.definition, given, self.already_warned, self.contradicted)
         plan = (plan or self.plan).updated(own)
-        _warn_of_activations(self.definition, plan, self.told)
-        return _warned_of(self.definition, plan, self.told)
+        _warn_of_activations(self.definition, plan, self.already_warned)
+        return _warned_of(self.definition, plan, self.already_warned)
 
     # -- assumptions on values --------------------------------------------------------------------
 
@@ -388,6 +460,11 @@ class Problem:
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
         return self.at(times, states).evaluate(self.driven.compiled("rates"))
+
+    def rates(self) -> np.ndarray:
+        """Return the derivatives of the states at its own state, shape (n,)."""
+        found: np.ndarray = self.derivatives(np.array([self.t]), self.x[None])[0]
+        return found
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""

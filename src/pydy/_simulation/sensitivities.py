@@ -7,7 +7,7 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import factorial
 from typing import Any
@@ -26,7 +26,6 @@ from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._simulation.dependence import follow
-from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.diagnostics import explain_columns
 from pydy._simulation.events_and_constraints import with_all
 from pydy._simulation.parameters import Parameter, by_samples, mean_spacing, read_parameters
@@ -61,21 +60,20 @@ class AugmentedSystem:
 
     @staticmethod
     def of(
-        now: Problem,
+        problem: Problem,
         model: CompiledModel,
         plan: SpecifiedsPlan,
         wanted: Any,
-        solved: Iterable[Any] | None,
         argument: str = "sensitivities",
     ) -> AugmentedSystem:
         """Return the sensitivities with respect to a user's parameters.
 
-        The initial conditions that were `solved` for, or else the method's, depend on the others.
+        The Problem's `dependent` states follow from the others.
         """
-        following = latest_dependents(now.definition, solved)
-        places = tuple(now.definition.states.index(s) for s in following)
-        parameters = read_parameters(now.definition, plan, wanted, argument, following)
-        return AugmentedSystem(now.definition, model, plan, parameters, now.p, argument, places)
+        definition, places = problem.definition, problem.dependent
+        following = tuple(definition.states[k] for k in places)
+        parameters = read_parameters(definition, plan, wanted, argument, following)
+        return AugmentedSystem(definition, model, plan, parameters, problem.p, argument, places)
 
     def __post_init__(self) -> None:
         s = len(self.definition.specifieds)
@@ -411,28 +409,33 @@ class SensitivityRequest:
     """The sensitivities wanted of a simulation, with the model and options that give them."""
 
     parameters: Any  # as the user names them
-    controlled: bool  # whether the step control of a native solver looks at the sensitivities too
-    solved: Iterable[Any] | None  # see `AugmentedSystem.of`
+    # whether the step control of a native solver looks at the sensitivities too
+    controlled: bool = False
     given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
     untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
-    sensitive: AugmentedSystem = field(init=False)  # from the call of `problem` on
+    sensitive: AugmentedSystem = field(init=False)  # from the call of `augment` on
 
-    def problem(
-        self, now: Problem, model: CompiledModel, t: float, solver: Any, options: dict[str, Any]
+    def augment(
+        self,
+        problem: Problem,
+        model: CompiledModel,
+        times: np.ndarray,
+        solver: Any,
+        options: dict[str, Any],
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.
 
         The model that is integrated is of the states alone.
         """
         self.sensitive = sensitive = AugmentedSystem.of(
-            now, model, now.plan, self.parameters, self.solved
+            problem, model, problem.plan, self.parameters
         )
-        values = sensitive.start(now.x, t) if self.given is None else self.given
+        values = sensitive.start(problem.x, float(times[0])) if self.given is None else self.given
         columns = sensitive.columns
         if isinstance(solver, Solver):
-            scales = sensitive.scales(self.controlled, options, now.x)
+            scales = sensitive.scales(self.controlled, options, problem.x)
             held = scales is not None
-            options = sensitive.stepped(solver, options, now.x, now.times, held)
+            options = sensitive.stepped(solver, options, problem.x, times, held)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             compiled = replace(compiled, untimed=self.untimed)
@@ -444,16 +447,7 @@ class SensitivityRequest:
                 if np.size(options[name]) == columns.states > 1:  # others as of their states
                     every = np.repeat(np.asarray(options[name]), columns.count)
                     options = {**options, name: np.concatenate([options[name], every])}
-        return sensitive.function(), columns.together(now.x, values), options
-
-    def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
-        """Split a solver's result into states and the sensitivities of a Trajectory."""
-        sensitive = self.sensitive
-        states, values = sensitive.columns.apart(whole)
-        states = np.ascontiguousarray(states)
-        values = np.ascontiguousarray(values)
-        counts = {parameter.symbol: parameter.count for parameter in sensitive.parameters}
-        return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
+        return sensitive.function(), columns.together(problem.x, values), options
 
     def cut(self, error: Any) -> None:
         """Remove the sensitivities from the states in an error."""

@@ -32,7 +32,7 @@ from pydy._simulation.events_and_constraints import (
     native_solver,
     with_residuals_held,
 )
-from pydy._simulation.integration import PreparedIntegration
+from pydy._simulation.preparation import PreparedIntegration
 from pydy._simulation.problem import At, Problem, check_specifieds
 from pydy._simulation.sensitivities import AugmentedSystem, changed_by, program_of_event
 from pydy._system.setup import Setup
@@ -488,7 +488,7 @@ class Ensembles(Setup):
             if values is common:
                 check_specifieds(definition, new, now.contradicted)
             plan = plan.updated(new)
-        times = now.checked_times() if times is None else check_times(times)
+        times = now.checked_times(now.times) if times is None else check_times(times)
         if times.size and times[-1] < times[0]:
             refuse_descending(times, "ensembles integrate forward only")
         if len(times) < 2:
@@ -554,7 +554,7 @@ class Ensembles(Setup):
             ready = PreparedIntegration(definition, now.model, plan, solver, given)
         integrated, options, beside = ready.model, ready.options, None
         if sensitivities is not None and motions is None:
-            sensitive = AugmentedSystem.of(now, integrated, plan, sensitivities, self._dependent)
+            sensitive = AugmentedSystem.of(now, integrated, plan, sensitivities)
             looked_at = sensitive.sized(control, options) is not None
             options = sensitive.stepped(solver, options, now.x, times, looked_at)
             beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)

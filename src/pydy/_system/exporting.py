@@ -22,7 +22,6 @@ from pydy._graph.program import Program
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._optional import progress_of
-from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.events_and_constraints import (
     check_events,
     event_bounds_program,
@@ -42,12 +41,10 @@ if TYPE_CHECKING:
     from pydy.viz.live import LiveSystem
 
 
-def _dependents(
-    definition: Definition, solved: Iterable[Any] | None
-) -> tuple[list[int], list[int]]:
+def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     """Return the positions in x of the states that constraints determine, or all if unknown."""
-    equations, count = definition.equations, len(definition.equations.coordinates)
-    places = [definition.states.index(s) for s in latest_dependents(definition, solved)]
+    equations, count = problem.definition.equations, problem.coordinate_count
+    places, solved = problem.dependent, problem.solved_for
     q, u = [k for k in places if k < count], [k for k in places if k >= count]
     if solved is None and len(q) < len(equations.holonomic):
         q = list(range(count))
@@ -300,7 +297,7 @@ class Exporting(Setup):
                 formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
         dependents: tuple[list[int], list[int]] = ([], [])
         if constraints is not None:
-            dependents = _dependents(definition, self._dependent)
+            dependents = _dependents(now)
         return LiveSystem(
             model=exported,
             states=definition.states,

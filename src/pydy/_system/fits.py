@@ -35,7 +35,6 @@ from pydy._errors import (
 )
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.events_and_constraints import native_solver
 from pydy._simulation.scipy_solvers import SolveIvp, call_odeint, is_odeint
 from pydy._simulation.states import located
@@ -94,7 +93,7 @@ class _Fit:
             added = {name: expression for expression, name in self.expressions.items()}
             self.runner.outputs = {**system.outputs, **added}
         equations = definition.equations
-        self.tied = tied = latest_dependents(definition, system._dependent)
+        self.tied = tied = tuple(definition.states[k] for k in self.now.dependent)
         if tied:
             self.options.setdefault("constraints", "project")
         self.order = definition.states

@@ -18,11 +18,11 @@ from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._simulation.definition import refuse_descending
-from pydy._simulation.dependent_states import latest_dependents
 from pydy._simulation.events_and_constraints import native_solver
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._simulation.problem import Problem
 from pydy._system.setup import Setup
+from pydy.analysis.adjoint import explicit_solver, there_and_back
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.layers.layer import Function, Given, Layer, Part
@@ -206,7 +206,7 @@ class _Motion:
         options: Any,
     ) -> None:  # fmt: skip
         self.parts, self._final, self._options = parts, final, options
-        self._times = now.checked_times()
+        self._times = now.checked_times(now.times)
         definition = now.definition
         n = len(definition.states)
         self.shape: tuple[int, ...] = (n,) if final else (len(self._times), n)
@@ -231,7 +231,7 @@ class _Motion:
             kept = {s: v for s, v in kept.items() if s not in names} | {names: function}
         system.specifieds = kept
         self._dependent = [] if system._dependent is None else [*system._dependent]
-        following = latest_dependents(definition, system._dependent)
+        following = [definition.states[k] for k in now.dependent]
         self._entries: list[list[Any]] = []  # the symbols of each part
         self._by: list[list[Any]] = []  # those to differentiate by
         for part in parts:
@@ -420,9 +420,15 @@ class _Motion:
             return np.zeros(0)
         self._set(row)
         system = self._twin
-        now, solver = system._now(self._options.get("events")), system._explicit()
-        _, _, values, _ = system._there_and_back(
-            now, solver, by, None, None, dict(self._options), weights
+        _, _, values, _ = there_and_back(
+            system._now(self._options.get("events")),
+            system.times,
+            by,
+            final=None,
+            integral=None,
+            solver=explicit_solver(system.ode_solver),
+            options=dict(self._options),
+            weights=weights,
         )
         found: np.ndarray = values
         return found

@@ -258,9 +258,18 @@ class Setup:
             "specifieds": dict(self._specifieds),
             "initial_conditions": dict(self._initial_conditions),
         }
-        told = None if self._searching else self._contradicted
-        energies, derivatives = self._energies, self._told
-        return Problem(made.definition, made.model, user, self._times, energies, derivatives, told)
+        solved = None if self._dependent is None else tuple(self._dependent)
+        return Problem(
+            made.definition,
+            made.model,
+            user,
+            self._times,
+            self._energies,
+            self._told,
+            None if self._searching else self._contradicted,
+            solved,
+            contacts,
+        )
 
     def _told_again(self, definition: Definition, what: str) -> set[str] | None:
         """Forget that values of a kind contradict assumptions; return what remains told."""

@@ -17,7 +17,7 @@ from pydy._simulation.dependent_states import (
 )
 from pydy._simulation.diagnostics import warn_of_outputs
 from pydy._simulation.discontinuities import warn_of_jumps
-from pydy._simulation.integration import Leg, run_solver
+from pydy._simulation.integration import integrate_states, simulate
 from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import (
     SolveIvp,
@@ -153,7 +153,7 @@ class Simulation(Setup):
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
-        return run_solver(now, solver, solver_kwargs, checked=not full)
+        return integrate_states(now, self._times, solver=solver, checked=not full, **solver_kwargs)
 
     def simulate(
         self,
@@ -220,8 +220,10 @@ class Simulation(Setup):
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
-            wanted = SensitivityRequest(sensitivities, control, self._dependent)
-        trajectory = Leg(now, self.ode_solver, solver_kwargs).simulated(wanted=wanted)
+            wanted = SensitivityRequest(sensitivities, control)
+        trajectory = simulate(
+            now, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
+        ).trajectory
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now)
         if wanted is not None and not self._searching:

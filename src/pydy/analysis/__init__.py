@@ -3,14 +3,18 @@
 `System.find_equilibrium`, `System.linearize`, `System.eigenvalues` and related methods return them.
 """
 
-from pydy.analysis.adjoint import AdjointGradient
-from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
-from pydy.analysis.equilibria import Equilibrium
-from pydy.analysis.fit import FitResult
-from pydy.analysis.linear import LinearModel
-from pydy.analysis.orbits import PeriodicOrbit
-from pydy.analysis.sweeps import Crossing, EigenvalueSweep
-from pydy.analysis.trial import Trial
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pydy.analysis.adjoint import AdjointGradient
+    from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
+    from pydy.analysis.equilibria import Equilibrium
+    from pydy.analysis.fit import FitResult
+    from pydy.analysis.linear import LinearModel
+    from pydy.analysis.orbits import PeriodicOrbit
+    from pydy.analysis.sweeps import Crossing, EigenvalueSweep
+    from pydy.analysis.trial import Trial
 
 __all__ = [
     "AdjointGradient",
@@ -24,3 +28,29 @@ __all__ = [
     "SpecialPoint",
     "Trial",
 ]
+
+# Modules are imported when a name of theirs is first used: those that integrate load SymPy.
+_MODULES = {
+    "AdjointGradient": "adjoint",
+    "Crossing": "sweeps",
+    "EigenvalueSweep": "sweeps",
+    "Equilibrium": "equilibria",
+    "EquilibriumBranch": "continuation",
+    "FitResult": "fit",
+    "LinearModel": "linear",
+    "PeriodicOrbit": "orbits",
+    "SpecialPoint": "continuation",
+    "Trial": "trial",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -7,12 +7,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from pydy._forks import cached_property
 from pydy._names import column_names, name_of, some, unique_names
+from pydy._simulation.definition import read_term, refuse_descending
+from pydy._simulation.discontinuities import warn_of_jumps
+from pydy._simulation.events_and_constraints import native_solver
+from pydy._simulation.judges import judge_start
+from pydy._simulation.preparation import prepare
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import AugmentedSystem
+from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
+from pydy.solvers.solver import Solver
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,3 +87,77 @@ class AdjointGradient:
         return f"Gradient of {self.value:.10g} by {shown}"
 
     __repr__ = __str__
+
+
+def adjoint_gradient(
+    problem: Problem,
+    times: np.ndarray,
+    wrt: Any,
+    *,
+    final: Any = None,
+    integral: Any = None,
+    solver: Solver,
+    **options: Any,
+) -> AdjointGradient:
+    """Return a scalar of a Problem's motion and its derivatives: see `System.adjoint_gradient`."""
+    final, integral = (
+        None if term is None else read_term(problem.definition, term, name)
+        for term, name in ((final, "final"), (integral, "integral"))
+    )
+    run, sensitive, values, by_state = there_and_back(
+        problem, times, wrt, final=final, integral=integral, solver=solver, options=options
+    )
+    n, reached = len(problem.definition.states), run.info["reached"]
+    states = run.states[:reached, :n].copy()
+
+    def trajectory() -> Any:
+        times = run.times[:reached].copy()
+        return problem.trajectory(times, states, events=run.records, statistics=run.info)
+
+    counts = {p.symbol: p.count for p in sensitive.parameters}
+    statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
+    return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, trajectory)
+
+
+def there_and_back(
+    problem: Problem,
+    times: np.ndarray,
+    wrt: Any,
+    *,
+    final: Any,
+    integral: Any,
+    solver: Solver,
+    options: dict[str, Any],
+    weights: np.ndarray | None = None,
+) -> tuple[MotionSegment, AugmentedSystem, np.ndarray, np.ndarray]:
+    """Return a motion and the derivatives by the parameters and by the first state.
+
+    They are those of the objective, or of the last state's sum with some `weights`.
+    """
+    times = problem.checked_times(times)
+    refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
+    ready, times = prepare(problem, times, solver, options)
+    judge_start(problem, times, ready)
+    sensitive = AugmentedSystem.of(problem, ready.model, problem.plan, wrt, "wrt")
+    beginning = sensitive.start(problem.x, float(times[0]))
+    n = len(problem.definition.states)
+    run = integrate_forward(problem, solver, ready, times, Task(sensitive, final, integral))
+    run.finish(weights)
+    warn_of_jumps(problem, partial(run.passed, problem), sensitive, integral)
+    try:
+        values, by_state = run.gradient(beginning)
+    except KeyboardInterrupt as stop:
+        reached = run.info["reached"]
+        raise run.interrupted(times[:reached], run.states[:reached, :n]) from stop
+    return run, sensitive, values, by_state
+
+
+def explicit_solver(solver: Any) -> Solver:
+    """Return a System's solver as one that goes back, 'dop853' if it is not native."""
+    if isinstance(solver, Solver) and solver.name == "radau":
+        raise ValueError(
+            "`adjoint_gradient` goes back through the steps of an explicit method, but "
+            "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
+            "system.simulate(sensitivities=…), which goes forward."
+        )
+    return native_solver(solver)

@@ -8,17 +8,41 @@ describe how small deviations grow from one period to the next.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from pydy._errors import PeriodicOrbitError
-from pydy._names import numbers_of
-from pydy._rank import ROUNDED, or_one
-from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
+from pydy._checks import flag, listed, positive, shown
+from pydy._errors import PeriodicOrbitError, finished_before
+from pydy._names import numbers_of, some, unique_names
+from pydy._optional import progress_of
+from pydy._rank import HALF, ROUNDED, or_one
+from pydy._simulation.dependent_states import consistent
+from pydy._simulation.diagnostics import warn_of_outputs
+from pydy._simulation.discontinuities import warn_of_jumps
+from pydy._simulation.integration import integrate, simulate
+from pydy._simulation.motion import Motion
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import SensitivityRequest
+from pydy._simulation.states import energetic_motions
+from pydy.analysis.tuning import (
+    BEGINNING,
+    DAMPED,
+    LEAST_SIZE,
+    MARGIN,
+    ORBIT,
+    ORBIT_CLOSED,
+)
+from pydy.solvers.events import Event
 
+# How long an event is waited for, in periods as guessed.
+_PATIENCE = 5.0
+
+_SAMPLES = 201
+# Samples that tell how large states become on the way, and how often that is looked at again.
+_ON_THE_WAY, _RESIZED = 65, 5
 _STUCK = 1e8
 # The least period, and the least rates of the states at its end, as shares of those at first.
 _SHORTEST = 0.1
@@ -83,6 +107,306 @@ class PeriodicOrbit:
         )
 
     __repr__ = __str__
+
+
+def find_periodic_orbit(
+    problem: Problem,
+    period: float,
+    *,
+    moving: Iterable[Any] = (),
+    until: Event | None = None,
+    solver: Any,
+    progress: bool = False,
+    **options: Any,
+) -> PeriodicOrbit:
+    """Find a periodic motion of a Problem; see `System.find_periodic_orbit`.
+
+    Its `dependent` states follow from the others by the constraints.
+    """
+    search = _Search(problem, period, moving, until, solver, options)
+    with progress_of(flag(progress, "`progress`"), " flights") as search.progress:
+        try:
+            return search.orbit()
+        except (KeyboardInterrupt, MemoryError) as stop:
+            raise finished_before(
+                stop,
+                "The period and the initial conditions that came nearest to an orbit are",
+                "The search for a periodic orbit was interrupted. The period and the initial "
+                "conditions that came nearest to one are in the attribute `results` of this "
+                "error.",
+                search.nearest,
+            ) from None
+
+
+class _Search:
+    """A Problem that is integrated for a period, from start to start."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        period: float,
+        moving: Iterable[Any],
+        until: Event | None,
+        solver: Any,
+        options: dict[str, Any],
+    ) -> None:
+        self.t0, self.guess = problem.t, positive(period, "`period`", finite=True)
+        if not problem.t + self.guess / _SAMPLES > problem.t:
+            raise ValueError(
+                f"`period` must be long enough for {_SAMPLES} times from {problem.t:g} on that "
+                f"differ as floats, got {shown(self.guess)}."
+            )
+        self.until, self.solver, self.judged = until, solver, problem
+        self._choose_states(problem, moving)
+        self.nearest: dict[str, Any] = {
+            "period": self.guess,
+            "initial_conditions": problem.initial_conditions,
+        }
+        self.autonomous = until is None and not problem.depends_on_time
+        # Numbers that are only tried need not agree with assumptions of symbols.
+        self.problem = problem.replace(contradicted=None)
+        self.options = {"rtol": ORBIT, **options}
+        self.scales_atol = "atol" not in options
+        if problem.dependent:
+            self.options.setdefault("constraints", "project")
+        self.least = np.inf  # the gap of the nearest start
+        self.progress: Any = None  # what shows the progress
+
+    def _choose_states(self, problem: Problem, moving: Iterable[Any]) -> None:
+        """Divide the states into unknowns of the search, advancing states, and dependent ones."""
+        definition, dependent = problem.definition, problem.dependent
+        equations, states = definition.equations, definition.places["states"]
+        self.steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
+        if not dependent and (equations.holonomic or equations.velocity):
+            raise ValueError(
+                "A periodic orbit can be searched for only where it is known which states follow "
+                "from the others by the constraints; none is named as dependent. Call "
+                "`set_dependent_initial_conditions(dep_vars=…)` first, with as many as constraints."
+            )
+        count = len(equations.coordinates) + len(equations.speeds)
+        self.free = [k for k in range(count) if k not in {*dependent, *self.steady}]
+        if not self.free:
+            raise ValueError(
+                "There is no state to search for: `moving` and the constraints determine all of "
+                "them. The motion is the one that `simulate` returns."
+            )
+        self.rows = [k for k in range(count) if k not in dependent]
+        self.parameters = [definition.states[k] for k in self.rows]
+        self.columns = [self.rows.index(k) for k in self.free]
+        self.advancing = [self.rows.index(k) for k in self.steady if k not in dependent]
+        # By how much the end changes as those advance that move.
+        self.pushed = np.zeros(len(self.free))
+        self.names = unique_names(definition.states)
+
+    def start(self, z: np.ndarray) -> Problem:
+        """Return the Problem with the free states `z`; the dependent ones follow."""
+        x = self.problem.x.copy()
+        x[self.free] = z
+        problem = self.problem.replace(x=x)
+        return consistent(problem) if problem.dependent else problem
+
+    def integrated(self, problem: Problem, times: Any, **more: Any) -> Motion:
+        """Integrate with sensitivities."""
+        # A state that stays would be followed in steps that are too long for its neighbours.
+        wanted = SensitivityRequest(self.parameters, controlled=True)
+        options = {**more, **self.options}
+        return integrate(
+            problem, np.array(times), solver=self.solver, sensitivities=wanted, **options
+        )
+
+    def sizes_along(
+        self,
+        times: np.ndarray,
+        states: np.ndarray,
+        end: np.ndarray,
+        rates: np.ndarray,
+        length: float,
+    ) -> np.ndarray:
+        """Return the sizes of all states on a flight."""
+        natural, moved = energetic_motions(self.problem, times, states)
+        most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
+        speeds = np.arange(len(end)) >= self.problem.coordinate_count
+        return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
+
+    def fly(self, z: np.ndarray, length: float) -> Flight:
+        """Fly for a period from states `z`; the start that comes nearest to its end is stored."""
+        problem = self.start(z)
+        if self.until is None:
+            flight = self._for_a_time(problem, length)
+        else:
+            flight = self._until(problem, self.until, z)
+        gap = float((np.abs(flight.end - z) / self.begun[self.free]).max(initial=0.0))
+        if gap < self.least:
+            self.least = gap
+            self.nearest.update(period=flight.period, initial_conditions=problem.initial_conditions)
+        self.progress(1, gap=f"{gap:.3g}")
+        return flight
+
+    def _for_a_time(self, problem: Problem, length: float) -> Flight:
+        instant = self.t0 + length
+        motion = self.integrated(problem, np.linspace(self.t0, instant, num=_ON_THE_WAY))
+        start, end, slopes = motion.states[0], motion.states[-1], _last_slopes(motion)
+        advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
+        self.pushed[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
+        return self._flight(motion, start, end, motion.rates(instant, end), slopes, instant)
+
+    def _until(self, problem: Problem, until: Event, z: np.ndarray) -> Flight:
+        t0, guess = self.t0, self.guess
+        first = self.integrated(problem, [t0, t0 + BEGINNING * guess])
+        ending = replace(until, terminal=True)
+        times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
+        motion = self.integrated(first.last, times, events=ending)
+        event = motion.event(ending.name)
+        if event is None:
+            raise PeriodicOrbitError(
+                f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
+                f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
+                "conditions.",
+                z,
+                np.full(len(z), np.nan),
+            )
+        rates = motion.rates(event.time, event.after)
+        assert event.sensitivity_after is not None
+        assert event.time_sensitivity is not None
+        after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
+        slopes = after @ _last_slopes(first)[self.rows]
+        return self._flight(motion, first.states[0], event.after, rates, slopes, event.time)
+
+    def _flight(
+        self,
+        motion: Motion,
+        start: np.ndarray,
+        end: np.ndarray,
+        rates: np.ndarray,
+        slopes: np.ndarray,
+        instant: float,
+    ) -> Flight:
+        period, free = instant - self.t0, self.free
+        return Flight(
+            end[free],
+            slopes[np.ix_(free, self.columns)],
+            rates[free],
+            period,
+            self.sizes_along(motion.times, motion.states, end, rates, period),
+            None if self.problem.hybrid is None else start[free],
+        )
+
+    def _slope_at_start(self) -> np.ndarray | None:
+        """Measure the start; return the direction in which the motion leaves, if it may be late.
+
+        Where the equations depend on time, or the period has an end of its own, it may not.
+        """
+        t0, guess, free = self.t0, self.guess, self.free
+        problem = self.start(self.problem.x[free])
+        if problem.hybrid is None:
+            rates = problem.rates()
+        else:
+            motion = self.integrated(problem, [t0, t0 + BEGINNING * guess])
+            rates = motion.rates(t0, motion.states[0], segment=0)
+            self.problem = self.problem.replace(modes=motion.segments[0].modes)
+        at_start = np.array([t0]), problem.x[None], problem.x
+        slope: np.ndarray | None = None
+        if self.autonomous:
+            slope = rates[free]
+            own = self.sizes_along(*at_start, np.zeros_like(rates), guess)[free]
+            moves = self.problem.x[free].any()
+            if (np.abs(slope) * guess <= ORBIT_CLOSED * own * moves).all():
+                raise ValueError(
+                    "The initial conditions are an equilibrium, which is no orbit. Start "
+                    "elsewhere, or use `find_equilibrium`."
+                )
+            slope = slope / np.linalg.norm(slope)
+        self.begun = self.sizes_along(*at_start, rates, guess)
+        if self.scales_atol:
+            self.options["atol"] = ORBIT * self.begun
+        return slope
+
+    def orbit(self) -> PeriodicOrbit:
+        """Search until states come back, in units of the sizes that they have on the way."""
+        slope, free = self._slope_at_start(), self.free
+        z = self.problem.x[free]
+        flight = self.fly(z, self.guess)
+        self.begun = flight.sizes
+        names = [self.names[k] for k in free]
+        for _ in range(_RESIZED):
+            sizes = flight.sizes
+            if self.scales_atol:
+                coarse = (self.options["atol"] > 2.0 * ORBIT * sizes).any()
+                self.options["atol"] = ORBIT * sizes
+                if coarse:
+                    flight = self.fly(z, flight.period)
+            tolerance = float(np.max(self.options["rtol"]))
+            search = Shooting(self.fly, flight, sizes[free], slope, names, tolerance)
+            z, flight, residual = search.found(z)
+            # A first flight that led far away told nothing of the orbit.
+            again = flight.sizes
+            if (again >= 0.5 * sizes).all() or (again <= ORBIT * self.begun).all():
+                break
+        if (self.pushed > ORBIT_CLOSED * flight.sizes[free]).any():
+            on = names[int((self.pushed / flight.sizes[free]).argmax())]
+            raise ValueError(
+                f"`moving` must not have coordinates that the motion depends on, got "
+                f"{some(self.names[k] for k in self.steady)}, on which {on} depends: a motion "
+                "in which they advance does not repeat. Leave them out, or end the period "
+                "with an event `until` that sets them back."
+            )
+        motion = self._motion(z, flight.period)
+        begun = motion.problem if self.problem.hybrid is None else motion.first
+        moved = np.ptp(motion.states[:, free], axis=0)
+        return PeriodicOrbit(
+            period=flight.period,
+            initial_conditions=begun.initial_conditions,
+            states=tuple(names),
+            monodromy=flight.by_start,
+            residual=residual,
+            autonomous=self.autonomous,
+            equilibrium=bool((moved <= ORBIT * self.begun[free]).all()),
+            trajectory=motion.trajectory,
+        )
+
+    def _motion(self, z: np.ndarray, period: float) -> Motion:
+        """Integrate the orbit, and judge it."""
+        times = np.linspace(self.t0, self.t0 + period, num=_SAMPLES)
+        motion = simulate(self.start(z), times, solver=self.solver, **self.options)
+        if motion.problem.hybrid is not None:
+            return motion
+        if not np.isfinite(motion.trajectory.outputs).all():
+            warn_of_outputs(motion.trajectory, motion.problem)
+        if self.judged.definition.assumes_motions:
+            self.judged.check_motion(motion.times, motion.states)
+        warn_of_jumps(motion.problem, lambda: motion.trajectory)
+        if self.until is None and not self.autonomous:
+            _check_period(motion, period)
+        return motion
+
+
+def _last_slopes(motion: Motion) -> np.ndarray:
+    assert motion.sensitivities is not None
+    slopes: np.ndarray = motion.sensitivities[-1]
+    return slopes
+
+
+def _check_period(motion: Motion, period: float) -> None:
+    """Refuse a motion that ends as it began where the equations do not: it would not repeat."""
+    if motion.problem.plan.sampled:  # whose times end
+        return
+    times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
+    now, later = (motion.problem.derivatives(times + late, states) for late in (0.0, period))
+    off = np.abs(later - now) / or_one(np.maximum(np.abs(now), np.abs(later)).max(axis=0))
+    k, j = np.unravel_index(int(np.nan_to_num(off).argmax()), off.shape)
+    if off[k, j] > HALF:
+        symbol = motion.problem.definition.states[j]
+        raise PeriodicOrbitError(
+            f"The equations do not have the `period` {period:.6g} s, after which the motion is as "
+            f"at its start: at t = {times[k]:.6g} the derivative of {symbol} is "
+            f"{now[k, j]:.6g}, that time later {later[k, j]:.6g} in the same state. Give a period "
+            "of all that depends on time.",
+            states[0],
+            (later - now)[k],
+        )
+
+
+# -- in numbers alone ------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)

@@ -38,6 +38,13 @@ LOOKED_AT = 32
 
 # -- periodic orbits -------------------------------------------------------------------------------
 
+ORBIT = 1e-12
+"""Tolerances of the integrations: their results are differenced. What moves by less over a period,
+in units of its size, does not move."""
+
+BEGINNING = 1e-3
+"""An event that ends a period may be where it begins: it is looked for after this share."""
+
 ORBIT_CLOSED = 1e-9
 """The gap of an orbit that is closed, in units of its states, or how near the start then is to one
 that closes, where unstable motion makes more of rounding: integrations are good to 1e-12. States

@@ -13,18 +13,19 @@ from typing import Any
 
 import numpy as np
 
-from pydy._simulation.events_and_constraints import with_residuals_held
-from pydy._simulation.integration import begin
+from pydy._simulation.definition import read_term
+from pydy._simulation.judges import judge_start
+from pydy._simulation.motion import Motion, Segment
+from pydy._simulation.preparation import prepare
 from pydy._simulation.problem import Problem
 from pydy._simulation.sensitivities import AugmentedSystem
-from pydy._system.adjoints import MotionSegment, Task, integrate_forward, read_term
 from pydy.analysis.adjoint import AdjointGradient
+from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers
 from pydy.contact.run import Run
 from pydy.contact.sensitivities import HybridSensitivities, Transitions
-from pydy.contact.trajectory import Piece
 from pydy.trajectory import EventRecord
 
 
@@ -33,16 +34,14 @@ class Noted(Transitions):
 
     It is (n, n + w), by the states before the transition and by what is wanted, and comes with the
     derivatives of its time. The `terms` are those of the objective, which is differentiated by the
-    parameters `wrt`; `solved` are the initial conditions that were solved for.
+    parameters `wrt`.
     """
 
-    def __init__(
-        self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem, solved: Any
-    ) -> None:
-        sensitive = AugmentedSystem.of(now, now.model, now.plan, wrt, solved, "wrt")
+    def __init__(self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem) -> None:
+        sensitive = AugmentedSystem.of(now, now.model, now.plan, wrt, "wrt")
         self.start = sensitive.start(now.x, float(now.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
-        self.solved, self.together = solved, False
+        self.together = False
         n, constants = len(now.definition.states), now.definition.constants
         wanted = Task(sensitive, None, None).wanted
         own = [constants[place] if group == "p" else None for group, place in wanted]
@@ -53,7 +52,7 @@ class Noted(Transitions):
 
     def simulate(
         self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
-    ) -> dict[str, Any]:
+    ) -> Motion:
         """Simulate in one mode, with the matrix at the start `given`."""
         definition = now.definition
         options = {**options, "dense_output": True}
@@ -61,8 +60,8 @@ class Noted(Transitions):
             None if term is None else read_term(definition, term, name)
             for name, term in self._terms.items()
         ]
-        options = with_residuals_held(definition, solver, options)
-        ready, times = begin(now, solver, options)
+        ready, times = prepare(now, now.times, solver, options)
+        judge_start(now, times, ready)
         places = definition.places  # where a mode has constants of its own among the others
         parameters = tuple(
             replace(p, place=places[p.kind].symbols.index(p.symbol)) for p in self._parameters
@@ -71,8 +70,7 @@ class Noted(Transitions):
         guide = given.copy() if mode.turns else None
         if guide is not None and STARTING in mode.modes:  # what begins to slide has no speed
             guide[:, self._first : len(guide)] = 0.0
-        free = options.get("constraints") is None
-        found = integrate_forward(now, solver, ready, times, Task(sensitive, *terms), free, guide)
+        found = integrate_forward(now, solver, ready, times, Task(sensitive, *terms), guide)
         compiled: Any = found.options.events
         self._moments = {
             r.index: found.moment(r, r.index in mode.untimed)[2]
@@ -80,14 +78,9 @@ class Noted(Transitions):
             if found.stopped and r.time == found.end and compiled.terminal[r.index]
         }
         self._latest = found, given, np.where(self.doubtful, np.nan, self.time)
-        done, n = found.info["reached"], found.n
-        return {
-            "times": times[:done], "states": found.states[:done, :n].copy(),
-            "events": found.records, "statistics": found.info,
-            "dense": found.info["dense_output"],
-        }  # fmt: skip
+        return found.motion(now, solver, ready)
 
-    def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
+    def took(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
         """Keep the latest stretch."""
         self.stretches.append(self._latest)
 
@@ -104,15 +97,18 @@ class Noted(Transitions):
         self.together |= bool(self.opened(i, slopes, p, share).any())
         return []
 
-    def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
-        """Return the trajectory's further arguments: none."""
+    def results(self, reached: np.ndarray) -> None:
+        """Return no sensitivities of the motion."""
+
+    def labels(self, values: Any, segments: Sequence[Segment]) -> dict[str, Any]:
+        """Return the trajectory's arguments for its sensitivities: none."""
         return {}
 
 
 def gradient(run: Run) -> AdjointGradient:
     """Return the gradient of a simulation that has not begun, whose transitions are noted."""
     noted: Any = run.carried
-    trajectory = run.trajectory()
+    trajectory = run.motion().trajectory
     stretches, n = noted.stretches, run.n
     last = stretches[-1][0]
     if any(time == last.end for time, _, _ in run.impacts[-1:]) and len(last.starts):
@@ -133,10 +129,10 @@ def gradient(run: Run) -> AdjointGradient:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
     values = stretches[0][0].by_parameters(by_state @ noted.start)
     if noted.together:  # sensitivities tell whether parameters part what happens at one instant
-        columns = HybridSensitivities([*noted.counts], False, run.rows, run.now, noted.solved)
+        columns = HybridSensitivities([*noted.counts], False, run.rows, run.now)
         Run(
             run.kept, run.solver, run.now, run.times, run.user_events, run.options, columns
-        ).trajectory()
+        ).motion()
         by_state = np.full(n, np.nan)
     value = sum(stretch.value for stretch, _, _ in stretches)
     told = dict(trajectory.statistics or {})

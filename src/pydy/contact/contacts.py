@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import partial
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import sympy as sm
@@ -18,8 +17,9 @@ from pydy._simulation.definition import refuse_descending
 from pydy._simulation.diagnostics import warn_of_outputs
 from pydy._simulation.discontinuities import warn_of_jumps
 from pydy._simulation.events_and_constraints import check_events, native_solver
+from pydy._simulation.motion import Motion
 from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem
+from pydy._simulation.sensitivities import AugmentedSystem, SensitivityRequest
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
@@ -134,7 +134,7 @@ class Contacts:
             # The System's dictionary may be the user's, who makes other Systems of it: it stays.
             system._constants = dict(system._constants)
             system.constants.update(self.given)
-        self._now()  # names what is wrong at once
+        self._problem()  # names what is wrong at once
         system._has_contacts = True
 
     def __repr__(self) -> str:
@@ -149,15 +149,41 @@ class Contacts:
     @property
     def depends_on_time(self) -> bool:
         """Whether gaps, sliding speeds or coefficients depend on time explicitly."""
-        rows = self._now()[1].rows
+        rows = self._problem()[1].rows
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
 
-    def _now(self, events: Any = None) -> tuple[Problem, Compiled]:
-        now = self.system._now(events, contacts=self)
-        if self._kept is None or self._kept.definition != now.definition:
-            self._kept = Compiled(self.system, now, self.contacts, self.hypothesis)
-        return now, self._kept
+    def _problem(self, events: Any = None) -> tuple[Problem, Compiled]:
+        problem = self.system._now(events, contacts=self)
+        return problem, self._compiled(problem)
+
+    def _compiled(self, problem: Problem) -> Compiled:
+        if self._kept is None or self._kept.definition != problem.definition:
+            self._kept = Compiled(self.system, problem, self.contacts, self.hypothesis)
+        return self._kept
+
+    def integrate(
+        self,
+        problem: Problem,
+        times: np.ndarray,
+        *,
+        solver: Any,
+        sensitivities: SensitivityRequest | None = None,
+        events: Any = (),
+        **options: Any,
+    ) -> Motion:
+        """Integrate a Problem of the System; see `pydy._simulation.integration.integrate`.
+
+        A Problem with `modes` begins in these, projected on what they hold; otherwise the modes
+        follow from the state.
+        """
+        run = self._run(problem, times, solver, events, **options)
+        if sensitivities is not None:
+            wanted, controlled = sensitivities.parameters, sensitivities.controlled
+            run.carried = HybridSensitivities(wanted, controlled, run.rows, problem)
+            sensitivities.sensitive = run.carried.sensitive
+        run.begun = problem.modes
+        return run.motion()
 
     def simulate(
         self,
@@ -204,13 +230,21 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite; or a load jumps on the way, which `sensitivities` do not know.
         """
-        columns = _columns(sensitivities, control_sensitivities)
-        run = self._run(events, columns, **solver_kwargs)
-        trajectory = run.trajectory()
+        wanted = _requested(sensitivities, control_sensitivities)
+        problem = self._problem(events)[0]
+        motion = self.integrate(
+            problem,
+            problem.times,
+            solver=self.system.ode_solver,
+            sensitivities=wanted,
+            events=events,
+            **solver_kwargs,
+        )
+        trajectory = cast(ContactTrajectory, motion.trajectory)
         if not (self.system._searching or np.isfinite(trajectory.outputs).all()):
-            warn_of_outputs(trajectory, run.now)
-        if isinstance(run.carried, HybridSensitivities) and not self.system._searching:
-            warn_of_jumps(run.now, lambda: trajectory, run.carried.sensitive)
+            warn_of_outputs(trajectory, problem)
+        if wanted is not None and not self.system._searching:
+            warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
@@ -256,7 +290,7 @@ class Contacts:
                     f"`modes[{c.name!r}]`: sliding in a plane is not supported by itself."
                 )
             found.append(mode)
-        now, kept = self._now()
+        now, kept = self._problem()
         run = Run(kept, native_solver(self.system.ode_solver), now, np.array([now.t]), [], {})
         p = run.numbers(now.t, now.x)
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
@@ -301,17 +335,6 @@ class Contacts:
         """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
         return Motions(self, *given)
 
-    def resumed(self, modes: tuple[str, ...] | None, **options: Any) -> ContactTrajectory:
-        """Simulate from initial conditions close to given modes.
-
-        They are projected on what these hold. Without modes it is what `simulate` does.
-        """
-        control = options.pop("control_sensitivities", False)
-        columns = _columns(options.pop("sensitivities", None), control)
-        run = self._run(options.pop("events", ()), columns, **options)
-        run.begun = modes
-        return run.trajectory()
-
     def gradient(
         self, wrt: Any, final: Any, integral: Any, *, events: Any = (), **options: Any
     ) -> AdjointGradient:
@@ -319,12 +342,17 @@ class Contacts:
         from pydy.contact.backward import Noted, gradient
 
         terms = {"final": final, "integral": integral}
-        return gradient(self._run(events, partial(Noted, wrt, terms), **options))
+        problem = self._problem(events)[0]
+        run = self._run(problem, problem.times, self.system.ode_solver, events, **options)
+        run.carried = Noted(wrt, terms, run.rows, problem)
+        return gradient(run)
 
     def _run(
         self,
+        problem: Problem,
+        times: np.ndarray,
+        solver: Any,
         events: Any = (),
-        columns: Callable[..., Any] | None = None,
         **solver_kwargs: Any,
     ) -> Run:
         """Return a simulation that has not begun."""
@@ -338,17 +366,16 @@ class Contacts:
                 "`constraints='baumgarte'` and `dense_output=False` are not supported with "
                 "contacts."
             )
-        solver = self.system.ode_solver
         if not isinstance(solver, Solver):
             raise ValueError(
                 "Contacts need a native solver, which locates events: set `system.ode_solver = "
                 "'dop853'`, or another one of pydy.solvers."
             )
-        now, kept = self._now(events)
-        given = check_events(events, now.definition.places["states"])
+        kept = self._compiled(problem)
+        given = check_events(events, problem.definition.places["states"])
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
-        times = now.checked_times()
+        times = problem.checked_times(times)
         if times.size and times[-1] < times[0]:
             refuse_descending(
                 times, "contacts cannot run backward: impacts and friction cannot be undone"
@@ -358,14 +385,13 @@ class Contacts:
                 "`times` must have at least two values that differ, got "
                 f"{shown(times.tolist())}. Set `system.times`."
             )
-        carried = columns and columns(kept.rows, now, self.system._dependent)
-        return Run(kept, solver, now, times, given, solver_kwargs, carried)
+        return Run(kept, solver, problem, times, given, solver_kwargs)
 
 
-def _columns(wanted: Any, controlled: Any) -> Callable[..., HybridSensitivities] | None:
+def _requested(wanted: Any, controlled: Any) -> SensitivityRequest | None:
     """Return the sensitivities to compute, or None."""
     controlled = flag(controlled, "`control_sensitivities`")
-    return None if wanted is None else partial(HybridSensitivities, wanted, controlled)
+    return None if wanted is None else SensitivityRequest(wanted, controlled)
 
 
 class Motions:
@@ -391,13 +417,13 @@ class Motions:
         self.columns: tuple[str, ...] = ()
         wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if wanted is not None:
-            made = AugmentedSystem.of(now, now.model, now.plan, wanted, system._dependent)
+            made = AugmentedSystem.of(now, now.model, now.plan, wanted)
             wanted = [p.symbol for p in made.parameters]
             self.columns = column_names({p.symbol: p.count for p in made.parameters})
-        self._wanted = _columns(wanted, self._control)
+        self._wanted = wanted
         events = self.options.pop("events", None)
         self._given = check_events(events, now.definition.places["states"])
-        definition, kept = now.definition, self.contacts._now(self._given)[1]
+        definition, kept = now.definition, self.contacts._problem(self._given)[1]
         self.outputs = kept.outputs
         self.events = (*kept.transitions, *(event.name for event in self._given))
         self._states, self._constants = definition.states, definition.constants
@@ -412,7 +438,7 @@ class Motions:
         ]
         held = self.options.get("constraints")
         about = self.contacts.hypothesis, events, held, self.columns, self._control
-        return *about, self.contacts._now(self._given)[1].rows.identity
+        return *about, self.contacts._problem(self._given)[1].rows.identity
 
     def __call__(
         self,
@@ -424,7 +450,7 @@ class Motions:
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         if self.contacts._kept is None:  # in another process
-            self.contacts._now(self._given)
+            self.contacts._problem(self._given)
         system = copy(self.contacts.system)
         system._contradicted = None  # the ensemble judges all samples
         contacts = self.contacts.of(system)
@@ -433,12 +459,15 @@ class Motions:
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
         system.specifieds = {**system.specifieds, **varied}
         system.times = times
-        run = contacts._run(self._given, self._wanted, **self.options)
+        problem = contacts._problem(self._given)[0]
+        run = contacts._run(problem, times, system.ode_solver, self._given, **self.options)
+        if self._wanted is not None:
+            run.carried = HybridSensitivities(self._wanted, self._control, run.rows, problem)
         run.stopped = stopped
         code, motion = FINISHED, None
         try:
-            motion = run.trajectory()
-            end = run.pieces[-1].end
+            motion = run.motion()
+            end = motion.end
             code = FINISHED if run.reached.all() else TERMINATED
         except StartError:
             code, end = START_OFF_CONSTRAINTS, float(times[0])
@@ -452,6 +481,6 @@ class Motions:
         if motion is None:
             return np.empty((0, len(x))), np.empty((0, len(self.outputs))), info
         if self.columns:
-            found = motion.sensitivity
+            found = motion.trajectory.sensitivity
             info["columns"] = np.concatenate([found.values, found.outputs], axis=1)
-        return motion.states, motion.outputs, info
+        return motion.states, motion.trajectory.outputs, info

@@ -285,7 +285,7 @@ def _carried(
     still = frozenset(state.touching if newtons else ())
     values = run.values(state.t, state.x)
     slopes: dict[str, np.ndarray] = run.carried.impact(values, p, blow, kept, still)
-    if run.pieces:
+    if run.segments:
         run.check_instant(state, p, slopes["gap"], closing)
     return slopes
 

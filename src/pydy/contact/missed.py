@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from pydy._checks import shown
 from pydy._interpolation import evenly
 from pydy._rank import ROUNDING
 from pydy._simulation.diagnostics import diagnosis_of
+from pydy._simulation.motion import Motion
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
@@ -18,30 +19,32 @@ from pydy.contact.tuning import CHECKED, SLACK
 
 def missed(
     run: Any,
-    part: Any,
+    motion: Motion,
+    places: Mapping[Any, int],
     resting: Collection[int],
     end: float,
     last: np.ndarray | None,
     told: Collection[tuple[str, int]],
 ) -> list[tuple[str, int]]:
-    """Refuse a part of a motion in which a transition was missed.
+    """Refuse a motion in one mode in which a transition was missed.
 
-    Return what is violated from the start on: forces at their limits fit several modes there, and
-    so do directions of what is `resting`, and only the motion tells which of them hold. What is
-    `told` by the events at the end, where a load may jump, is not missed there.
+    The `places` are those of the mode's outputs. Return what is violated from the start on: forces
+    at their limits fit several modes there, and so do directions of what is `resting`, and only the
+    motion tells which of them hold. What is `told` by the events at the end, where a load may jump,
+    is not missed there.
     """
-    symbols, places = run.kept.symbols, part.mode.places
-    known, few = part.times < end, part.times[:0]
-    last = part.states[-1] if last is None else last[: run.n]  # not what follows from the event
-    rows = [part.states[known], last[None]]
-    if part.dense is not None:  # not more steps than are kept
-        starts, few = part.dense.starts, np.linspace(part.times[0], end, CHECKED)
+    symbols = run.kept.symbols
+    known, few = motion.times < end, motion.times[:0]
+    last = motion.states[-1] if last is None else last[: run.n]  # not what follows from the event
+    rows = [motion.states[known], last[None]]
+    if motion.dense is not None:  # not more steps than are kept
+        starts, few = motion.dense.starts, np.linspace(motion.times[0], end, CHECKED)
         if len(starts) > CHECKED:  # states between steps take these again
             few = starts[evenly(len(starts), CHECKED)]
         few = few[few < end]
-        rows.insert(1, part.dense(few)[:, : run.n])
-    few, states = np.concatenate([part.times[known], few, [end]]), np.concatenate(rows)
-    table = part.now.outputs(few, states)
+        rows.insert(1, motion.dense(few)[:, : run.n])
+    few, states = np.concatenate([motion.times[known], few, [end]]), np.concatenate(rows)
+    table = motion.problem.outputs(few, states)
     least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):
@@ -56,7 +59,7 @@ def missed(
             below = values < -allowed
             below[-1:] &= (kind, i) not in told
             if below.any() and symbol is symbols.get((i, "gap")):
-                # What the drift of a gap that was held has left is no motion of this part.
+                # What the drift of a gap that was held has left is no motion of this motion.
                 below &= values < values[0] - allowed
                 # In large units the relative tolerance tells less of a gap than the other.
                 worst = int(values.argmin())

@@ -14,7 +14,8 @@ from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted,
 from pydy._forks import cached_property
 from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED, ROUNDING
-from pydy._simulation.integration import simulated
+from pydy._simulation.integration import simulate
+from pydy._simulation.motion import Motion, Segment
 from pydy._simulation.problem import Problem
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
@@ -39,10 +40,10 @@ from pydy.contact.decide import (
 )
 from pydy.contact.impacts import strike
 from pydy.contact.missed import flat, missed
-from pydy.contact.modes import Compiled
+from pydy.contact.modes import Compiled, Mode
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import HybridSensitivities
-from pydy.contact.trajectory import ContactTrajectory, Part, Piece, Pieces
+from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
 from pydy.solvers.options import Begun, Options, read_options
 from pydy.solvers.outcome import TERMINATED
@@ -90,7 +91,7 @@ class Run:
         self.n = len(now.definition.states)
         self.first = len(now.definition.equations.coordinates)
         self.states = np.full((len(times), self.n), np.nan)
-        self.pieces: list[Piece] = []
+        self.segments: list[Segment] = []
         self.records: list[EventRecord] = []
         self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
         self.first_height: dict[int, float] = {}
@@ -349,8 +350,8 @@ class Run:
 
     # -- from transition to transition ------------------------------------------------------------
 
-    def trajectory(self) -> ContactTrajectory:
-        """Simulate over all times."""
+    def motion(self) -> Motion:
+        """Integrate over all times."""
         state = self.state if self.resumed and self.state is not None else self.begin()
         self.state = state
         try:
@@ -448,17 +449,16 @@ class Run:
                 ),
             },
             times=np.concatenate([[state.t], self.times[later]]),
-            told=self.now.told,  # what is told of specifieds is told once
+            already_warned=self.now.already_warned,  # of specifieds
             contradicted=None,  # assumptions are judged along the whole motion
         )
         options = {**self.options, "events": events}
         # Only events of the user's happen where the motion starts.
-        later_part = self.pieces or self.resumed
+        later_part = self.segments or self.resumed
         options["begun"] = Begun(None if later_part else frozenset(range(len(kinds))))
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
-        simulate = simulated
         if self.carried is not None:
             slides = any(solution.modes[i] in SLIDES for i in state.resting)
             rates = now.derivatives(np.array([state.t]), state.x[None])[0]
@@ -466,9 +466,11 @@ class Run:
             if not later.any():
                 self.carried.begun(state.t, given, self.records)
                 return True, []
-            simulate = partial(self.carried.simulate, mode, given)
         try:
-            part = Part(mode, now, **simulate(now, solver, options))
+            if self.carried is not None:
+                motion = self.carried.simulate(mode, given, now, solver, options)
+            else:
+                motion = simulate(now, now.times, solver=solver, **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
             self.states[np.flatnonzero(later)[: len(states)]] = states
@@ -481,7 +483,7 @@ class Run:
             why = flat(self, error.time, last, closed) if np.isfinite(last).all() else ""
             why = why or f"The integration stopped in the modes {', '.join(self.modes)}: {error}"
             raise self.fail(error.time, last, why) from error
-        return self.take(state, part, kinds)
+        return self.take(state, mode, motion, kinds)
 
     def hold(
         self, p: Numbers, state: State, solution: Solution
@@ -589,44 +591,44 @@ class Run:
             state.x = np.where(np.abs(x) <= ROUNDING * given, 0.0, x)
 
     def take(
-        self, state: State, part: Part, kinds: list[tuple[str, int]]
+        self, state: State, mode: Mode, motion: Motion, kinds: list[tuple[str, int]]
     ) -> tuple[bool, list[tuple[str, int]]]:
         """Keep the states up to the event that ended the mode."""
         for name in self.totals:
-            self.totals[name] += part.statistics[name]
-        mode, own = part.mode, len(kinds)
-        stopped = part.statistics["code"] == TERMINATED
-        end = part.events[-1].time if stopped else float(self.times[-1])
-        at_end = [r for r in part.events if stopped and r.time == end]
+            self.totals[name] += motion.statistics[name]
+        own = len(kinds)
+        stopped = motion.statistics["code"] == TERMINATED
+        end = motion.events[-1].time if stopped else float(self.times[-1])
+        at_end = [r for r in motion.events if stopped and r.time == end]
         acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
         told_of = {kinds[r.index] for r in acting}
         last = at_end[-1].before if stopped else None
-        if broken := missed(self, part, state.resting, end, last, told_of):
+        if broken := missed(self, motion, mode.places, state.resting, end, last, told_of):
             return False, broken
         if self.carried is not None:
-            self.carried.took(part, end, self.records)
-        for record in part.events:
+            self.carried.took(motion, end, self.records)
+        for record in motion.events:
             again = record.name in self.counted and record.time - self.times[0] <= self.resolution(
                 state.t
             )
-            first = not (self.pieces or self.resumed)
+            first = not (self.segments or self.resumed)
             if record.index >= own and not again and (record.time > state.t or first):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
         rows = (self.times > state.t) & (self.times <= end)
-        self.states[rows] = part.states[1 : 1 + int(rows.sum())]
-        self.pieces.append(
-            Piece(
-                state.t, end, mode.modes, part.now, mode.columns, part.dense,
-                part.sensitivity_model,
+        self.states[rows] = motion.states[1 : 1 + int(rows.sum())]
+        self.segments.append(
+            Segment(
+                state.t, end, mode.modes, motion.problem, mode.columns, motion.dense,
+                motion.augmented,
             )
         )  # fmt: skip
         if not stopped:
-            state.t, state.x = end, part.states[-1, : self.n].copy()
+            state.t, state.x = end, motion.states[-1, : self.n].copy()
             return True, []
         if self.carried is not None and acting:
             one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
             before = np.ascontiguousarray(one.before[: self.n])
-            rates = part.now.derivatives(np.array([end]), before[None])[0]
+            rates = motion.problem.derivatives(np.array([end]), before[None])[0]
             self.carried.ended(one, rates)
             what, i = kinds[one.index]
             if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
@@ -735,66 +737,47 @@ class Run:
 
     # -- the result -------------------------------------------------------------------------------
 
-    @property
-    def end(self) -> float:
-        """The time at which the motion ends."""
-        assert self.state is not None
-        return self.state.t
-
-    @property
-    def refusal(self) -> str:
-        """Why the motion cannot be continued, or ''."""
-        return (
-            ""
-            if self.carried is None
-            else (
-                "`sensitivities` of a motion that is continued are not known. Simulate over the "
-                "whole time at once, or without `sensitivities`."
-            )
-        )
-
-    def go_on(self, times: np.ndarray) -> ContactTrajectory:
-        """Return the motion from the end of this one on, at some times."""
+    def _go_on(self, motion: Motion, times: np.ndarray) -> Any:
+        """Return the trajectory from the end of the motion on, at some times."""
         assert self.state is not None
         start = dict(zip(self.now.definition.states, self.state.x.tolist(), strict=True))
         now = replace(self.now, times=times, user={**self.now.user, "initial_conditions": start})
         run = Run(self.kept, self.solver, now, times, self.user_events, dict(self.options))
         run.state, run.resumed = deepcopy(self.state), True
-        run.counted = {record.name for record in self.records if record.time == self.end}
+        run.counted = {record.name for record in self.records if record.time == self.state.t}
         run.modes, run.bias, run.sizes = self.modes, self.bias, self.sizes
         run.first_height, run.quickest = dict(self.first_height), dict(self.quickest)
         run.struck, run.widest = set(self.struck), self.widest.copy()
-        return run.trajectory()
+        return run.motion().trajectory
 
-    def partial(self) -> ContactTrajectory | None:
+    def partial(self) -> Motion | None:
         """Return the motion up to where it could not go on; None if it did not begin."""
-        if not self.pieces:
+        if not self.segments:
             return None
-        self.reached = self.times <= self.pieces[-1].end
+        self.reached = self.times <= self.segments[-1].end
         return self.result()
 
-    def result(self) -> ContactTrajectory:
-        """Return the parts of the motion as one."""
+    def result(self) -> Motion:
+        """Return the segments as one motion."""
         times, states = self.times[self.reached], self.states[self.reached]
-        if self.now.definition.assumes_motions:
-            self.now.check_motion(times, states)
-        model, last = Pieces(self.pieces, self.now), self.pieces[-1].end
-        records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
-        carried = self.carried
-        more = {} if carried is None else carried.results(self.reached, self.pieces)
-        found = ContactTrajectory(
-            times,
-            states,
-            self.kept.named,
-            outputs=model.outputs(times, states),
-            specifieds=model.specifieds(times, states),
-            constants=self.now.constants,
-            events=records,
-            statistics={"transitions": len(self.pieces) - 1, **self.totals},
-            pieces=model,
-            names=[c.name for c in self.contacts],
-            impacts=self.impacts,
-            **more,
+        last, carried = self.segments[-1].end, self.carried
+        names = [c.name for c in self.contacts]
+        refusal = (
+            "`sensitivities` of a motion that is continued are not known. Simulate over the "
+            "whole time at once, or without `sensitivities`."
         )
-        found._leg = self
-        return found
+        return Motion(
+            problem=self.now,
+            solver=self.solver,
+            options=self.options,
+            times=times,
+            states=states,
+            segments=tuple(self.segments),
+            events=sorted((r for r in self.records if r.time <= last), key=lambda r: r.time),
+            statistics={"transitions": len(self.segments) - 1, **self.totals},
+            sensitivities=None if carried is None else carried.results(self.reached),
+            projected=True,
+            refusal="" if carried is None else refusal,
+            proceed=self._go_on,
+            label=partial(contact_trajectory, self.kept.named, names, self.impacts, carried),
+        )

@@ -26,14 +26,15 @@ from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
 from pydy._names import column_names
 from pydy._rank import DEPENDENT, ROUNDING
-from pydy._simulation.integration import simulated
+from pydy._simulation.integration import simulate
+from pydy._simulation.motion import Motion, Segment
 from pydy._simulation.problem import Problem
 from pydy._simulation.sensitivities import AugmentedSystem, SensitivityRequest
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers, by_name
-from pydy.contact.trajectory import Piece, PieceSensitivities
+from pydy.contact.trajectory import SegmentedSensitivities
 from pydy.contact.tuning import SLACK, WITHIN
 from pydy.trajectory import EventRecord
 
@@ -247,13 +248,11 @@ class HybridSensitivities(Transitions):
     """Sensitivities that are carried from mode to mode.
 
     `counts` has the number of columns of each parameter. Where `controlled`, the step control looks
-    at them too; `solved` are the initial conditions that were solved for.
+    at them too.
     """
 
-    def __init__(
-        self, wanted: Any, controlled: bool, rows: ContactRows, now: Problem, solved: Any
-    ) -> None:
-        self.sensitive = sensitive = AugmentedSystem.of(now, now.model, now.plan, wanted, solved)
+    def __init__(self, wanted: Any, controlled: bool, rows: ContactRows, now: Problem) -> None:
+        self.sensitive = sensitive = AugmentedSystem.of(now, now.model, now.plan, wanted)
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
@@ -265,12 +264,12 @@ class HybridSensitivities(Transitions):
 
     def simulate(
         self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
-    ) -> dict[str, Any]:
+    ) -> Motion:
         """Simulate in one mode, with S at the start `given`."""
         self._columns[self.now.times == now.times[0]] = given
         controlled = self._controlled or mode.turns
-        wanted = SensitivityRequest([*self._counts], controlled, None, given, mode.untimed)
-        return simulated(now, solver, options, wanted)
+        wanted = SensitivityRequest([*self._counts], controlled, given, mode.untimed)
+        return simulate(now, now.times, solver=solver, sensitivities=wanted, **options)
 
     def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
@@ -288,9 +287,10 @@ class HybridSensitivities(Transitions):
             if record.time == start and record.time_sensitivity is None:
                 records[k] = replace(record, **told)
 
-    def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
-        """Keep a part of the motion."""
-        start, values = part.times[0], part.sensitivities[1]
+    def took(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
+        """Store the sensitivities of a segment."""
+        start, values = motion.times[0], motion.sensitivities
+        assert values is not None
         self._note(start, values[0], records)
         rows = (self.now.times > start) & (self.now.times <= end)
         self._columns[rows] = values[1 : 1 + int(rows.sum())]
@@ -322,13 +322,15 @@ class HybridSensitivities(Transitions):
         wrong = self.opened(i, slopes, p, share)
         return [name for name, off in zip(column_names(self._counts), wrong, strict=True) if off]
 
-    def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
-        """Return the trajectory's further arguments: its sensitivities."""
-        model = PieceSensitivities(pieces)
-        return {
-            "sensitivities": (self._counts, self._columns[reached]),
-            "sensitivity_model": model,
-        }
+    def results(self, reached: np.ndarray) -> np.ndarray:
+        """Return the sensitivities at the times that were reached, shape (m, n, k)."""
+        found: np.ndarray = self._columns[reached]
+        return found
+
+    def labels(self, values: Any, segments: Sequence[Segment]) -> dict[str, Any]:
+        """Return the trajectory's arguments for its sensitivities (m, n, k)."""
+        model = SegmentedSensitivities(segments)
+        return {"sensitivities": (self._counts, values), "sensitivity_model": model}
 
 
 def _least(matrix: np.ndarray, right: np.ndarray, square: np.ndarray) -> np.ndarray:

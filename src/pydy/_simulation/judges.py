@@ -1,0 +1,35 @@
+"""What users are told of a start and of a motion: warnings, and refusals of what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pydy._simulation.assumptions import check_assumptions
+from pydy._simulation.constraint_drift import check_drift, check_resets, check_start
+from pydy._simulation.discontinuities import warn_of_impulses, warn_of_pulses
+from pydy._simulation.motion import Motion
+from pydy._simulation.preparation import PreparedIntegration
+from pydy._simulation.problem import Problem
+from pydy.solvers.solver import Solver
+
+
+def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration) -> None:
+    """Warn of a start off the constraints, and once of inputs whose derivatives are impulses."""
+    if ready.constrained:
+        check_start(problem.at(times[:1], problem.x[None]), mended=ready.enforced)
+    if not ready.start_judged and (problem.plan.expressions or ready.constrained):
+        warn_of_impulses(problem, times)
+    ready.start_judged = True
+
+
+def judge_motion(motion: Motion) -> None:
+    """Warn of a Motion that cannot be trusted, and refuse one that left its constraints."""
+    problem = motion.problem
+    if motion.evaluated is not None and problem.plan.sampled:
+        warn_of_pulses(motion)
+    if problem.judges_assumptions and len(motion.times):
+        check_assumptions(motion)
+    if problem.definition.equations.constrained and len(motion.times):
+        if isinstance(motion.solver, Solver) and not motion.projected:
+            check_resets(motion.events, problem.at)
+        check_drift(motion)
