@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 from pydy._names import nearest
 from pydy._system.adjoints import Gradients
-from pydy._system.analysis import LinearModels
-from pydy._system.balance import Equilibria
 from pydy._system.ensembles import Ensembles
+from pydy._system.equilibria import Equilibria
 from pydy._system.exporting import Exporting
 from pydy._system.fits import Fitting
 from pydy._system.forces import Forces
 from pydy._system.inertial import InertialParameters
 from pydy._system.layers import Layers
+from pydy._system.linear_models import LinearModels
 from pydy._system.optimal import Optimisation
 from pydy._system.orbits import Orbits
 from pydy._system.pictures import Pictures

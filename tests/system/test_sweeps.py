@@ -8,7 +8,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.linalg import eigvals
 
-import pydy._system.sweeps
+import pydy.analysis.families
 import pydy.analysis.sweeps
 import zoo
 from cases import system_of
@@ -267,7 +267,7 @@ def hoop_and_rates():
 def test_ctrl_c_hands_over_the_first_values(monkeypatch):
     system, over = hoop_and_rates()
     whole, calls = system.eigenvalues(over), []
-    family, alone = pydy._system.sweeps.Family, pydy._system.sweeps.Family.alone
+    family, alone = pydy.analysis.families.Family, pydy.analysis.families.Family.alone
 
     def interrupted(self, z):
         calls.append(z)
@@ -288,13 +288,13 @@ def test_ctrl_c_hands_over_the_first_values(monkeypatch):
 def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
     system, over = hoop_and_rates()
     whole = system.eigenvalues(over)
-    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
     monkeypatch.setattr(pydy.analysis.sweeps, "AT_ONCE", 5)
     parts = system.eigenvalues(over, progress=True)
     assert "41/41" in capsys.readouterr().err
     np.testing.assert_allclose(parts.eigenvalues, whole.eigenvalues, atol=1e-9)
     np.testing.assert_allclose(parts.equilibria, whole.equilibria, atol=1e-12)
-    equilibria, calls = pydy._system.sweeps.Family.equilibria, []
+    equilibria, calls = pydy.analysis.families.Family.equilibria, []
 
     def interrupted(self, values, start=None):
         calls.append(values)
@@ -302,7 +302,7 @@ def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
             raise KeyboardInterrupt
         return equilibria(self, values, start)
 
-    monkeypatch.setattr(pydy._system.sweeps.Family, "equilibria", interrupted)
+    monkeypatch.setattr(pydy.analysis.families.Family, "equilibria", interrupted)
     with pytest.raises(AnalysisInterrupted) as caught:
         system.eigenvalues(over)
     np.testing.assert_array_equal(caught.value.results.A, parts.A[:21])
@@ -311,7 +311,7 @@ def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
 def test_ctrl_c_among_the_matrices_at_given_states_hands_over_those_that_are_there(monkeypatch):
     system = multi_mass_spring_damper()
     stiffness = np.linspace(1.0, 9.0, num=40)
-    matrices, calls = pydy._system.sweeps.Family.matrices, []
+    matrices, calls = pydy.analysis.families.Family.matrices, []
 
     def interrupted(self, z):
         calls.append(z)
@@ -319,8 +319,8 @@ def test_ctrl_c_among_the_matrices_at_given_states_hands_over_those_that_are_the
             raise KeyboardInterrupt
         return matrices(self, z)
 
-    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
-    monkeypatch.setattr(pydy._system.sweeps.Family, "matrices", interrupted)
+    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families.Family, "matrices", interrupted)
     with pytest.raises(AnalysisInterrupted, match="after 14 of 40 values") as caught:
         system.eigenvalues({"k0": stiffness}, at=np.zeros(2))
     sweep = caught.value.results
@@ -344,15 +344,15 @@ def test_ctrl_c_is_not_kept_waiting_by_the_eigenvalues_of_what_is_done(monkeypat
         system.eigenvalues(over)  # among the spectra, at the end
     assert calls == [41]
     np.testing.assert_array_equal(caught.value.results.eigenvalues, whole.eigenvalues)
-    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
-    matrices = pydy._system.sweeps.Family.matrices
+    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
+    matrices = pydy.analysis.families.Family.matrices
 
     def stopped(self, z):
         if z[-1, -1] < 8.0:
             raise KeyboardInterrupt
         return matrices(self, z)
 
-    monkeypatch.setattr(pydy._system.sweeps.Family, "matrices", stopped)
+    monkeypatch.setattr(pydy.analysis.families.Family, "matrices", stopped)
     with pytest.raises(AnalysisInterrupted, match="after 7 of 41 values") as caught:
         system.eigenvalues(over)
     assert calls == [41, 41]  # none until they are asked for
@@ -366,7 +366,7 @@ def test_ctrl_c_is_not_kept_waiting_by_the_eigenvalues_of_what_is_done(monkeypat
 def test_values_are_handed_over_where_memory_ends(monkeypatch, where):
     system, over = hoop_and_rates()
     whole = system.eigenvalues(over)
-    place = pydy.analysis.sweeps if where == "spectra_of" else pydy._system.sweeps.Family
+    place = pydy.analysis.sweeps if where == "spectra_of" else pydy.analysis.families.Family
     usual, calls = getattr(place, where), []
 
     def without_memory(*args):
@@ -375,7 +375,7 @@ def test_values_are_handed_over_where_memory_ends(monkeypatch, where):
             raise MemoryError("no more")
         return usual(*args)
 
-    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
     monkeypatch.setattr(place, where, without_memory)
     with pytest.raises(MemoryError, match="no more") as caught:
         system.eigenvalues(over)

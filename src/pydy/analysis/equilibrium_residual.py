@@ -1,4 +1,4 @@
-"""The conditions of equilibrium as functions of chosen unknowns, at many values of them at once."""
+"""Equilibria of a Problem: their conditions as functions of chosen unknowns, at many values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from pydy._rank import or_one
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._simulation.problem import Problem
 from pydy._simulation.states import GROUPS, ForcesWithoutConstraints, Point, located
-from pydy._system.setup import Setup
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -45,6 +44,7 @@ class Unknowns:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """Their names."""
         return unique_names(self.symbols)
 
     def of(self, kind: str) -> tuple[list[int], list[int]]:
@@ -52,7 +52,7 @@ class Unknowns:
         return self._found[kind]
 
 
-class Balance:
+class EquilibriumResidual:
     """Derivatives of the states and residuals of the constraints as functions of unknowns z."""
 
     def __init__(
@@ -269,7 +269,7 @@ class Balance:
             self._warn_of_time(found, rates)
         return accepted
 
-    def _ahead(self, moved: np.ndarray, t: float | None = None) -> Balance:
+    def _ahead(self, moved: np.ndarray, t: float | None = None) -> EquilibriumResidual:
         """Return the same where steady coordinates have moved, or at another time."""
         ahead = copy(self)
         ahead.x, ahead.t = self.x.copy(), self.t if t is None else t
@@ -343,71 +343,15 @@ def _bounds(
     return low, high
 
 
-class Equilibria(Setup):
-    """States in which the system remains."""
-
-    @np.errstate(under="ignore")  # shares of sizes may be zero
-    def find_equilibrium(
-        self,
-        unknowns: Iterable[Any] | None = None,
-        given: dict[Any, float] | None = None,
-        *,
-        moving: Iterable[Any] = (),
-        bounds: dict[Any, Any] | None = None,
-    ) -> Equilibrium:
-        """Find a state in which the system remains at rest or moves steadily.
-
-        All other values are those of the System; the search starts from its initial conditions,
-        and where none is near, from where the system settles if its swings die out.
-
-        Parameters
-        ----------
-        unknowns : iterable of symbols or names, optional
-            States, constants and specifieds to solve for; by default all coordinates and speeds
-            that are neither given nor moving.
-        given : dict, optional
-            Values of other states, constants and specifieds for this search; of an unknown, the
-            value to start from.
-        moving : iterable of coordinates, optional
-            Coordinates that may change at a constant rate, such as the position of a vehicle along
-            its path. The motion must not depend on them.
-        bounds : dict, optional
-            Maps unknowns to pairs of the lowest and the highest value; None is no limit.
-
-        Returns
-        -------
-        Equilibrium
-            `initial_conditions`, `constants` and `specifieds` can be assigned to the System's
-            attributes of the same names.
-
-        Raises
-        ------
-        EquilibriumError
-            No equilibrium was found; the message says how close the search came and which rows are
-            not satisfied.
-        ValueError
-            A name is not one of the system's.
-
-        Warns
-        -----
-        PyDyUserWarning
-            The state is an equilibrium at the first of the times alone: specifieds, or loads, that
-            change with time put it off it at others.
-
-        Examples
-        --------
-        >>> from pydy.models import multi_mass_spring_damper
-        >>> system = multi_mass_spring_damper(apply_gravity=True)
-        >>> system.constants = {'m0': 2.0, 'k0': 5.0, 'g': 9.81}
-        >>> found = system.find_equilibrium()
-        >>> round(found.values[system.coordinates[0]], 6)
-        3.924
-        >>> system.initial_conditions = found.initial_conditions
-        """
-        now = self._now()
-        warn_of_missing_derivatives(now)
-        balance = Balance(now, unknowns, given, moving)
-        wanted = balance.wanted
-        return balance.equilibrium(
-            *balance.solved(balance.start, _bounds(now.definition, wanted, bounds))
-        )
+def find_equilibrium(
+    problem: Problem,
+    unknowns: Iterable[Any] | None = None,
+    given: Mapping[Any, Any] | None = None,
+    bounds: Mapping[Any, Any] | None = None,
+    moving: Iterable[Any] = (),
+) -> Equilibrium:
+    """Find an equilibrium of a Problem; see `System.find_equilibrium`."""
+    warn_of_missing_derivatives(problem)
+    residual = EquilibriumResidual(problem, unknowns, given, moving)
+    limits = _bounds(problem.definition, residual.wanted, bounds)
+    return residual.equilibrium(*residual.solved(residual.start, limits))
