@@ -76,8 +76,9 @@ def thinned(whole: Curve) -> Curve:
         return result
 
     with np.errstate(over="ignore", invalid="ignore"):
-        jumps = np.append(np.where(np.diff(times) == 0.0, np.abs(np.diff(values)), 0.0), 0.0)
-    before = largest(np.nan_to_num(jumps, nan=0.0))
+        sides = (np.diff(times) == 0.0) & finite[1:] & finite[:-1]
+        jumps = np.append(np.where(sides, np.abs(np.diff(values)), 0.0), 0.0)
+    before = largest(jumps)
     before = before[jumps[before] > 0.0]
     gaps = largest(~finite)
     rows = (
