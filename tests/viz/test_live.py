@@ -54,6 +54,18 @@ def test_arrows_whose_scale_is_chosen_have_it_on_the_page():
     assert min(given) > 0.0
 
 
+def test_curves_are_computed_apart_from_the_poses():
+    # A step between two pictures computes its curves alone. The angle itself is a state.
+    system = pendulum()
+    q1 = system.coordinates[1]
+    sizes = []
+    for series in ([], [q1, sm.sin(q1), sm.cos(q1)]):
+        html = page(system, {"l0": (0.1, 2)}, series=series)
+        sizes.append([int(re.search(rf"{k}_size: (\d+)", html)[1]) for k in ("poses", "formulas")])
+    assert sizes[0][0] == sizes[1][0] > 0
+    assert [formulas for _, formulas in sizes] == [0, 2]
+
+
 def test_nothing_makes_code_of_text():
     from pydy.viz.page import _resource
 

@@ -271,11 +271,14 @@ class LivePage:
         arrows = [i for i in items if isinstance(i.shape, Arrow)]
         vectors = tuple(i.shape.vector for i in arrows if isinstance(i.shape, Arrow))
         turned, placed = ([track[k] for track in tracks] for k in (0, 1))
-        geometry = self._geometry(turned, placed, vectors, self.formulas)
+        geometry = self._geometry(turned, placed, vectors)
+        # Apart from the poses: curves have a sample at each step, of which few are drawn.
+        curves = Geometry(self.reference, self.origin, (), (), (), self.formulas)
         sizes, places = _sizes(items, system, self.names.definitions)
         builders = {
             **system.model.builders,
             "poses": lambda: pose_program(geometry, self.names),
+            "formulas": lambda: pose_program(curves, self.names),
             "sizes": lambda: sizes,
             "start": lambda: self.start,
         }
@@ -311,7 +314,7 @@ class LivePage:
             "dependents": self.unknowns if model.constraints else None,
             "path": followed(items),
         }
-        return javascript_object(model, ("poses", "sizes", "start")), data
+        return javascript_object(model, ("poses", "formulas", "sizes", "start")), data
 
 
 def _sliders(

@@ -6,33 +6,24 @@ const motion = {
   states: new Float64Array(width * count), run: null, dirty: true, reached: 0, started: 0, cost: 0, simulated: 0,
   asked: start, given: NaN, // the moment that was shown before the run, and what is shown until the run is there
   status: "running", first: null, poses: new Float64Array(liveModel.poses_size), lengths: new Float64Array(liveModel.sizes_size),
-  outputs: new Float64Array(liveModel.outputs.length), inputs: null,
+  outputs: new Float64Array(liveModel.outputs.length), inputs: null, formulas: new Float64Array(liveModel.formulas_size),
 };
 const SLICE = 22; // milliseconds of each frame for the simulation
 
 // -- from a state to what is drawn ------------------------------------------------------------------
 
 const AT_POINTS = 9 * live.frames, AT_ARROWS = AT_POINTS + 3 * live.points;
-const AT_SERIES = AT_ARROWS + 3 * live.arrows.filter(Boolean).length;
 const basis = new THREE.Matrix4(), turn = new THREE.Quaternion(), before = new THREE.Quaternion();
 const spot = new THREE.Vector3(), middle = new THREE.Vector3();
 
 const drawn = new Set(live.series.map(([group]) => group)), samples = [];
 
-/** Add a sample to the curves, of the poses that were just computed. */
-function addValues(t, x) {
-  const { poses, outputs, inputs } = motion;
-  if (drawn.has("y")) liveModel.evaluateOutputs(t, x, inputs, outputs);
-  live.series.forEach(([group, place], i) => {
-    samples[i].add(t, { x: x[place], r: inputs[place], y: outputs[place], f: poses[AT_SERIES + place] }[group]);
-    Object.assign(series[i], samples[i]);
-  });
-}
-
-/** Add what the simulation computes between the frames. */
+/** Add a sample to the curves: at the times of the rows, and after each step between them. */
 function addSample(t, x) {
-  if (drawn.has("f")) liveModel.poses(t, x, motion.inputs, motion.poses);
-  addValues(t, x);
+  const { outputs: y, inputs: r, formulas: f } = motion, sources = { x, r, y, f };
+  if (drawn.has("y")) liveModel.evaluateOutputs(t, x, r, y);
+  if (drawn.has("f")) liveModel.formulas(t, x, r, f);
+  for (let i = 0; i < samples.length; i++) samples[i].add(t, sources[live.series[i][0]][live.series[i][1]]);
 }
 
 function writeRow(k, t, x) {
@@ -63,7 +54,7 @@ function writeRow(k, t, x) {
     if (arrow) for (let j = 0; j < 3; j++)
       visual.object.column.values[3 * k + j] = (arrow[1] / unit) * poses[AT_ARROWS + 3 * arrow[0] + j];
   });
-  addValues(t, x);
+  addSample(t, x);
   if (path) {
     middle.set(0, 0, 0);
     for (const i of live.path) middle.add(whereabouts(visuals[i], k));
@@ -94,10 +85,7 @@ function fillRest(from) {
     copy(turns.values, 4);
   }
   for (const { object } of visuals) if (object.column && !object.column.fixed) copy(object.column.values, object.column.width);
-  samples.forEach((one, i) => {
-    one.add(end, one.values[one.values.length - 1]);
-    Object.assign(series[i], one);
-  });
+  for (const one of samples) one.add(end, one.values[one.values.length - 1]);
   if (path) copy(path.values, 3);
 }
 
@@ -141,13 +129,13 @@ function restart() {
     return;
   }
   resize3();
-  series.forEach((_, i) => { samples[i] = new Samples(); });
+  series.forEach((one, i) => { Object.assign(one, samples[i] = new Samples()); });
   motion.run = liveModel.integration(times, x, r, (k, t, state) => {
     writeRow(k, t, state);
     motion.reached = k + 1;
   }, live.options);
   addSample(motion.run.t, motion.run.x); // after events that act at once
-  motion.run.onStep = addSample;
+  if (samples.length) motion.run.onStep = addSample;
 }
 
 function stop(status) {
