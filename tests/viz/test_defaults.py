@@ -11,6 +11,7 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.viz import Bar, Box, Cube, Cylinder, Damper, Line, Sphere, Spring, Visual
 from pydy.viz.defaults import default_shape
+from pydy.viz.shapes import Support
 
 q, u = me.dynamicsymbols("q, u")
 N, O = me.ReferenceFrame("N"), me.Point("O")
@@ -190,6 +191,92 @@ def test_both_wheels_of_a_bicycle_have_their_radii():
     wheels = items_of(pictured.animated("Whipple's bicycle"), Cylinder)
     assert [w.shape.radius for w in wheels] == pytest.approx([0.3, 0.35])
     assert [w.shape.axis for w in wheels] == ["y", "y"]
+
+
+def test_the_radius_of_a_wheel_follows_the_constants_with_which_it_is_shown():
+    title = "Whipple's bicycle"
+    system = pictured.system_of(title)
+    scene = system.scene(**pictured.OPTIONS[title])
+    scene.animate(system.simulate(), constants={"r_F": 0.7, "r_R": 0.2})
+    assert [w.shape.radius for w in items_of(scene, Cylinder)] == pytest.approx([0.2, 0.7])
+
+
+def wheel_radius(down):
+    """The radius of a wheel, turned by q, whose contact point is where `down(W, a, b)` says."""
+    origin, centre = me.Point("O"), me.Point("G")
+    origin.set_vel(N, 0)
+    own = N.orientnew("W", "Axis", (q, N.z))
+    place, speed = me.dynamicsymbols("z v")
+    centre.set_pos(origin, place * N.x)
+    lengths = sm.symbols("a b", positive=True)
+    contact = centre.locatenew("C", down(own, *lengths))
+    wheel = me.RigidBody("wheel", centre, own, 1, (me.inertia(own, 1, 1, 2), centre))
+    loads = [(contact, sum(lengths) * N.x)]
+    definition = Definition(N, [q, place], [u, speed], bodies=[wheel], loads=loads)
+    system = System(definition, dict.fromkeys(lengths, 2.0))
+    return next(v.shape.radius for v in system.scene().visuals if isinstance(v.shape, Cylinder))
+
+
+def test_a_radius_whose_angles_cancel_is_one_of_constants():
+    a, b = sm.symbols("a b", positive=True)
+    x, y = me.dynamicsymbols("x y")
+    turning = wheel_radius(lambda W, a, b: a * (sm.sin(q) * W.x + sm.cos(q) * W.y))
+    assert sm.simplify(turning - a) == 0
+    # Zero over zero where both functions are zero.
+    way = (x * N.x + y * N.y) / sm.sqrt(x**2 + y**2)
+    shared = wheel_radius(lambda W, a, b: (a + b) * way)
+    assert sm.simplify(shared - a - b) == 0
+    # An ellipse of equal axes is a circle with these constants alone.
+    ellipse = wheel_radius(lambda W, a, b: a * sm.sin(q) * W.x + b * sm.cos(q) * W.y)
+    assert ellipse == pytest.approx(2.0)
+
+
+# A frame that turns by the first coordinate, and a mass centre that moves in the inertial frame.
+@pytest.mark.parametrize(
+    ("title", "turning"),
+    [
+        ("Planar double pendulum", True),
+        ("Furuta pendulum", True),
+        ("Crane with a winch", False),
+        ("Masses and springs", False),
+    ],
+)
+def test_a_picture_seen_from_a_moving_body_has_the_same_parts(title, turning):
+    system = pictured.system_of(title)
+    usual = system.animate()
+    body = system.eom_method.bodies[0]
+    frame = body.frame if turning else usual.reference_frame
+    moving = system.animate(reference_frame=frame, origin=body.masscenter)
+
+    def parts(scene):
+        return [(type(v.shape), v.name, v.point) for v in scene.visuals]
+
+    assert parts(moving) == parts(usual)
+    # A pose in the usual scene, as seen from the body's.
+    base = usual.poses[:, 0].copy()
+    if not turning:
+        base[:, :3, :3] = np.eye(3)
+    expected = np.linalg.inv(base)[:, None] @ usual.poses
+    found = moving.poses
+    np.testing.assert_allclose(found[..., :3, 3], expected[..., :3, 3], atol=1e-12)
+    turned = [k for k, v in enumerate(moving.visuals) if v.frame is not None]
+    np.testing.assert_allclose(found[:, turned], expected[:, turned], atol=1e-12)
+    grounds = [k for k, v in enumerate(moving.visuals) if v.name == "ground"]
+    assert {*grounds} <= {*turned} or not turning
+
+
+def test_without_a_point_at_rest_nothing_is_drawn_as_the_ground():
+    # Two masses that a spring connects are thrown: their own points are all that is known.
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    first = me.Point("A")
+    first.set_vel(N, v * N.x)
+    second = first.locatenew("B", y * N.y)
+    bodies = [me.Particle("a", first, 1), me.Particle("b", second, 1)]
+    loads = [(first, y * N.y), (second, -y * N.y)]
+    system = System(Definition(N, [x, y], [v, w], bodies=bodies, loads=loads))
+    shapes = [type(s.shape) for s in system.scene(origin=first).visuals]
+    assert shapes.count(Spring) == 1
+    assert Support not in shapes
 
 
 def test_a_flywheel_at_the_end_of_an_arm_does_not_reach_to_the_bearing():

@@ -63,12 +63,14 @@ def make_scene(
     model = Model(definition.states, definitions, *moving)
     if not visuals:
         assert mechanism is not None
-        found = Outline()
-        if reference_frame is mechanism.frame:
-            names = Names(definition.states, definition.specifieds, definitions=dict(definitions))
-            places = mechanism, origin, equations.coordinates
-            found = _outline(*places, names, constants, bool(equations.holonomic))
-        visuals = visuals_of(bodies, found)
+        names = Names(definition.states, definition.specifieds, definitions=dict(definitions))
+        resting = _resting(mechanism, reference_frame, origin)
+        places = mechanism, resting or origin, equations.coordinates
+        found = _outline(*places, names, constants, bool(equations.holonomic))
+        if resting is None:  # what is fixed to a moving point does not rest
+            found.supports, found.resting = [], []
+        turned = reference_frame is not mechanism.frame
+        visuals = visuals_of(bodies, found, mechanism.frame if turned else None)
     if loads and mechanism is not None:
         # Gravity on the ground's own body moves nothing: the equations do not hold its mass.
         shown = [
@@ -97,6 +99,19 @@ def _outline(
         mechanism.frame, origin, mechanism.bodies, mechanism.loads, coordinates, names, constants,
         potential, closed,
     )  # fmt: skip
+
+
+def _resting(mechanism: Mechanism, frame: Any, origin: Any) -> Any:
+    """Return a point at rest in the inertial frame, or None: a scene's origin may move.
+
+    An origin whose velocity nobody set is one where zero was chosen, unless a body is there.
+    """
+    velocity = given_velocity(origin, mechanism.frame)
+    centres = [body.masscenter for body in mechanism.bodies]
+    chosen = velocity is None and frame is mechanism.frame and origin not in centres
+    if chosen or velocity == Vector(0):
+        return origin
+    return find_origin(mechanism.frame, [origin, *centres])
 
 
 def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[Any, Any]:

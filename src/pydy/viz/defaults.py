@@ -125,9 +125,13 @@ _GREY = "#7d8796"  # to be seen on white and on nearly black
 _SPOKE = 0.12  # width of a wheel's spoke and of its rim, as parts of the radius
 
 
-def visuals_of(bodies: Iterable[Any], found: Outline) -> list[Visual]:
-    """Return visuals of bodies and of all that an outline says."""
+def visuals_of(bodies: Iterable[Any], found: Outline, inertial: Any = None) -> list[Visual]:
+    """Return visuals of bodies and of all that an outline says.
+
+    A scene that is shown in another frame needs the inertial one, with which supports turn.
+    """
     visuals = []
+    turning = () if inertial is None else (inertial,)
     for body in bodies:
         if body in found.resting:
             visuals.append(Visual(Support(colour=_GREY), body))
@@ -143,7 +147,8 @@ def visuals_of(bodies: Iterable[Any], found: Outline) -> list[Visual]:
     visuals += [Visual(Line(pair, colour=_GREY), name="ropes") for pair in found.ropes]
     visuals += [Visual(Spring(pair, colour=_GREY), name="springs") for pair in found.springs]
     visuals += [Visual(Damper(pair, colour=_GREY), name="dampers") for pair in found.dampers]
-    visuals += [Visual(Support(colour=_GREY), point, name="ground") for point in found.supports]
+    for point in found.supports:
+        visuals.append(Visual(Support(colour=_GREY), *turning, point, name="ground"))
     return visuals
 
 

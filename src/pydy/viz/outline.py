@@ -358,9 +358,33 @@ class _Outliner:
                 vector = places(centre)[other]
                 radius: Any = sm.sqrt(vector.dot(vector))
                 if self.names.time in radius.free_symbols:  # written with angles that cancel
-                    radius = float(np.linalg.norm(away[0]))
+                    radius = self._of_constants(radius, float(np.linalg.norm(away[0])))
                 self.result.wheels[body] = radius, axis
                 self.touching |= {(other, centre), (centre, other)}
+
+    def _of_constants(self, length: Any, number: float) -> Any:
+        """Return a length in which all functions cancel as an expression of constants.
+
+        It is the length in one state, zero unless it is undefined there. Where it is constant for
+        the present constants alone, return their number.
+        """
+        functions = sorted(length.atoms(AppliedUndef), key=str)
+        if length.has(sm.Derivative):
+            return number
+        fixed = sm.nan
+        for first, step in ((0, 0), (sm.Rational(3, 7), sm.Rational(1, 11))):
+            if fixed.has(sm.nan, sm.zoo, sm.oo):
+                state = {f: first + k * step for k, f in enumerate(functions)}
+                fixed = length.xreplace(state).xreplace({self.names.time: first})
+        other = _Numbers(self.frame, self.origin, ())
+        other.expressions = {"length": length, "fixed": fixed}
+        other.speeds, other.scale = self.numbers.speeds, self.numbers.scale
+        rng = np.random.default_rng(1)
+        values = dict.fromkeys(length.free_symbols, 1.0) | dict(self.values)
+        del values[self.names.time]
+        other.evaluate(self.names, {s: v * rng.uniform(0.95, 1.05) for s, v in values.items()})
+        lengths = np.concatenate([other.series("length"), other.series("fixed")])
+        return fixed if _constant(lengths) and lengths.all() else number
 
     def _touches(self, body: Any, other: Any) -> bool:
         """Return whether a point is a contact: nothing hangs on it, or the body rolls there."""
