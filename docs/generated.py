@@ -170,11 +170,14 @@ def draw_thumbnail(scene: Any, path: Path) -> None:
     """Draw the scene at a moment of its motion, for the index of the gallery."""
     from matplotlib.figure import Figure
 
+    from pydy.viz.figure import draw
+
     figure = Figure(figsize=(4.0, 2.8), dpi=100)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
     first, last = scene.times[[0, -1]]
     share = MOMENTS.get(path.stem, MOMENT)
-    scene.to_matplotlib(first + share * (last - first), axes).set_title("")
+    instant = first + share * (last - first)
+    draw(scene._moving(), scene._look, instant, axes, still=True).set_title("")
     figure.savefig(path, transparent=True)  # on light and on dark paper
 
 

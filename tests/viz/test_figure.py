@@ -21,6 +21,7 @@ from pydy.viz import (
     Trace,
     Visual,
 )
+from pydy.viz.figure import draw
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")
@@ -128,6 +129,46 @@ def test_pictures_show_whole_bodies(tmp_path):
     assert not edge.any()
 
 
+def coloured(path):
+    """The lowest and highest rows and columns of a picture with a colour, as parts of it."""
+    from matplotlib.image import imread
+
+    shown = np.ptp(imread(path)[:, :, :3], axis=2) > 0.3
+    ends = [np.flatnonzero(shown.any(axis=1 - k))[[0, -1]] / shown.shape[k] for k in (0, 1)]
+    return np.array(ends)
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_an_image_is_centred_on_what_is_drawn_in_it(tmp_path, unit):
+    # A ball that travels ten diameters is as large as the picture, at both ends of its way.
+    times = np.linspace(0, 1, 11)
+    travel = unit * (10 * times[:, None] - 10)
+    visuals = [Visual(Sphere(unit / 2, colour="red"), P)]
+    for ground in (False, True):
+        scene = Scene(N, O, *visuals, ground=ground, follow=False)
+        scene.animate(times, travel, symbols=[q])
+        start = scene.save(tmp_path / "a.png")
+        end = tmp_path / "b.png"
+        draw(scene._animation, scene._look, 1.0, still=True).figure.savefig(end)
+        for path in (start, end):
+            rows, columns = coloured(path)
+            assert columns.mean() == pytest.approx(0.5, abs=0.02)
+            assert rows.mean() == pytest.approx(0.5, abs=0.1)
+            assert np.ptp(rows) > 0.5
+
+
+def test_the_trail_of_a_visual_lies_in_its_picture(tmp_path):
+    times = np.linspace(0, 1, 101)
+    ball = Visual(Sphere(0.1, colour="red"), P, trail=True)
+    scene = Scene(N, O, ball, ground=False).animate(times, 5 * times[:, None], symbols=[q])
+    path = tmp_path / "a.png"
+    draw(scene._animation, scene._look, 0.8, still=True).figure.savefig(path)
+    columns = coloured(path)[1]
+    assert columns.mean() == pytest.approx(0.5, abs=0.05)
+    assert 0.0 < columns[0] < 0.2
+    assert 0.8 < columns[1] < 0.99
+
+
 def test_nothing_is_cut_at_the_rectangle_of_the_axes(scene):
     axes = scene.to_matplotlib(0.55)
     assert not any(artist.get_clip_on() for artist in (*axes.collections, *axes.lines[-3:]))
@@ -191,7 +232,8 @@ def test_a_film_begins_with_the_picture(scene, tmp_path):
     from matplotlib.image import imread
     from PIL import Image
 
-    picture = imread(scene.save(tmp_path / "a.png", dpi=60))[:, :, :3]
+    scene.to_matplotlib().figure.savefig(tmp_path / "a.png", dpi=60)
+    picture = imread(tmp_path / "a.png")[:, :, :3]
     with Image.open(scene.save(tmp_path / "a.gif", fps=2, dpi=60)) as film:
         frame = np.asarray(film.convert("RGB")) / 255
     assert np.abs(frame - picture).mean() < 0.01

@@ -98,6 +98,28 @@ def frame(animation: Animation, look: Look) -> Framing:
     )
 
 
+def frame_still(animation: Animation, look: Look, t: float) -> Framing:
+    """Return how one instant is best seen: what is drawn then, on the ground of the whole motion.
+
+    The direction of view is that of the whole motion too.
+    """
+    seen, shown = frame(animation, look), animation.at(t)
+    items = [item for item in shown.items if not isinstance(item.shape, Plane)] or shown.items
+    boxes = [item.reach(np.zeros(1, dtype=int))[0] for item in items]
+    boxes += [path for k in range(len(shown.items)) if (path := animation.path(k, t)) is not None]
+    cloud = np.concatenate(boxes)
+    low, high = cloud.min(0), cloud.max(0)
+    if seen.ground is not None and (look.ground is None or look.ground is True):
+        middle = (low + high) / 2
+        foot = middle - (middle @ seen.up - seen.ground) * seen.up
+        low, high = np.minimum(low, foot), np.maximum(high, foot)
+    extent = high - low
+    if not extent.any():
+        return replace(seen, target=low, path=None)
+    cell = round_number(float(np.linalg.norm(extent)) / 8)
+    return replace(seen, target=(low + high) / 2, extent=extent, cell=cell, path=None)
+
+
 def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the level axis along which the scene is longer, and the other, towards the viewer."""
     level = np.eye(3) - np.outer(up, up)
@@ -216,6 +238,16 @@ class Animation:
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """The lowest and the highest coordinates ever."""
         return self.bounds[:, 0].min(0), self.bounds[:, 1].max(0)
+
+    def path(self, k: int, t: float) -> np.ndarray | None:
+        """Return the path, (m', 3), that visual k has left behind at a time, or None."""
+        item, past = self.items[k], self.times <= t
+        if not (isinstance(item.shape, Trace) or item.visual.trail):
+            return None
+        if isinstance(item.shape, Trace) and item.shape.duration is not None:
+            past &= self.times >= t - item.shape.duration
+        found: np.ndarray = item.positions[past]
+        return found
 
     def at(self, t: Any) -> Animation:
         """Return the animation at a time or at several, between the ones shown if need be."""

@@ -13,8 +13,8 @@ import numpy as np
 from pydy._checks import shown
 from pydy._files import replacing
 from pydy._optional import bar_of, require
-from pydy.viz.animation import Animation, Framing, Item, Look, frame
-from pydy.viz.shapes import Circle, Line, Mesh, Plane, Trace
+from pydy.viz.animation import Animation, Framing, Item, Look, frame, frame_still
+from pydy.viz.shapes import Circle, Line, Mesh, Plane
 from pydy.viz.surfaces import Surface, surface
 
 # -- An artist of Matplotlib that paints all triangles of a scene in one call ----------------------
@@ -221,10 +221,13 @@ _OPEN = (Circle, Mesh, Plane)  # both sides of these may be seen
 _GRAZING = 0.25  # of normals, by how much they may point away from the viewer
 
 
-def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
-    """Draw an animation at a time; return the axes."""
+def draw(animation: Animation, look: Look, t: float, axes: Any = None, still: bool = False) -> Any:
+    """Draw an animation at a time; return the axes.
+
+    The whole motion has room, so that pictures of several times fit together; a still one is of
+    this time alone.
+    """
     require("matplotlib", "plot", "A picture or film of a scene")
-    seen = frame(animation, look)
     if axes is None:
         from matplotlib.figure import Figure
 
@@ -234,6 +237,7 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
             "`axes` must be three-dimensional, made with subplot(projection='3d'), got the "
             f"{type(axes).__name__} {shown(axes)}."
         )
+    seen = frame_still(animation, look, t) if still else frame(animation, look)
     _Drawing(animation, animation.at(t), seen, axes, look.title).draw(0)
     return axes
 
@@ -258,9 +262,10 @@ def save(
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, dpi=dpi)
-    seen, axes = frame(animation, look), _whole(figure)
+    axes = _whole(figure)
     start, end = float(animation.times[0]), float(animation.times[-1])
     if suffix in _PICTURES:
+        seen = frame_still(animation, look, start)
         _Drawing(animation, animation.at(start), seen, axes, look.title).draw(0)
         with replacing(path) as (place,):
             figure.savefig(place, dpi=dpi)
@@ -268,6 +273,7 @@ def save(
 
     count = max(1, round((end - start) / animation.speed * fps)) + 1
     shown = animation.at(np.linspace(start, end, count))
+    seen = frame(animation, look)
     drawing = _Drawing(animation, shown, seen, axes, look.title, make_triangles(axes))
     rows: Iterable[int] = range(count)
     if progress:
@@ -334,15 +340,11 @@ class _Drawing:
             self._frame(target)
         self.target = target
         parts = []
-        for number, (item, whole) in enumerate(
-            zip(self.shown.items, self.animation.items, strict=True)
-        ):
+        for number, item in enumerate(self.shown.items):
             colour, shape = item.shape.colour, item.shape
-            if isinstance(shape, Trace) or item.visual.trail:
-                past = self.animation.times <= t
-                if isinstance(shape, Trace) and shape.duration is not None:
-                    past &= self.animation.times >= t - shape.duration
-                path = np.concatenate([whole.positions[past], item.positions[k : k + 1]])
+            path = self.animation.path(number, t)
+            if path is not None:
+                path = np.concatenate([path, item.positions[k : k + 1]])
                 self._line((number, "path"), path, color=colour, linewidth=1.2, alpha=0.8)
             if isinstance(shape, Line) and shape.radius is None and item.points is not None:
                 self._line((number, "line"), item.points[k], color=colour, linewidth=1.5)

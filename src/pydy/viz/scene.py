@@ -585,7 +585,8 @@ class Scene:
         t : float, optional
             From the first to the last time of the motion; by default the first.
         axes : mpl_toolkits.mplot3d.Axes3D, optional
-            By default those of a new figure.
+            By default those of a new figure. The whole motion has room in them, so that pictures
+            of several times fit together.
 
         Returns
         -------
@@ -618,6 +619,8 @@ class Scene:
         progress: bool = False,
     ) -> Path:
         """Save a video (``.mp4``, ``.gif``) or an image of the start (``.png``, ``.pdf``, …).
+
+        An image is centred on what is drawn in it; a video has room for the whole motion.
 
         Parameters
         ----------
