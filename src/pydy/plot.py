@@ -439,7 +439,7 @@ def plot_constraints(
         replace(curve, values=np.where(curve.values == 0.0, np.nan, np.abs(curve.values)))
         for curve in curves_of(result, ("constraint",), "constraints", names, None)
     ]
-    ax = _draw(ax, sizes, "sizes of the residuals", time_unit)
+    ax = _draw(ax, sizes, "absolute residuals", time_unit)
     ax.set_yscale("log")
     return ax
 

@@ -151,7 +151,7 @@ def test_a_trajectory_of_another_system_is_refused():
 
 def test_without_a_point_at_rest_the_origin_must_be_given():
     sys, _, O, _, _ = rotor(origin_rests=False)
-    with pytest.raises(ValueError, match=r"`origin` must be given.*Pass `origin=O`"):
+    with pytest.raises(ValueError, match=r"`origin` is required.*Pass `origin=O`"):
         sys.scene()
     assert sys.scene(origin=O).origin is O
 

@@ -5,8 +5,10 @@ import re
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import zoo
+from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 from pydy.system import System
 
@@ -43,6 +45,20 @@ def test_specifieds_of_every_kind_are_shown(system):
     assert lines(system)["specifieds"] == "F = push(x, t), T1 = push(x, t), T2 = sin(q0(t))"
     system.specifieds = {"symbols": (second, first, force), "values": [1.0, 2.0, 3.0]}
     assert lines(system)["specifieds"] == "T2 = 1, T1 = 2, F = 3"
+
+
+def test_derivatives_of_a_prescribed_motion_are_shown_as_those_of_its_expression():
+    q, u, lift = me.dynamicsymbols("q, u, lift")
+    m = sm.Symbol("m")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    O.set_vel(N, 0)
+    P.set_pos(O, (q + lift) * N.x)
+    system = System(Definition(N, [q], [u], bodies=[me.Particle("bead", P, m)]))
+    assert lines(system)["specifieds"].count("(0.0)") == len(system.specifieds_symbols)
+    system.specifieds = {lift: sm.sin(me.dynamicsymbols._t)}
+    assert "(t, 2)) = (from the expression for lift)" in lines(system)["specifieds"]
+    system.specifieds = {lift: 0.5}
+    assert "(t, 2)) = (0.0)" in lines(system)["specifieds"]
 
 
 def test_constraints_are_counted():

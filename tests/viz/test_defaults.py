@@ -79,6 +79,22 @@ def test_a_free_body_is_not_tied_to_the_origin_and_without_gravity_z_is_up():
     assert System(kane).scene(up="y", ground=-1.0)._look.ground == -1.0
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_weight_in_the_axes_of_a_turning_body_tells_what_is_up(sign):
+    # Its components in N are sums of squares of sines and cosines, which SymPy leaves as they are.
+    a, b, ua, ub = me.dynamicsymbols("a, b, u_a, u_b")
+    m, g, l = sm.symbols("m, g, l")
+    A = N.orientnew("A", "Axis", (a, N.x))
+    B = A.orientnew("B", "Axis", (b, A.y))
+    hinge = me.Point("H")
+    hinge.set_vel(N, 0)
+    bob = hinge.locatenew("P", l * B.x)
+    weight = (sign * m * g * N.z).express(B) + b * B.y
+    bodies = [me.Particle("bob", bob, m)]
+    system = System(Definition(N, [a, b], [ua, ub], bodies=bodies, loads=[(bob, weight)]))
+    assert system.scene()._look.up.tolist() == [0, 0, -sign]
+
+
 def test_joints_of_sympy_are_reached_by_arms():
     base, arm = me.RigidBody("base"), me.RigidBody("arm")
     joint = me.PinJoint("J", base, arm, q, u, child_point=2 * arm.y, joint_axis=base.z)

@@ -126,8 +126,8 @@ def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[An
         origin = find_origin(frame, [body.masscenter for body in bodies])
         if origin is None:
             raise ValueError(
-                "`origin` must be given, the point where the scene's zero is: no point at rest in "
-                f"`{frame}` is connected with the bodies. Pass `origin=O`, or say "
+                f"`origin` is required: the bodies are connected to no point at rest in `{frame}`. "
+                "Pass `origin=O` with the point that is the zero of the scene, or call "
                 f"`O.set_vel({frame}, 0)` when you derive the equations."
             )
     instance(origin, Point, "`origin`")

@@ -682,10 +682,19 @@ def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
 
 def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> str:
     """Return names with values; defaults stand in parentheses."""
+
+    def value_of(symbol: Any) -> Any:
+        return given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
+
     texts = []
     for symbol, name in zip(symbols, unique_names(symbols), strict=True):
-        value = given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
-        texts.append(f"{name} = ({default})" if value is None else f"{name} = {_short(value)}")
+        value = value_of(symbol)
+        text = f"({default})" if value is None else _short(value)
+        if value is None and isinstance(symbol, sm.Derivative):
+            motion = value_of(symbol.expr)
+            if getattr(motion, "free_symbols", None):
+                text = f"(from the expression for {name_of(symbol.expr)})"
+        texts.append(f"{name} = {text}")
     return some(texts)
 
 

@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
 from pydy._mechanics.reader import breadth_first_from, given_velocity
-from pydy._rank import DIGITS
+from pydy._rank import DIGITS, HALF
 from pydy.viz.outline import Outline
 from pydy.viz.shapes import (
     Arrow,
@@ -182,6 +183,25 @@ def gravities(expression: Any) -> list[Any]:
     return [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
 
 
+def _constant_parts(weights: Sequence[Any], values: Mapping[Any, float]) -> np.ndarray:
+    """Return the numbers of a weight's components, zero for those that depend on the state.
+
+    A weight that is written in the axes of a body has sines and cosines that cancel. SymPy does
+    not see it, so the components are compared at a few states.
+    """
+    symbols = set().union(*(weight.free_symbols for weight in weights))
+    numbers = {s: sm.Float(values.get(s, 1.0)) for s in symbols}
+    moving = sorted(set().union(*(w.atoms(AppliedUndef, sm.Derivative) for w in weights)), key=str)
+    samples = []
+    for state in np.random.default_rng(0).uniform(-1.0, 1.0, (3 if moving else 1, len(moving))):
+        at = {**numbers, **dict(zip(moving, map(sm.Float, state), strict=True))}
+        here = [weight.xreplace(at) for weight in weights]
+        samples.append([float(n) if n.is_number and n.is_real else np.nan for n in here])
+    rows = np.array(samples)
+    steady = np.ptp(rows, axis=0) <= HALF * np.abs(np.nan_to_num(rows)).max()
+    return np.where(steady, rows[0], 0.0)
+
+
 def guess_up(
     frame: Any,
     bodies: Iterable[Any],
@@ -200,15 +220,16 @@ def guess_up(
             components = vector.to_matrix(frame)
         except ValueError:
             continue
-        for k in range(3):
-            weight = sm.sympify(components[k])
-            known = gravities(weight)
+        weights = []
+        for component in map(sm.sympify, components):
+            known = gravities(component)
             if len(known) == 1:
-                weight = weight.diff(known[0])
-            elif where not in masses or weight.free_symbols - masses[where].free_symbols:
-                continue
-            number = weight.xreplace({s: sm.Float(values.get(s, 1.0)) for s in weight.free_symbols})
-            pull[k] += float(number) if number.is_number else 0.0
+                weights.append(component.diff(known[0]))
+            elif where in masses and not component.free_symbols - masses[where].free_symbols:
+                weights.append(component)
+            else:
+                weights.append(sm.S.Zero)
+        pull += _constant_parts(weights, values)
     k = int(np.abs(pull).argmax())
     if not np.abs(pull[k]) > 10 * np.abs(np.delete(pull, k)).max():
         return None
