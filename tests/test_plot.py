@@ -85,6 +85,18 @@ def test_each_unit_has_an_axis_of_its_own():
     assert len(above.figure.axes) == 4  # also one for what has no unit
 
 
+@pytest.mark.parametrize("layout", ["constrained", None])
+def test_numbers_and_labels_of_further_axes_do_not_overlap(layout):
+    system = multi_mass_spring_damper(2)
+    system.times, system.initial_conditions = TIMES, {"x0": 7e5, "v1": -3e-5}
+    _, ax = plt.subplots(layout=layout)
+    units = {"x0": "m", "x1": "mm", "v0": "m/s", "v1": "mm/s"}
+    plot_quantities(system.simulate(), [*units], ax=ax, units=units)
+    ax.figure.canvas.draw()
+    second, third, fourth = (one.yaxis.get_tightbbox() for one in ax.figure.axes[1:])
+    assert second.x1 < third.x0 < third.x1 < fourth.x0
+
+
 def test_derivatives_have_the_units_of_their_quotients():
     trajectory = zoo_with_sensitivities()
     ax = plot_sensitivities(trajectory, "x0", units={"x0": "m", "m0": "kg", "k0": "N/m"})

@@ -13,6 +13,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -211,7 +212,7 @@ def nothing_to_plot(what: str, result: Any) -> ValueError:
 
 BAND = (0.05, 0.5, 0.95)
 LINES = ("solid", "dashed", "dotted", "dashdot")
-BESIDE = 0.15  # between the axes of further units, in widths of the plot
+BESIDE = 8.0  # between the axes of further units, in points
 
 
 # -- public ---------------------------------------------------------------------------------------
@@ -592,6 +593,7 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: st
     ax.set_xlabel(time_label)
     for one in dict.fromkeys(axes.values()):
         one.margins(x=0)
+    _place_beside_each_other(ax, [*axes.values()])
     ax.grid(alpha=0.3)
     if any(c.values.ndim > 1 for c in curves):
         title = "median, 5 to 95 %"
@@ -622,9 +624,14 @@ def _axes_of_units(ax: Any, units: Sequence[str], what: str) -> dict[str, Any]:
     for k, unit in enumerate(units):
         axes[unit] = ax.twinx() if k else ax
         axes[unit].set_ylabel(with_unit(what, unit))
-        if k > 1:
-            axes[unit].spines["right"].set_position(("axes", 1.0 + BESIDE * (k - 1)))
     return axes
+
+
+def _place_beside_each_other(ax: Any, axes: Sequence[Any]) -> None:
+    """Move the further axes at the right of a plot past the numbers and labels of one another."""
+    for before, after in pairwise(axes[1:]):
+        reach = before.yaxis.get_tightbbox().x1 - ax.bbox.x1  # in pixels
+        after.spines["right"].set_position(("outward", 72 * reach / ax.figure.dpi + BESIDE))
 
 
 def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
