@@ -224,8 +224,10 @@ def read_netcdf(
     except OSError:
         raise  # no such file, no permission
     except Exception as error:  # SciPy, xarray and json raise of all kinds
+        # SciPy's further lines advise to install netCDF4, which would not help.
+        reason = str(error).partition("\n")[0]
         raise ValueError(
             f"`path` must be a file that Trajectory.save wrote, but '{path}' is damaged or of "
-            f"another kind ({type(error).__name__}: {error}). Save the trajectory again."
+            f"another kind ({type(error).__name__}: {reason}). Save the trajectory again."
         ) from error
     raise ValueError(f"`path` must be a file that Trajectory.save wrote; '{path}' is not.")

@@ -531,8 +531,9 @@ class Trajectory(Continued):
     def _need_model(self, what: str) -> Model:
         if self._model is None:
             raise ValueError(
-                f"The trajectory contains no {what}, and has no model to compute them: it was "
-                "created or saved without. Use the Trajectory that `System.simulate` returned."
+                f"The trajectory contains no {what} and no model: it was loaded or created without "
+                "one. Pass it to its System, as in `system.evaluate_energy(trajectory.states)` and "
+                "`system.scene().animate(trajectory)`."
             )
         return self._model
 

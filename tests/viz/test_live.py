@@ -127,7 +127,9 @@ def test_what_cannot_have_a_slider_is_named(live, words):
 def test_a_specified_that_only_python_can_compute_is_named(value):
     system = pendulum()
     system.specifieds = {"F": value}
-    with pytest.raises(ValueError, match=r"`specifieds` gives `F\(t\)` by"):
+    with pytest.raises(
+        ValueError, match=r"`specifieds` gives `F\(t\)` by .* run in a live page.*slider"
+    ):
         page(system, {"l0": (0.1, 2)})
 
 

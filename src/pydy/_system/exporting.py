@@ -54,11 +54,13 @@ def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
 
 
 def _input_places(
-    definition: Definition, plan: SpecifiedsPlan, inputs: Iterable[Any]
+    definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[Any] | None
 ) -> tuple[int, ...]:
-    """Return which specifieds are inputs of the exported model."""
-    keys = listed("inputs", inputs, "specifieds of the system", hashable=True)
-    wanted = {definition.places["specifieds"].find(key, "inputs") for key in keys}
+    """Return which specifieds are inputs of the exported model.
+
+    A live page has no argument `inputs`, which is None: its inputs are numbers.
+    """
+    wanted = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
     given = followed(definition, plan)
     for columns, what in (
         *((part[0], "a Python function") for part in plan.functions),
@@ -67,10 +69,16 @@ def _input_places(
         for k in columns.tolist():
             if k not in wanted:
                 symbol = plan.symbols[k]
+                given_by = f"`specifieds` gives `{symbol}` by {what}, which cannot"
+                expression = "as a SymPy expression, which becomes part of the equations, or as a"
+                if inputs is None:
+                    raise ValueError(
+                        f"{given_by} run in a live page. Give it {expression} number, which can "
+                        "have a slider."
+                    )
                 raise ValueError(
-                    f"`specifieds` gives `{symbol}` by {what}, which cannot be exported. Give it "
-                    "as a SymPy expression, which becomes part of the equations, or as a number; "
-                    f"or pass inputs=['{name_of(symbol)}'], so that it becomes an input."
+                    f"{given_by} be exported. Give it {expression} number; or pass "
+                    f"inputs=['{name_of(symbol)}'], so that it becomes an input."
                 )
     return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in given)
 
@@ -221,6 +229,7 @@ class Exporting(Setup):
         target = file_of(path, "`path`")
         check_options(target, options)
         title = target.stem if name is None else text(name, "`name`")
+        inputs = listed("inputs", inputs, "specifieds of the system", hashable=True)
         with progress_of(flag(progress, "`progress`"), " parts") as told:
             told(0, part="equations")
             model = self._exportable(name=title, events=events, inputs=inputs)
@@ -233,7 +242,7 @@ class Exporting(Setup):
         name: str = "model",
         events: Any = None,
         constraints: Any = None,
-        inputs: Iterable[Any] = (),
+        inputs: Sequence[Any] | None = (),
     ) -> Model:
         """Return the Programs, names and numbers of the exported model."""
         from pydy.export.model import EventData, Model, Variable, identifiers
@@ -288,7 +297,7 @@ class Exporting(Setup):
         constrained = bool(equations.holonomic or equations.velocity)
         if constraints == "auto":
             constraints = "project" if constrained else None
-        exported = self._exportable(constraints=constraints, **options)
+        exported = self._exportable(constraints=constraints, inputs=None, **options)
         formulas = dict(plan.expressions)
         for symbol in followed(definition, plan) - formulas.keys():
             # A derivative of a motion that is an expression.
@@ -301,7 +310,7 @@ class Exporting(Setup):
         return LiveSystem(
             model=exported,
             states=definition.states,
-            inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, ())),
+            inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, None)),
             constants=definition.constants,
             outputs=definition.outputs_symbols,
             definitions=formulas,
