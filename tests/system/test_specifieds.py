@@ -8,6 +8,7 @@ import zoo
 from cases import close, system_of
 from oracle import oracle
 from pydy.errors import PyDyUserWarning
+from pydy.models import n_link_pendulum_on_cart
 
 F, T1, T2 = me.dynamicsymbols("F T1 T2")
 VALUES = {F: 0.3, T1: -0.7, T2: 1.1}
@@ -307,3 +308,29 @@ def test_what_is_no_number_is_refused_with_what_else_is_taken(value):
     message = r"F.t. must be a real number, .* functions g\(x, t\), SymPy expressions and Sampled"
     with pytest.raises(ValueError, match=message):
         system.specifieds = {"F": value}
+
+
+@pytest.mark.parametrize("deeper", [False, True])
+def test_a_function_that_evaluates_its_own_system_is_one_short_error(deeper):
+    system = n_link_pendulum_on_cart(1)
+    system.times = np.linspace(0.0, 1.0, 3)
+
+    def control(x, t):
+        return system.evaluate_ode(x, t)[0] if deeper else system.gravity(x[:2])[1]
+
+    system.specifieds = {"F": control}
+    with pytest.raises(
+        RecursionError, match=r"evaluates its own System.*a second System"
+    ) as caught:
+        system.simulate()
+    assert len(caught.traceback) < 50
+
+
+def test_a_function_that_recurses_by_itself_is_not_blamed_on_the_system():
+    def endless(x, t):
+        return endless(x, t)
+
+    system = n_link_pendulum_on_cart(1)
+    system.specifieds = {"F": endless}
+    with pytest.raises(RecursionError, match="maximum recursion depth"):
+        system.evaluate_ode()

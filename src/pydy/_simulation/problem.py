@@ -61,8 +61,9 @@ def read_numbers(
         name = name_of(unknown[0]) if unknown else ""
         if what == "constants" and name.isidentifier() and not places.meant(unknown[0]):
             raise ValueError(
-                f"{error} If it occurs in events only, assign it in place, "
-                f"`system.constants[{name!r}] = ...`, right before the first call with them."
+                f"{error} Remove it if it belonged to an expression that you replaced. If it "
+                f"occurs in events only, assign it in place, `system.constants[{name!r}] = ...`, "
+                "right before the first call with them."
             ) from None
         raise
     if definition.assumptions and told is not None and what in definition.assumptions:

@@ -476,6 +476,13 @@ def evaluate_function(
             _check_arity(function, symbols, "t, x" if time_first else "x, t")
         if isinstance(error, (TypeError, IndexError)) and _is_swapped(function, time_first):
             raise TypeError(_swapped(function, symbols, time_first)) from error
+        if isinstance(error, RecursionError) and _reenters(error, function):
+            # A new error at each level has the traceback of one level, not of hundreds.
+            raise RecursionError(
+                f"The function given for the specifieds {describe(symbols)} evaluates its own "
+                "System, which calls the function again. Let it evaluate a second System, without "
+                "this input, or pass `r` to the call."
+            ) from None
         error.add_note(
             f"This came from the function given for the specifieds {describe(symbols)}, "
             f"called as {'g(t, x)' if time_first else 'g(x, t)'} at t = {t!r}."
@@ -493,6 +500,16 @@ def evaluate_function(
     shapes = "a float or the shape (1,)" if size == 1 else f"the shape ({size},)"
     hint = f" {_swapped(function, symbols, time_first)}" * _is_swapped(function, time_first)
     raise ValueError(f"{what} must return {shapes}, got the shape {array.shape}.{hint}")
+
+
+def _reenters(error: BaseException, function: Callable[..., Any]) -> bool:
+    """Return whether a user's function was called again before it returned."""
+    below = error.__traceback__.tb_next if error.__traceback__ else None
+    while below is not None:
+        frame, below = below.tb_frame, below.tb_next
+        if frame.f_code is evaluate_function.__code__ and frame.f_locals["function"] is function:
+            return True
+    return False
 
 
 def _argument_names(function: Callable[..., Any]) -> tuple[str, ...]:
