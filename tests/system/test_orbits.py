@@ -116,6 +116,23 @@ def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
     assert orbit.period == pytest.approx(expected, rel=1e-9)
 
 
+def test_auxiliary_states_take_no_part_in_the_search():
+    system = on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x)
+    plain = system.find_periodic_orbit(6.5)
+    push, pull = sm.symbols("push pull")
+    rate = system.speeds[0].diff()
+    system.outputs = {(push, pull): (push - 2 * pull - rate, push + pull)}
+    assert len(system.states) == 4
+    for until in (None, Event(system.speeds[0], direction=-1)):
+        orbit = system.find_periodic_orbit(6.5, until=until)
+        assert orbit.states == ("x", "v")
+        assert orbit.period == pytest.approx(plain.period, rel=1e-9)
+        # The outputs solve push − 2 pull = v', push + pull = 0.
+        rates = orbit.trajectory.derivatives[:, 1]
+        assert orbit.trajectory["push"] == pytest.approx(rates / 3, rel=1e-9, abs=1e-12)
+    assert plain.multipliers == pytest.approx(system.find_periodic_orbit(6.5).multipliers, abs=1e-8)
+
+
 def test_a_pendulum_that_turns_over_repeats_where_an_event_sets_it_back():
     q, u = me.dynamicsymbols("q u")
     N, O = inertial_frame()

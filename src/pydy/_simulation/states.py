@@ -223,7 +223,10 @@ def energetic_motions(
     moved = np.concatenate([(table * speeds[:, None]).max(axis=2, initial=0.0), speeds], axis=1)
     angles = at.natural["states"][:, :q]
     own = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)
-    return _least(np.concatenate([angles, own], axis=1), 0), _least(moved, 0)
+    # Auxiliary states, the integrals of outputs, come last; nothing tells their size.
+    rest = np.zeros((m, states.shape[1] - moved.shape[1]))
+    natural = np.concatenate([angles, own, rest], axis=1)
+    return _least(natural, 0), _least(np.concatenate([moved, rest], axis=1), 0)
 
 
 def _least(values: np.ndarray, axis: int) -> np.ndarray:
