@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._graph.program import Program
+from pydy._graph.time_switches import SwitchTimes, TimeSwitches
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
@@ -78,6 +79,15 @@ class Kernel:
             values, failed = self.evaluate(np.array([t]), x[None], r[None], p)
             out[:], status = values[0], int(failed[0])
         return status
+
+    def time_switches(self, varying: frozenset[int]) -> TimeSwitches | None:
+        """Return what switches by time alone, if anything does, where these inputs r vary."""
+        stored: dict[Any, TimeSwitches | None] = self.__dict__.setdefault("_time_switches", {})
+        if varying not in stored:
+            # Of a Tangent: the rates, which come with what all their derivatives need.
+            program = getattr(self.program, "shared", self.program)
+            stored[varying] = TimeSwitches.of(program, varying)
+        return stored[varying]
 
     @property
     def addresses(self) -> np.ndarray | None:
@@ -149,6 +159,8 @@ class KernelCall:
     inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
     names: Callable[[], tuple[str, ...]] = tuple  # returns the names of the states
     jacobian: Callable[[], Kernel] | None = None  # returns the Kernel of ∂f/∂x
+    # (k, 3): when the Kernel switches by time alone, as `SwitchTimes.rows`; None: not known yet
+    switched: np.ndarray | None = None
 
     def native(self, args: tuple[Any, ...]) -> KernelCall:
         """Return itself, whatever the solver's `args`."""
@@ -157,6 +169,20 @@ class KernelCall:
     def __call__(self, x: np.ndarray, t: float, *args: Any) -> np.ndarray:
         """Return the derivatives; NaN where a linear solve is singular."""
         return self.evaluate(self.kernel, np.asarray(x), t)
+
+    def switch_times(self, start: float, end: float) -> SwitchTimes | None:
+        """Return when the Kernel switches by time alone within an interval; None: never."""
+        inputs = () if self.inputs is None else getattr(self.inputs, "functions", None)
+        varying = frozenset(range(len(self.r)))  # where functions are not known one by one
+        if inputs is not None:
+            varying = frozenset(k for c, *_ in (*self.sampled, *inputs) for k in c.tolist())
+        switches = self.kernel.time_switches(varying)
+        if switches is None:
+            return None
+        if self.kernel.negated is None:
+            return switches.times(self.p, self.r, start, end)
+        found = switches.times(self.p, self.r, -end, -start)  # as the motion in reversed time
+        return SwitchTimes(0.0 - found.rows[::-1][:, [0, 2, 1]], found.unresolved)
 
     def inputs_at(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at a state and time."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -208,14 +208,35 @@ class SampledInput:
 
 
 def jumps_of(sampled: Sequence[tuple[Any, SampledInput]]) -> np.ndarray:
-    """Return the times at which sampled inputs jump, each with the last number before it."""
+    """Return when sampled inputs jump, the last numbers before, and the times again, as rows.
+
+    They are as those of `pydy._graph.time_switches.SwitchTimes`.
+    """
     found = [np.zeros(0)]
     for _, samples in sampled:
         if samples.interpolation == "previous":
             changes = np.diff(samples.values.reshape(len(samples.breaks), -1), axis=0)
             found.append(samples.breaks[1:][changes.any(axis=1)])
     times = np.unique(np.concatenate(found))
-    return np.stack([times, np.nextafter(times, -np.inf)], axis=1)
+    return np.stack([times, np.nextafter(times, -np.inf), times], axis=1)
+
+
+def merged_jumps(tables: Iterable[np.ndarray]) -> np.ndarray:
+    """Return rows of times and windows in order; those whose windows overlap are one.
+
+    Its time is that of a row without a window after it, such as a sample's, if there is one.
+    """
+    rows = np.concatenate([np.zeros((0, 3)), *tables])
+    if not len(rows):
+        return rows
+    rows = rows[np.lexsort((rows[:, 2], rows[:, 0], rows[:, 1]))]
+    reach = np.maximum.accumulate(rows[:, 2])
+    first = np.flatnonzero(np.append(True, rows[1:, 1] >= reach[:-1]))
+    exact = np.where(rows[:, 2] == rows[:, 0], rows[:, 0], np.inf)
+    times = np.minimum.reduceat(exact, first)
+    times = np.where(np.isfinite(times), times, rows[first, 0])
+    before, after = np.minimum.reduceat(rows[:, 1], first), np.maximum.reduceat(rows[:, 2], first)
+    return np.stack([times, before, after], axis=1)
 
 
 def _frozen(array: np.ndarray) -> np.ndarray:

@@ -51,3 +51,31 @@ def numbered(text: str) -> str:
     return re.sub(
         r"\b(INDEPENDENT|REDUNDANT|SINGULAR)\b", lambda name: repr(globals()[name[0]]), text
     )
+
+
+# -- times at which a Program switches by time alone -----------------------------------------------
+
+# Relative distance by which bounds of an interval are moved apart: four roundings, as functions of
+# C libraries are in error by less than two.
+INTERVAL_SLACK = 2.0**-50
+# An interval of time is divided into so many; so many are evaluated together, since they fit the
+# processor's cache; and so many are looked at, in less than a second.
+DIVISIONS = 4
+INTERVALS_AT_ONCE = 4096
+MOST_INTERVALS = 2**20
+# Of the whole time: in shorter intervals a zero without a change of sign is as good as none. Two
+# zeros of a parabola that are nearer than 2⁻²⁶ may be lost in rounding anyway.
+SHORTEST_INTERVAL = 2.0**-32
+# Changes of sign between which bounds have excluded no other zeros, as in an expression in which
+# the same term cancels.
+FEW_CHANGES = 64
+# Times at which signs are computed where no bounds are known.
+SIGN_SAMPLES = 2**14
+# Times that rounding may decide about: at least so much of the whole time, and two roundings of a
+# time; they are widened by factors of 4, to 4⁻¹⁰ of it at most.
+LEAST_WINDOW = 2.0**-60
+WIDENINGS = 16
+# What switches at an end may do so beyond it, by rounding: of the largest of the times.
+BEYOND_ENDS = 2.0**-48
+# Results of searches that are stored for other runs with the same numbers.
+STORED_SEARCHES = 8

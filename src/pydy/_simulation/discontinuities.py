@@ -17,10 +17,12 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._interpolation import in_order
+from pydy._kernel import KernelCall
 from pydy._rank import HALF, ROUNDING, is_zero
 from pydy._simulation.motion import Motion
 from pydy._simulation.passages import Passed, Values, Watched, jump_message, passages
 from pydy._simulation.problem import At, Problem
+from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers.options import Options
 
 _MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
@@ -269,8 +271,21 @@ def _acts(now: Problem, places: Sequence[int], t: float) -> bool:
     return not is_zero(found["slopes"], found["bounds"]).all()
 
 
+def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray:
+    """Return rows of when inputs of a right-hand side jump, or it switches by time alone.
+
+    The rows are as those of `pydy._graph.time_switches.SwitchTimes`.
+    """
+    call: KernelCall | None = f.native(args)
+    if call is None:
+        return np.zeros((0, 3))
+    start, end = sorted((float(times[0]), float(times[-1])))
+    switched, sampled = call.switch_times(start, end), jumps_of(call.sampled)
+    return sampled if switched is None else merged_jumps([sampled, switched.rows])
+
+
 def warn_of_pulses(motion: Motion) -> None:
-    """Warn where a solver stepped across samples, between two jumps, that move the states.
+    """Warn where a solver stepped from one jump by time to the next, and missed what moves states.
 
     Solvers that are not told of jumps find them by error control, which sees what they evaluate.
     """
@@ -279,17 +294,17 @@ def warn_of_pulses(motion: Motion) -> None:
     times, states = motion.times, motion.states
     if times[-1] < times[0]:
         times, states = times[::-1], states[::-1]
-    jumps, (start, end) = problem.jumps(), times[[0, -1]]
-    jumps = jumps[(jumps > start) & (jumps < end)]
-    until, evaluated = np.append(jumps[1:], np.inf), np.append(np.sort(asked), np.inf)
-    missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, jumps)] >= until)
+    jumps, (start, end) = motion.evaluated.jumps, times[[0, -1]]
+    jumps = jumps[(jumps[:, 0] > start) & (jumps[:, 0] < end)]
+    moments, before, after = jumps.T
+    until, evaluated = np.append(moments[1:], np.inf), np.append(np.sort(asked), np.inf)
+    missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, moments)] >= until)
     missed = missed[np.isfinite(until[missed])]
     if not missed.size or not np.isfinite(states).all():
         return
-    first, last = jumps[missed], until[missed]
+    first, last = moments[missed], until[missed]
     x = states[np.searchsorted(times, first)]
-    before = np.nextafter(first, -np.inf)
-    step = problem.derivatives(first, x) - problem.derivatives(before, x)
+    step = problem.derivatives(after[missed], x) - problem.derivatives(before[missed], x)
     moved = np.abs(step) * (last - first)[:, None]
     options, n = motion.options, x.shape[1]
     given = options.get("rtol", Options.rtol), options.get("atol", Options.atol)
@@ -297,9 +312,11 @@ def warn_of_pulses(motion: Motion) -> None:
     excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
     k, state = np.unravel_index(excess.argmax(), excess.shape)
     if excess[k, state] > 1.0:
+        by_samples = first[k] in problem.jumps()
+        what = "the 'previous' samples" if by_samples else "the loads that time alone switches"
         warn_user(
             f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "
-            "does not know the 'previous' samples there: they change "
+            f"does not know {what} there: they change "
             f"{problem.definition.states[state]} by {moved[k, state]:.3g}. Set "
             "`system.ode_solver = 'dop853'`, which ends a step at each jump, or limit the step: "
             "`hmax=` of odeint, `max_step=` of solve_ivp."

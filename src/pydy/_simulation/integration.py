@@ -22,6 +22,7 @@ from pydy._errors import (
 )
 from pydy._simulation.constraint_drift import check_resets
 from pydy._simulation.diagnostics import explain
+from pydy._simulation.discontinuities import jumps_by_time
 from pydy._simulation.judges import judge_motion, judge_start
 from pydy._simulation.motion import EvaluationRecorder, Motion, Segment
 from pydy._simulation.preparation import PreparedIntegration, prepare
@@ -258,9 +259,9 @@ def _call_scipy(
 ) -> SolverResult:
     """Call odeint or solve_ivp, and record where they evaluate if judges need to know."""
     (f, x0, args), evaluated, odeint = called, None, is_odeint(solver)
-    jumps = problem.plan.sampled and problem.jumps().size
-    if jumps or (odeint and problem.judges_assumptions):
-        f = evaluated = EvaluationRecorder(f)
+    jumps = jumps_by_time(f, args, times)
+    if len(jumps) or (odeint and problem.judges_assumptions):
+        f = evaluated = EvaluationRecorder(f, jumps)
     if odeint and checked:
         states, info = call_odeint(f, x0, times, args, problem.definition.states, options)
     else:

@@ -25,7 +25,7 @@ def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration)
 def judge_motion(motion: Motion) -> None:
     """Warn of a Motion that cannot be trusted, and refuse one that left its constraints."""
     problem = motion.problem
-    if motion.evaluated is not None and problem.plan.sampled:
+    if motion.evaluated is not None and len(motion.evaluated.jumps):
         warn_of_pulses(motion)
     if problem.judges_assumptions and len(motion.times):
         check_assumptions(motion)

@@ -15,10 +15,13 @@ from pydy.trajectory import EventRecord, Trajectory
 
 
 class EvaluationRecorder:
-    """A right-hand side that records where a solver evaluated it."""
+    """A right-hand side that records where a solver evaluated it.
 
-    def __init__(self, f: Callable[..., Any]) -> None:
-        self._f = f
+    Of its `jumps` by time each has a row, as in `pydy._graph.time_switches.SwitchTimes`.
+    """
+
+    def __init__(self, f: Callable[..., Any], jumps: np.ndarray) -> None:
+        self._f, self.jumps = f, jumps
         self.times: list[float] = []
         self.states: list[np.ndarray] = []
 

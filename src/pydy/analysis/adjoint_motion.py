@@ -322,7 +322,9 @@ class MotionSegment:
         self.starts, self.ends = starts[moves], ends[moves]
         self.before = rows[rows[:, 1] > 0.0, 2 : 2 + width][moves]
         further, kept = len(task.wanted), len(task.sampled)
-        self._back = DiscreteAdjoint(solver.name, rates, task.turned(), further, kept)
+        switched = None if integration.call is None else integration.call.switched
+        known = replace(rates, switched=switched)
+        self._back = DiscreteAdjoint(solver.name, known, task.turned(), further, kept)
         self._kept = kept
         integrals = 0 if task.integral is None else 1
         self.value = float(self.last[n : n + integrals].sum())

@@ -12,8 +12,10 @@ import numpy as np
 
 from pydy import _forks
 from pydy._backends.registry import compile_program
+from pydy._forks import cached_property
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
+from pydy._graph.time_switches import TimeSwitches
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._simulation.dependence import follow
 from pydy._simulation.passages import Passed, Watched
@@ -194,6 +196,13 @@ class Model:
         asks = asks or (self.jacobian is not None and large)
         return not self.functions and not asks
 
+    @cached_property
+    def switches(self) -> TimeSwitches | None:
+        """What switches by time alone in the rates, if anything does."""
+        varying = frozenset(k for columns, *_ in self.sampled for k in columns.tolist())
+        rates: Any = self.rates
+        return TimeSwitches.of(getattr(rates, "shared", rates), varying)
+
     @property
     def _watched_in_lanes(self) -> bool:
         """Whether events need Python for exceptions alone."""
@@ -201,7 +210,8 @@ class Model:
         assert events is not None
         kernels = (events.values, events.rates, events.resets)
         native = all(k is None or k.functions is not None for k in kernels)
-        python = bool(self.sampled) or options.constraints is not None  # acts on resets then
+        # acts on resets then
+        python = self.sampled or self.switches is not None or options.constraints is not None
         acts = not (any(events.resetting) and python) and not any(events.turns)
         return native and acts and not (self.sensitivities or any(events.constant))
 
@@ -354,13 +364,23 @@ class Batch:
         model, exact = self.model, np.min(self.model.options.rtol) < 10.0 * ROUNDING
         if not model.in_lanes or (exact and self._too_exact()):
             return self._one_by_one(times, states)
+        switched = None
+        if (switches := self.model.switches) is not None:
+            numbers = switches.numbers(self.p, self.r)
+            if (numbers != numbers[0]).any():  # each sample switches at times of its own
+                return self._one_by_one(times, states)
+            span = float(times[0]), float(times[-1])
+            found = switches.times(self.p[0], self.r[0], *span)
+            if found.unresolved:  # which a single trajectory warns of
+                return self._one_by_one(times, states)
+            switched = found.rows
         beside: LanesBeside | None = None
         if model.options.constraints is not None or model.options.events is not None:
             beside = self._lanes_beside(times)
         counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
             times, model.options, states, self.stopped, controlled, beside,
-            None if model.jacobian is None else _kernel(model.jacobian, LANES),
+            None if model.jacobian is None else _kernel(model.jacobian, LANES), switched,
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})

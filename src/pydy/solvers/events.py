@@ -178,10 +178,10 @@ def stretches(events: CompiledEvents, rests: np.ndarray, span: float) -> list[st
 def forcing_time(
     call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float
 ) -> float | None:
-    """Return the time of the sample whose jump makes an event happen, or None.
+    """Return the time of the sample or switch whose jump makes an event happen, or None.
 
     The expression then does not pass through zero: it has a sign before and another one after, and
-    the event's time depends on nothing else.
+    the event's time depends on no state.
 
     The state x is that before it, t when it was found.
     """
@@ -200,6 +200,14 @@ def forcing_time(
         found = kernel.evaluate(times, np.stack([state, state]), rows, call.p)[0][:, event]
         if found[0] * found[1] < 0.0:
             return moment
+    reach = ROUNDINGS * ROUNDING * abs(t)
+    switched = () if call.switched is None else call.switched
+    for _, earlier, later in (row for row in switched if abs(row[0] - t) <= reach):
+        sides, both = np.array([earlier, later]), np.stack([state, state])
+        rows = np.stack([call.inputs_at(x, side)[: program.num_specifieds] for side in sides])
+        found = kernel.evaluate(sides, both, rows, call.p)[0][:, event]
+        if found[0] * found[1] < 0.0:
+            return float(later)
     return None
 
 

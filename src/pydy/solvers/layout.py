@@ -26,8 +26,9 @@ STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 # Method.control
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
 # Kernels are known by the place of their address, in all words of them.
-# Problem.words; of the last two, how many states, which come first, the error is controlled of
-KERNEL, STATES, BLOCKS, CONTROLLED, CONTROLLED_BLOCKS = range(5)
+# Problem.words; CONTROLLED: how many states, which come first, the error is controlled of;
+# SWITCHED: whether the kernel switches by time alone at one of the jumps
+KERNEL, STATES, BLOCKS, CONTROLLED, CONTROLLED_BLOCKS, SWITCHED = range(6)
 # Progress.state
 TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
 # Progress.counts
@@ -100,7 +101,9 @@ class Problem(NamedTuple):
     tables: WordRows  # (k, 4): place in r, first knot, number of knots, last interval
     knots: Numbers
     cubics: NumberRows  # (·, 4): from each knot on, lowest power first
-    jumps: NumberRows  # (k, 2): when inputs jump, and the last number before that
+    # (k, 3): when inputs jump or the kernel switches, the last time before that at which it is
+    # certain not to have switched, and the first one from then on at which it has
+    jumps: NumberRows
     until: Numbers  # (1,): the inputs are those of this time at the latest
 
 
@@ -260,7 +263,7 @@ ALONG = (Tangents,)
 
 # LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
 # block.
-LANES_SPECIFIEDS, LANES_CONSTANTS = range(5, 7)
+LANES_SPECIFIEDS, LANES_CONSTANTS = range(6, 8)
 # Queue.state
 LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 # Queue.numbers

@@ -48,23 +48,30 @@ INLINE double sampled(const Equations *e, int64_t k, double t, int64_t *interval
     return a[0] + s * (a[1] + s * (a[2] + s * a[3]));
 }
 
-/* Let the inputs of a lane be those before the first of their jumps after t, to which a step from t
-   goes at the farthest, until they are released; return the time of that jump. */
-INLINE double hold_inputs(const Equations *e, double t, int64_t lane)
+/* Return how many jumps are not after t. */
+INLINE int64_t jumps_by(const Equations *e, double t)
 {
-    const double *jumps = e->jumps.at;
     int64_t low = 0, high = e->jumps.size;
-    if (high == 0)
-        return INF;
     while (low < high) {
         const int64_t middle = (low + high) / 2;
-        if (jumps[2 * middle] > t)
+        if (e->jumps.at[3 * middle] > t)
             high = middle;
         else
             low = middle + 1;
     }
-    e->until.at[lane] = low < e->jumps.size ? jumps[2 * low + 1] : INF;
-    return low < e->jumps.size ? jumps[2 * low] : INF;
+    return low;
+}
+
+/* Let the inputs of a lane be those before the first of their jumps after t, to which a step from t
+   goes at the farthest, until they are released; return the time of that jump. */
+INLINE double hold_inputs(const Equations *e, double t, int64_t lane)
+{
+    if (e->jumps.size == 0)
+        return INF;
+    const int64_t next = jumps_by(e, t);
+    const double *row = e->jumps.at + 3 * next;
+    e->until.at[lane] = next < e->jumps.size ? row[1] : INF;
+    return next < e->jumps.size ? row[0] : INF;
 }
 
 INLINE void release_inputs(const Equations *e)
@@ -90,10 +97,28 @@ APART void sample(const Equations *e)
     }
 }
 
+/* Move the kernel's time away from those at which rounding decides whether it has switched: to the side
+   of a switch on which the step is. */
+APART void settle(const Equations *e)
+{
+    for (int lane = 0; lane < W; lane++) {
+        const double until = e->until.at[lane], now = e->clock.at[lane];
+        const double t = now < until ? now : until;
+        const int64_t next = jumps_by(e, t);
+        const double *row = e->jumps.at + 3 * next;
+        if (next > 0 && t < row[-1])
+            e->clock.at[lane] = row[-1];
+        else
+            e->clock.at[lane] = next < e->jumps.size && t > row[1] ? row[1] : t;
+    }
+}
+
 /* Set the kernel's time, and the sampled inputs of that time. */
 INLINE void set_inputs(const Equations *e, Real t)
 {
     put(e->clock.at, 0, t);
+    if (e->words.at[SWITCHED])
+        settle(e);
     if (e->tables.size > 0)
         sample(e);
 }

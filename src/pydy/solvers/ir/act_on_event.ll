@@ -1,4 +1,4 @@
-; sources 56f7cc8cc4b4c70ee0a9d4ac0c9690897be3688d186f4450b221c51297f914b7
+; sources 0a617dd29e551d81c33166c27fca02057f1e88ad04ee024cbb89a14665c08c59
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -54,7 +54,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 46:                                               ; preds = %40
   %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %322, label %48
+  br i1 %47, label %328, label %48
 
 48:                                               ; preds = %46, %40
   %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
@@ -65,7 +65,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 52:                                               ; preds = %48, %1
   %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
   %54 = icmp slt i64 %53, 0
-  br i1 %54, label %322, label %55
+  br i1 %54, label %328, label %55
 
 55:                                               ; preds = %52
   %56 = getelementptr inbounds i8, ptr %0, i64 864
@@ -74,7 +74,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %59 = load i64, ptr %58, align 8
   %60 = and i64 %59, 4
   %61 = icmp eq i64 %60, 0
-  br i1 %61, label %322, label %62
+  br i1 %61, label %328, label %62
 
 62:                                               ; preds = %55
   %63 = add nsw i64 %23, 1
@@ -83,7 +83,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %66 = getelementptr inbounds i8, ptr %0, i64 1064
   %67 = load i64, ptr %66, align 8
   %68 = icmp sgt i64 %64, %67
-  br i1 %68, label %322, label %69
+  br i1 %68, label %328, label %69
 
 69:                                               ; preds = %62
   %70 = mul nsw i64 %53, %19
@@ -91,351 +91,429 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %72 = getelementptr inbounds i8, ptr %0, i64 168
   %73 = load ptr, ptr %72, align 8
   store double %29, ptr %73, align 8
-  %74 = getelementptr inbounds i8, ptr %0, i64 248
-  %75 = load i64, ptr %74, align 8
-  %76 = icmp sgt i64 %75, 0
-  br i1 %76, label %77, label %78
+  %74 = load ptr, ptr %3, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 40
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp eq i64 %76, 0
+  br i1 %77, label %79, label %78
 
-77:                                               ; preds = %69
-  tail call fastcc void @sample(ptr noundef nonnull %3) #3
-  br label %78
+78:                                               ; preds = %69
+  tail call fastcc void @settle(ptr noundef nonnull %3) #3
+  br label %79
 
-78:                                               ; preds = %69, %77
-  %79 = load ptr, ptr %2, align 8
-  %80 = getelementptr inbounds i8, ptr %79, i64 64
+79:                                               ; preds = %78, %69
+  %80 = getelementptr inbounds i8, ptr %0, i64 248
   %81 = load i64, ptr %80, align 8
-  %82 = getelementptr inbounds i8, ptr %0, i64 168
-  %83 = load ptr, ptr %82, align 8
-  %84 = getelementptr inbounds i8, ptr %0, i64 192
-  %85 = load ptr, ptr %84, align 8
-  %86 = getelementptr inbounds i8, ptr %0, i64 1176
-  %87 = load ptr, ptr %86, align 8
-  %88 = inttoptr i64 %81 to ptr
+  %82 = icmp sgt i64 %81, 0
+  br i1 %82, label %83, label %84
+
+83:                                               ; preds = %79
+  tail call fastcc void @sample(ptr noundef nonnull %3) #3
+  br label %84
+
+84:                                               ; preds = %79, %83
+  %85 = load ptr, ptr %2, align 8
+  %86 = getelementptr inbounds i8, ptr %85, i64 64
+  %87 = load i64, ptr %86, align 8
+  %88 = getelementptr inbounds i8, ptr %0, i64 168
   %89 = load ptr, ptr %88, align 8
-  %90 = tail call i32 %89(ptr noundef %83, ptr noundef %25, ptr noundef %85, ptr noundef %87, ptr noundef %28) #4
-  %91 = icmp eq i32 %90, 0
-  br i1 %91, label %92, label %322
+  %90 = getelementptr inbounds i8, ptr %0, i64 192
+  %91 = load ptr, ptr %90, align 8
+  %92 = getelementptr inbounds i8, ptr %0, i64 1176
+  %93 = load ptr, ptr %92, align 8
+  %94 = inttoptr i64 %87 to ptr
+  %95 = load ptr, ptr %94, align 8
+  %96 = tail call i32 %95(ptr noundef %89, ptr noundef %25, ptr noundef %91, ptr noundef %93, ptr noundef %28) #4
+  %97 = icmp eq i32 %96, 0
+  br i1 %97, label %98, label %328
 
-92:                                               ; preds = %78
-  %93 = load ptr, ptr %2, align 8
-  %94 = load i64, ptr %93, align 8
-  %95 = load ptr, ptr %82, align 8
-  %96 = load ptr, ptr %84, align 8
-  %97 = getelementptr inbounds i8, ptr %0, i64 792
-  %98 = load ptr, ptr %97, align 8
-  %99 = inttoptr i64 %94 to ptr
-  %100 = load ptr, ptr %99, align 8
-  %101 = tail call i32 %100(ptr noundef %95, ptr noundef %25, ptr noundef %96, ptr noundef %98, ptr noundef %31) #4
-  %102 = icmp eq i32 %101, 0
-  br i1 %102, label %103, label %322
+98:                                               ; preds = %84
+  %99 = load ptr, ptr %2, align 8
+  %100 = load i64, ptr %99, align 8
+  %101 = load ptr, ptr %88, align 8
+  %102 = load ptr, ptr %90, align 8
+  %103 = getelementptr inbounds i8, ptr %0, i64 792
+  %104 = load ptr, ptr %103, align 8
+  %105 = inttoptr i64 %100 to ptr
+  %106 = load ptr, ptr %105, align 8
+  %107 = tail call i32 %106(ptr noundef %101, ptr noundef %25, ptr noundef %102, ptr noundef %104, ptr noundef %31) #4
+  %108 = icmp eq i32 %107, 0
+  br i1 %108, label %109, label %328
 
-103:                                              ; preds = %92
-  %104 = load ptr, ptr %2, align 8
-  %105 = load i64, ptr %104, align 8
-  %106 = load ptr, ptr %82, align 8
-  %107 = load ptr, ptr %84, align 8
-  %108 = load ptr, ptr %97, align 8
-  %109 = inttoptr i64 %105 to ptr
-  %110 = load ptr, ptr %109, align 8
-  %111 = tail call i32 %110(ptr noundef %106, ptr noundef %71, ptr noundef %107, ptr noundef %108, ptr noundef %32) #4
-  %112 = icmp eq i32 %111, 0
-  br i1 %112, label %113, label %322
+109:                                              ; preds = %98
+  %110 = load ptr, ptr %2, align 8
+  %111 = load i64, ptr %110, align 8
+  %112 = load ptr, ptr %88, align 8
+  %113 = load ptr, ptr %90, align 8
+  %114 = load ptr, ptr %103, align 8
+  %115 = inttoptr i64 %111 to ptr
+  %116 = load ptr, ptr %115, align 8
+  %117 = tail call i32 %116(ptr noundef %112, ptr noundef %71, ptr noundef %113, ptr noundef %114, ptr noundef %32) #4
+  %118 = icmp eq i32 %117, 0
+  br i1 %118, label %119, label %328
 
-113:                                              ; preds = %103
-  %114 = load ptr, ptr %2, align 8
-  %115 = getelementptr inbounds i8, ptr %114, i64 56
-  %116 = load i64, ptr %115, align 8
-  %117 = load ptr, ptr %82, align 8
-  %118 = load ptr, ptr %84, align 8
-  %119 = getelementptr inbounds i8, ptr %0, i64 1152
-  %120 = load ptr, ptr %119, align 8
-  %121 = load ptr, ptr %33, align 8
-  %122 = inttoptr i64 %116 to ptr
-  %123 = load ptr, ptr %122, align 8
-  %124 = tail call i32 %123(ptr noundef %117, ptr noundef %71, ptr noundef %118, ptr noundef %120, ptr noundef %121) #4
-  %125 = icmp eq i32 %124, 0
-  br i1 %125, label %126, label %322
+119:                                              ; preds = %109
+  %120 = load ptr, ptr %2, align 8
+  %121 = getelementptr inbounds i8, ptr %120, i64 56
+  %122 = load i64, ptr %121, align 8
+  %123 = load ptr, ptr %88, align 8
+  %124 = load ptr, ptr %90, align 8
+  %125 = getelementptr inbounds i8, ptr %0, i64 1152
+  %126 = load ptr, ptr %125, align 8
+  %127 = load ptr, ptr %33, align 8
+  %128 = inttoptr i64 %122 to ptr
+  %129 = load ptr, ptr %128, align 8
+  %130 = tail call i32 %129(ptr noundef %123, ptr noundef %71, ptr noundef %124, ptr noundef %126, ptr noundef %127) #4
+  %131 = icmp eq i32 %130, 0
+  br i1 %131, label %132, label %328
 
-126:                                              ; preds = %113
-  %127 = icmp sgt i64 %19, 0
-  br i1 %127, label %137, label %131
+132:                                              ; preds = %119
+  %133 = icmp sgt i64 %19, 0
+  br i1 %133, label %143, label %137
 
-128:                                              ; preds = %137
-  %129 = add nuw nsw i64 %138, 1
-  %130 = icmp eq i64 %129, %19
-  br i1 %130, label %131, label %137, !llvm.loop !6
+134:                                              ; preds = %143
+  %135 = add nuw nsw i64 %144, 1
+  %136 = icmp eq i64 %135, %19
+  br i1 %136, label %137, label %143, !llvm.loop !6
 
-131:                                              ; preds = %128, %126
-  %132 = icmp sgt i64 %16, 0
-  br i1 %132, label %133, label %192
+137:                                              ; preds = %134, %132
+  %138 = icmp sgt i64 %16, 0
+  br i1 %138, label %139, label %198
 
-133:                                              ; preds = %131
-  %134 = getelementptr inbounds i8, ptr %0, i64 936
-  %135 = getelementptr inbounds i8, ptr %0, i64 840
-  %136 = getelementptr inbounds i8, ptr %0, i64 816
-  br label %143
+139:                                              ; preds = %137
+  %140 = getelementptr inbounds i8, ptr %0, i64 936
+  %141 = getelementptr inbounds i8, ptr %0, i64 840
+  %142 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %149
 
-137:                                              ; preds = %126, %128
-  %138 = phi i64 [ %129, %128 ], [ 0, %126 ]
-  %139 = getelementptr inbounds double, ptr %71, i64 %138
-  %140 = load double, ptr %139, align 8
-  %141 = tail call double @llvm.fabs.f64(double %140)
-  %142 = fcmp ueq double %141, 0x7FF0000000000000
-  br i1 %142, label %322, label %128
+143:                                              ; preds = %132, %134
+  %144 = phi i64 [ %135, %134 ], [ 0, %132 ]
+  %145 = getelementptr inbounds double, ptr %71, i64 %144
+  %146 = load double, ptr %145, align 8
+  %147 = tail call double @llvm.fabs.f64(double %146)
+  %148 = fcmp ueq double %147, 0x7FF0000000000000
+  br i1 %148, label %328, label %134
 
-143:                                              ; preds = %133, %189
-  %144 = phi i64 [ 0, %133 ], [ %190, %189 ]
-  %145 = icmp eq i64 %144, %53
-  br i1 %145, label %189, label %146
+149:                                              ; preds = %139, %195
+  %150 = phi i64 [ 0, %139 ], [ %196, %195 ]
+  %151 = icmp eq i64 %150, %53
+  br i1 %151, label %195, label %152
 
-146:                                              ; preds = %143
-  %147 = load ptr, ptr %134, align 8
-  %148 = getelementptr inbounds i64, ptr %147, i64 %144
-  %149 = load i64, ptr %148, align 8
-  %150 = icmp eq i64 %149, 0
-  br i1 %150, label %155, label %151
+152:                                              ; preds = %149
+  %153 = load ptr, ptr %140, align 8
+  %154 = getelementptr inbounds i64, ptr %153, i64 %150
+  %155 = load i64, ptr %154, align 8
+  %156 = icmp eq i64 %155, 0
+  br i1 %156, label %161, label %157
 
-151:                                              ; preds = %146
-  %152 = getelementptr inbounds double, ptr %32, i64 %144
-  %153 = load double, ptr %152, align 8
-  %154 = fcmp uno double %153, 0.000000e+00
-  br i1 %154, label %322, label %155
+157:                                              ; preds = %152
+  %158 = getelementptr inbounds double, ptr %32, i64 %150
+  %159 = load double, ptr %158, align 8
+  %160 = fcmp uno double %159, 0.000000e+00
+  br i1 %160, label %328, label %161
 
-155:                                              ; preds = %151, %146
-  %156 = load ptr, ptr %135, align 8
-  %157 = getelementptr inbounds i64, ptr %156, i64 %144
-  %158 = load i64, ptr %157, align 8
-  %159 = icmp eq i64 %158, 1
-  br i1 %159, label %160, label %189
+161:                                              ; preds = %157, %152
+  %162 = load ptr, ptr %141, align 8
+  %163 = getelementptr inbounds i64, ptr %162, i64 %150
+  %164 = load i64, ptr %163, align 8
+  %165 = icmp eq i64 %164, 1
+  br i1 %165, label %166, label %195
 
-160:                                              ; preds = %155
-  %161 = getelementptr inbounds double, ptr %32, i64 %144
-  %162 = load double, ptr %161, align 8
-  %163 = getelementptr inbounds double, ptr %31, i64 %144
-  %164 = load double, ptr %163, align 8
-  %165 = fcmp oeq double %162, %164
-  br i1 %165, label %166, label %189
-
-166:                                              ; preds = %160
-  %167 = getelementptr inbounds double, ptr %34, i64 %144
+166:                                              ; preds = %161
+  %167 = getelementptr inbounds double, ptr %32, i64 %150
   %168 = load double, ptr %167, align 8
-  %169 = load ptr, ptr %136, align 8
-  %170 = getelementptr inbounds i64, ptr %169, i64 %144
-  %171 = load i64, ptr %170, align 8
-  %172 = sitofp i64 %171 to double
-  %173 = fmul double %168, %172
-  %174 = fcmp oge double %173, 0.000000e+00
-  %175 = fcmp une double %168, 0.000000e+00
-  %176 = and i1 %175, %174
-  br i1 %176, label %177, label %189
+  %169 = getelementptr inbounds double, ptr %31, i64 %150
+  %170 = load double, ptr %169, align 8
+  %171 = fcmp oeq double %168, %170
+  br i1 %171, label %172, label %195
 
-177:                                              ; preds = %166
-  %178 = fcmp oeq double %162, 0.000000e+00
-  br i1 %178, label %186, label %179
+172:                                              ; preds = %166
+  %173 = getelementptr inbounds double, ptr %34, i64 %150
+  %174 = load double, ptr %173, align 8
+  %175 = load ptr, ptr %142, align 8
+  %176 = getelementptr inbounds i64, ptr %175, i64 %150
+  %177 = load i64, ptr %176, align 8
+  %178 = sitofp i64 %177 to double
+  %179 = fmul double %174, %178
+  %180 = fcmp oge double %179, 0.000000e+00
+  %181 = fcmp une double %174, 0.000000e+00
+  %182 = and i1 %181, %180
+  br i1 %182, label %183, label %195
 
-179:                                              ; preds = %177
-  %180 = getelementptr inbounds double, ptr %35, i64 %144
-  %181 = load double, ptr %180, align 8
-  %182 = tail call double @llvm.fabs.f64(double %162)
-  %183 = fmul double %181, 0x3CE0000000000000
-  %184 = fcmp ole double %182, %183
-  %185 = zext i1 %184 to i32
-  br label %186
+183:                                              ; preds = %172
+  %184 = fcmp oeq double %168, 0.000000e+00
+  br i1 %184, label %192, label %185
 
-186:                                              ; preds = %177, %179
-  %187 = phi i32 [ 1, %177 ], [ %185, %179 ]
-  %188 = icmp eq i32 %187, 0
-  br i1 %188, label %189, label %322
+185:                                              ; preds = %183
+  %186 = getelementptr inbounds double, ptr %35, i64 %150
+  %187 = load double, ptr %186, align 8
+  %188 = tail call double @llvm.fabs.f64(double %168)
+  %189 = fmul double %187, 0x3CE0000000000000
+  %190 = fcmp ole double %188, %189
+  %191 = zext i1 %190 to i32
+  br label %192
 
-189:                                              ; preds = %155, %160, %166, %186, %143
-  %190 = add nuw nsw i64 %144, 1
-  %191 = icmp eq i64 %190, %16
-  br i1 %191, label %192, label %143, !llvm.loop !7
+192:                                              ; preds = %183, %185
+  %193 = phi i32 [ 1, %183 ], [ %191, %185 ]
+  %194 = icmp eq i32 %193, 0
+  br i1 %194, label %195, label %328
 
-192:                                              ; preds = %189, %131
-  %193 = getelementptr inbounds double, ptr %32, i64 %53
-  %194 = load double, ptr %193, align 8
-  %195 = getelementptr inbounds double, ptr %31, i64 %53
-  %196 = load double, ptr %195, align 8
-  %197 = fcmp oeq double %194, %196
-  %198 = fcmp oeq double %194, 0.000000e+00
-  %199 = or i1 %198, %197
-  br i1 %199, label %206, label %200
+195:                                              ; preds = %161, %166, %172, %192, %149
+  %196 = add nuw nsw i64 %150, 1
+  %197 = icmp eq i64 %196, %16
+  br i1 %197, label %198, label %149, !llvm.loop !7
 
-200:                                              ; preds = %192
-  %201 = getelementptr inbounds double, ptr %35, i64 %53
+198:                                              ; preds = %195, %137
+  %199 = getelementptr inbounds double, ptr %32, i64 %53
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr inbounds double, ptr %31, i64 %53
   %202 = load double, ptr %201, align 8
-  %203 = tail call double @llvm.fabs.f64(double %194)
-  %204 = fmul double %202, 0x3CE0000000000000
-  %205 = fcmp ugt double %203, %204
-  br label %206
+  %203 = fcmp oeq double %200, %202
+  %204 = fcmp oeq double %200, 0.000000e+00
+  %205 = or i1 %204, %203
+  br i1 %205, label %212, label %206
 
-206:                                              ; preds = %200, %192
-  %207 = phi i1 [ false, %192 ], [ %205, %200 ]
-  br i1 %207, label %230, label %208
+206:                                              ; preds = %198
+  %207 = getelementptr inbounds double, ptr %35, i64 %53
+  %208 = load double, ptr %207, align 8
+  %209 = tail call double @llvm.fabs.f64(double %200)
+  %210 = fmul double %208, 0x3CE0000000000000
+  %211 = fcmp ugt double %209, %210
+  br label %212
 
-208:                                              ; preds = %206
-  %209 = getelementptr inbounds i8, ptr %0, i64 816
-  %210 = load ptr, ptr %209, align 8
-  %211 = getelementptr inbounds i64, ptr %210, i64 %53
-  %212 = load i64, ptr %211, align 8
-  %213 = icmp eq i64 %212, 0
-  br i1 %213, label %230, label %214
+212:                                              ; preds = %206, %198
+  %213 = phi i1 [ false, %198 ], [ %211, %206 ]
+  br i1 %213, label %236, label %214
 
-214:                                              ; preds = %208
-  %215 = load ptr, ptr %56, align 8
-  %216 = getelementptr inbounds i64, ptr %215, i64 %53
-  %217 = load i64, ptr %216, align 8
-  %218 = and i64 %217, 16
+214:                                              ; preds = %212
+  %215 = getelementptr inbounds i8, ptr %0, i64 816
+  %216 = load ptr, ptr %215, align 8
+  %217 = getelementptr inbounds i64, ptr %216, i64 %53
+  %218 = load i64, ptr %217, align 8
   %219 = icmp eq i64 %218, 0
-  br i1 %219, label %230, label %220
+  br i1 %219, label %236, label %220
 
 220:                                              ; preds = %214
-  %221 = getelementptr inbounds double, ptr %34, i64 %53
-  %222 = load double, ptr %221, align 8
-  %223 = getelementptr inbounds i8, ptr %0, i64 936
-  %224 = load ptr, ptr %223, align 8
-  %225 = getelementptr inbounds i64, ptr %224, i64 %53
-  %226 = load i64, ptr %225, align 8
-  %227 = sitofp i64 %226 to double
-  %228 = fmul double %222, %227
-  %229 = fcmp ogt double %228, 0.000000e+00
-  br i1 %229, label %230, label %322
+  %221 = load ptr, ptr %56, align 8
+  %222 = getelementptr inbounds i64, ptr %221, i64 %53
+  %223 = load i64, ptr %222, align 8
+  %224 = and i64 %223, 16
+  %225 = icmp eq i64 %224, 0
+  br i1 %225, label %236, label %226
 
-230:                                              ; preds = %220, %214, %208, %206
-  %231 = icmp sgt i64 %16, 0
-  br i1 %231, label %232, label %234
+226:                                              ; preds = %220
+  %227 = getelementptr inbounds double, ptr %34, i64 %53
+  %228 = load double, ptr %227, align 8
+  %229 = getelementptr inbounds i8, ptr %0, i64 936
+  %230 = load ptr, ptr %229, align 8
+  %231 = getelementptr inbounds i64, ptr %230, i64 %53
+  %232 = load i64, ptr %231, align 8
+  %233 = sitofp i64 %232 to double
+  %234 = fmul double %228, %233
+  %235 = fcmp ogt double %234, 0.000000e+00
+  br i1 %235, label %236, label %328
 
-232:                                              ; preds = %230
-  %233 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %245
+236:                                              ; preds = %226, %220, %214, %212
+  %237 = icmp sgt i64 %16, 0
+  br i1 %237, label %238, label %240
 
-234:                                              ; preds = %245, %230
-  %235 = load ptr, ptr %65, align 8
-  %236 = getelementptr inbounds double, ptr %235, i64 %23
-  store double %29, ptr %236, align 8
-  %237 = getelementptr inbounds i8, ptr %0, i64 1080
-  %238 = load ptr, ptr %237, align 8
-  %239 = getelementptr inbounds i64, ptr %238, i64 %23
-  store i64 %53, ptr %239, align 8
-  %240 = icmp sgt i64 %19, 0
-  br i1 %240, label %241, label %267
+238:                                              ; preds = %236
+  %239 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %251
 
-241:                                              ; preds = %234
-  %242 = getelementptr inbounds i8, ptr %0, i64 1104
-  %243 = mul nsw i64 %23, %19
-  %244 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %274
+240:                                              ; preds = %251, %236
+  %241 = load ptr, ptr %65, align 8
+  %242 = getelementptr inbounds double, ptr %241, i64 %23
+  store double %29, ptr %242, align 8
+  %243 = getelementptr inbounds i8, ptr %0, i64 1080
+  %244 = load ptr, ptr %243, align 8
+  %245 = getelementptr inbounds i64, ptr %244, i64 %23
+  store i64 %53, ptr %245, align 8
+  %246 = icmp sgt i64 %19, 0
+  br i1 %246, label %247, label %273
 
-245:                                              ; preds = %232, %245
-  %246 = phi i64 [ 0, %232 ], [ %265, %245 ]
-  %247 = getelementptr inbounds double, ptr %32, i64 %246
-  %248 = load double, ptr %247, align 8
-  %249 = fcmp une double %248, 0.000000e+00
-  %250 = icmp ne i64 %246, %53
-  %251 = or i1 %207, %250
-  %252 = and i1 %249, %251
-  %253 = getelementptr inbounds double, ptr %34, i64 %246
-  %254 = select i1 %252, ptr %247, ptr %253
-  %255 = load double, ptr %254, align 8
-  %256 = tail call double @llvm.fabs.f64(double %255)
-  %257 = fcmp ueq double %256, 0x7FF0000000000000
-  %258 = fcmp ogt double %255, 0.000000e+00
-  %259 = fcmp olt double %255, 0.000000e+00
-  %260 = sext i1 %259 to i64
-  %261 = select i1 %258, i64 1, i64 %260
-  %262 = select i1 %257, i64 0, i64 %261
-  %263 = load ptr, ptr %233, align 8
-  %264 = getelementptr inbounds i64, ptr %263, i64 %246
-  store i64 %262, ptr %264, align 8
-  %265 = add nuw nsw i64 %246, 1
-  %266 = icmp eq i64 %265, %16
-  br i1 %266, label %234, label %245, !llvm.loop !8
+247:                                              ; preds = %240
+  %248 = getelementptr inbounds i8, ptr %0, i64 1104
+  %249 = mul nsw i64 %23, %19
+  %250 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %280
 
-267:                                              ; preds = %274, %234
-  %268 = load ptr, ptr %20, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 80
-  store i64 %63, ptr %269, align 8
-  %270 = load ptr, ptr %0, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 8
-  %272 = load i64, ptr %271, align 8
-  %273 = icmp eq i64 %272, 0
-  br i1 %273, label %287, label %293
+251:                                              ; preds = %238, %251
+  %252 = phi i64 [ 0, %238 ], [ %271, %251 ]
+  %253 = getelementptr inbounds double, ptr %32, i64 %252
+  %254 = load double, ptr %253, align 8
+  %255 = fcmp une double %254, 0.000000e+00
+  %256 = icmp ne i64 %252, %53
+  %257 = or i1 %213, %256
+  %258 = and i1 %255, %257
+  %259 = getelementptr inbounds double, ptr %34, i64 %252
+  %260 = select i1 %258, ptr %253, ptr %259
+  %261 = load double, ptr %260, align 8
+  %262 = tail call double @llvm.fabs.f64(double %261)
+  %263 = fcmp ueq double %262, 0x7FF0000000000000
+  %264 = fcmp ogt double %261, 0.000000e+00
+  %265 = fcmp olt double %261, 0.000000e+00
+  %266 = sext i1 %265 to i64
+  %267 = select i1 %264, i64 1, i64 %266
+  %268 = select i1 %263, i64 0, i64 %267
+  %269 = load ptr, ptr %239, align 8
+  %270 = getelementptr inbounds i64, ptr %269, i64 %252
+  store i64 %268, ptr %270, align 8
+  %271 = add nuw nsw i64 %252, 1
+  %272 = icmp eq i64 %271, %16
+  br i1 %272, label %240, label %251, !llvm.loop !8
 
-274:                                              ; preds = %241, %274
-  %275 = phi i64 [ 0, %241 ], [ %285, %274 ]
-  %276 = getelementptr inbounds double, ptr %25, i64 %275
-  %277 = load double, ptr %276, align 8
-  %278 = load ptr, ptr %242, align 8
-  %279 = add nsw i64 %275, %243
-  %280 = getelementptr inbounds double, ptr %278, i64 %279
-  store double %277, ptr %280, align 8
-  %281 = getelementptr inbounds double, ptr %71, i64 %275
-  %282 = load double, ptr %281, align 8
-  store double %282, ptr %276, align 8
-  %283 = load ptr, ptr %244, align 8
-  %284 = getelementptr inbounds double, ptr %283, i64 %279
-  store double %282, ptr %284, align 8
-  %285 = add nuw nsw i64 %275, 1
-  %286 = icmp eq i64 %285, %19
-  br i1 %286, label %267, label %274, !llvm.loop !9
+273:                                              ; preds = %280, %240
+  %274 = load ptr, ptr %20, align 8
+  %275 = getelementptr inbounds i8, ptr %274, i64 80
+  store i64 %63, ptr %275, align 8
+  %276 = load ptr, ptr %0, align 8
+  %277 = getelementptr inbounds i8, ptr %276, i64 8
+  %278 = load i64, ptr %277, align 8
+  %279 = icmp eq i64 %278, 0
+  br i1 %279, label %293, label %299
 
-287:                                              ; preds = %267
-  %288 = getelementptr inbounds i8, ptr %0, i64 1272
-  %289 = load ptr, ptr %288, align 8
-  %290 = getelementptr inbounds i8, ptr %289, i64 8
-  %291 = load double, ptr %290, align 8
-  %292 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %291, ptr %292, align 8
-  br label %293
+280:                                              ; preds = %247, %280
+  %281 = phi i64 [ 0, %247 ], [ %291, %280 ]
+  %282 = getelementptr inbounds double, ptr %25, i64 %281
+  %283 = load double, ptr %282, align 8
+  %284 = load ptr, ptr %248, align 8
+  %285 = add nsw i64 %281, %249
+  %286 = getelementptr inbounds double, ptr %284, i64 %285
+  store double %283, ptr %286, align 8
+  %287 = getelementptr inbounds double, ptr %71, i64 %281
+  %288 = load double, ptr %287, align 8
+  store double %288, ptr %282, align 8
+  %289 = load ptr, ptr %250, align 8
+  %290 = getelementptr inbounds double, ptr %289, i64 %285
+  store double %288, ptr %290, align 8
+  %291 = add nuw nsw i64 %281, 1
+  %292 = icmp eq i64 %291, %19
+  br i1 %292, label %273, label %280, !llvm.loop !9
 
-293:                                              ; preds = %287, %267
-  %294 = getelementptr inbounds i8, ptr %0, i64 1248
+293:                                              ; preds = %273
+  %294 = getelementptr inbounds i8, ptr %0, i64 1272
   %295 = load ptr, ptr %294, align 8
-  %296 = mul i64 %53, 800
-  %297 = getelementptr inbounds i8, ptr %295, i64 %296
-  %298 = load double, ptr %297, align 8
-  %299 = fsub double %29, %298
-  %300 = tail call double @llvm.fabs.f64(double %29)
-  %301 = fcmp ogt double %300, %13
-  %302 = select i1 %301, double %300, double %13
-  %303 = fmul double %302, 0x3CF0000000000000
-  %304 = fcmp ugt double %299, %303
-  br i1 %304, label %305, label %312
+  %296 = getelementptr inbounds i8, ptr %295, i64 8
+  %297 = load double, ptr %296, align 8
+  %298 = getelementptr inbounds i8, ptr %26, i64 8
+  store double %297, ptr %298, align 8
+  br label %299
 
-305:                                              ; preds = %293
-  %306 = getelementptr inbounds i8, ptr %297, i64 784
-  %307 = load double, ptr %306, align 8
-  %308 = fsub double %29, %307
-  %309 = fmul double %13, 1.000000e-09
-  %310 = fcmp olt double %308, %309
-  %311 = select i1 %310, i64 8, i64 1
-  br label %312
+299:                                              ; preds = %293, %273
+  %300 = getelementptr inbounds i8, ptr %0, i64 1248
+  %301 = load ptr, ptr %300, align 8
+  %302 = mul i64 %53, 800
+  %303 = getelementptr inbounds i8, ptr %301, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = fsub double %29, %304
+  %306 = tail call double @llvm.fabs.f64(double %29)
+  %307 = fcmp ogt double %306, %13
+  %308 = select i1 %307, double %306, double %13
+  %309 = fmul double %308, 0x3CF0000000000000
+  %310 = fcmp ugt double %305, %309
+  br i1 %310, label %311, label %318
 
-312:                                              ; preds = %305, %293
-  %313 = phi i64 [ 8, %293 ], [ %311, %305 ]
-  br label %315
+311:                                              ; preds = %299
+  %312 = getelementptr inbounds i8, ptr %303, i64 784
+  %313 = load double, ptr %312, align 8
+  %314 = fsub double %29, %313
+  %315 = fmul double %13, 1.000000e-09
+  %316 = fcmp olt double %314, %315
+  %317 = select i1 %316, i64 8, i64 1
+  br label %318
 
-314:                                              ; preds = %315
-  store double %29, ptr %297, align 8
-  br label %322
+318:                                              ; preds = %311, %299
+  %319 = phi i64 [ 8, %299 ], [ %317, %311 ]
+  br label %321
 
-315:                                              ; preds = %312, %315
-  %316 = phi i64 [ 99, %312 ], [ %320, %315 ]
-  %317 = getelementptr double, ptr %297, i64 %316
-  %318 = getelementptr i8, ptr %317, i64 -8
-  %319 = load double, ptr %318, align 8
-  store double %319, ptr %317, align 8
-  %320 = add nsw i64 %316, -1
-  %321 = icmp ugt i64 %316, 1
-  br i1 %321, label %315, label %314, !llvm.loop !10
+320:                                              ; preds = %321
+  store double %29, ptr %303, align 8
+  br label %328
 
-322:                                              ; preds = %46, %137, %151, %186, %113, %103, %92, %78, %220, %314, %52, %55, %62
-  %323 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ 0, %113 ], [ 0, %103 ], [ 0, %92 ], [ 0, %78 ], [ %313, %314 ], [ 0, %220 ], [ 0, %186 ], [ 0, %151 ], [ 0, %137 ], [ 0, %46 ]
-  ret i64 %323
+321:                                              ; preds = %318, %321
+  %322 = phi i64 [ 99, %318 ], [ %326, %321 ]
+  %323 = getelementptr double, ptr %303, i64 %322
+  %324 = getelementptr i8, ptr %323, i64 -8
+  %325 = load double, ptr %324, align 8
+  store double %325, ptr %323, align 8
+  %326 = add nsw i64 %322, -1
+  %327 = icmp ugt i64 %322, 1
+  br i1 %327, label %321, label %320, !llvm.loop !10
+
+328:                                              ; preds = %46, %143, %157, %192, %119, %109, %98, %84, %226, %320, %52, %55, %62
+  %329 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ 0, %119 ], [ 0, %109 ], [ 0, %98 ], [ 0, %84 ], [ %319, %320 ], [ 0, %226 ], [ 0, %192 ], [ 0, %157 ], [ 0, %143 ], [ 0, %46 ]
+  ret i64 %329
 }
 
 declare double @llvm.fabs.f64(double) #1
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !11
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
@@ -511,7 +589,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !11
+  br i1 %60, label %49, label %61, !llvm.loop !12
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -543,7 +621,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !12
+  br i1 %88, label %14, label %13, !llvm.loop !13
 }
 
 attributes #0 = { nounwind }
@@ -566,3 +644,4 @@ attributes #4 = { nounwind }
 !10 = distinct !{!10, !4, !5}
 !11 = distinct !{!11, !4, !5}
 !12 = distinct !{!12, !4, !5}
+!13 = distinct !{!13, !4, !5}

@@ -1,4 +1,4 @@
-; sources b2b17f14bf27f8971eb33d0358b6fde33ee1ca7702eea35e136e03bee9996f34
+; sources dc36436a3fee55362b5581b39d4273316b0fc4de641b998c6f8862268767909e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -111,8 +111,8 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %82 = getelementptr inbounds i8, ptr %0, i64 768
   %83 = getelementptr inbounds i8, ptr %0, i64 680
   %84 = getelementptr inbounds i8, ptr %0, i64 528
-  %85 = getelementptr inbounds i8, ptr %0, i64 312
-  %86 = getelementptr inbounds i8, ptr %0, i64 320
+  %85 = getelementptr inbounds i8, ptr %0, i64 320
+  %86 = getelementptr inbounds i8, ptr %0, i64 312
   %87 = getelementptr inbounds i8, ptr %0, i64 336
   %88 = getelementptr inbounds i8, ptr %0, i64 168
   %89 = getelementptr inbounds i8, ptr %0, i64 248
@@ -123,8 +123,8 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %94 = getelementptr inbounds i8, ptr %0, i64 408
   %95 = getelementptr inbounds i8, ptr %0, i64 368
   %96 = getelementptr inbounds i8, ptr %0, i64 1320
-  %97 = getelementptr inbounds i8, ptr %0, i64 312
-  %98 = getelementptr inbounds i8, ptr %0, i64 320
+  %97 = getelementptr inbounds i8, ptr %0, i64 320
+  %98 = getelementptr inbounds i8, ptr %0, i64 312
   %99 = getelementptr inbounds i8, ptr %0, i64 336
   %100 = getelementptr inbounds i8, ptr %0, i64 432
   %101 = getelementptr inbounds i8, ptr %0, i64 408
@@ -198,14 +198,14 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %169 = getelementptr inbounds i8, ptr %0, i64 768
   br label %170
 
-170:                                              ; preds = %1755, %72
+170:                                              ; preds = %1799, %72
   %171 = load ptr, ptr %75, align 8
   %172 = load ptr, ptr %76, align 8
   %173 = load ptr, ptr %77, align 8
   %174 = getelementptr inbounds i8, ptr %173, i64 56
   %175 = load i64, ptr %174, align 8
   %176 = icmp eq i64 %175, 0
-  br i1 %176, label %1740, label %177
+  br i1 %176, label %1784, label %177
 
 177:                                              ; preds = %170
   %178 = load ptr, ptr %78, align 8
@@ -238,2088 +238,2238 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %205 = load double, ptr %204, align 8
   %206 = load i64, ptr %173, align 8
   %207 = icmp eq i64 %206, 0
-  br i1 %207, label %208, label %454
+  br i1 %207, label %208, label %468
 
 208:                                              ; preds = %177
-  %209 = load ptr, ptr %85, align 8
-  %210 = load i64, ptr %86, align 8
-  %211 = icmp eq i64 %210, 0
-  br i1 %211, label %238, label %212
+  %209 = load i64, ptr %85, align 8
+  %210 = icmp eq i64 %209, 0
+  br i1 %210, label %240, label %211
 
-212:                                              ; preds = %208
-  %213 = icmp sgt i64 %210, 0
-  br i1 %213, label %214, label %227
+211:                                              ; preds = %208
+  %212 = icmp sgt i64 %209, 0
+  br i1 %212, label %213, label %228
 
-214:                                              ; preds = %212, %214
-  %215 = phi i64 [ %225, %214 ], [ %210, %212 ]
-  %216 = phi i64 [ %224, %214 ], [ 0, %212 ]
-  %217 = add nuw nsw i64 %215, %216
-  %218 = lshr i64 %217, 1
-  %219 = and i64 %217, -2
-  %220 = getelementptr inbounds double, ptr %209, i64 %219
-  %221 = load double, ptr %220, align 8
-  %222 = fcmp ogt double %221, %203
-  %223 = add nuw nsw i64 %218, 1
-  %224 = select i1 %222, i64 %216, i64 %223
-  %225 = select i1 %222, i64 %218, i64 %215
-  %226 = icmp slt i64 %224, %225
-  br i1 %226, label %214, label %227, !llvm.loop !8
+213:                                              ; preds = %211
+  %214 = load ptr, ptr %86, align 8
+  br label %215
 
-227:                                              ; preds = %214, %212
-  %228 = phi i64 [ 0, %212 ], [ %224, %214 ]
-  %229 = icmp slt i64 %228, %210
-  br i1 %229, label %230, label %235
+215:                                              ; preds = %213, %215
+  %216 = phi i64 [ 0, %213 ], [ %226, %215 ]
+  %217 = phi i64 [ %209, %213 ], [ %225, %215 ]
+  %218 = add nuw nsw i64 %216, %217
+  %219 = lshr i64 %218, 1
+  %220 = mul i64 %219, 24
+  %221 = getelementptr inbounds i8, ptr %214, i64 %220
+  %222 = load double, ptr %221, align 8
+  %223 = fcmp ogt double %222, %203
+  %224 = add nuw nsw i64 %219, 1
+  %225 = select i1 %223, i64 %219, i64 %217
+  %226 = select i1 %223, i64 %216, i64 %224
+  %227 = icmp slt i64 %226, %225
+  br i1 %227, label %215, label %228, !llvm.loop !8
 
-230:                                              ; preds = %227
-  %231 = shl nuw nsw i64 %228, 1
-  %232 = or disjoint i64 %231, 1
-  %233 = getelementptr inbounds double, ptr %209, i64 %232
-  %234 = load double, ptr %233, align 8
-  br label %235
+228:                                              ; preds = %215, %211
+  %229 = phi i64 [ 0, %211 ], [ %226, %215 ]
+  %230 = icmp slt i64 %229, %209
+  br i1 %230, label %231, label %237
 
-235:                                              ; preds = %230, %227
-  %236 = phi double [ %234, %230 ], [ 0x7FF0000000000000, %227 ]
-  %237 = load ptr, ptr %87, align 8
-  store double %236, ptr %237, align 8
-  br label %238
+231:                                              ; preds = %228
+  %232 = load ptr, ptr %86, align 8
+  %233 = mul i64 %229, 24
+  %234 = getelementptr inbounds i8, ptr %232, i64 %233
+  %235 = getelementptr inbounds i8, ptr %234, i64 8
+  %236 = load double, ptr %235, align 8
+  br label %237
 
-238:                                              ; preds = %235, %208
-  %239 = getelementptr inbounds i8, ptr %173, i64 24
-  %240 = load i64, ptr %239, align 8
-  %241 = add nsw i64 %240, 1
-  store i64 %241, ptr %239, align 8
-  %242 = load ptr, ptr %74, align 8
-  %243 = load ptr, ptr %84, align 8
-  %244 = load ptr, ptr %88, align 8
-  store double %203, ptr %244, align 8
-  %245 = load i64, ptr %89, align 8
-  %246 = icmp sgt i64 %245, 0
-  br i1 %246, label %247, label %248
+237:                                              ; preds = %231, %228
+  %238 = phi double [ %236, %231 ], [ 0x7FF0000000000000, %228 ]
+  %239 = load ptr, ptr %87, align 8
+  store double %238, ptr %239, align 8
+  br label %240
 
-247:                                              ; preds = %238
+240:                                              ; preds = %237, %208
+  %241 = getelementptr inbounds i8, ptr %173, i64 24
+  %242 = load i64, ptr %241, align 8
+  %243 = add nsw i64 %242, 1
+  store i64 %243, ptr %241, align 8
+  %244 = load ptr, ptr %74, align 8
+  %245 = load ptr, ptr %84, align 8
+  %246 = load ptr, ptr %88, align 8
+  store double %203, ptr %246, align 8
+  %247 = load ptr, ptr %73, align 8
+  %248 = getelementptr inbounds i8, ptr %247, i64 40
+  %249 = load i64, ptr %248, align 8
+  %250 = icmp eq i64 %249, 0
+  br i1 %250, label %252, label %251
+
+251:                                              ; preds = %240
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %252
+
+252:                                              ; preds = %251, %240
+  %253 = load i64, ptr %89, align 8
+  %254 = icmp sgt i64 %253, 0
+  br i1 %254, label %255, label %256
+
+255:                                              ; preds = %252
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %248
+  br label %256
 
-248:                                              ; preds = %238, %247
-  %249 = load ptr, ptr %73, align 8
-  %250 = load i64, ptr %249, align 8
-  %251 = load ptr, ptr %88, align 8
-  %252 = load ptr, ptr %90, align 8
-  %253 = load ptr, ptr %91, align 8
-  %254 = inttoptr i64 %250 to ptr
-  %255 = load ptr, ptr %254, align 8
-  %256 = tail call i32 %255(ptr noundef %251, ptr noundef %242, ptr noundef %252, ptr noundef %253, ptr noundef %243) #9
-  %257 = icmp eq i32 %256, 0
-  br i1 %257, label %262, label %258
+256:                                              ; preds = %252, %255
+  %257 = load ptr, ptr %73, align 8
+  %258 = load i64, ptr %257, align 8
+  %259 = load ptr, ptr %88, align 8
+  %260 = load ptr, ptr %90, align 8
+  %261 = load ptr, ptr %91, align 8
+  %262 = inttoptr i64 %258 to ptr
+  %263 = load ptr, ptr %262, align 8
+  %264 = tail call i32 %263(ptr noundef %259, ptr noundef %244, ptr noundef %260, ptr noundef %261, ptr noundef %245) #9
+  %265 = icmp eq i32 %264, 0
+  br i1 %265, label %270, label %266
 
-258:                                              ; preds = %248
-  %259 = getelementptr inbounds i8, ptr %173, i64 72
-  store i64 3, ptr %259, align 8
-  %260 = icmp slt i32 %256, 0
-  %261 = select i1 %260, i64 -4, i64 2
-  br label %1740
+266:                                              ; preds = %256
+  %267 = getelementptr inbounds i8, ptr %173, i64 72
+  store i64 3, ptr %267, align 8
+  %268 = icmp slt i32 %264, 0
+  %269 = select i1 %268, i64 -4, i64 2
+  br label %1784
 
-262:                                              ; preds = %248
+270:                                              ; preds = %256
   store i64 1, ptr %173, align 8
-  %263 = getelementptr inbounds i8, ptr %171, i64 24
-  store double 1.000000e-04, ptr %263, align 8
-  %264 = getelementptr inbounds i8, ptr %179, i64 40
-  %265 = load double, ptr %264, align 8
-  %266 = getelementptr inbounds i8, ptr %171, i64 40
-  store double %265, ptr %266, align 8
-  %267 = load ptr, ptr %74, align 8
-  %268 = load ptr, ptr %73, align 8
-  %269 = getelementptr inbounds i8, ptr %268, i64 8
-  %270 = load i64, ptr %269, align 8
-  %271 = load i64, ptr %83, align 8
-  %272 = load ptr, ptr %78, align 8
-  %273 = load ptr, ptr %77, align 8
-  %274 = getelementptr inbounds i8, ptr %273, i64 48
-  %275 = load i64, ptr %274, align 8
-  %276 = icmp slt i64 %275, %271
-  br i1 %276, label %277, label %300
+  %271 = getelementptr inbounds i8, ptr %171, i64 24
+  store double 1.000000e-04, ptr %271, align 8
+  %272 = getelementptr inbounds i8, ptr %179, i64 40
+  %273 = load double, ptr %272, align 8
+  %274 = getelementptr inbounds i8, ptr %171, i64 40
+  store double %273, ptr %274, align 8
+  %275 = load ptr, ptr %74, align 8
+  %276 = load ptr, ptr %73, align 8
+  %277 = getelementptr inbounds i8, ptr %276, i64 8
+  %278 = load i64, ptr %277, align 8
+  %279 = load i64, ptr %83, align 8
+  %280 = load ptr, ptr %78, align 8
+  %281 = load ptr, ptr %77, align 8
+  %282 = getelementptr inbounds i8, ptr %281, i64 48
+  %283 = load i64, ptr %282, align 8
+  %284 = icmp slt i64 %283, %279
+  br i1 %284, label %285, label %308
 
-277:                                              ; preds = %262
-  %278 = icmp sgt i64 %270, 0
-  br label %279
+285:                                              ; preds = %270
+  %286 = icmp sgt i64 %278, 0
+  br label %287
 
-279:                                              ; preds = %277, %290
-  %280 = phi i64 [ %275, %277 ], [ %291, %290 ]
-  %281 = getelementptr inbounds double, ptr %272, i64 %280
-  %282 = load double, ptr %281, align 8
-  %283 = load ptr, ptr %75, align 8
-  %284 = load double, ptr %283, align 8
-  %285 = fcmp ugt double %282, %284
-  br i1 %285, label %300, label %286
+287:                                              ; preds = %285, %298
+  %288 = phi i64 [ %283, %285 ], [ %299, %298 ]
+  %289 = getelementptr inbounds double, ptr %280, i64 %288
+  %290 = load double, ptr %289, align 8
+  %291 = load ptr, ptr %75, align 8
+  %292 = load double, ptr %291, align 8
+  %293 = fcmp ugt double %290, %292
+  br i1 %293, label %308, label %294
 
-286:                                              ; preds = %279
-  br i1 %278, label %287, label %290
+294:                                              ; preds = %287
+  br i1 %286, label %295, label %298
 
-287:                                              ; preds = %286
-  %288 = mul nsw i64 %280, %270
-  %289 = getelementptr double, ptr %1, i64 %288
-  br label %293
+295:                                              ; preds = %294
+  %296 = mul nsw i64 %288, %278
+  %297 = getelementptr double, ptr %1, i64 %296
+  br label %301
 
-290:                                              ; preds = %293, %286
-  %291 = add i64 %280, 1
-  %292 = icmp eq i64 %291, %271
-  br i1 %292, label %300, label %279, !llvm.loop !9
+298:                                              ; preds = %301, %294
+  %299 = add i64 %288, 1
+  %300 = icmp eq i64 %299, %279
+  br i1 %300, label %308, label %287, !llvm.loop !9
 
-293:                                              ; preds = %287, %293
-  %294 = phi i64 [ 0, %287 ], [ %298, %293 ]
-  %295 = getelementptr inbounds double, ptr %267, i64 %294
-  %296 = load double, ptr %295, align 8
-  %297 = getelementptr double, ptr %289, i64 %294
-  store double %296, ptr %297, align 8
-  %298 = add nuw nsw i64 %294, 1
-  %299 = icmp eq i64 %298, %270
-  br i1 %299, label %290, label %293, !llvm.loop !10
+301:                                              ; preds = %295, %301
+  %302 = phi i64 [ 0, %295 ], [ %306, %301 ]
+  %303 = getelementptr inbounds double, ptr %275, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = getelementptr double, ptr %297, i64 %302
+  store double %304, ptr %305, align 8
+  %306 = add nuw nsw i64 %302, 1
+  %307 = icmp eq i64 %306, %278
+  br i1 %307, label %298, label %301, !llvm.loop !10
 
-300:                                              ; preds = %279, %290, %262
-  %301 = phi i64 [ %275, %262 ], [ %280, %279 ], [ %271, %290 ]
-  %302 = load ptr, ptr %77, align 8
-  %303 = getelementptr inbounds i8, ptr %302, i64 48
-  store i64 %301, ptr %303, align 8
-  %304 = icmp eq i64 %301, %271
-  br i1 %304, label %1740, label %305
+308:                                              ; preds = %287, %298, %270
+  %309 = phi i64 [ %283, %270 ], [ %288, %287 ], [ %279, %298 ]
+  %310 = load ptr, ptr %77, align 8
+  %311 = getelementptr inbounds i8, ptr %310, i64 48
+  store i64 %309, ptr %311, align 8
+  %312 = icmp eq i64 %309, %279
+  br i1 %312, label %1784, label %313
 
-305:                                              ; preds = %300
-  %306 = fcmp oeq double %205, 0.000000e+00
-  br i1 %306, label %307, label %454
+313:                                              ; preds = %308
+  %314 = fcmp oeq double %205, 0.000000e+00
+  br i1 %314, label %315, label %468
 
-307:                                              ; preds = %305
-  %308 = load ptr, ptr %73, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 24
-  %310 = load i64, ptr %309, align 8
-  %311 = load ptr, ptr %75, align 8
-  %312 = getelementptr inbounds i8, ptr %311, i64 16
-  %313 = load double, ptr %312, align 8
-  %314 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %314, ptr noundef %314, ptr noundef nonnull %74, i64 noundef %310) #8
-  %315 = load double, ptr %4, align 8
-  %316 = load ptr, ptr %92, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %316, ptr noundef %314, ptr noundef nonnull %74, i64 noundef %310) #8
-  %317 = load double, ptr %5, align 8
-  %318 = fcmp uge double %315, 1.000000e-05
-  %319 = fcmp uge double %317, 1.000000e-05
-  %320 = and i1 %318, %319
-  %321 = fmul double %315, 1.000000e-02
-  %322 = fdiv double %321, %317
-  %323 = select i1 %320, double %322, double 0x3EB0C6F7A0B5ED8D
-  %324 = fcmp olt double %313, %323
-  %325 = select i1 %324, double %313, double %323
-  %326 = load ptr, ptr %73, align 8
-  %327 = getelementptr inbounds i8, ptr %326, i64 8
-  %328 = load i64, ptr %327, align 8
-  %329 = icmp sgt i64 %328, 0
-  br i1 %329, label %354, label %330
+315:                                              ; preds = %313
+  %316 = load ptr, ptr %73, align 8
+  %317 = getelementptr inbounds i8, ptr %316, i64 24
+  %318 = load i64, ptr %317, align 8
+  %319 = load ptr, ptr %75, align 8
+  %320 = getelementptr inbounds i8, ptr %319, i64 16
+  %321 = load double, ptr %320, align 8
+  %322 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %322, ptr noundef %322, ptr noundef nonnull %74, i64 noundef %318) #8
+  %323 = load double, ptr %4, align 8
+  %324 = load ptr, ptr %92, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %324, ptr noundef %322, ptr noundef nonnull %74, i64 noundef %318) #8
+  %325 = load double, ptr %5, align 8
+  %326 = fcmp uge double %323, 1.000000e-05
+  %327 = fcmp uge double %325, 1.000000e-05
+  %328 = and i1 %326, %327
+  %329 = fmul double %323, 1.000000e-02
+  %330 = fdiv double %329, %325
+  %331 = select i1 %328, double %330, double 0x3EB0C6F7A0B5ED8D
+  %332 = fcmp olt double %321, %331
+  %333 = select i1 %332, double %321, double %331
+  %334 = load ptr, ptr %73, align 8
+  %335 = getelementptr inbounds i8, ptr %334, i64 8
+  %336 = load i64, ptr %335, align 8
+  %337 = icmp sgt i64 %336, 0
+  br i1 %337, label %368, label %338
 
-330:                                              ; preds = %354, %307
-  %331 = load ptr, ptr %77, align 8
-  %332 = getelementptr inbounds i8, ptr %331, i64 24
-  %333 = load i64, ptr %332, align 8
-  %334 = add nsw i64 %333, 1
-  store i64 %334, ptr %332, align 8
-  %335 = fadd double %203, %325
-  %336 = load ptr, ptr %94, align 8
-  %337 = load ptr, ptr %84, align 8
-  %338 = load i64, ptr %80, align 8
-  %339 = getelementptr inbounds double, ptr %337, i64 %338
-  %340 = load ptr, ptr %88, align 8
-  store double %335, ptr %340, align 8
-  %341 = load i64, ptr %89, align 8
-  %342 = icmp sgt i64 %341, 0
-  br i1 %342, label %343, label %344
+338:                                              ; preds = %368, %315
+  %339 = load ptr, ptr %77, align 8
+  %340 = getelementptr inbounds i8, ptr %339, i64 24
+  %341 = load i64, ptr %340, align 8
+  %342 = add nsw i64 %341, 1
+  store i64 %342, ptr %340, align 8
+  %343 = fadd double %203, %333
+  %344 = load ptr, ptr %94, align 8
+  %345 = load ptr, ptr %84, align 8
+  %346 = load i64, ptr %80, align 8
+  %347 = getelementptr inbounds double, ptr %345, i64 %346
+  %348 = load ptr, ptr %88, align 8
+  store double %343, ptr %348, align 8
+  %349 = load ptr, ptr %73, align 8
+  %350 = getelementptr inbounds i8, ptr %349, i64 40
+  %351 = load i64, ptr %350, align 8
+  %352 = icmp eq i64 %351, 0
+  br i1 %352, label %354, label %353
 
-343:                                              ; preds = %330
+353:                                              ; preds = %338
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %354
+
+354:                                              ; preds = %353, %338
+  %355 = load i64, ptr %89, align 8
+  %356 = icmp sgt i64 %355, 0
+  br i1 %356, label %357, label %358
+
+357:                                              ; preds = %354
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %344
+  br label %358
 
-344:                                              ; preds = %330, %343
-  %345 = load ptr, ptr %73, align 8
-  %346 = load i64, ptr %345, align 8
-  %347 = load ptr, ptr %88, align 8
-  %348 = load ptr, ptr %90, align 8
-  %349 = load ptr, ptr %91, align 8
-  %350 = inttoptr i64 %346 to ptr
-  %351 = load ptr, ptr %350, align 8
-  %352 = tail call i32 %351(ptr noundef %347, ptr noundef %336, ptr noundef %348, ptr noundef %349, ptr noundef %339) #9
-  %353 = icmp eq i32 %352, 0
-  br i1 %353, label %373, label %371
+358:                                              ; preds = %354, %357
+  %359 = load ptr, ptr %73, align 8
+  %360 = load i64, ptr %359, align 8
+  %361 = load ptr, ptr %88, align 8
+  %362 = load ptr, ptr %90, align 8
+  %363 = load ptr, ptr %91, align 8
+  %364 = inttoptr i64 %360 to ptr
+  %365 = load ptr, ptr %364, align 8
+  %366 = tail call i32 %365(ptr noundef %361, ptr noundef %344, ptr noundef %362, ptr noundef %363, ptr noundef %347) #9
+  %367 = icmp eq i32 %366, 0
+  br i1 %367, label %387, label %385
 
-354:                                              ; preds = %307, %354
-  %355 = phi i64 [ %366, %354 ], [ 0, %307 ]
-  %356 = load ptr, ptr %74, align 8
-  %357 = getelementptr inbounds double, ptr %356, i64 %355
-  %358 = load double, ptr %357, align 8
-  %359 = load ptr, ptr %84, align 8
-  %360 = getelementptr inbounds double, ptr %359, i64 %355
-  %361 = load double, ptr %360, align 8
-  %362 = fmul double %325, %361
-  %363 = fadd double %358, %362
-  %364 = load ptr, ptr %93, align 8
-  %365 = getelementptr inbounds double, ptr %364, i64 %355
-  store double %363, ptr %365, align 8
-  %366 = add nuw nsw i64 %355, 1
-  %367 = load ptr, ptr %73, align 8
-  %368 = getelementptr inbounds i8, ptr %367, i64 8
-  %369 = load i64, ptr %368, align 8
-  %370 = icmp slt i64 %366, %369
-  br i1 %370, label %354, label %330, !llvm.loop !11
-
-371:                                              ; preds = %344
-  %372 = fmul double %325, 1.000000e-03
-  br label %449
-
-373:                                              ; preds = %344
-  %374 = load ptr, ptr %79, align 8
+368:                                              ; preds = %315, %368
+  %369 = phi i64 [ %380, %368 ], [ 0, %315 ]
+  %370 = load ptr, ptr %74, align 8
+  %371 = getelementptr inbounds double, ptr %370, i64 %369
+  %372 = load double, ptr %371, align 8
+  %373 = load ptr, ptr %84, align 8
+  %374 = getelementptr inbounds double, ptr %373, i64 %369
   %375 = load double, ptr %374, align 8
-  %376 = load ptr, ptr %92, align 8
-  %377 = load i64, ptr %95, align 8
-  %378 = getelementptr inbounds double, ptr %376, i64 %377
-  %379 = icmp sgt i64 %310, 0
-  br i1 %379, label %380, label %389
+  %376 = fmul double %333, %375
+  %377 = fadd double %372, %376
+  %378 = load ptr, ptr %93, align 8
+  %379 = getelementptr inbounds double, ptr %378, i64 %369
+  store double %377, ptr %379, align 8
+  %380 = add nuw nsw i64 %369, 1
+  %381 = load ptr, ptr %73, align 8
+  %382 = getelementptr inbounds i8, ptr %381, i64 8
+  %383 = load i64, ptr %382, align 8
+  %384 = icmp slt i64 %380, %383
+  br i1 %384, label %368, label %338, !llvm.loop !11
 
-380:                                              ; preds = %373, %380
-  %381 = phi i64 [ %387, %380 ], [ 0, %373 ]
-  %382 = getelementptr inbounds double, ptr %378, i64 %381
-  %383 = load double, ptr %382, align 8
-  %384 = getelementptr inbounds double, ptr %376, i64 %381
-  %385 = load double, ptr %384, align 8
-  %386 = fsub double %383, %385
-  store double %386, ptr %382, align 8
-  %387 = add nuw nsw i64 %381, 1
-  %388 = icmp eq i64 %387, %310
-  br i1 %388, label %389, label %380, !llvm.loop !12
+385:                                              ; preds = %358
+  %386 = fmul double %333, 1.000000e-03
+  br label %463
 
-389:                                              ; preds = %380, %373
-  %390 = load ptr, ptr %74, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %378, ptr noundef %390, ptr noundef nonnull %74, i64 noundef %310) #8
-  %391 = load double, ptr %6, align 8
-  %392 = fdiv double %391, %325
-  %393 = fcmp ogt double %317, %392
-  %394 = select i1 %393, double %317, double %392
-  %395 = fcmp ule double %394, 1.000000e-15
-  %396 = fdiv double 1.000000e-02, %394
-  %397 = select i1 %395, double 1.000000e+13, double %396
-  %398 = bitcast double %397 to i64
-  %399 = add nsw i64 %398, -4604544271217802189
-  %400 = ashr i64 %399, 52
-  %401 = and i64 %399, -4503599627370496
-  %402 = sub nsw i64 %398, %401
-  %403 = bitcast i64 %402 to double
-  %404 = fadd double %403, -1.000000e+00
-  %405 = fadd double %403, 1.000000e+00
-  %406 = fdiv double %404, %405
-  %407 = fmul double %406, %406
-  %408 = tail call double @llvm.fma.f64(double %407, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %409 = tail call double @llvm.fma.f64(double %408, double %407, double 0x3FE2776C50EF9BFE)
-  %410 = tail call double @llvm.fma.f64(double %409, double %407, double 0x3FEEC709DC3A03FD)
-  %411 = tail call double @llvm.fma.f64(double %410, double %407, double 0x40071547652B82FE)
-  %412 = trunc nsw i64 %400 to i32
-  %413 = sitofp i32 %412 to double
-  %414 = fmul double %406, %411
-  %415 = fadd double %414, %413
-  %416 = fmul double %375, %415
-  %417 = fcmp ogt double %416, -1.000000e+03
-  %418 = select i1 %417, double %416, double -1.000000e+03
-  %419 = fcmp olt double %418, 1.000000e+03
-  %420 = select i1 %419, double %418, double 1.000000e+03
-  %421 = tail call double @llvm.rint.f64(double %420)
-  %422 = fsub double %420, %421
-  %423 = tail call double @llvm.fma.f64(double %422, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %424 = tail call double @llvm.fma.f64(double %423, double %422, double 0x3F55D87FE78A6730)
-  %425 = tail call double @llvm.fma.f64(double %424, double %422, double 0x3F83B2AB6FBA4E77)
-  %426 = tail call double @llvm.fma.f64(double %425, double %422, double 0x3FAC6B08D704A0BF)
-  %427 = tail call double @llvm.fma.f64(double %426, double %422, double 0x3FCEBFBDFF82C58E)
-  %428 = tail call double @llvm.fma.f64(double %427, double %422, double 0x3FE62E42FEFA39EF)
-  %429 = tail call double @llvm.fma.f64(double %428, double %422, double 1.000000e+00)
-  %430 = bitcast double %429 to i64
-  %431 = fptosi double %421 to i32
-  %432 = sext i32 %431 to i64
-  %433 = shl nsw i64 %432, 52
-  %434 = add nsw i64 %433, %430
-  %435 = bitcast i64 %434 to double
-  %436 = fmul double %325, 1.000000e-03
-  %437 = fcmp olt double %436, 0x3EB0C6F7A0B5ED8D
-  %438 = select i1 %437, double 0x3EB0C6F7A0B5ED8D, double %436
-  %439 = fmul double %325, 1.000000e+02
-  %440 = select i1 %395, double %438, double %435
-  %441 = fcmp olt double %439, %440
-  %442 = select i1 %441, double %439, double %440
-  %443 = tail call double @llvm.fabs.f64(double %203)
-  %444 = fmul double %443, 0x3D30000000000000
-  %445 = fcmp ogt double %444, %442
-  %446 = select i1 %445, double %444, double %442
-  %447 = fcmp olt double %313, %446
-  %448 = select i1 %447, double %313, double %446
-  br label %449
+387:                                              ; preds = %358
+  %388 = load ptr, ptr %79, align 8
+  %389 = load double, ptr %388, align 8
+  %390 = load ptr, ptr %92, align 8
+  %391 = load i64, ptr %95, align 8
+  %392 = getelementptr inbounds double, ptr %390, i64 %391
+  %393 = icmp sgt i64 %318, 0
+  br i1 %393, label %394, label %403
 
-449:                                              ; preds = %371, %389
-  %450 = phi double [ %372, %371 ], [ %448, %389 ]
-  %451 = tail call i1 @llvm.is.fpclass.f64(double %450, i32 639)
-  br i1 %451, label %452, label %454
+394:                                              ; preds = %387, %394
+  %395 = phi i64 [ %401, %394 ], [ 0, %387 ]
+  %396 = getelementptr inbounds double, ptr %392, i64 %395
+  %397 = load double, ptr %396, align 8
+  %398 = getelementptr inbounds double, ptr %390, i64 %395
+  %399 = load double, ptr %398, align 8
+  %400 = fsub double %397, %399
+  store double %400, ptr %396, align 8
+  %401 = add nuw nsw i64 %395, 1
+  %402 = icmp eq i64 %401, %318
+  br i1 %402, label %403, label %394, !llvm.loop !12
 
-452:                                              ; preds = %449
-  %453 = getelementptr inbounds i8, ptr %173, i64 72
-  store i64 4, ptr %453, align 8
-  br label %454
+403:                                              ; preds = %394, %387
+  %404 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %392, ptr noundef %404, ptr noundef nonnull %74, i64 noundef %318) #8
+  %405 = load double, ptr %6, align 8
+  %406 = fdiv double %405, %333
+  %407 = fcmp ogt double %325, %406
+  %408 = select i1 %407, double %325, double %406
+  %409 = fcmp ule double %408, 1.000000e-15
+  %410 = fdiv double 1.000000e-02, %408
+  %411 = select i1 %409, double 1.000000e+13, double %410
+  %412 = bitcast double %411 to i64
+  %413 = add nsw i64 %412, -4604544271217802189
+  %414 = ashr i64 %413, 52
+  %415 = and i64 %413, -4503599627370496
+  %416 = sub nsw i64 %412, %415
+  %417 = bitcast i64 %416 to double
+  %418 = fadd double %417, -1.000000e+00
+  %419 = fadd double %417, 1.000000e+00
+  %420 = fdiv double %418, %419
+  %421 = fmul double %420, %420
+  %422 = tail call double @llvm.fma.f64(double %421, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %423 = tail call double @llvm.fma.f64(double %422, double %421, double 0x3FE2776C50EF9BFE)
+  %424 = tail call double @llvm.fma.f64(double %423, double %421, double 0x3FEEC709DC3A03FD)
+  %425 = tail call double @llvm.fma.f64(double %424, double %421, double 0x40071547652B82FE)
+  %426 = trunc nsw i64 %414 to i32
+  %427 = sitofp i32 %426 to double
+  %428 = fmul double %420, %425
+  %429 = fadd double %428, %427
+  %430 = fmul double %389, %429
+  %431 = fcmp ogt double %430, -1.000000e+03
+  %432 = select i1 %431, double %430, double -1.000000e+03
+  %433 = fcmp olt double %432, 1.000000e+03
+  %434 = select i1 %433, double %432, double 1.000000e+03
+  %435 = tail call double @llvm.rint.f64(double %434)
+  %436 = fsub double %434, %435
+  %437 = tail call double @llvm.fma.f64(double %436, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %438 = tail call double @llvm.fma.f64(double %437, double %436, double 0x3F55D87FE78A6730)
+  %439 = tail call double @llvm.fma.f64(double %438, double %436, double 0x3F83B2AB6FBA4E77)
+  %440 = tail call double @llvm.fma.f64(double %439, double %436, double 0x3FAC6B08D704A0BF)
+  %441 = tail call double @llvm.fma.f64(double %440, double %436, double 0x3FCEBFBDFF82C58E)
+  %442 = tail call double @llvm.fma.f64(double %441, double %436, double 0x3FE62E42FEFA39EF)
+  %443 = tail call double @llvm.fma.f64(double %442, double %436, double 1.000000e+00)
+  %444 = bitcast double %443 to i64
+  %445 = fptosi double %435 to i32
+  %446 = sext i32 %445 to i64
+  %447 = shl nsw i64 %446, 52
+  %448 = add nsw i64 %447, %444
+  %449 = bitcast i64 %448 to double
+  %450 = fmul double %333, 1.000000e-03
+  %451 = fcmp olt double %450, 0x3EB0C6F7A0B5ED8D
+  %452 = select i1 %451, double 0x3EB0C6F7A0B5ED8D, double %450
+  %453 = fmul double %333, 1.000000e+02
+  %454 = select i1 %409, double %452, double %449
+  %455 = fcmp olt double %453, %454
+  %456 = select i1 %455, double %453, double %454
+  %457 = tail call double @llvm.fabs.f64(double %203)
+  %458 = fmul double %457, 0x3D30000000000000
+  %459 = fcmp ogt double %458, %456
+  %460 = select i1 %459, double %458, double %456
+  %461 = fcmp olt double %321, %460
+  %462 = select i1 %461, double %321, double %460
+  br label %463
 
-454:                                              ; preds = %452, %449, %305, %177
-  %455 = phi double [ %450, %449 ], [ %450, %452 ], [ %205, %305 ], [ %205, %177 ]
-  %456 = load i64, ptr %174, align 8
-  %457 = icmp eq i64 %456, 0
-  br i1 %457, label %486, label %458
+463:                                              ; preds = %385, %403
+  %464 = phi double [ %386, %385 ], [ %462, %403 ]
+  %465 = tail call i1 @llvm.is.fpclass.f64(double %464, i32 639)
+  br i1 %465, label %466, label %468
 
-458:                                              ; preds = %454
-  %459 = getelementptr inbounds i8, ptr %173, i64 8
-  %460 = getelementptr inbounds i8, ptr %173, i64 16
-  %461 = getelementptr inbounds i8, ptr %173, i64 64
-  %462 = getelementptr inbounds i8, ptr %173, i64 48
-  %463 = getelementptr inbounds i8, ptr %171, i64 16
-  %464 = getelementptr inbounds i8, ptr %173, i64 24
-  %465 = icmp sgt i64 %181, 0
-  %466 = select i1 %184, i1 %190, i1 false
-  %467 = getelementptr inbounds i8, ptr %171, i64 32
-  %468 = getelementptr inbounds i8, ptr %173, i64 48
-  %469 = getelementptr inbounds i8, ptr %173, i64 72
-  %470 = getelementptr inbounds i8, ptr %171, i64 24
-  %471 = getelementptr inbounds i8, ptr %171, i64 40
-  %472 = getelementptr inbounds i8, ptr %179, i64 24
-  %473 = getelementptr inbounds i8, ptr %179, i64 8
-  %474 = getelementptr inbounds i8, ptr %179, i64 16
-  %475 = getelementptr inbounds i8, ptr %179, i64 32
-  %476 = getelementptr inbounds i8, ptr %179, i64 40
-  %477 = icmp sgt i64 %181, 0
-  %478 = getelementptr inbounds i8, ptr %173, i64 48
-  %479 = getelementptr inbounds i8, ptr %173, i64 72
-  %480 = getelementptr inbounds i8, ptr %173, i64 72
-  %481 = getelementptr inbounds i8, ptr %171, i64 40
-  %482 = getelementptr inbounds i8, ptr %173, i64 72
-  %483 = getelementptr inbounds i8, ptr %179, i64 24
-  %484 = getelementptr inbounds i8, ptr %179, i64 32
+466:                                              ; preds = %463
+  %467 = getelementptr inbounds i8, ptr %173, i64 72
+  store i64 4, ptr %467, align 8
+  br label %468
+
+468:                                              ; preds = %466, %463, %313, %177
+  %469 = phi double [ %464, %463 ], [ %464, %466 ], [ %205, %313 ], [ %205, %177 ]
+  %470 = load i64, ptr %174, align 8
+  %471 = icmp eq i64 %470, 0
+  br i1 %471, label %500, label %472
+
+472:                                              ; preds = %468
+  %473 = getelementptr inbounds i8, ptr %173, i64 8
+  %474 = getelementptr inbounds i8, ptr %173, i64 16
+  %475 = getelementptr inbounds i8, ptr %173, i64 64
+  %476 = getelementptr inbounds i8, ptr %173, i64 48
+  %477 = getelementptr inbounds i8, ptr %171, i64 16
+  %478 = getelementptr inbounds i8, ptr %173, i64 24
+  %479 = icmp sgt i64 %181, 0
+  %480 = select i1 %184, i1 %190, i1 false
+  %481 = getelementptr inbounds i8, ptr %171, i64 32
+  %482 = getelementptr inbounds i8, ptr %173, i64 48
+  %483 = getelementptr inbounds i8, ptr %173, i64 72
+  %484 = getelementptr inbounds i8, ptr %171, i64 24
   %485 = getelementptr inbounds i8, ptr %171, i64 40
-  br label %488
-
-486:                                              ; preds = %1737, %454
-  %487 = phi double [ %455, %454 ], [ %1733, %1737 ]
-  store double %487, ptr %204, align 8
-  br label %1740
-
-488:                                              ; preds = %458, %1737
-  %489 = phi i64 [ %456, %458 ], [ %1738, %1737 ]
-  %490 = phi i64 [ undef, %458 ], [ %1736, %1737 ]
-  %491 = phi double [ %203, %458 ], [ %1734, %1737 ]
-  %492 = phi double [ %455, %458 ], [ %1733, %1737 ]
-  %493 = load ptr, ptr %96, align 8
-  %494 = getelementptr inbounds i8, ptr %493, i64 8
-  %495 = load i64, ptr %494, align 8
-  %496 = icmp sgt i64 %495, 0
-  br i1 %496, label %497, label %502
-
-497:                                              ; preds = %488
-  %498 = load i64, ptr %493, align 8
-  %499 = add nsw i64 %498, 3
-  %500 = icmp slt i64 %495, %499
-  %501 = zext i1 %500 to i32
+  %486 = getelementptr inbounds i8, ptr %179, i64 24
+  %487 = getelementptr inbounds i8, ptr %179, i64 8
+  %488 = getelementptr inbounds i8, ptr %179, i64 16
+  %489 = getelementptr inbounds i8, ptr %179, i64 32
+  %490 = getelementptr inbounds i8, ptr %179, i64 40
+  %491 = icmp sgt i64 %181, 0
+  %492 = getelementptr inbounds i8, ptr %173, i64 48
+  %493 = getelementptr inbounds i8, ptr %173, i64 72
+  %494 = getelementptr inbounds i8, ptr %173, i64 72
+  %495 = getelementptr inbounds i8, ptr %171, i64 40
+  %496 = getelementptr inbounds i8, ptr %173, i64 72
+  %497 = getelementptr inbounds i8, ptr %179, i64 24
+  %498 = getelementptr inbounds i8, ptr %179, i64 32
+  %499 = getelementptr inbounds i8, ptr %171, i64 40
   br label %502
 
-502:                                              ; preds = %488, %497
-  %503 = phi i32 [ 0, %488 ], [ %501, %497 ]
-  %504 = icmp eq i32 %503, 0
-  br i1 %504, label %506, label %505
+500:                                              ; preds = %1781, %468
+  %501 = phi double [ %469, %468 ], [ %1777, %1781 ]
+  store double %501, ptr %204, align 8
+  br label %1784
 
-505:                                              ; preds = %502
-  store double %492, ptr %204, align 8
-  br label %1740
+502:                                              ; preds = %472, %1781
+  %503 = phi i64 [ %470, %472 ], [ %1782, %1781 ]
+  %504 = phi i64 [ undef, %472 ], [ %1780, %1781 ]
+  %505 = phi double [ %203, %472 ], [ %1778, %1781 ]
+  %506 = phi double [ %469, %472 ], [ %1777, %1781 ]
+  %507 = load ptr, ptr %96, align 8
+  %508 = getelementptr inbounds i8, ptr %507, i64 8
+  %509 = load i64, ptr %508, align 8
+  %510 = icmp sgt i64 %509, 0
+  br i1 %510, label %511, label %516
 
-506:                                              ; preds = %502
-  %507 = add nsw i64 %489, -1
-  store i64 %507, ptr %174, align 8
-  %508 = load i64, ptr %459, align 8
-  %509 = load i64, ptr %460, align 8
-  %510 = add nsw i64 %509, %508
-  %511 = load i64, ptr %461, align 8
-  %512 = icmp slt i64 %510, %511
-  br i1 %512, label %514, label %513
+511:                                              ; preds = %502
+  %512 = load i64, ptr %507, align 8
+  %513 = add nsw i64 %512, 3
+  %514 = icmp slt i64 %509, %513
+  %515 = zext i1 %514 to i32
+  br label %516
 
-513:                                              ; preds = %506
-  store double %492, ptr %204, align 8
-  br label %1740
+516:                                              ; preds = %502, %511
+  %517 = phi i32 [ 0, %502 ], [ %515, %511 ]
+  %518 = icmp eq i32 %517, 0
+  br i1 %518, label %520, label %519
 
-514:                                              ; preds = %506
-  %515 = load ptr, ptr %97, align 8
-  %516 = load i64, ptr %98, align 8
-  %517 = icmp eq i64 %516, 0
-  br i1 %517, label %550, label %518
+519:                                              ; preds = %516
+  store double %506, ptr %204, align 8
+  br label %1784
 
-518:                                              ; preds = %514
-  %519 = icmp sgt i64 %516, 0
-  br i1 %519, label %520, label %533
+520:                                              ; preds = %516
+  %521 = add nsw i64 %503, -1
+  store i64 %521, ptr %174, align 8
+  %522 = load i64, ptr %473, align 8
+  %523 = load i64, ptr %474, align 8
+  %524 = add nsw i64 %523, %522
+  %525 = load i64, ptr %475, align 8
+  %526 = icmp slt i64 %524, %525
+  br i1 %526, label %528, label %527
 
-520:                                              ; preds = %518, %520
-  %521 = phi i64 [ %531, %520 ], [ %516, %518 ]
-  %522 = phi i64 [ %530, %520 ], [ 0, %518 ]
-  %523 = add nuw nsw i64 %521, %522
-  %524 = lshr i64 %523, 1
-  %525 = and i64 %523, -2
-  %526 = getelementptr inbounds double, ptr %515, i64 %525
-  %527 = load double, ptr %526, align 8
-  %528 = fcmp ogt double %527, %491
-  %529 = add nuw nsw i64 %524, 1
-  %530 = select i1 %528, i64 %522, i64 %529
-  %531 = select i1 %528, i64 %524, i64 %521
-  %532 = icmp slt i64 %530, %531
-  br i1 %532, label %520, label %533, !llvm.loop !8
+527:                                              ; preds = %520
+  store double %506, ptr %204, align 8
+  br label %1784
 
-533:                                              ; preds = %520, %518
-  %534 = phi i64 [ 0, %518 ], [ %530, %520 ]
-  %535 = icmp slt i64 %534, %516
-  br i1 %535, label %536, label %541
+528:                                              ; preds = %520
+  %529 = load i64, ptr %97, align 8
+  %530 = icmp eq i64 %529, 0
+  br i1 %530, label %564, label %531
 
-536:                                              ; preds = %533
-  %537 = shl nuw nsw i64 %534, 1
-  %538 = or disjoint i64 %537, 1
-  %539 = getelementptr inbounds double, ptr %515, i64 %538
-  %540 = load double, ptr %539, align 8
-  br label %541
+531:                                              ; preds = %528
+  %532 = icmp sgt i64 %529, 0
+  br i1 %532, label %533, label %548
 
-541:                                              ; preds = %536, %533
-  %542 = phi double [ %540, %536 ], [ 0x7FF0000000000000, %533 ]
-  %543 = load ptr, ptr %99, align 8
-  store double %542, ptr %543, align 8
-  %544 = load i64, ptr %98, align 8
-  %545 = icmp slt i64 %534, %544
-  br i1 %545, label %546, label %550
+533:                                              ; preds = %531
+  %534 = load ptr, ptr %98, align 8
+  br label %535
 
-546:                                              ; preds = %541
-  %547 = shl nsw i64 %534, 4
-  %548 = getelementptr inbounds i8, ptr %515, i64 %547
-  %549 = load double, ptr %548, align 8
-  br label %550
+535:                                              ; preds = %533, %535
+  %536 = phi i64 [ 0, %533 ], [ %546, %535 ]
+  %537 = phi i64 [ %529, %533 ], [ %545, %535 ]
+  %538 = add nuw nsw i64 %536, %537
+  %539 = lshr i64 %538, 1
+  %540 = mul i64 %539, 24
+  %541 = getelementptr inbounds i8, ptr %534, i64 %540
+  %542 = load double, ptr %541, align 8
+  %543 = fcmp ogt double %542, %505
+  %544 = add nuw nsw i64 %539, 1
+  %545 = select i1 %543, i64 %539, i64 %537
+  %546 = select i1 %543, i64 %536, i64 %544
+  %547 = icmp slt i64 %546, %545
+  br i1 %547, label %535, label %548, !llvm.loop !8
 
-550:                                              ; preds = %514, %541, %546
-  %551 = phi double [ 0x7FF0000000000000, %514 ], [ %549, %546 ], [ 0x7FF0000000000000, %541 ]
-  br i1 %187, label %552, label %556
+548:                                              ; preds = %535, %531
+  %549 = phi i64 [ 0, %531 ], [ %546, %535 ]
+  %550 = load ptr, ptr %98, align 8
+  %551 = mul i64 %549, 24
+  %552 = getelementptr inbounds i8, ptr %550, i64 %551
+  %553 = icmp slt i64 %549, %529
+  br i1 %553, label %554, label %557
 
-552:                                              ; preds = %550
-  %553 = load i64, ptr %462, align 8
-  %554 = getelementptr inbounds double, ptr %178, i64 %553
-  %555 = load double, ptr %554, align 8
-  br label %556
+554:                                              ; preds = %548
+  %555 = getelementptr inbounds i8, ptr %552, i64 8
+  %556 = load double, ptr %555, align 8
+  br label %557
 
-556:                                              ; preds = %552, %550
-  %557 = phi double [ %555, %552 ], [ %198, %550 ]
-  %558 = fcmp olt double %557, %551
-  %559 = select i1 %558, double %557, double %551
-  br i1 %187, label %564, label %560
+557:                                              ; preds = %554, %548
+  %558 = phi double [ %556, %554 ], [ 0x7FF0000000000000, %548 ]
+  %559 = load ptr, ptr %99, align 8
+  store double %558, ptr %559, align 8
+  %560 = load i64, ptr %97, align 8
+  %561 = icmp slt i64 %549, %560
+  br i1 %561, label %562, label %564
 
-560:                                              ; preds = %556
-  %561 = load double, ptr %463, align 8
-  %562 = fcmp olt double %492, %561
-  %563 = select i1 %562, double %492, double %561
+562:                                              ; preds = %557
+  %563 = load double, ptr %552, align 8
+  br label %564
+
+564:                                              ; preds = %528, %557, %562
+  %565 = phi double [ 0x7FF0000000000000, %528 ], [ %563, %562 ], [ 0x7FF0000000000000, %557 ]
+  br i1 %187, label %566, label %570
+
+566:                                              ; preds = %564
+  %567 = load i64, ptr %476, align 8
+  %568 = getelementptr inbounds double, ptr %178, i64 %567
+  %569 = load double, ptr %568, align 8
   br label %570
 
-564:                                              ; preds = %556
-  %565 = fsub double %559, %491
-  %566 = fdiv double %565, %492
-  %567 = fmul double %566, 0x3FEFFFFFFFFFDCD1
-  %568 = tail call double @llvm.ceil.f64(double %567)
-  %569 = fdiv double %565, %568
-  br label %570
+570:                                              ; preds = %566, %564
+  %571 = phi double [ %569, %566 ], [ %198, %564 ]
+  %572 = fcmp olt double %571, %565
+  %573 = select i1 %572, double %571, double %565
+  br i1 %187, label %578, label %574
 
-570:                                              ; preds = %564, %560
-  %571 = phi double [ %563, %560 ], [ %569, %564 ]
-  %572 = fadd double %491, %571
-  %573 = fmul double %571, 1.000000e-03
-  %574 = fsub double %559, %573
-  %575 = fcmp ule double %572, %574
-  %576 = select i1 %575, double %572, double %559
-  %577 = fsub double %576, %491
-  %578 = fmul double %577, 6.250000e-02
-  %579 = fadd double %491, %578
-  %580 = fcmp ule double %579, %491
-  %581 = fcmp une double %576, %559
-  %582 = and i1 %581, %580
-  br i1 %582, label %583, label %584
+574:                                              ; preds = %570
+  %575 = load double, ptr %477, align 8
+  %576 = fcmp olt double %506, %575
+  %577 = select i1 %576, double %506, double %575
+  br label %584
 
-583:                                              ; preds = %570
-  store double %577, ptr %204, align 8
-  br label %1732
+578:                                              ; preds = %570
+  %579 = fsub double %573, %505
+  %580 = fdiv double %579, %506
+  %581 = fmul double %580, 0x3FEFFFFFFFFFDCD1
+  %582 = tail call double @llvm.ceil.f64(double %581)
+  %583 = fdiv double %579, %582
+  br label %584
 
-584:                                              ; preds = %570
-  %585 = load ptr, ptr %0, align 8
-  %586 = load i64, ptr %585, align 8
-  %587 = load ptr, ptr %100, align 8
-  %588 = insertelement <8 x double> poison, double %577, i64 0
-  %589 = shufflevector <8 x double> %588, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %589, ptr %587, align 8
-  %590 = icmp sgt i64 %586, 1
-  br i1 %590, label %595, label %680
+584:                                              ; preds = %578, %574
+  %585 = phi double [ %577, %574 ], [ %583, %578 ]
+  %586 = fadd double %505, %585
+  %587 = fmul double %585, 1.000000e-03
+  %588 = fsub double %573, %587
+  %589 = fcmp ule double %586, %588
+  %590 = select i1 %589, double %586, double %573
+  %591 = fsub double %590, %505
+  %592 = fmul double %591, 6.250000e-02
+  %593 = fadd double %505, %592
+  %594 = fcmp ule double %593, %505
+  %595 = fcmp une double %590, %573
+  %596 = and i1 %595, %594
+  br i1 %596, label %597, label %598
 
-591:                                              ; preds = %668
-  %592 = add nuw nsw i64 %598, 1
-  %593 = icmp slt i64 %592, %586
-  %594 = icmp eq i64 %592, %586
-  br i1 %594, label %680, label %595, !llvm.loop !13
+597:                                              ; preds = %584
+  store double %591, ptr %204, align 8
+  br label %1776
 
-595:                                              ; preds = %584, %591
-  %596 = phi i1 [ %593, %591 ], [ %590, %584 ]
-  %597 = phi i64 [ %679, %591 ], [ undef, %584 ]
-  %598 = phi i64 [ %592, %591 ], [ 1, %584 ]
-  %599 = load ptr, ptr %101, align 8
-  %600 = load ptr, ptr %74, align 8
-  %601 = load ptr, ptr %73, align 8
-  %602 = getelementptr inbounds i8, ptr %601, i64 16
-  %603 = load i64, ptr %602, align 8
-  %604 = icmp sgt i64 %603, 1
-  %605 = zext i1 %604 to i64
-  %606 = load ptr, ptr %102, align 8
-  %607 = getelementptr inbounds i64, ptr %606, i64 %598
-  %608 = load i64, ptr %607, align 8
-  %609 = getelementptr i8, ptr %607, i64 8
-  %610 = load i64, ptr %609, align 8
-  %611 = xor i64 %608, -1
-  %612 = add i64 %610, %611
-  %613 = load ptr, ptr %100, align 8
-  %614 = load ptr, ptr %103, align 8
-  %615 = load ptr, ptr %104, align 8
-  %616 = getelementptr inbounds i64, ptr %615, i64 %608
-  %617 = load ptr, ptr %105, align 8
-  %618 = getelementptr inbounds double, ptr %617, i64 %608
-  tail call fastcc void @combine(ptr noundef %599, ptr noundef %600, ptr noundef %613, ptr noundef %614, ptr noundef %616, ptr noundef %618, i64 noundef %612, i64 noundef %605, i64 noundef %603) #8
-  %619 = icmp eq i64 %603, 1
-  br i1 %619, label %620, label %651
+598:                                              ; preds = %584
+  %599 = load ptr, ptr %0, align 8
+  %600 = load i64, ptr %599, align 8
+  %601 = load ptr, ptr %100, align 8
+  %602 = insertelement <8 x double> poison, double %591, i64 0
+  %603 = shufflevector <8 x double> %602, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %603, ptr %601, align 8
+  %604 = icmp sgt i64 %600, 1
+  br i1 %604, label %609, label %700
 
-620:                                              ; preds = %595
-  %621 = load ptr, ptr %102, align 8
-  %622 = getelementptr i64, ptr %621, i64 %598
-  %623 = getelementptr i8, ptr %622, i64 8
+605:                                              ; preds = %688
+  %606 = add nuw nsw i64 %612, 1
+  %607 = icmp slt i64 %606, %600
+  %608 = icmp eq i64 %606, %600
+  br i1 %608, label %700, label %609, !llvm.loop !13
+
+609:                                              ; preds = %598, %605
+  %610 = phi i1 [ %607, %605 ], [ %604, %598 ]
+  %611 = phi i64 [ %699, %605 ], [ undef, %598 ]
+  %612 = phi i64 [ %606, %605 ], [ 1, %598 ]
+  %613 = load ptr, ptr %101, align 8
+  %614 = load ptr, ptr %74, align 8
+  %615 = load ptr, ptr %73, align 8
+  %616 = getelementptr inbounds i8, ptr %615, i64 16
+  %617 = load i64, ptr %616, align 8
+  %618 = icmp sgt i64 %617, 1
+  %619 = zext i1 %618 to i64
+  %620 = load ptr, ptr %102, align 8
+  %621 = getelementptr inbounds i64, ptr %620, i64 %612
+  %622 = load i64, ptr %621, align 8
+  %623 = getelementptr i8, ptr %621, i64 8
   %624 = load i64, ptr %623, align 8
-  %625 = add nsw i64 %624, -1
-  %626 = load ptr, ptr %105, align 8
-  %627 = getelementptr inbounds double, ptr %626, i64 %625
-  %628 = load double, ptr %627, align 8
-  %629 = fmul double %577, %628
-  %630 = load ptr, ptr %103, align 8
-  %631 = load ptr, ptr %104, align 8
-  %632 = getelementptr inbounds i64, ptr %631, i64 %625
-  %633 = load i64, ptr %632, align 8
-  %634 = getelementptr inbounds double, ptr %630, i64 %633
-  %635 = load ptr, ptr %73, align 8
-  %636 = getelementptr inbounds i8, ptr %635, i64 8
-  %637 = load i64, ptr %636, align 8
-  %638 = icmp sgt i64 %637, 0
-  br i1 %638, label %639, label %651
+  %625 = xor i64 %622, -1
+  %626 = add i64 %624, %625
+  %627 = load ptr, ptr %100, align 8
+  %628 = load ptr, ptr %103, align 8
+  %629 = load ptr, ptr %104, align 8
+  %630 = getelementptr inbounds i64, ptr %629, i64 %622
+  %631 = load ptr, ptr %105, align 8
+  %632 = getelementptr inbounds double, ptr %631, i64 %622
+  tail call fastcc void @combine(ptr noundef %613, ptr noundef %614, ptr noundef %627, ptr noundef %628, ptr noundef %630, ptr noundef %632, i64 noundef %626, i64 noundef %619, i64 noundef %617) #8
+  %633 = icmp eq i64 %617, 1
+  br i1 %633, label %634, label %665
 
-639:                                              ; preds = %620, %639
-  %640 = phi i64 [ %646, %639 ], [ 0, %620 ]
-  %641 = getelementptr inbounds double, ptr %634, i64 %640
+634:                                              ; preds = %609
+  %635 = load ptr, ptr %102, align 8
+  %636 = getelementptr i64, ptr %635, i64 %612
+  %637 = getelementptr i8, ptr %636, i64 8
+  %638 = load i64, ptr %637, align 8
+  %639 = add nsw i64 %638, -1
+  %640 = load ptr, ptr %105, align 8
+  %641 = getelementptr inbounds double, ptr %640, i64 %639
   %642 = load double, ptr %641, align 8
-  %643 = getelementptr inbounds double, ptr %599, i64 %640
-  %644 = load double, ptr %643, align 8
-  %645 = tail call double @llvm.fma.f64(double %629, double %642, double %644)
-  store double %645, ptr %643, align 8
-  %646 = add nuw nsw i64 %640, 1
-  %647 = load ptr, ptr %73, align 8
-  %648 = getelementptr inbounds i8, ptr %647, i64 8
-  %649 = load i64, ptr %648, align 8
-  %650 = icmp slt i64 %646, %649
-  br i1 %650, label %639, label %651, !llvm.loop !14
+  %643 = fmul double %591, %642
+  %644 = load ptr, ptr %103, align 8
+  %645 = load ptr, ptr %104, align 8
+  %646 = getelementptr inbounds i64, ptr %645, i64 %639
+  %647 = load i64, ptr %646, align 8
+  %648 = getelementptr inbounds double, ptr %644, i64 %647
+  %649 = load ptr, ptr %73, align 8
+  %650 = getelementptr inbounds i8, ptr %649, i64 8
+  %651 = load i64, ptr %650, align 8
+  %652 = icmp sgt i64 %651, 0
+  br i1 %652, label %653, label %665
 
-651:                                              ; preds = %639, %620, %595
-  %652 = load ptr, ptr %103, align 8
-  %653 = load i64, ptr %106, align 8
-  %654 = mul nsw i64 %653, %598
-  %655 = getelementptr inbounds double, ptr %652, i64 %654
-  %656 = load i64, ptr %464, align 8
-  %657 = add nsw i64 %656, 1
-  store i64 %657, ptr %464, align 8
-  %658 = load ptr, ptr %107, align 8
-  %659 = getelementptr inbounds double, ptr %658, i64 %598
-  %660 = load double, ptr %659, align 8
-  %661 = fmul double %577, %660
-  %662 = fadd double %491, %661
-  %663 = load ptr, ptr %101, align 8
-  %664 = load ptr, ptr %108, align 8
-  store double %662, ptr %664, align 8
-  %665 = load i64, ptr %109, align 8
-  %666 = icmp sgt i64 %665, 0
-  br i1 %666, label %667, label %668
+653:                                              ; preds = %634, %653
+  %654 = phi i64 [ %660, %653 ], [ 0, %634 ]
+  %655 = getelementptr inbounds double, ptr %648, i64 %654
+  %656 = load double, ptr %655, align 8
+  %657 = getelementptr inbounds double, ptr %613, i64 %654
+  %658 = load double, ptr %657, align 8
+  %659 = tail call double @llvm.fma.f64(double %643, double %656, double %658)
+  store double %659, ptr %657, align 8
+  %660 = add nuw nsw i64 %654, 1
+  %661 = load ptr, ptr %73, align 8
+  %662 = getelementptr inbounds i8, ptr %661, i64 8
+  %663 = load i64, ptr %662, align 8
+  %664 = icmp slt i64 %660, %663
+  br i1 %664, label %653, label %665, !llvm.loop !14
 
-667:                                              ; preds = %651
+665:                                              ; preds = %653, %634, %609
+  %666 = load ptr, ptr %103, align 8
+  %667 = load i64, ptr %106, align 8
+  %668 = mul nsw i64 %667, %612
+  %669 = getelementptr inbounds double, ptr %666, i64 %668
+  %670 = load i64, ptr %478, align 8
+  %671 = add nsw i64 %670, 1
+  store i64 %671, ptr %478, align 8
+  %672 = load ptr, ptr %107, align 8
+  %673 = getelementptr inbounds double, ptr %672, i64 %612
+  %674 = load double, ptr %673, align 8
+  %675 = fmul double %591, %674
+  %676 = fadd double %505, %675
+  %677 = load ptr, ptr %101, align 8
+  %678 = load ptr, ptr %108, align 8
+  store double %676, ptr %678, align 8
+  %679 = load ptr, ptr %73, align 8
+  %680 = getelementptr inbounds i8, ptr %679, i64 40
+  %681 = load i64, ptr %680, align 8
+  %682 = icmp eq i64 %681, 0
+  br i1 %682, label %684, label %683
+
+683:                                              ; preds = %665
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %684
+
+684:                                              ; preds = %683, %665
+  %685 = load i64, ptr %109, align 8
+  %686 = icmp sgt i64 %685, 0
+  br i1 %686, label %687, label %688
+
+687:                                              ; preds = %684
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %668
+  br label %688
 
-668:                                              ; preds = %651, %667
-  %669 = load ptr, ptr %73, align 8
-  %670 = load i64, ptr %669, align 8
-  %671 = load ptr, ptr %108, align 8
-  %672 = load ptr, ptr %110, align 8
-  %673 = load ptr, ptr %111, align 8
-  %674 = inttoptr i64 %670 to ptr
-  %675 = load ptr, ptr %674, align 8
-  %676 = tail call i32 %675(ptr noundef %671, ptr noundef %663, ptr noundef %672, ptr noundef %673, ptr noundef %655) #9
-  %677 = sext i32 %676 to i64
-  %678 = icmp eq i32 %676, 0
-  %679 = select i1 %678, i64 %597, i64 %677
-  br i1 %678, label %591, label %680
+688:                                              ; preds = %684, %687
+  %689 = load ptr, ptr %73, align 8
+  %690 = load i64, ptr %689, align 8
+  %691 = load ptr, ptr %108, align 8
+  %692 = load ptr, ptr %110, align 8
+  %693 = load ptr, ptr %111, align 8
+  %694 = inttoptr i64 %690 to ptr
+  %695 = load ptr, ptr %694, align 8
+  %696 = tail call i32 %695(ptr noundef %691, ptr noundef %677, ptr noundef %692, ptr noundef %693, ptr noundef %669) #9
+  %697 = sext i32 %696 to i64
+  %698 = icmp eq i32 %696, 0
+  %699 = select i1 %698, i64 %611, i64 %697
+  br i1 %698, label %605, label %700
 
-680:                                              ; preds = %591, %668, %584
-  %681 = phi i1 [ %590, %584 ], [ %593, %591 ], [ %596, %668 ]
-  %682 = phi i64 [ 0, %584 ], [ %677, %668 ], [ %677, %591 ]
-  %683 = phi i64 [ undef, %584 ], [ %679, %668 ], [ %679, %591 ]
-  br i1 %681, label %737, label %684
+700:                                              ; preds = %605, %688, %598
+  %701 = phi i1 [ %604, %598 ], [ %607, %605 ], [ %610, %688 ]
+  %702 = phi i64 [ 0, %598 ], [ %697, %688 ], [ %697, %605 ]
+  %703 = phi i64 [ undef, %598 ], [ %699, %688 ], [ %699, %605 ]
+  br i1 %701, label %757, label %704
 
-684:                                              ; preds = %680
-  %685 = load ptr, ptr %112, align 8
-  %686 = load ptr, ptr %74, align 8
-  %687 = load ptr, ptr %73, align 8
-  %688 = getelementptr inbounds i8, ptr %687, i64 16
-  %689 = load i64, ptr %688, align 8
-  %690 = icmp sgt i64 %689, 1
-  %691 = zext i1 %690 to i64
-  %692 = load ptr, ptr %113, align 8
-  %693 = getelementptr inbounds i64, ptr %692, i64 %586
-  %694 = load i64, ptr %693, align 8
-  %695 = getelementptr i8, ptr %693, i64 8
-  %696 = load i64, ptr %695, align 8
-  %697 = xor i64 %694, -1
-  %698 = add i64 %696, %697
-  %699 = load ptr, ptr %100, align 8
-  %700 = load ptr, ptr %114, align 8
-  %701 = load ptr, ptr %115, align 8
-  %702 = getelementptr inbounds i64, ptr %701, i64 %694
-  %703 = load ptr, ptr %116, align 8
-  %704 = getelementptr inbounds double, ptr %703, i64 %694
-  tail call fastcc void @combine(ptr noundef %685, ptr noundef %686, ptr noundef %699, ptr noundef %700, ptr noundef %702, ptr noundef %704, i64 noundef %698, i64 noundef %691, i64 noundef %689) #8
-  %705 = icmp eq i64 %689, 1
-  br i1 %705, label %706, label %737
+704:                                              ; preds = %700
+  %705 = load ptr, ptr %112, align 8
+  %706 = load ptr, ptr %74, align 8
+  %707 = load ptr, ptr %73, align 8
+  %708 = getelementptr inbounds i8, ptr %707, i64 16
+  %709 = load i64, ptr %708, align 8
+  %710 = icmp sgt i64 %709, 1
+  %711 = zext i1 %710 to i64
+  %712 = load ptr, ptr %113, align 8
+  %713 = getelementptr inbounds i64, ptr %712, i64 %600
+  %714 = load i64, ptr %713, align 8
+  %715 = getelementptr i8, ptr %713, i64 8
+  %716 = load i64, ptr %715, align 8
+  %717 = xor i64 %714, -1
+  %718 = add i64 %716, %717
+  %719 = load ptr, ptr %100, align 8
+  %720 = load ptr, ptr %114, align 8
+  %721 = load ptr, ptr %115, align 8
+  %722 = getelementptr inbounds i64, ptr %721, i64 %714
+  %723 = load ptr, ptr %116, align 8
+  %724 = getelementptr inbounds double, ptr %723, i64 %714
+  tail call fastcc void @combine(ptr noundef %705, ptr noundef %706, ptr noundef %719, ptr noundef %720, ptr noundef %722, ptr noundef %724, i64 noundef %718, i64 noundef %711, i64 noundef %709) #8
+  %725 = icmp eq i64 %709, 1
+  br i1 %725, label %726, label %757
 
-706:                                              ; preds = %684
-  %707 = load ptr, ptr %113, align 8
-  %708 = getelementptr i64, ptr %707, i64 %586
-  %709 = getelementptr i8, ptr %708, i64 8
-  %710 = load i64, ptr %709, align 8
-  %711 = add nsw i64 %710, -1
-  %712 = load ptr, ptr %116, align 8
-  %713 = getelementptr inbounds double, ptr %712, i64 %711
-  %714 = load double, ptr %713, align 8
-  %715 = fmul double %577, %714
-  %716 = load ptr, ptr %114, align 8
-  %717 = load ptr, ptr %115, align 8
-  %718 = getelementptr inbounds i64, ptr %717, i64 %711
-  %719 = load i64, ptr %718, align 8
-  %720 = getelementptr inbounds double, ptr %716, i64 %719
-  %721 = load ptr, ptr %73, align 8
-  %722 = getelementptr inbounds i8, ptr %721, i64 8
-  %723 = load i64, ptr %722, align 8
-  %724 = icmp sgt i64 %723, 0
-  br i1 %724, label %725, label %737
+726:                                              ; preds = %704
+  %727 = load ptr, ptr %113, align 8
+  %728 = getelementptr i64, ptr %727, i64 %600
+  %729 = getelementptr i8, ptr %728, i64 8
+  %730 = load i64, ptr %729, align 8
+  %731 = add nsw i64 %730, -1
+  %732 = load ptr, ptr %116, align 8
+  %733 = getelementptr inbounds double, ptr %732, i64 %731
+  %734 = load double, ptr %733, align 8
+  %735 = fmul double %591, %734
+  %736 = load ptr, ptr %114, align 8
+  %737 = load ptr, ptr %115, align 8
+  %738 = getelementptr inbounds i64, ptr %737, i64 %731
+  %739 = load i64, ptr %738, align 8
+  %740 = getelementptr inbounds double, ptr %736, i64 %739
+  %741 = load ptr, ptr %73, align 8
+  %742 = getelementptr inbounds i8, ptr %741, i64 8
+  %743 = load i64, ptr %742, align 8
+  %744 = icmp sgt i64 %743, 0
+  br i1 %744, label %745, label %757
 
-725:                                              ; preds = %706, %725
-  %726 = phi i64 [ %732, %725 ], [ 0, %706 ]
-  %727 = getelementptr inbounds double, ptr %720, i64 %726
-  %728 = load double, ptr %727, align 8
-  %729 = getelementptr inbounds double, ptr %685, i64 %726
-  %730 = load double, ptr %729, align 8
-  %731 = tail call double @llvm.fma.f64(double %715, double %728, double %730)
-  store double %731, ptr %729, align 8
-  %732 = add nuw nsw i64 %726, 1
-  %733 = load ptr, ptr %73, align 8
-  %734 = getelementptr inbounds i8, ptr %733, i64 8
-  %735 = load i64, ptr %734, align 8
-  %736 = icmp slt i64 %732, %735
-  br i1 %736, label %725, label %737, !llvm.loop !14
+745:                                              ; preds = %726, %745
+  %746 = phi i64 [ %752, %745 ], [ 0, %726 ]
+  %747 = getelementptr inbounds double, ptr %740, i64 %746
+  %748 = load double, ptr %747, align 8
+  %749 = getelementptr inbounds double, ptr %705, i64 %746
+  %750 = load double, ptr %749, align 8
+  %751 = tail call double @llvm.fma.f64(double %735, double %748, double %750)
+  store double %751, ptr %749, align 8
+  %752 = add nuw nsw i64 %746, 1
+  %753 = load ptr, ptr %73, align 8
+  %754 = getelementptr inbounds i8, ptr %753, i64 8
+  %755 = load i64, ptr %754, align 8
+  %756 = icmp slt i64 %752, %755
+  br i1 %756, label %745, label %757, !llvm.loop !14
 
-737:                                              ; preds = %725, %706, %684, %680
-  %738 = phi i64 [ %683, %680 ], [ %682, %684 ], [ %682, %706 ], [ %682, %725 ]
-  %739 = icmp eq i64 %738, 0
-  %740 = select i1 %739, i1 %190, i1 false
-  br i1 %740, label %741, label %758
+757:                                              ; preds = %745, %726, %704, %700
+  %758 = phi i64 [ %703, %700 ], [ %702, %704 ], [ %702, %726 ], [ %702, %745 ]
+  %759 = icmp eq i64 %758, 0
+  %760 = select i1 %759, i1 %190, i1 false
+  br i1 %760, label %761, label %784
 
-741:                                              ; preds = %737
-  %742 = load i64, ptr %464, align 8
-  %743 = add nsw i64 %742, 1
-  store i64 %743, ptr %464, align 8
-  %744 = load ptr, ptr %117, align 8
-  store double %576, ptr %744, align 8
-  %745 = load i64, ptr %118, align 8
-  %746 = icmp sgt i64 %745, 0
-  br i1 %746, label %747, label %748
+761:                                              ; preds = %757
+  %762 = load i64, ptr %478, align 8
+  %763 = add nsw i64 %762, 1
+  store i64 %763, ptr %478, align 8
+  %764 = load ptr, ptr %117, align 8
+  store double %590, ptr %764, align 8
+  %765 = load ptr, ptr %73, align 8
+  %766 = getelementptr inbounds i8, ptr %765, i64 40
+  %767 = load i64, ptr %766, align 8
+  %768 = icmp eq i64 %767, 0
+  br i1 %768, label %770, label %769
 
-747:                                              ; preds = %741
+769:                                              ; preds = %761
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %770
+
+770:                                              ; preds = %769, %761
+  %771 = load i64, ptr %118, align 8
+  %772 = icmp sgt i64 %771, 0
+  br i1 %772, label %773, label %774
+
+773:                                              ; preds = %770
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %748
+  br label %774
 
-748:                                              ; preds = %741, %747
-  %749 = load ptr, ptr %73, align 8
-  %750 = load i64, ptr %749, align 8
-  %751 = load ptr, ptr %117, align 8
-  %752 = load ptr, ptr %119, align 8
-  %753 = load ptr, ptr %120, align 8
-  %754 = inttoptr i64 %750 to ptr
-  %755 = load ptr, ptr %754, align 8
-  %756 = tail call i32 %755(ptr noundef %751, ptr noundef %172, ptr noundef %752, ptr noundef %753, ptr noundef %202) #9
-  %757 = sext i32 %756 to i64
-  br label %758
+774:                                              ; preds = %770, %773
+  %775 = load ptr, ptr %73, align 8
+  %776 = load i64, ptr %775, align 8
+  %777 = load ptr, ptr %117, align 8
+  %778 = load ptr, ptr %119, align 8
+  %779 = load ptr, ptr %120, align 8
+  %780 = inttoptr i64 %776 to ptr
+  %781 = load ptr, ptr %780, align 8
+  %782 = tail call i32 %781(ptr noundef %777, ptr noundef %172, ptr noundef %778, ptr noundef %779, ptr noundef %202) #9
+  %783 = sext i32 %782 to i64
+  br label %784
 
-758:                                              ; preds = %748, %737
-  %759 = phi i64 [ %757, %748 ], [ %738, %737 ]
-  %760 = icmp slt i64 %759, 0
-  br i1 %760, label %1732, label %761
+784:                                              ; preds = %774, %757
+  %785 = phi i64 [ %783, %774 ], [ %758, %757 ]
+  %786 = icmp slt i64 %785, 0
+  br i1 %786, label %1776, label %787
 
-761:                                              ; preds = %758
-  %762 = icmp eq i64 %759, 0
-  br i1 %762, label %763, label %959
+787:                                              ; preds = %784
+  %788 = icmp eq i64 %785, 0
+  br i1 %788, label %789, label %991
 
-763:                                              ; preds = %761
-  br i1 %187, label %764, label %765
+789:                                              ; preds = %787
+  br i1 %187, label %790, label %791
 
-764:                                              ; preds = %763
-  br i1 %465, label %914, label %923
+790:                                              ; preds = %789
+  br i1 %479, label %940, label %949
 
-765:                                              ; preds = %763
-  %766 = load ptr, ptr %73, align 8
-  %767 = load ptr, ptr %0, align 8
-  %768 = getelementptr inbounds i8, ptr %766, i64 24
-  %769 = load i64, ptr %768, align 8
-  %770 = getelementptr inbounds i8, ptr %767, i64 8
-  %771 = load i64, ptr %770, align 8
-  %772 = load ptr, ptr %121, align 8
-  %773 = load i64, ptr %122, align 8
-  %774 = getelementptr inbounds double, ptr %772, i64 %773
-  %775 = icmp sgt i64 %771, 0
-  br i1 %775, label %776, label %778
+791:                                              ; preds = %789
+  %792 = load ptr, ptr %73, align 8
+  %793 = load ptr, ptr %0, align 8
+  %794 = getelementptr inbounds i8, ptr %792, i64 24
+  %795 = load i64, ptr %794, align 8
+  %796 = getelementptr inbounds i8, ptr %793, i64 8
+  %797 = load i64, ptr %796, align 8
+  %798 = load ptr, ptr %121, align 8
+  %799 = load i64, ptr %122, align 8
+  %800 = getelementptr inbounds double, ptr %798, i64 %799
+  %801 = icmp sgt i64 %797, 0
+  br i1 %801, label %802, label %804
 
-776:                                              ; preds = %765
-  %777 = getelementptr inbounds i8, ptr %766, i64 32
-  br label %786
+802:                                              ; preds = %791
+  %803 = getelementptr inbounds i8, ptr %792, i64 32
+  br label %812
 
-778:                                              ; preds = %786, %765
-  %779 = icmp sgt i64 %769, 0
-  br i1 %779, label %780, label %812
+804:                                              ; preds = %812, %791
+  %805 = icmp sgt i64 %795, 0
+  br i1 %805, label %806, label %838
 
-780:                                              ; preds = %778
-  %781 = load ptr, ptr %74, align 8
-  %782 = load ptr, ptr %128, align 8
-  %783 = load ptr, ptr %129, align 8
-  %784 = load ptr, ptr %130, align 8
-  %785 = load ptr, ptr %121, align 8
-  br label %870
+806:                                              ; preds = %804
+  %807 = load ptr, ptr %74, align 8
+  %808 = load ptr, ptr %128, align 8
+  %809 = load ptr, ptr %129, align 8
+  %810 = load ptr, ptr %130, align 8
+  %811 = load ptr, ptr %121, align 8
+  br label %896
 
-786:                                              ; preds = %776, %786
-  %787 = phi i64 [ 0, %776 ], [ %810, %786 ]
-  %788 = load i64, ptr %767, align 8
-  %789 = load i64, ptr %777, align 8
-  %790 = load ptr, ptr %121, align 8
-  %791 = load i64, ptr %122, align 8
-  %792 = mul nsw i64 %791, %787
-  %793 = getelementptr inbounds double, ptr %790, i64 %792
-  %794 = load ptr, ptr %123, align 8
-  %795 = load ptr, ptr %124, align 8
-  %796 = getelementptr i64, ptr %795, i64 %788
-  %797 = getelementptr i8, ptr %796, i64 8
-  %798 = getelementptr i64, ptr %797, i64 %787
-  %799 = load i64, ptr %798, align 8
-  %800 = getelementptr i8, ptr %798, i64 8
-  %801 = load i64, ptr %800, align 8
-  %802 = xor i64 %799, -1
-  %803 = add i64 %801, %802
-  %804 = load ptr, ptr %100, align 8
-  %805 = load ptr, ptr %125, align 8
-  %806 = load ptr, ptr %126, align 8
-  %807 = getelementptr inbounds i64, ptr %806, i64 %799
-  %808 = load ptr, ptr %127, align 8
-  %809 = getelementptr inbounds double, ptr %808, i64 %799
-  tail call fastcc void @combine(ptr noundef %793, ptr noundef %794, ptr noundef %804, ptr noundef %805, ptr noundef %807, ptr noundef %809, i64 noundef %803, i64 noundef 1, i64 noundef %789) #8
-  %810 = add nuw nsw i64 %787, 1
-  %811 = icmp eq i64 %810, %771
-  br i1 %811, label %778, label %786, !llvm.loop !15
+812:                                              ; preds = %802, %812
+  %813 = phi i64 [ 0, %802 ], [ %836, %812 ]
+  %814 = load i64, ptr %793, align 8
+  %815 = load i64, ptr %803, align 8
+  %816 = load ptr, ptr %121, align 8
+  %817 = load i64, ptr %122, align 8
+  %818 = mul nsw i64 %817, %813
+  %819 = getelementptr inbounds double, ptr %816, i64 %818
+  %820 = load ptr, ptr %123, align 8
+  %821 = load ptr, ptr %124, align 8
+  %822 = getelementptr i64, ptr %821, i64 %814
+  %823 = getelementptr i8, ptr %822, i64 8
+  %824 = getelementptr i64, ptr %823, i64 %813
+  %825 = load i64, ptr %824, align 8
+  %826 = getelementptr i8, ptr %824, i64 8
+  %827 = load i64, ptr %826, align 8
+  %828 = xor i64 %825, -1
+  %829 = add i64 %827, %828
+  %830 = load ptr, ptr %100, align 8
+  %831 = load ptr, ptr %125, align 8
+  %832 = load ptr, ptr %126, align 8
+  %833 = getelementptr inbounds i64, ptr %832, i64 %825
+  %834 = load ptr, ptr %127, align 8
+  %835 = getelementptr inbounds double, ptr %834, i64 %825
+  tail call fastcc void @combine(ptr noundef %819, ptr noundef %820, ptr noundef %830, ptr noundef %831, ptr noundef %833, ptr noundef %835, i64 noundef %829, i64 noundef 1, i64 noundef %815) #8
+  %836 = add nuw nsw i64 %813, 1
+  %837 = icmp eq i64 %836, %797
+  br i1 %837, label %804, label %812, !llvm.loop !15
 
-812:                                              ; preds = %870, %778
-  %813 = phi double [ 0.000000e+00, %778 ], [ %898, %870 ]
-  %814 = phi double [ 0.000000e+00, %778 ], [ %896, %870 ]
-  %815 = load ptr, ptr %131, align 8
-  %816 = getelementptr inbounds i8, ptr %766, i64 8
-  %817 = load i64, ptr %816, align 8
-  %818 = add nsw i64 %817, -3
-  %819 = getelementptr i8, ptr %815, i64 8
-  %820 = getelementptr i8, ptr %815, i64 16
-  %821 = getelementptr i8, ptr %815, i64 24
-  %822 = icmp slt i64 %769, %818
-  br i1 %822, label %830, label %823
+838:                                              ; preds = %896, %804
+  %839 = phi double [ 0.000000e+00, %804 ], [ %924, %896 ]
+  %840 = phi double [ 0.000000e+00, %804 ], [ %922, %896 ]
+  %841 = load ptr, ptr %131, align 8
+  %842 = getelementptr inbounds i8, ptr %792, i64 8
+  %843 = load i64, ptr %842, align 8
+  %844 = add nsw i64 %843, -3
+  %845 = getelementptr i8, ptr %841, i64 8
+  %846 = getelementptr i8, ptr %841, i64 16
+  %847 = getelementptr i8, ptr %841, i64 24
+  %848 = icmp slt i64 %795, %844
+  br i1 %848, label %856, label %849
 
-823:                                              ; preds = %830, %812
-  %824 = phi double [ 0.000000e+00, %812 ], [ %839, %830 ]
-  %825 = phi double [ 0.000000e+00, %812 ], [ %843, %830 ]
-  %826 = phi double [ 0.000000e+00, %812 ], [ %847, %830 ]
-  %827 = phi double [ 0.000000e+00, %812 ], [ %851, %830 ]
-  %828 = phi i64 [ %769, %812 ], [ %852, %830 ]
-  %829 = icmp slt i64 %828, %817
-  br i1 %829, label %854, label %863
+849:                                              ; preds = %856, %838
+  %850 = phi double [ 0.000000e+00, %838 ], [ %865, %856 ]
+  %851 = phi double [ 0.000000e+00, %838 ], [ %869, %856 ]
+  %852 = phi double [ 0.000000e+00, %838 ], [ %873, %856 ]
+  %853 = phi double [ 0.000000e+00, %838 ], [ %877, %856 ]
+  %854 = phi i64 [ %795, %838 ], [ %878, %856 ]
+  %855 = icmp slt i64 %854, %843
+  br i1 %855, label %880, label %889
 
-830:                                              ; preds = %812, %830
-  %831 = phi i64 [ %852, %830 ], [ %769, %812 ]
-  %832 = phi double [ %851, %830 ], [ 0.000000e+00, %812 ]
-  %833 = phi double [ %847, %830 ], [ 0.000000e+00, %812 ]
-  %834 = phi double [ %843, %830 ], [ 0.000000e+00, %812 ]
-  %835 = phi double [ %839, %830 ], [ 0.000000e+00, %812 ]
-  %836 = getelementptr inbounds double, ptr %815, i64 %831
-  %837 = load double, ptr %836, align 8
-  %838 = fmul double %837, 0.000000e+00
-  %839 = fadd double %835, %838
-  %840 = getelementptr double, ptr %819, i64 %831
-  %841 = load double, ptr %840, align 8
-  %842 = fmul double %841, 0.000000e+00
-  %843 = fadd double %834, %842
-  %844 = getelementptr double, ptr %820, i64 %831
-  %845 = load double, ptr %844, align 8
-  %846 = fmul double %845, 0.000000e+00
-  %847 = fadd double %833, %846
-  %848 = getelementptr double, ptr %821, i64 %831
-  %849 = load double, ptr %848, align 8
-  %850 = fmul double %849, 0.000000e+00
-  %851 = fadd double %832, %850
-  %852 = add nsw i64 %831, 4
-  %853 = icmp slt i64 %852, %818
-  br i1 %853, label %830, label %823, !llvm.loop !16
-
-854:                                              ; preds = %823, %854
-  %855 = phi i64 [ %861, %854 ], [ %828, %823 ]
-  %856 = phi double [ %860, %854 ], [ %824, %823 ]
-  %857 = getelementptr inbounds double, ptr %815, i64 %855
-  %858 = load double, ptr %857, align 8
-  %859 = fmul double %858, 0.000000e+00
-  %860 = fadd double %856, %859
-  %861 = add nsw i64 %855, 1
-  %862 = icmp eq i64 %861, %817
-  br i1 %862, label %863, label %854, !llvm.loop !17
-
-863:                                              ; preds = %854, %823
-  %864 = phi double [ %824, %823 ], [ %860, %854 ]
-  %865 = fadd double %825, %864
-  %866 = fadd double %826, %827
-  %867 = fadd double %866, %865
-  %868 = fadd double %814, %867
-  %869 = icmp eq i64 %771, 2
-  br i1 %869, label %901, label %910
-
-870:                                              ; preds = %780, %870
-  %871 = phi double [ 0.000000e+00, %780 ], [ %896, %870 ]
-  %872 = phi double [ 0.000000e+00, %780 ], [ %898, %870 ]
-  %873 = phi i64 [ 0, %780 ], [ %899, %870 ]
-  %874 = getelementptr inbounds double, ptr %781, i64 %873
+856:                                              ; preds = %838, %856
+  %857 = phi i64 [ %878, %856 ], [ %795, %838 ]
+  %858 = phi double [ %877, %856 ], [ 0.000000e+00, %838 ]
+  %859 = phi double [ %873, %856 ], [ 0.000000e+00, %838 ]
+  %860 = phi double [ %869, %856 ], [ 0.000000e+00, %838 ]
+  %861 = phi double [ %865, %856 ], [ 0.000000e+00, %838 ]
+  %862 = getelementptr inbounds double, ptr %841, i64 %857
+  %863 = load double, ptr %862, align 8
+  %864 = fmul double %863, 0.000000e+00
+  %865 = fadd double %861, %864
+  %866 = getelementptr double, ptr %845, i64 %857
+  %867 = load double, ptr %866, align 8
+  %868 = fmul double %867, 0.000000e+00
+  %869 = fadd double %860, %868
+  %870 = getelementptr double, ptr %846, i64 %857
+  %871 = load double, ptr %870, align 8
+  %872 = fmul double %871, 0.000000e+00
+  %873 = fadd double %859, %872
+  %874 = getelementptr double, ptr %847, i64 %857
   %875 = load double, ptr %874, align 8
-  %876 = getelementptr inbounds double, ptr %782, i64 %873
-  %877 = load double, ptr %876, align 8
-  %878 = getelementptr inbounds double, ptr %783, i64 %873
-  %879 = load double, ptr %878, align 8
-  %880 = getelementptr inbounds double, ptr %784, i64 %873
-  %881 = load double, ptr %880, align 8
-  %882 = tail call double @llvm.fabs.f64(double %875)
-  %883 = tail call double @llvm.fabs.f64(double %877)
-  %884 = fcmp ogt double %882, %883
-  %885 = select i1 %884, double %882, double %883
-  %886 = fmul double %885, %881
-  %887 = fadd double %879, %886
-  %888 = fdiv double 1.000000e+00, %887
-  %889 = getelementptr inbounds double, ptr %785, i64 %873
-  %890 = load double, ptr %889, align 8
-  %891 = fmul double %890, %888
-  %892 = getelementptr inbounds double, ptr %774, i64 %873
-  %893 = load double, ptr %892, align 8
-  %894 = fmul double %893, %888
-  %895 = fmul double %891, %891
-  %896 = fadd double %871, %895
-  %897 = fmul double %894, %894
-  %898 = fadd double %872, %897
-  %899 = add nuw nsw i64 %873, 1
-  %900 = icmp eq i64 %899, %769
-  br i1 %900, label %812, label %870, !llvm.loop !18
+  %876 = fmul double %875, 0.000000e+00
+  %877 = fadd double %858, %876
+  %878 = add nsw i64 %857, 4
+  %879 = icmp slt i64 %878, %844
+  br i1 %879, label %856, label %849, !llvm.loop !16
 
-901:                                              ; preds = %863
-  %902 = fmul double %813, 1.000000e-02
-  %903 = fadd double %902, %868
-  %904 = sitofp i64 %769 to double
-  %905 = fmul double %903, %904
-  %906 = tail call double @llvm.sqrt.f64(double %905)
-  %907 = fdiv double %868, %906
-  %908 = fcmp une double %868, 0.000000e+00
-  %909 = select i1 %908, double %907, double 0.000000e+00
-  br label %923
+880:                                              ; preds = %849, %880
+  %881 = phi i64 [ %887, %880 ], [ %854, %849 ]
+  %882 = phi double [ %886, %880 ], [ %850, %849 ]
+  %883 = getelementptr inbounds double, ptr %841, i64 %881
+  %884 = load double, ptr %883, align 8
+  %885 = fmul double %884, 0.000000e+00
+  %886 = fadd double %882, %885
+  %887 = add nsw i64 %881, 1
+  %888 = icmp eq i64 %887, %843
+  br i1 %888, label %889, label %880, !llvm.loop !17
 
-910:                                              ; preds = %863
-  %911 = sitofp i64 %769 to double
-  %912 = fdiv double %868, %911
-  %913 = tail call double @llvm.sqrt.f64(double %912)
-  br label %923
+889:                                              ; preds = %880, %849
+  %890 = phi double [ %850, %849 ], [ %886, %880 ]
+  %891 = fadd double %851, %890
+  %892 = fadd double %852, %853
+  %893 = fadd double %892, %891
+  %894 = fadd double %840, %893
+  %895 = icmp eq i64 %797, 2
+  br i1 %895, label %927, label %936
 
-914:                                              ; preds = %764, %914
-  %915 = phi i64 [ %921, %914 ], [ 0, %764 ]
-  %916 = phi double [ %920, %914 ], [ 0.000000e+00, %764 ]
-  %917 = getelementptr inbounds double, ptr %172, i64 %915
-  %918 = load double, ptr %917, align 8
-  %919 = fmul double %918, 0.000000e+00
-  %920 = fadd double %916, %919
-  %921 = add nuw nsw i64 %915, 1
-  %922 = icmp eq i64 %921, %181
-  br i1 %922, label %923, label %914, !llvm.loop !19
+896:                                              ; preds = %806, %896
+  %897 = phi double [ 0.000000e+00, %806 ], [ %922, %896 ]
+  %898 = phi double [ 0.000000e+00, %806 ], [ %924, %896 ]
+  %899 = phi i64 [ 0, %806 ], [ %925, %896 ]
+  %900 = getelementptr inbounds double, ptr %807, i64 %899
+  %901 = load double, ptr %900, align 8
+  %902 = getelementptr inbounds double, ptr %808, i64 %899
+  %903 = load double, ptr %902, align 8
+  %904 = getelementptr inbounds double, ptr %809, i64 %899
+  %905 = load double, ptr %904, align 8
+  %906 = getelementptr inbounds double, ptr %810, i64 %899
+  %907 = load double, ptr %906, align 8
+  %908 = tail call double @llvm.fabs.f64(double %901)
+  %909 = tail call double @llvm.fabs.f64(double %903)
+  %910 = fcmp ogt double %908, %909
+  %911 = select i1 %910, double %908, double %909
+  %912 = fmul double %911, %907
+  %913 = fadd double %905, %912
+  %914 = fdiv double 1.000000e+00, %913
+  %915 = getelementptr inbounds double, ptr %811, i64 %899
+  %916 = load double, ptr %915, align 8
+  %917 = fmul double %916, %914
+  %918 = getelementptr inbounds double, ptr %800, i64 %899
+  %919 = load double, ptr %918, align 8
+  %920 = fmul double %919, %914
+  %921 = fmul double %917, %917
+  %922 = fadd double %897, %921
+  %923 = fmul double %920, %920
+  %924 = fadd double %898, %923
+  %925 = add nuw nsw i64 %899, 1
+  %926 = icmp eq i64 %925, %795
+  br i1 %926, label %838, label %896, !llvm.loop !18
 
-923:                                              ; preds = %914, %764, %910, %901
-  %924 = phi double [ %909, %901 ], [ %913, %910 ], [ 0.000000e+00, %764 ], [ %920, %914 ]
-  %925 = fcmp uge double %924, 1.000000e+00
-  %926 = select i1 %925, i1 true, i1 %466
-  br i1 %926, label %959, label %927
+927:                                              ; preds = %889
+  %928 = fmul double %839, 1.000000e-02
+  %929 = fadd double %928, %894
+  %930 = sitofp i64 %795 to double
+  %931 = fmul double %929, %930
+  %932 = tail call double @llvm.sqrt.f64(double %931)
+  %933 = fdiv double %894, %932
+  %934 = fcmp une double %894, 0.000000e+00
+  %935 = select i1 %934, double %933, double 0.000000e+00
+  br label %949
 
-927:                                              ; preds = %923
-  br i1 %184, label %939, label %928
+936:                                              ; preds = %889
+  %937 = sitofp i64 %795 to double
+  %938 = fdiv double %894, %937
+  %939 = tail call double @llvm.sqrt.f64(double %938)
+  br label %949
 
-928:                                              ; preds = %927
-  br i1 %187, label %931, label %929
+940:                                              ; preds = %790, %940
+  %941 = phi i64 [ %947, %940 ], [ 0, %790 ]
+  %942 = phi double [ %946, %940 ], [ 0.000000e+00, %790 ]
+  %943 = getelementptr inbounds double, ptr %172, i64 %941
+  %944 = load double, ptr %943, align 8
+  %945 = fmul double %944, 0.000000e+00
+  %946 = fadd double %942, %945
+  %947 = add nuw nsw i64 %941, 1
+  %948 = icmp eq i64 %947, %181
+  br i1 %948, label %949, label %940, !llvm.loop !19
 
-929:                                              ; preds = %928
-  %930 = load ptr, ptr %74, align 8
-  br label %931
+949:                                              ; preds = %940, %790, %936, %927
+  %950 = phi double [ %935, %927 ], [ %939, %936 ], [ 0.000000e+00, %790 ], [ %946, %940 ]
+  %951 = fcmp uge double %950, 1.000000e+00
+  %952 = select i1 %951, i1 true, i1 %480
+  br i1 %952, label %991, label %953
 
-931:                                              ; preds = %929, %928
-  %932 = phi ptr [ %930, %929 ], [ null, %928 ]
-  %933 = load ptr, ptr %81, align 8
-  %934 = getelementptr inbounds i8, ptr %933, i64 56
-  %935 = load i64, ptr %934, align 8
-  %936 = inttoptr i64 %935 to ptr
-  %937 = tail call i64 %936(ptr noundef %0, double noundef %576, ptr noundef %172, ptr noundef %932) #9
-  %938 = icmp ne i64 %937, 0
-  br label %939
+953:                                              ; preds = %949
+  br i1 %184, label %965, label %954
 
-939:                                              ; preds = %931, %927
-  %940 = phi i1 [ false, %927 ], [ %938, %931 ]
-  br i1 %940, label %959, label %941
+954:                                              ; preds = %953
+  br i1 %187, label %957, label %955
 
-941:                                              ; preds = %939
-  %942 = load i64, ptr %464, align 8
-  %943 = add nsw i64 %942, 1
-  store i64 %943, ptr %464, align 8
-  %944 = load ptr, ptr %132, align 8
-  store double %576, ptr %944, align 8
-  %945 = load i64, ptr %133, align 8
-  %946 = icmp sgt i64 %945, 0
-  br i1 %946, label %947, label %948
+955:                                              ; preds = %954
+  %956 = load ptr, ptr %74, align 8
+  br label %957
 
-947:                                              ; preds = %941
-  tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %948
+957:                                              ; preds = %955, %954
+  %958 = phi ptr [ %956, %955 ], [ null, %954 ]
+  %959 = load ptr, ptr %81, align 8
+  %960 = getelementptr inbounds i8, ptr %959, i64 56
+  %961 = load i64, ptr %960, align 8
+  %962 = inttoptr i64 %961 to ptr
+  %963 = tail call i64 %962(ptr noundef %0, double noundef %590, ptr noundef %172, ptr noundef %958) #9
+  %964 = icmp ne i64 %963, 0
+  br label %965
 
-948:                                              ; preds = %941, %947
-  %949 = load ptr, ptr %73, align 8
-  %950 = load i64, ptr %949, align 8
-  %951 = load ptr, ptr %132, align 8
-  %952 = load ptr, ptr %134, align 8
-  %953 = load ptr, ptr %135, align 8
-  %954 = inttoptr i64 %950 to ptr
-  %955 = load ptr, ptr %954, align 8
-  %956 = tail call i32 %955(ptr noundef %951, ptr noundef %172, ptr noundef %952, ptr noundef %953, ptr noundef %202) #9
-  %957 = sext i32 %956 to i64
-  %958 = icmp slt i32 %956, 0
-  br i1 %958, label %1732, label %959
+965:                                              ; preds = %957, %953
+  %966 = phi i1 [ false, %953 ], [ %964, %957 ]
+  br i1 %966, label %991, label %967
 
-959:                                              ; preds = %948, %939, %923, %761
-  %960 = phi i64 [ 0, %939 ], [ %957, %948 ], [ 0, %923 ], [ %759, %761 ]
-  %961 = phi double [ %924, %939 ], [ %924, %948 ], [ %924, %923 ], [ 0.000000e+00, %761 ]
-  %962 = phi i1 [ %940, %939 ], [ %940, %948 ], [ false, %923 ], [ false, %761 ]
-  %963 = icmp ne i64 %960, 0
-  %964 = fcmp uge double %961, 1.000000e+00
-  %965 = or i1 %963, %964
-  %966 = or i1 %962, %965
-  br i1 %966, label %967, label %1030
-
-967:                                              ; preds = %959
-  %968 = load i64, ptr %460, align 8
+967:                                              ; preds = %965
+  %968 = load i64, ptr %478, align 8
   %969 = add nsw i64 %968, 1
-  store i64 %969, ptr %460, align 8
-  %970 = or i1 %963, %962
-  br i1 %970, label %974, label %971
+  store i64 %969, ptr %478, align 8
+  %970 = load ptr, ptr %132, align 8
+  store double %590, ptr %970, align 8
+  %971 = load ptr, ptr %73, align 8
+  %972 = getelementptr inbounds i8, ptr %971, i64 40
+  %973 = load i64, ptr %972, align 8
+  %974 = icmp eq i64 %973, 0
+  br i1 %974, label %976, label %975
 
-971:                                              ; preds = %967
-  %972 = tail call double @llvm.fabs.f64(double %961)
-  %973 = fcmp one double %972, 0x7FF0000000000000
-  br label %974
+975:                                              ; preds = %967
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %976
 
-974:                                              ; preds = %971, %967
-  %975 = phi i1 [ false, %967 ], [ %973, %971 ]
-  %976 = select i1 %975, i64 2, i64 4
-  %977 = select i1 %962, i64 6, i64 %976
-  %978 = select i1 %963, i64 3, i64 %977
-  store i64 %978, ptr %482, align 8
-  %979 = fcmp ogt double %961, 1.000000e-10
-  %980 = select i1 %979, double %961, double 1.000000e-10
-  %981 = load double, ptr %483, align 8
-  %982 = load double, ptr %179, align 8
-  %983 = fneg double %982
-  %984 = bitcast double %980 to i64
-  %985 = add nsw i64 %984, -4604544271217802189
-  %986 = ashr i64 %985, 52
-  %987 = and i64 %985, -4503599627370496
-  %988 = sub nsw i64 %984, %987
-  %989 = bitcast i64 %988 to double
-  %990 = fadd double %989, -1.000000e+00
-  %991 = fadd double %989, 1.000000e+00
-  %992 = fdiv double %990, %991
-  %993 = fmul double %992, %992
-  %994 = tail call double @llvm.fma.f64(double %993, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %995 = tail call double @llvm.fma.f64(double %994, double %993, double 0x3FE2776C50EF9BFE)
-  %996 = tail call double @llvm.fma.f64(double %995, double %993, double 0x3FEEC709DC3A03FD)
-  %997 = tail call double @llvm.fma.f64(double %996, double %993, double 0x40071547652B82FE)
-  %998 = trunc nsw i64 %986 to i32
-  %999 = sitofp i32 %998 to double
-  %1000 = fmul double %992, %997
-  %1001 = fadd double %1000, %999
-  %1002 = fmul double %1001, %983
-  %1003 = fcmp ogt double %1002, -1.000000e+03
-  %1004 = select i1 %1003, double %1002, double -1.000000e+03
-  %1005 = fcmp olt double %1004, 1.000000e+03
-  %1006 = select i1 %1005, double %1004, double 1.000000e+03
-  %1007 = tail call double @llvm.rint.f64(double %1006)
-  %1008 = fsub double %1006, %1007
-  %1009 = tail call double @llvm.fma.f64(double %1008, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1010 = tail call double @llvm.fma.f64(double %1009, double %1008, double 0x3F55D87FE78A6730)
-  %1011 = tail call double @llvm.fma.f64(double %1010, double %1008, double 0x3F83B2AB6FBA4E77)
-  %1012 = tail call double @llvm.fma.f64(double %1011, double %1008, double 0x3FAC6B08D704A0BF)
-  %1013 = tail call double @llvm.fma.f64(double %1012, double %1008, double 0x3FCEBFBDFF82C58E)
-  %1014 = tail call double @llvm.fma.f64(double %1013, double %1008, double 0x3FE62E42FEFA39EF)
-  %1015 = tail call double @llvm.fma.f64(double %1014, double %1008, double 1.000000e+00)
-  %1016 = bitcast double %1015 to i64
-  %1017 = fptosi double %1007 to i32
-  %1018 = sext i32 %1017 to i64
-  %1019 = shl nsw i64 %1018, 52
-  %1020 = add nsw i64 %1019, %1016
-  %1021 = bitcast i64 %1020 to double
-  %1022 = fmul double %981, %1021
-  %1023 = load double, ptr %484, align 8
-  %1024 = fcmp ogt double %1022, %1023
-  %1025 = select i1 %1024, double %1022, double %1023
-  %1026 = select i1 %975, double %1025, double 2.500000e-01
-  %1027 = fmul double %577, %1026
-  br i1 %187, label %1028, label %1029
+976:                                              ; preds = %975, %967
+  %977 = load i64, ptr %133, align 8
+  %978 = icmp sgt i64 %977, 0
+  br i1 %978, label %979, label %980
 
-1028:                                             ; preds = %974
-  store double %577, ptr %204, align 8
-  br label %1732
-
-1029:                                             ; preds = %974
-  store double 1.000000e+00, ptr %485, align 8
-  br label %1732, !llvm.loop !20
-
-1030:                                             ; preds = %959
-  %1031 = load i64, ptr %459, align 8
-  %1032 = add nsw i64 %1031, 1
-  store i64 %1032, ptr %459, align 8
-  store double %576, ptr %171, align 8
-  store double %577, ptr %467, align 8
-  %1033 = load ptr, ptr %96, align 8
-  %1034 = getelementptr inbounds i8, ptr %1033, i64 8
-  %1035 = load i64, ptr %1034, align 8
-  %1036 = icmp eq i64 %1035, 0
-  br i1 %1036, label %1066, label %1037
-
-1037:                                             ; preds = %1030
-  %1038 = load i64, ptr %1033, align 8
-  %1039 = load ptr, ptr %73, align 8
-  %1040 = getelementptr inbounds i8, ptr %1039, i64 8
-  %1041 = load i64, ptr %1040, align 8
-  %1042 = load ptr, ptr %136, align 8
-  %1043 = load i64, ptr %137, align 8
-  %1044 = mul nsw i64 %1043, %1038
-  %1045 = getelementptr inbounds double, ptr %1042, i64 %1044
-  %1046 = getelementptr inbounds double, ptr %1045, i64 %1043
-  store double %491, ptr %1045, align 8
-  %1047 = getelementptr inbounds i8, ptr %1045, i64 8
-  store double %577, ptr %1047, align 8
-  store double %576, ptr %1046, align 8
-  %1048 = getelementptr inbounds i8, ptr %1046, i64 8
-  store double 0.000000e+00, ptr %1048, align 8
-  %1049 = icmp sgt i64 %1041, 0
-  br i1 %1049, label %1053, label %1050
-
-1050:                                             ; preds = %1053, %1037
-  %1051 = add nsw i64 %1038, 1
-  %1052 = load ptr, ptr %96, align 8
-  store i64 %1051, ptr %1052, align 8
-  br label %1066
-
-1053:                                             ; preds = %1037, %1053
-  %1054 = phi i64 [ %1064, %1053 ], [ 0, %1037 ]
-  %1055 = load ptr, ptr %74, align 8
-  %1056 = getelementptr inbounds double, ptr %1055, i64 %1054
-  %1057 = load double, ptr %1056, align 8
-  %1058 = add nuw nsw i64 %1054, 2
-  %1059 = getelementptr inbounds double, ptr %1045, i64 %1058
-  store double %1057, ptr %1059, align 8
-  %1060 = load ptr, ptr %76, align 8
-  %1061 = getelementptr inbounds double, ptr %1060, i64 %1054
-  %1062 = load double, ptr %1061, align 8
-  %1063 = getelementptr inbounds double, ptr %1046, i64 %1058
-  store double %1062, ptr %1063, align 8
-  %1064 = add nuw nsw i64 %1054, 1
-  %1065 = icmp eq i64 %1064, %1041
-  br i1 %1065, label %1050, label %1053, !llvm.loop !21
-
-1066:                                             ; preds = %1030, %1050
-  br i1 %194, label %1067, label %1177
-
-1067:                                             ; preds = %1066
-  %1068 = load ptr, ptr %82, align 8
-  %1069 = load i64, ptr %80, align 8
-  %1070 = load ptr, ptr %138, align 8
-  %1071 = getelementptr inbounds i8, ptr %1068, i64 32
-  %1072 = load i64, ptr %1071, align 8
-  %1073 = getelementptr inbounds double, ptr %1070, i64 %1072
-  %1074 = getelementptr inbounds i8, ptr %1068, i64 24
-  %1075 = load i64, ptr %1074, align 8
-  %1076 = icmp eq i64 %1075, 0
-  br i1 %1076, label %1174, label %1077
-
-1077:                                             ; preds = %1067
-  %1078 = getelementptr inbounds i8, ptr %1068, i64 40
-  %1079 = load i64, ptr %1078, align 8
-  %1080 = icmp sgt i64 %1079, 0
-  br i1 %1080, label %1135, label %1081
-
-1081:                                             ; preds = %1153, %1077
-  %1082 = load ptr, ptr %139, align 8
-  %1083 = load ptr, ptr %82, align 8
-  %1084 = getelementptr inbounds i8, ptr %1083, i64 8
-  %1085 = load i64, ptr %1084, align 8
-  %1086 = load ptr, ptr %140, align 8
-  %1087 = load ptr, ptr %138, align 8
-  %1088 = getelementptr inbounds i8, ptr %1083, i64 32
-  %1089 = load i64, ptr %1088, align 8
-  %1090 = getelementptr inbounds i8, ptr %1083, i64 40
-  %1091 = load i64, ptr %1090, align 8
-  %1092 = getelementptr double, ptr %1087, i64 %1089
-  %1093 = getelementptr double, ptr %1092, i64 %1091
-  store double %577, ptr %1093, align 8
-  %1094 = load ptr, ptr %139, align 8
-  store double %491, ptr %1094, align 8
-  %1095 = load ptr, ptr %82, align 8
-  %1096 = getelementptr inbounds i8, ptr %1095, i64 24
-  %1097 = load i64, ptr %1096, align 8
-  %1098 = load ptr, ptr %74, align 8
-  %1099 = load ptr, ptr %138, align 8
-  %1100 = load ptr, ptr %141, align 8
-  %1101 = inttoptr i64 %1097 to ptr
-  %1102 = load ptr, ptr %1101, align 8
-  %1103 = tail call i32 %1102(ptr noundef %1082, ptr noundef %1098, ptr noundef %1099, ptr noundef %1100, ptr noundef %1086) #9
-  %1104 = icmp eq i32 %1103, 0
-  br i1 %1104, label %1105, label %1174
-
-1105:                                             ; preds = %1081
-  %1106 = icmp slt i64 %1085, 1
-  br i1 %1106, label %1132, label %1107
-
-1107:                                             ; preds = %1105
-  %1108 = load ptr, ptr %142, align 8
-  %1109 = getelementptr double, ptr %1086, i64 %1085
-  br label %1110
-
-1110:                                             ; preds = %1107, %1128
-  %1111 = phi i1 [ %1106, %1107 ], [ %1130, %1128 ]
-  %1112 = phi i64 [ 0, %1107 ], [ %1129, %1128 ]
-  %1113 = getelementptr inbounds i64, ptr %1108, i64 %1112
-  %1114 = load i64, ptr %1113, align 8
-  %1115 = and i64 %1114, 2
-  %1116 = icmp eq i64 %1115, 0
-  br i1 %1116, label %1117, label %1128
-
-1117:                                             ; preds = %1110
-  %1118 = getelementptr inbounds double, ptr %1086, i64 %1112
-  %1119 = load double, ptr %1118, align 8
-  %1120 = load ptr, ptr %143, align 8
-  %1121 = getelementptr inbounds i64, ptr %1120, i64 %1112
-  %1122 = load i64, ptr %1121, align 8
-  %1123 = sitofp i64 %1122 to double
-  %1124 = fmul double %1119, %1123
-  %1125 = getelementptr double, ptr %1109, i64 %1112
-  %1126 = load double, ptr %1125, align 8
-  %1127 = fcmp ogt double %1124, %1126
-  br i1 %1127, label %1128, label %1132
-
-1128:                                             ; preds = %1117, %1110
-  %1129 = add nuw nsw i64 %1112, 1
-  %1130 = icmp sge i64 %1129, %1085
-  %1131 = icmp eq i64 %1129, %1085
-  br i1 %1131, label %1132, label %1110, !llvm.loop !22
-
-1132:                                             ; preds = %1128, %1117, %1105
-  %1133 = phi i1 [ %1106, %1105 ], [ %1130, %1128 ], [ %1111, %1117 ]
-  %1134 = zext i1 %1133 to i32
-  br label %1174
-
-1135:                                             ; preds = %1077, %1153
-  %1136 = phi i64 [ %1157, %1153 ], [ 0, %1077 ]
-  %1137 = load ptr, ptr %76, align 8
-  %1138 = getelementptr inbounds double, ptr %1137, i64 %1136
-  %1139 = load <8 x double>, ptr %1138, align 8
-  %1140 = load ptr, ptr %74, align 8
-  %1141 = getelementptr inbounds double, ptr %1140, i64 %1136
-  %1142 = load <8 x double>, ptr %1141, align 8
-  %1143 = fsub <8 x double> %1139, %1142
-  %1144 = fneg <8 x double> %1143
-  %1145 = fcmp ogt <8 x double> %1143, zeroinitializer
-  %1146 = select <8 x i1> %1145, <8 x double> %1143, <8 x double> %1144
-  %1147 = load ptr, ptr %0, align 8
-  %1148 = load i64, ptr %1147, align 8
-  %1149 = icmp slt i64 %1148, 0
-  br i1 %1149, label %1153, label %1150
-
-1150:                                             ; preds = %1135
-  %1151 = load ptr, ptr %84, align 8
-  %1152 = getelementptr double, ptr %1151, i64 %1136
-  br label %1160
-
-1153:                                             ; preds = %1160, %1135
-  %1154 = phi <8 x double> [ %1146, %1135 ], [ %1171, %1160 ]
-  %1155 = getelementptr inbounds double, ptr %1073, i64 %1136
-  %1156 = fmul <8 x double> %1154, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1156, ptr %1155, align 8
-  %1157 = add nuw nsw i64 %1136, 8
-  %1158 = load i64, ptr %1078, align 8
-  %1159 = icmp slt i64 %1157, %1158
-  br i1 %1159, label %1135, label %1081, !llvm.loop !23
-
-1160:                                             ; preds = %1150, %1160
-  %1161 = phi i64 [ 0, %1150 ], [ %1172, %1160 ]
-  %1162 = phi <8 x double> [ %1146, %1150 ], [ %1171, %1160 ]
-  %1163 = mul nsw i64 %1161, %1069
-  %1164 = getelementptr double, ptr %1152, i64 %1163
-  %1165 = load <8 x double>, ptr %1164, align 8
-  %1166 = fneg <8 x double> %1165
-  %1167 = fcmp ogt <8 x double> %1165, zeroinitializer
-  %1168 = select <8 x i1> %1167, <8 x double> %1165, <8 x double> %1166
-  %1169 = fmul <8 x double> %589, %1168
-  %1170 = fcmp ogt <8 x double> %1162, %1169
-  %1171 = select <8 x i1> %1170, <8 x double> %1162, <8 x double> %1169
-  %1172 = add nuw i64 %1161, 1
-  %1173 = icmp eq i64 %1161, %1148
-  br i1 %1173, label %1153, label %1160, !llvm.loop !24
-
-1174:                                             ; preds = %1132, %1081, %1067
-  %1175 = phi i32 [ 0, %1067 ], [ 0, %1081 ], [ %1134, %1132 ]
-  %1176 = icmp eq i32 %1175, 0
-  br label %1177
-
-1177:                                             ; preds = %1174, %1066
-  %1178 = phi i1 [ false, %1066 ], [ %1176, %1174 ]
-  br i1 %1178, label %1221, label %1179
-
-1179:                                             ; preds = %1177
-  %1180 = load i64, ptr %468, align 8
-  %1181 = getelementptr inbounds double, ptr %178, i64 %1180
-  %1182 = load double, ptr %1181, align 8
-  %1183 = fcmp ult double %1182, %576
-  br i1 %1183, label %1221, label %1184
-
-1184:                                             ; preds = %1179
-  %1185 = load ptr, ptr %73, align 8
-  %1186 = getelementptr inbounds i8, ptr %1185, i64 8
-  %1187 = load i64, ptr %1186, align 8
-  %1188 = load i64, ptr %83, align 8
-  %1189 = load ptr, ptr %78, align 8
-  %1190 = load ptr, ptr %77, align 8
-  %1191 = getelementptr inbounds i8, ptr %1190, i64 48
-  %1192 = load i64, ptr %1191, align 8
-  %1193 = icmp slt i64 %1192, %1188
-  br i1 %1193, label %1194, label %1217
-
-1194:                                             ; preds = %1184
-  %1195 = icmp sgt i64 %1187, 0
-  br label %1196
-
-1196:                                             ; preds = %1194, %1207
-  %1197 = phi i64 [ %1192, %1194 ], [ %1208, %1207 ]
-  %1198 = getelementptr inbounds double, ptr %1189, i64 %1197
-  %1199 = load double, ptr %1198, align 8
-  %1200 = load ptr, ptr %75, align 8
-  %1201 = load double, ptr %1200, align 8
-  %1202 = fcmp ugt double %1199, %1201
-  br i1 %1202, label %1217, label %1203
-
-1203:                                             ; preds = %1196
-  br i1 %1195, label %1204, label %1207
-
-1204:                                             ; preds = %1203
-  %1205 = mul nsw i64 %1197, %1187
-  %1206 = getelementptr double, ptr %1, i64 %1205
-  br label %1210
-
-1207:                                             ; preds = %1210, %1203
-  %1208 = add i64 %1197, 1
-  %1209 = icmp eq i64 %1208, %1188
-  br i1 %1209, label %1217, label %1196, !llvm.loop !9
-
-1210:                                             ; preds = %1204, %1210
-  %1211 = phi i64 [ 0, %1204 ], [ %1215, %1210 ]
-  %1212 = getelementptr inbounds double, ptr %172, i64 %1211
-  %1213 = load double, ptr %1212, align 8
-  %1214 = getelementptr double, ptr %1206, i64 %1211
-  store double %1213, ptr %1214, align 8
-  %1215 = add nuw nsw i64 %1211, 1
-  %1216 = icmp eq i64 %1215, %1187
-  br i1 %1216, label %1207, label %1210, !llvm.loop !10
-
-1217:                                             ; preds = %1196, %1207, %1184
-  %1218 = phi i64 [ %1192, %1184 ], [ %1197, %1196 ], [ %1188, %1207 ]
-  %1219 = load ptr, ptr %77, align 8
-  %1220 = getelementptr inbounds i8, ptr %1219, i64 48
-  store i64 %1218, ptr %1220, align 8
-  br label %1581
-
-1221:                                             ; preds = %1179, %1177
-  %1222 = load ptr, ptr %0, align 8
-  %1223 = load ptr, ptr %73, align 8
-  %1224 = getelementptr inbounds i8, ptr %1223, i64 16
-  %1225 = load i64, ptr %1224, align 8
-  %1226 = load i64, ptr %1222, align 8
-  %1227 = load i64, ptr %144, align 8
-  %1228 = load ptr, ptr %145, align 8
-  %1229 = mul nsw i64 %1227, %1226
-  %1230 = getelementptr inbounds double, ptr %1228, i64 %1229
-  %1231 = load ptr, ptr %146, align 8
-  %1232 = add nsw i64 %1226, 1
-  %1233 = getelementptr inbounds i8, ptr %1222, i64 16
-  %1234 = load i64, ptr %1233, align 8
-  %1235 = icmp sgt i64 %1234, 0
-  br i1 %1235, label %1236, label %1291
-
-1236:                                             ; preds = %1221
-  %1237 = getelementptr inbounds i8, ptr %1222, i64 8
-  br label %1243
-
-1238:                                             ; preds = %1279
-  %1239 = add nsw i64 %1246, 1
-  %1240 = load i64, ptr %1233, align 8
-  %1241 = add nsw i64 %1240, %1232
-  %1242 = icmp slt i64 %1239, %1241
-  br i1 %1242, label %1243, label %1291, !llvm.loop !25
-
-1243:                                             ; preds = %1236, %1238
-  %1244 = phi i1 [ %1235, %1236 ], [ %1242, %1238 ]
-  %1245 = phi i64 [ undef, %1236 ], [ %1290, %1238 ]
-  %1246 = phi i64 [ %1232, %1236 ], [ %1239, %1238 ]
-  %1247 = load i64, ptr %1237, align 8
-  %1248 = load ptr, ptr %147, align 8
-  %1249 = load ptr, ptr %74, align 8
-  %1250 = load ptr, ptr %148, align 8
-  %1251 = getelementptr i64, ptr %1250, i64 %1246
-  %1252 = getelementptr i64, ptr %1251, i64 %1247
-  %1253 = load i64, ptr %1252, align 8
-  %1254 = getelementptr i8, ptr %1252, i64 8
-  %1255 = load i64, ptr %1254, align 8
-  %1256 = xor i64 %1253, -1
-  %1257 = add i64 %1255, %1256
-  %1258 = load ptr, ptr %100, align 8
-  %1259 = load ptr, ptr %145, align 8
-  %1260 = load ptr, ptr %149, align 8
-  %1261 = getelementptr inbounds i64, ptr %1260, i64 %1253
-  %1262 = load ptr, ptr %150, align 8
-  %1263 = getelementptr inbounds double, ptr %1262, i64 %1253
-  tail call fastcc void @combine(ptr noundef %1248, ptr noundef %1249, ptr noundef %1258, ptr noundef %1259, ptr noundef %1261, ptr noundef %1263, i64 noundef %1257, i64 noundef 1, i64 noundef %1225) #8
-  %1264 = load ptr, ptr %145, align 8
-  %1265 = mul nsw i64 %1246, %1227
-  %1266 = getelementptr inbounds double, ptr %1264, i64 %1265
-  %1267 = load i64, ptr %464, align 8
-  %1268 = add nsw i64 %1267, 1
-  store i64 %1268, ptr %464, align 8
-  %1269 = load ptr, ptr %151, align 8
-  %1270 = getelementptr inbounds double, ptr %1269, i64 %1246
-  %1271 = load double, ptr %1270, align 8
-  %1272 = fmul double %577, %1271
-  %1273 = fadd double %491, %1272
-  %1274 = load ptr, ptr %147, align 8
-  %1275 = load ptr, ptr %152, align 8
-  store double %1273, ptr %1275, align 8
-  %1276 = load i64, ptr %153, align 8
-  %1277 = icmp sgt i64 %1276, 0
-  br i1 %1277, label %1278, label %1279
-
-1278:                                             ; preds = %1243
+979:                                              ; preds = %976
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1279
+  br label %980
 
-1279:                                             ; preds = %1243, %1278
-  %1280 = load ptr, ptr %73, align 8
-  %1281 = load i64, ptr %1280, align 8
-  %1282 = load ptr, ptr %152, align 8
-  %1283 = load ptr, ptr %154, align 8
-  %1284 = load ptr, ptr %155, align 8
-  %1285 = inttoptr i64 %1281 to ptr
-  %1286 = load ptr, ptr %1285, align 8
-  %1287 = tail call i32 %1286(ptr noundef %1282, ptr noundef %1274, ptr noundef %1283, ptr noundef %1284, ptr noundef %1266) #9
-  %1288 = sext i32 %1287 to i64
-  %1289 = icmp eq i32 %1287, 0
-  %1290 = select i1 %1289, i64 %1245, i64 %1288
-  br i1 %1289, label %1238, label %1291
+980:                                              ; preds = %976, %979
+  %981 = load ptr, ptr %73, align 8
+  %982 = load i64, ptr %981, align 8
+  %983 = load ptr, ptr %132, align 8
+  %984 = load ptr, ptr %134, align 8
+  %985 = load ptr, ptr %135, align 8
+  %986 = inttoptr i64 %982 to ptr
+  %987 = load ptr, ptr %986, align 8
+  %988 = tail call i32 %987(ptr noundef %983, ptr noundef %172, ptr noundef %984, ptr noundef %985, ptr noundef %202) #9
+  %989 = sext i32 %988 to i64
+  %990 = icmp slt i32 %988, 0
+  br i1 %990, label %1776, label %991
 
-1291:                                             ; preds = %1238, %1279, %1221
-  %1292 = phi i1 [ %1235, %1221 ], [ %1242, %1238 ], [ %1244, %1279 ]
-  %1293 = phi i64 [ 0, %1221 ], [ %1288, %1279 ], [ %1288, %1238 ]
-  %1294 = phi i64 [ undef, %1221 ], [ %1290, %1279 ], [ %1290, %1238 ]
-  %1295 = getelementptr inbounds i8, ptr %1222, i64 16
-  br i1 %1292, label %1364, label %1296
+991:                                              ; preds = %980, %965, %949, %787
+  %992 = phi i64 [ 0, %965 ], [ %989, %980 ], [ 0, %949 ], [ %785, %787 ]
+  %993 = phi double [ %950, %965 ], [ %950, %980 ], [ %950, %949 ], [ 0.000000e+00, %787 ]
+  %994 = phi i1 [ %966, %965 ], [ %966, %980 ], [ false, %949 ], [ false, %787 ]
+  %995 = icmp ne i64 %992, 0
+  %996 = fcmp uge double %993, 1.000000e+00
+  %997 = or i1 %995, %996
+  %998 = or i1 %994, %997
+  br i1 %998, label %999, label %1062
 
-1296:                                             ; preds = %1291
-  %1297 = load ptr, ptr %73, align 8
-  %1298 = getelementptr inbounds i8, ptr %1297, i64 8
-  %1299 = load i64, ptr %1298, align 8
-  %1300 = icmp sgt i64 %1299, 0
-  br i1 %1300, label %1301, label %1305
+999:                                              ; preds = %991
+  %1000 = load i64, ptr %474, align 8
+  %1001 = add nsw i64 %1000, 1
+  store i64 %1001, ptr %474, align 8
+  %1002 = or i1 %995, %994
+  br i1 %1002, label %1006, label %1003
 
-1301:                                             ; preds = %1296
-  %1302 = getelementptr inbounds double, ptr %1231, i64 %1227
-  %1303 = shl nsw i64 %1227, 4
-  %1304 = getelementptr inbounds i8, ptr %1231, i64 %1303
-  br label %1312
+1003:                                             ; preds = %999
+  %1004 = tail call double @llvm.fabs.f64(double %993)
+  %1005 = fcmp one double %1004, 0x7FF0000000000000
+  br label %1006
 
-1305:                                             ; preds = %1312, %1296
-  %1306 = getelementptr inbounds i8, ptr %1222, i64 8
-  %1307 = load i64, ptr %1306, align 8
-  %1308 = load i64, ptr %1295, align 8
-  %1309 = getelementptr inbounds i8, ptr %1222, i64 24
+1006:                                             ; preds = %1003, %999
+  %1007 = phi i1 [ false, %999 ], [ %1005, %1003 ]
+  %1008 = select i1 %1007, i64 2, i64 4
+  %1009 = select i1 %994, i64 6, i64 %1008
+  %1010 = select i1 %995, i64 3, i64 %1009
+  store i64 %1010, ptr %496, align 8
+  %1011 = fcmp ogt double %993, 1.000000e-10
+  %1012 = select i1 %1011, double %993, double 1.000000e-10
+  %1013 = load double, ptr %497, align 8
+  %1014 = load double, ptr %179, align 8
+  %1015 = fneg double %1014
+  %1016 = bitcast double %1012 to i64
+  %1017 = add nsw i64 %1016, -4604544271217802189
+  %1018 = ashr i64 %1017, 52
+  %1019 = and i64 %1017, -4503599627370496
+  %1020 = sub nsw i64 %1016, %1019
+  %1021 = bitcast i64 %1020 to double
+  %1022 = fadd double %1021, -1.000000e+00
+  %1023 = fadd double %1021, 1.000000e+00
+  %1024 = fdiv double %1022, %1023
+  %1025 = fmul double %1024, %1024
+  %1026 = tail call double @llvm.fma.f64(double %1025, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1027 = tail call double @llvm.fma.f64(double %1026, double %1025, double 0x3FE2776C50EF9BFE)
+  %1028 = tail call double @llvm.fma.f64(double %1027, double %1025, double 0x3FEEC709DC3A03FD)
+  %1029 = tail call double @llvm.fma.f64(double %1028, double %1025, double 0x40071547652B82FE)
+  %1030 = trunc nsw i64 %1018 to i32
+  %1031 = sitofp i32 %1030 to double
+  %1032 = fmul double %1024, %1029
+  %1033 = fadd double %1032, %1031
+  %1034 = fmul double %1033, %1015
+  %1035 = fcmp ogt double %1034, -1.000000e+03
+  %1036 = select i1 %1035, double %1034, double -1.000000e+03
+  %1037 = fcmp olt double %1036, 1.000000e+03
+  %1038 = select i1 %1037, double %1036, double 1.000000e+03
+  %1039 = tail call double @llvm.rint.f64(double %1038)
+  %1040 = fsub double %1038, %1039
+  %1041 = tail call double @llvm.fma.f64(double %1040, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1042 = tail call double @llvm.fma.f64(double %1041, double %1040, double 0x3F55D87FE78A6730)
+  %1043 = tail call double @llvm.fma.f64(double %1042, double %1040, double 0x3F83B2AB6FBA4E77)
+  %1044 = tail call double @llvm.fma.f64(double %1043, double %1040, double 0x3FAC6B08D704A0BF)
+  %1045 = tail call double @llvm.fma.f64(double %1044, double %1040, double 0x3FCEBFBDFF82C58E)
+  %1046 = tail call double @llvm.fma.f64(double %1045, double %1040, double 0x3FE62E42FEFA39EF)
+  %1047 = tail call double @llvm.fma.f64(double %1046, double %1040, double 1.000000e+00)
+  %1048 = bitcast double %1047 to i64
+  %1049 = fptosi double %1039 to i32
+  %1050 = sext i32 %1049 to i64
+  %1051 = shl nsw i64 %1050, 52
+  %1052 = add nsw i64 %1051, %1048
+  %1053 = bitcast i64 %1052 to double
+  %1054 = fmul double %1013, %1053
+  %1055 = load double, ptr %498, align 8
+  %1056 = fcmp ogt double %1054, %1055
+  %1057 = select i1 %1056, double %1054, double %1055
+  %1058 = select i1 %1007, double %1057, double 2.500000e-01
+  %1059 = fmul double %591, %1058
+  br i1 %187, label %1060, label %1061
+
+1060:                                             ; preds = %1006
+  store double %591, ptr %204, align 8
+  br label %1776
+
+1061:                                             ; preds = %1006
+  store double 1.000000e+00, ptr %499, align 8
+  br label %1776, !llvm.loop !20
+
+1062:                                             ; preds = %991
+  %1063 = load i64, ptr %473, align 8
+  %1064 = add nsw i64 %1063, 1
+  store i64 %1064, ptr %473, align 8
+  store double %590, ptr %171, align 8
+  store double %591, ptr %481, align 8
+  %1065 = load ptr, ptr %96, align 8
+  %1066 = getelementptr inbounds i8, ptr %1065, i64 8
+  %1067 = load i64, ptr %1066, align 8
+  %1068 = icmp eq i64 %1067, 0
+  br i1 %1068, label %1098, label %1069
+
+1069:                                             ; preds = %1062
+  %1070 = load i64, ptr %1065, align 8
+  %1071 = load ptr, ptr %73, align 8
+  %1072 = getelementptr inbounds i8, ptr %1071, i64 8
+  %1073 = load i64, ptr %1072, align 8
+  %1074 = load ptr, ptr %136, align 8
+  %1075 = load i64, ptr %137, align 8
+  %1076 = mul nsw i64 %1075, %1070
+  %1077 = getelementptr inbounds double, ptr %1074, i64 %1076
+  %1078 = getelementptr inbounds double, ptr %1077, i64 %1075
+  store double %505, ptr %1077, align 8
+  %1079 = getelementptr inbounds i8, ptr %1077, i64 8
+  store double %591, ptr %1079, align 8
+  store double %590, ptr %1078, align 8
+  %1080 = getelementptr inbounds i8, ptr %1078, i64 8
+  store double 0.000000e+00, ptr %1080, align 8
+  %1081 = icmp sgt i64 %1073, 0
+  br i1 %1081, label %1085, label %1082
+
+1082:                                             ; preds = %1085, %1069
+  %1083 = add nsw i64 %1070, 1
+  %1084 = load ptr, ptr %96, align 8
+  store i64 %1083, ptr %1084, align 8
+  br label %1098
+
+1085:                                             ; preds = %1069, %1085
+  %1086 = phi i64 [ %1096, %1085 ], [ 0, %1069 ]
+  %1087 = load ptr, ptr %74, align 8
+  %1088 = getelementptr inbounds double, ptr %1087, i64 %1086
+  %1089 = load double, ptr %1088, align 8
+  %1090 = add nuw nsw i64 %1086, 2
+  %1091 = getelementptr inbounds double, ptr %1077, i64 %1090
+  store double %1089, ptr %1091, align 8
+  %1092 = load ptr, ptr %76, align 8
+  %1093 = getelementptr inbounds double, ptr %1092, i64 %1086
+  %1094 = load double, ptr %1093, align 8
+  %1095 = getelementptr inbounds double, ptr %1078, i64 %1090
+  store double %1094, ptr %1095, align 8
+  %1096 = add nuw nsw i64 %1086, 1
+  %1097 = icmp eq i64 %1096, %1073
+  br i1 %1097, label %1082, label %1085, !llvm.loop !21
+
+1098:                                             ; preds = %1062, %1082
+  br i1 %194, label %1099, label %1209
+
+1099:                                             ; preds = %1098
+  %1100 = load ptr, ptr %82, align 8
+  %1101 = load i64, ptr %80, align 8
+  %1102 = load ptr, ptr %138, align 8
+  %1103 = getelementptr inbounds i8, ptr %1100, i64 32
+  %1104 = load i64, ptr %1103, align 8
+  %1105 = getelementptr inbounds double, ptr %1102, i64 %1104
+  %1106 = getelementptr inbounds i8, ptr %1100, i64 24
+  %1107 = load i64, ptr %1106, align 8
+  %1108 = icmp eq i64 %1107, 0
+  br i1 %1108, label %1206, label %1109
+
+1109:                                             ; preds = %1099
+  %1110 = getelementptr inbounds i8, ptr %1100, i64 40
+  %1111 = load i64, ptr %1110, align 8
+  %1112 = icmp sgt i64 %1111, 0
+  br i1 %1112, label %1167, label %1113
+
+1113:                                             ; preds = %1185, %1109
+  %1114 = load ptr, ptr %139, align 8
+  %1115 = load ptr, ptr %82, align 8
+  %1116 = getelementptr inbounds i8, ptr %1115, i64 8
+  %1117 = load i64, ptr %1116, align 8
+  %1118 = load ptr, ptr %140, align 8
+  %1119 = load ptr, ptr %138, align 8
+  %1120 = getelementptr inbounds i8, ptr %1115, i64 32
+  %1121 = load i64, ptr %1120, align 8
+  %1122 = getelementptr inbounds i8, ptr %1115, i64 40
+  %1123 = load i64, ptr %1122, align 8
+  %1124 = getelementptr double, ptr %1119, i64 %1121
+  %1125 = getelementptr double, ptr %1124, i64 %1123
+  store double %591, ptr %1125, align 8
+  %1126 = load ptr, ptr %139, align 8
+  store double %505, ptr %1126, align 8
+  %1127 = load ptr, ptr %82, align 8
+  %1128 = getelementptr inbounds i8, ptr %1127, i64 24
+  %1129 = load i64, ptr %1128, align 8
+  %1130 = load ptr, ptr %74, align 8
+  %1131 = load ptr, ptr %138, align 8
+  %1132 = load ptr, ptr %141, align 8
+  %1133 = inttoptr i64 %1129 to ptr
+  %1134 = load ptr, ptr %1133, align 8
+  %1135 = tail call i32 %1134(ptr noundef %1114, ptr noundef %1130, ptr noundef %1131, ptr noundef %1132, ptr noundef %1118) #9
+  %1136 = icmp eq i32 %1135, 0
+  br i1 %1136, label %1137, label %1206
+
+1137:                                             ; preds = %1113
+  %1138 = icmp slt i64 %1117, 1
+  br i1 %1138, label %1164, label %1139
+
+1139:                                             ; preds = %1137
+  %1140 = load ptr, ptr %142, align 8
+  %1141 = getelementptr double, ptr %1118, i64 %1117
+  br label %1142
+
+1142:                                             ; preds = %1139, %1160
+  %1143 = phi i1 [ %1138, %1139 ], [ %1162, %1160 ]
+  %1144 = phi i64 [ 0, %1139 ], [ %1161, %1160 ]
+  %1145 = getelementptr inbounds i64, ptr %1140, i64 %1144
+  %1146 = load i64, ptr %1145, align 8
+  %1147 = and i64 %1146, 2
+  %1148 = icmp eq i64 %1147, 0
+  br i1 %1148, label %1149, label %1160
+
+1149:                                             ; preds = %1142
+  %1150 = getelementptr inbounds double, ptr %1118, i64 %1144
+  %1151 = load double, ptr %1150, align 8
+  %1152 = load ptr, ptr %143, align 8
+  %1153 = getelementptr inbounds i64, ptr %1152, i64 %1144
+  %1154 = load i64, ptr %1153, align 8
+  %1155 = sitofp i64 %1154 to double
+  %1156 = fmul double %1151, %1155
+  %1157 = getelementptr double, ptr %1141, i64 %1144
+  %1158 = load double, ptr %1157, align 8
+  %1159 = fcmp ogt double %1156, %1158
+  br i1 %1159, label %1160, label %1164
+
+1160:                                             ; preds = %1149, %1142
+  %1161 = add nuw nsw i64 %1144, 1
+  %1162 = icmp sge i64 %1161, %1117
+  %1163 = icmp eq i64 %1161, %1117
+  br i1 %1163, label %1164, label %1142, !llvm.loop !22
+
+1164:                                             ; preds = %1160, %1149, %1137
+  %1165 = phi i1 [ %1138, %1137 ], [ %1162, %1160 ], [ %1143, %1149 ]
+  %1166 = zext i1 %1165 to i32
+  br label %1206
+
+1167:                                             ; preds = %1109, %1185
+  %1168 = phi i64 [ %1189, %1185 ], [ 0, %1109 ]
+  %1169 = load ptr, ptr %76, align 8
+  %1170 = getelementptr inbounds double, ptr %1169, i64 %1168
+  %1171 = load <8 x double>, ptr %1170, align 8
+  %1172 = load ptr, ptr %74, align 8
+  %1173 = getelementptr inbounds double, ptr %1172, i64 %1168
+  %1174 = load <8 x double>, ptr %1173, align 8
+  %1175 = fsub <8 x double> %1171, %1174
+  %1176 = fneg <8 x double> %1175
+  %1177 = fcmp ogt <8 x double> %1175, zeroinitializer
+  %1178 = select <8 x i1> %1177, <8 x double> %1175, <8 x double> %1176
+  %1179 = load ptr, ptr %0, align 8
+  %1180 = load i64, ptr %1179, align 8
+  %1181 = icmp slt i64 %1180, 0
+  br i1 %1181, label %1185, label %1182
+
+1182:                                             ; preds = %1167
+  %1183 = load ptr, ptr %84, align 8
+  %1184 = getelementptr double, ptr %1183, i64 %1168
+  br label %1192
+
+1185:                                             ; preds = %1192, %1167
+  %1186 = phi <8 x double> [ %1178, %1167 ], [ %1203, %1192 ]
+  %1187 = getelementptr inbounds double, ptr %1105, i64 %1168
+  %1188 = fmul <8 x double> %1186, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1188, ptr %1187, align 8
+  %1189 = add nuw nsw i64 %1168, 8
+  %1190 = load i64, ptr %1110, align 8
+  %1191 = icmp slt i64 %1189, %1190
+  br i1 %1191, label %1167, label %1113, !llvm.loop !23
+
+1192:                                             ; preds = %1182, %1192
+  %1193 = phi i64 [ 0, %1182 ], [ %1204, %1192 ]
+  %1194 = phi <8 x double> [ %1178, %1182 ], [ %1203, %1192 ]
+  %1195 = mul nsw i64 %1193, %1101
+  %1196 = getelementptr double, ptr %1184, i64 %1195
+  %1197 = load <8 x double>, ptr %1196, align 8
+  %1198 = fneg <8 x double> %1197
+  %1199 = fcmp ogt <8 x double> %1197, zeroinitializer
+  %1200 = select <8 x i1> %1199, <8 x double> %1197, <8 x double> %1198
+  %1201 = fmul <8 x double> %603, %1200
+  %1202 = fcmp ogt <8 x double> %1194, %1201
+  %1203 = select <8 x i1> %1202, <8 x double> %1194, <8 x double> %1201
+  %1204 = add nuw i64 %1193, 1
+  %1205 = icmp eq i64 %1193, %1180
+  br i1 %1205, label %1185, label %1192, !llvm.loop !24
+
+1206:                                             ; preds = %1164, %1113, %1099
+  %1207 = phi i32 [ 0, %1099 ], [ 0, %1113 ], [ %1166, %1164 ]
+  %1208 = icmp eq i32 %1207, 0
+  br label %1209
+
+1209:                                             ; preds = %1206, %1098
+  %1210 = phi i1 [ false, %1098 ], [ %1208, %1206 ]
+  br i1 %1210, label %1253, label %1211
+
+1211:                                             ; preds = %1209
+  %1212 = load i64, ptr %482, align 8
+  %1213 = getelementptr inbounds double, ptr %178, i64 %1212
+  %1214 = load double, ptr %1213, align 8
+  %1215 = fcmp ult double %1214, %590
+  br i1 %1215, label %1253, label %1216
+
+1216:                                             ; preds = %1211
+  %1217 = load ptr, ptr %73, align 8
+  %1218 = getelementptr inbounds i8, ptr %1217, i64 8
+  %1219 = load i64, ptr %1218, align 8
+  %1220 = load i64, ptr %83, align 8
+  %1221 = load ptr, ptr %78, align 8
+  %1222 = load ptr, ptr %77, align 8
+  %1223 = getelementptr inbounds i8, ptr %1222, i64 48
+  %1224 = load i64, ptr %1223, align 8
+  %1225 = icmp slt i64 %1224, %1220
+  br i1 %1225, label %1226, label %1249
+
+1226:                                             ; preds = %1216
+  %1227 = icmp sgt i64 %1219, 0
+  br label %1228
+
+1228:                                             ; preds = %1226, %1239
+  %1229 = phi i64 [ %1224, %1226 ], [ %1240, %1239 ]
+  %1230 = getelementptr inbounds double, ptr %1221, i64 %1229
+  %1231 = load double, ptr %1230, align 8
+  %1232 = load ptr, ptr %75, align 8
+  %1233 = load double, ptr %1232, align 8
+  %1234 = fcmp ugt double %1231, %1233
+  br i1 %1234, label %1249, label %1235
+
+1235:                                             ; preds = %1228
+  br i1 %1227, label %1236, label %1239
+
+1236:                                             ; preds = %1235
+  %1237 = mul nsw i64 %1229, %1219
+  %1238 = getelementptr double, ptr %1, i64 %1237
+  br label %1242
+
+1239:                                             ; preds = %1242, %1235
+  %1240 = add i64 %1229, 1
+  %1241 = icmp eq i64 %1240, %1220
+  br i1 %1241, label %1249, label %1228, !llvm.loop !9
+
+1242:                                             ; preds = %1236, %1242
+  %1243 = phi i64 [ 0, %1236 ], [ %1247, %1242 ]
+  %1244 = getelementptr inbounds double, ptr %172, i64 %1243
+  %1245 = load double, ptr %1244, align 8
+  %1246 = getelementptr double, ptr %1238, i64 %1243
+  store double %1245, ptr %1246, align 8
+  %1247 = add nuw nsw i64 %1243, 1
+  %1248 = icmp eq i64 %1247, %1219
+  br i1 %1248, label %1239, label %1242, !llvm.loop !10
+
+1249:                                             ; preds = %1228, %1239, %1216
+  %1250 = phi i64 [ %1224, %1216 ], [ %1229, %1228 ], [ %1220, %1239 ]
+  %1251 = load ptr, ptr %77, align 8
+  %1252 = getelementptr inbounds i8, ptr %1251, i64 48
+  store i64 %1250, ptr %1252, align 8
+  br label %1619
+
+1253:                                             ; preds = %1211, %1209
+  %1254 = load ptr, ptr %0, align 8
+  %1255 = load ptr, ptr %73, align 8
+  %1256 = getelementptr inbounds i8, ptr %1255, i64 16
+  %1257 = load i64, ptr %1256, align 8
+  %1258 = load i64, ptr %1254, align 8
+  %1259 = load i64, ptr %144, align 8
+  %1260 = load ptr, ptr %145, align 8
+  %1261 = mul nsw i64 %1259, %1258
+  %1262 = getelementptr inbounds double, ptr %1260, i64 %1261
+  %1263 = load ptr, ptr %146, align 8
+  %1264 = add nsw i64 %1258, 1
+  %1265 = getelementptr inbounds i8, ptr %1254, i64 16
+  %1266 = load i64, ptr %1265, align 8
+  %1267 = icmp sgt i64 %1266, 0
+  br i1 %1267, label %1268, label %1329
+
+1268:                                             ; preds = %1253
+  %1269 = getelementptr inbounds i8, ptr %1254, i64 8
+  br label %1275
+
+1270:                                             ; preds = %1317
+  %1271 = add nsw i64 %1278, 1
+  %1272 = load i64, ptr %1265, align 8
+  %1273 = add nsw i64 %1272, %1264
+  %1274 = icmp slt i64 %1271, %1273
+  br i1 %1274, label %1275, label %1329, !llvm.loop !25
+
+1275:                                             ; preds = %1268, %1270
+  %1276 = phi i1 [ %1267, %1268 ], [ %1274, %1270 ]
+  %1277 = phi i64 [ undef, %1268 ], [ %1328, %1270 ]
+  %1278 = phi i64 [ %1264, %1268 ], [ %1271, %1270 ]
+  %1279 = load i64, ptr %1269, align 8
+  %1280 = load ptr, ptr %147, align 8
+  %1281 = load ptr, ptr %74, align 8
+  %1282 = load ptr, ptr %148, align 8
+  %1283 = getelementptr i64, ptr %1282, i64 %1278
+  %1284 = getelementptr i64, ptr %1283, i64 %1279
+  %1285 = load i64, ptr %1284, align 8
+  %1286 = getelementptr i8, ptr %1284, i64 8
+  %1287 = load i64, ptr %1286, align 8
+  %1288 = xor i64 %1285, -1
+  %1289 = add i64 %1287, %1288
+  %1290 = load ptr, ptr %100, align 8
+  %1291 = load ptr, ptr %145, align 8
+  %1292 = load ptr, ptr %149, align 8
+  %1293 = getelementptr inbounds i64, ptr %1292, i64 %1285
+  %1294 = load ptr, ptr %150, align 8
+  %1295 = getelementptr inbounds double, ptr %1294, i64 %1285
+  tail call fastcc void @combine(ptr noundef %1280, ptr noundef %1281, ptr noundef %1290, ptr noundef %1291, ptr noundef %1293, ptr noundef %1295, i64 noundef %1289, i64 noundef 1, i64 noundef %1257) #8
+  %1296 = load ptr, ptr %145, align 8
+  %1297 = mul nsw i64 %1278, %1259
+  %1298 = getelementptr inbounds double, ptr %1296, i64 %1297
+  %1299 = load i64, ptr %478, align 8
+  %1300 = add nsw i64 %1299, 1
+  store i64 %1300, ptr %478, align 8
+  %1301 = load ptr, ptr %151, align 8
+  %1302 = getelementptr inbounds double, ptr %1301, i64 %1278
+  %1303 = load double, ptr %1302, align 8
+  %1304 = fmul double %591, %1303
+  %1305 = fadd double %505, %1304
+  %1306 = load ptr, ptr %147, align 8
+  %1307 = load ptr, ptr %152, align 8
+  store double %1305, ptr %1307, align 8
+  %1308 = load ptr, ptr %73, align 8
+  %1309 = getelementptr inbounds i8, ptr %1308, i64 40
   %1310 = load i64, ptr %1309, align 8
-  %1311 = icmp sgt i64 %1310, 3
-  br i1 %1311, label %1339, label %1364
+  %1311 = icmp eq i64 %1310, 0
+  br i1 %1311, label %1313, label %1312
 
-1312:                                             ; preds = %1301, %1312
-  %1313 = phi i64 [ 0, %1301 ], [ %1334, %1312 ]
-  %1314 = load ptr, ptr %156, align 8
-  %1315 = getelementptr inbounds double, ptr %1314, i64 %1313
-  %1316 = load double, ptr %1315, align 8
-  %1317 = load ptr, ptr %74, align 8
-  %1318 = getelementptr inbounds double, ptr %1317, i64 %1313
-  %1319 = load double, ptr %1318, align 8
-  %1320 = fsub double %1316, %1319
-  %1321 = load ptr, ptr %145, align 8
-  %1322 = getelementptr inbounds double, ptr %1321, i64 %1313
-  %1323 = load double, ptr %1322, align 8
-  %1324 = fmul double %577, %1323
-  %1325 = fsub double %1324, %1320
-  %1326 = getelementptr inbounds double, ptr %1231, i64 %1313
-  store double %1320, ptr %1326, align 8
-  %1327 = getelementptr inbounds double, ptr %1302, i64 %1313
-  store double %1325, ptr %1327, align 8
-  %1328 = fsub double %1320, %1325
-  %1329 = getelementptr inbounds double, ptr %1230, i64 %1313
-  %1330 = load double, ptr %1329, align 8
-  %1331 = fmul double %577, %1330
-  %1332 = fsub double %1328, %1331
-  %1333 = getelementptr inbounds double, ptr %1304, i64 %1313
-  store double %1332, ptr %1333, align 8
-  %1334 = add nuw nsw i64 %1313, 1
+1312:                                             ; preds = %1275
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %1313
+
+1313:                                             ; preds = %1312, %1275
+  %1314 = load i64, ptr %153, align 8
+  %1315 = icmp sgt i64 %1314, 0
+  br i1 %1315, label %1316, label %1317
+
+1316:                                             ; preds = %1313
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %1317
+
+1317:                                             ; preds = %1313, %1316
+  %1318 = load ptr, ptr %73, align 8
+  %1319 = load i64, ptr %1318, align 8
+  %1320 = load ptr, ptr %152, align 8
+  %1321 = load ptr, ptr %154, align 8
+  %1322 = load ptr, ptr %155, align 8
+  %1323 = inttoptr i64 %1319 to ptr
+  %1324 = load ptr, ptr %1323, align 8
+  %1325 = tail call i32 %1324(ptr noundef %1320, ptr noundef %1306, ptr noundef %1321, ptr noundef %1322, ptr noundef %1298) #9
+  %1326 = sext i32 %1325 to i64
+  %1327 = icmp eq i32 %1325, 0
+  %1328 = select i1 %1327, i64 %1277, i64 %1326
+  br i1 %1327, label %1270, label %1329
+
+1329:                                             ; preds = %1270, %1317, %1253
+  %1330 = phi i1 [ %1267, %1253 ], [ %1274, %1270 ], [ %1276, %1317 ]
+  %1331 = phi i64 [ 0, %1253 ], [ %1326, %1317 ], [ %1326, %1270 ]
+  %1332 = phi i64 [ undef, %1253 ], [ %1328, %1317 ], [ %1328, %1270 ]
+  %1333 = getelementptr inbounds i8, ptr %1254, i64 16
+  br i1 %1330, label %1402, label %1334
+
+1334:                                             ; preds = %1329
   %1335 = load ptr, ptr %73, align 8
   %1336 = getelementptr inbounds i8, ptr %1335, i64 8
   %1337 = load i64, ptr %1336, align 8
-  %1338 = icmp slt i64 %1334, %1337
-  br i1 %1338, label %1312, label %1305, !llvm.loop !26
+  %1338 = icmp sgt i64 %1337, 0
+  br i1 %1338, label %1339, label %1343
 
-1339:                                             ; preds = %1305, %1339
-  %1340 = phi i64 [ %1361, %1339 ], [ 3, %1305 ]
-  %1341 = mul nsw i64 %1340, %1227
-  %1342 = getelementptr inbounds double, ptr %1231, i64 %1341
-  %1343 = load ptr, ptr %157, align 8
-  %1344 = load ptr, ptr %158, align 8
-  %1345 = getelementptr i64, ptr %1344, i64 %1232
-  %1346 = getelementptr i64, ptr %1345, i64 %1307
-  %1347 = getelementptr i64, ptr %1346, i64 %1308
-  %1348 = getelementptr i64, ptr %1347, i64 %1340
-  %1349 = getelementptr i8, ptr %1348, i64 -24
-  %1350 = load i64, ptr %1349, align 8
-  %1351 = getelementptr i8, ptr %1348, i64 -16
-  %1352 = load i64, ptr %1351, align 8
-  %1353 = xor i64 %1350, -1
-  %1354 = add i64 %1352, %1353
-  %1355 = load ptr, ptr %100, align 8
-  %1356 = load ptr, ptr %145, align 8
-  %1357 = load ptr, ptr %159, align 8
-  %1358 = getelementptr inbounds i64, ptr %1357, i64 %1350
-  %1359 = load ptr, ptr %160, align 8
-  %1360 = getelementptr inbounds double, ptr %1359, i64 %1350
-  tail call fastcc void @combine(ptr noundef %1342, ptr noundef %1343, ptr noundef %1355, ptr noundef %1356, ptr noundef %1358, ptr noundef %1360, i64 noundef %1354, i64 noundef 1, i64 noundef %1225) #8
-  %1361 = add nuw nsw i64 %1340, 1
-  %1362 = load i64, ptr %1309, align 8
-  %1363 = icmp slt i64 %1361, %1362
-  br i1 %1363, label %1339, label %1364, !llvm.loop !27
+1339:                                             ; preds = %1334
+  %1340 = getelementptr inbounds double, ptr %1263, i64 %1259
+  %1341 = shl nsw i64 %1259, 4
+  %1342 = getelementptr inbounds i8, ptr %1263, i64 %1341
+  br label %1350
 
-1364:                                             ; preds = %1339, %1305, %1291
-  %1365 = phi i64 [ %1294, %1291 ], [ %1293, %1305 ], [ %1293, %1339 ]
-  %1366 = icmp eq i64 %1365, 0
-  br i1 %1366, label %1370, label %1367
+1343:                                             ; preds = %1350, %1334
+  %1344 = getelementptr inbounds i8, ptr %1254, i64 8
+  %1345 = load i64, ptr %1344, align 8
+  %1346 = load i64, ptr %1333, align 8
+  %1347 = getelementptr inbounds i8, ptr %1254, i64 24
+  %1348 = load i64, ptr %1347, align 8
+  %1349 = icmp sgt i64 %1348, 3
+  br i1 %1349, label %1377, label %1402
 
-1367:                                             ; preds = %1364
-  store i64 3, ptr %469, align 8
-  store double %491, ptr %171, align 8
-  %1368 = icmp slt i64 %1365, 0
-  %1369 = select i1 %1368, i64 -4, i64 2
-  br label %1732
-
-1370:                                             ; preds = %1364
-  %1371 = load ptr, ptr %75, align 8
-  br i1 %1178, label %1372, label %1383
-
-1372:                                             ; preds = %1370
-  %1373 = load ptr, ptr %82, align 8
-  %1374 = getelementptr inbounds i8, ptr %1373, i64 16
+1350:                                             ; preds = %1339, %1350
+  %1351 = phi i64 [ 0, %1339 ], [ %1372, %1350 ]
+  %1352 = load ptr, ptr %156, align 8
+  %1353 = getelementptr inbounds double, ptr %1352, i64 %1351
+  %1354 = load double, ptr %1353, align 8
+  %1355 = load ptr, ptr %74, align 8
+  %1356 = getelementptr inbounds double, ptr %1355, i64 %1351
+  %1357 = load double, ptr %1356, align 8
+  %1358 = fsub double %1354, %1357
+  %1359 = load ptr, ptr %145, align 8
+  %1360 = getelementptr inbounds double, ptr %1359, i64 %1351
+  %1361 = load double, ptr %1360, align 8
+  %1362 = fmul double %591, %1361
+  %1363 = fsub double %1362, %1358
+  %1364 = getelementptr inbounds double, ptr %1263, i64 %1351
+  store double %1358, ptr %1364, align 8
+  %1365 = getelementptr inbounds double, ptr %1340, i64 %1351
+  store double %1363, ptr %1365, align 8
+  %1366 = fsub double %1358, %1363
+  %1367 = getelementptr inbounds double, ptr %1262, i64 %1351
+  %1368 = load double, ptr %1367, align 8
+  %1369 = fmul double %591, %1368
+  %1370 = fsub double %1366, %1369
+  %1371 = getelementptr inbounds double, ptr %1342, i64 %1351
+  store double %1370, ptr %1371, align 8
+  %1372 = add nuw nsw i64 %1351, 1
+  %1373 = load ptr, ptr %73, align 8
+  %1374 = getelementptr inbounds i8, ptr %1373, i64 8
   %1375 = load i64, ptr %1374, align 8
-  %1376 = inttoptr i64 %1375 to ptr
-  %1377 = tail call i64 %1376(ptr noundef %0, double noundef %491, double noundef %577) #9
-  %1378 = icmp eq i64 %1377, -6
-  br i1 %1378, label %1379, label %1380
+  %1376 = icmp slt i64 %1372, %1375
+  br i1 %1376, label %1350, label %1343, !llvm.loop !26
 
-1379:                                             ; preds = %1372
-  store double %491, ptr %1371, align 8
-  br label %1558
+1377:                                             ; preds = %1343, %1377
+  %1378 = phi i64 [ %1399, %1377 ], [ 3, %1343 ]
+  %1379 = mul nsw i64 %1378, %1259
+  %1380 = getelementptr inbounds double, ptr %1263, i64 %1379
+  %1381 = load ptr, ptr %157, align 8
+  %1382 = load ptr, ptr %158, align 8
+  %1383 = getelementptr i64, ptr %1382, i64 %1264
+  %1384 = getelementptr i64, ptr %1383, i64 %1345
+  %1385 = getelementptr i64, ptr %1384, i64 %1346
+  %1386 = getelementptr i64, ptr %1385, i64 %1378
+  %1387 = getelementptr i8, ptr %1386, i64 -24
+  %1388 = load i64, ptr %1387, align 8
+  %1389 = getelementptr i8, ptr %1386, i64 -16
+  %1390 = load i64, ptr %1389, align 8
+  %1391 = xor i64 %1388, -1
+  %1392 = add i64 %1390, %1391
+  %1393 = load ptr, ptr %100, align 8
+  %1394 = load ptr, ptr %145, align 8
+  %1395 = load ptr, ptr %159, align 8
+  %1396 = getelementptr inbounds i64, ptr %1395, i64 %1388
+  %1397 = load ptr, ptr %160, align 8
+  %1398 = getelementptr inbounds double, ptr %1397, i64 %1388
+  tail call fastcc void @combine(ptr noundef %1380, ptr noundef %1381, ptr noundef %1393, ptr noundef %1394, ptr noundef %1396, ptr noundef %1398, i64 noundef %1392, i64 noundef 1, i64 noundef %1257) #8
+  %1399 = add nuw nsw i64 %1378, 1
+  %1400 = load i64, ptr %1347, align 8
+  %1401 = icmp slt i64 %1399, %1400
+  br i1 %1401, label %1377, label %1402, !llvm.loop !27
 
-1380:                                             ; preds = %1372
-  %1381 = getelementptr inbounds i8, ptr %1371, i64 48
-  %1382 = load double, ptr %1381, align 8
-  br label %1383
+1402:                                             ; preds = %1377, %1343, %1329
+  %1403 = phi i64 [ %1332, %1329 ], [ %1331, %1343 ], [ %1331, %1377 ]
+  %1404 = icmp eq i64 %1403, 0
+  br i1 %1404, label %1408, label %1405
 
-1383:                                             ; preds = %1380, %1370
-  %1384 = phi double [ %1382, %1380 ], [ 1.000000e+00, %1370 ]
-  %1385 = phi i64 [ %1377, %1380 ], [ 0, %1370 ]
-  %1386 = fcmp oeq double %1384, 1.000000e+00
-  br i1 %1386, label %1387, label %1389
+1405:                                             ; preds = %1402
+  store i64 3, ptr %483, align 8
+  store double %505, ptr %171, align 8
+  %1406 = icmp slt i64 %1403, 0
+  %1407 = select i1 %1406, i64 -4, i64 2
+  br label %1776
 
-1387:                                             ; preds = %1383
-  %1388 = load double, ptr %1371, align 8
-  br label %1392
+1408:                                             ; preds = %1402
+  %1409 = load ptr, ptr %75, align 8
+  br i1 %1210, label %1410, label %1421
 
-1389:                                             ; preds = %1383
-  %1390 = fmul double %577, %1384
-  %1391 = fadd double %491, %1390
-  br label %1392
+1410:                                             ; preds = %1408
+  %1411 = load ptr, ptr %82, align 8
+  %1412 = getelementptr inbounds i8, ptr %1411, i64 16
+  %1413 = load i64, ptr %1412, align 8
+  %1414 = inttoptr i64 %1413 to ptr
+  %1415 = tail call i64 %1414(ptr noundef %0, double noundef %505, double noundef %591) #9
+  %1416 = icmp eq i64 %1415, -6
+  br i1 %1416, label %1417, label %1418
 
-1392:                                             ; preds = %1389, %1387
-  %1393 = phi double [ %1388, %1387 ], [ %1391, %1389 ]
-  %1394 = icmp eq i64 %1385, -4
-  %1395 = select i1 %1394, i64 -4, i64 0
-  br i1 %1394, label %1453, label %1396
+1417:                                             ; preds = %1410
+  store double %505, ptr %1409, align 8
+  br label %1596
 
-1396:                                             ; preds = %1392
-  %1397 = fcmp olt double %1384, 1.000000e+00
-  %1398 = load ptr, ptr %73, align 8
-  %1399 = getelementptr inbounds i8, ptr %1398, i64 8
-  %1400 = load i64, ptr %1399, align 8
-  %1401 = load i64, ptr %83, align 8
-  %1402 = load ptr, ptr %78, align 8
-  %1403 = load ptr, ptr %77, align 8
-  %1404 = getelementptr inbounds i8, ptr %1403, i64 48
-  %1405 = load i64, ptr %1404, align 8
-  %1406 = icmp slt i64 %1405, %1401
-  br i1 %1406, label %1407, label %1449
+1418:                                             ; preds = %1410
+  %1419 = getelementptr inbounds i8, ptr %1409, i64 48
+  %1420 = load double, ptr %1419, align 8
+  br label %1421
 
-1407:                                             ; preds = %1396, %1445
-  %1408 = phi i64 [ %1446, %1445 ], [ undef, %1396 ]
-  %1409 = phi i64 [ %1447, %1445 ], [ %1405, %1396 ]
-  %1410 = getelementptr inbounds double, ptr %1402, i64 %1409
-  %1411 = load double, ptr %1410, align 8
-  %1412 = fcmp olt double %1411, %1393
-  %1413 = fcmp oeq double %1411, %1393
-  %1414 = and i1 %1397, %1413
-  %1415 = or i1 %1412, %1414
-  br i1 %1415, label %1416, label %1449
+1421:                                             ; preds = %1418, %1408
+  %1422 = phi double [ %1420, %1418 ], [ 1.000000e+00, %1408 ]
+  %1423 = phi i64 [ %1415, %1418 ], [ 0, %1408 ]
+  %1424 = fcmp oeq double %1422, 1.000000e+00
+  br i1 %1424, label %1425, label %1427
 
-1416:                                             ; preds = %1407
-  %1417 = fsub double %1411, %491
-  %1418 = fdiv double %1417, %577
-  %1419 = mul nsw i64 %1409, %1400
-  %1420 = getelementptr inbounds double, ptr %1, i64 %1419
-  %1421 = load ptr, ptr %161, align 8
-  %1422 = insertelement <8 x double> poison, double %1418, i64 0
-  %1423 = shufflevector <8 x double> %1422, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1423, ptr %1421, align 8
-  %1424 = load ptr, ptr %74, align 8
-  %1425 = load ptr, ptr %146, align 8
-  %1426 = load i64, ptr %144, align 8
-  %1427 = load ptr, ptr %0, align 8
-  %1428 = getelementptr inbounds i8, ptr %1427, i64 24
-  %1429 = load i64, ptr %1428, align 8
-  %1430 = load ptr, ptr %161, align 8
-  %1431 = load ptr, ptr %73, align 8
-  %1432 = getelementptr inbounds i8, ptr %1431, i64 16
-  %1433 = load i64, ptr %1432, align 8
-  tail call fastcc void @nested(ptr noundef %1420, ptr noundef %1424, ptr noundef %1425, i64 noundef %1426, i64 noundef %1429, ptr noundef %1430, i64 noundef %1433) #8
-  %1434 = load ptr, ptr %81, align 8
-  %1435 = load i64, ptr %1434, align 8
-  %1436 = icmp eq i64 %1435, 1
-  br i1 %1436, label %1437, label %1445
+1425:                                             ; preds = %1421
+  %1426 = load double, ptr %1409, align 8
+  br label %1430
 
-1437:                                             ; preds = %1416
-  %1438 = load double, ptr %1410, align 8
-  %1439 = getelementptr inbounds i8, ptr %1434, i64 56
-  %1440 = load i64, ptr %1439, align 8
-  %1441 = inttoptr i64 %1440 to ptr
-  %1442 = tail call i64 %1441(ptr noundef %0, double noundef %1438, ptr noundef %1420, ptr noundef null) #9
-  %1443 = icmp eq i64 %1442, 0
-  %1444 = select i1 %1443, i64 %1408, i64 %1442
-  br i1 %1443, label %1445, label %1453
+1427:                                             ; preds = %1421
+  %1428 = fmul double %591, %1422
+  %1429 = fadd double %505, %1428
+  br label %1430
 
-1445:                                             ; preds = %1437, %1416
-  %1446 = phi i64 [ %1444, %1437 ], [ %1408, %1416 ]
-  %1447 = add i64 %1409, 1
-  %1448 = icmp eq i64 %1447, %1401
-  br i1 %1448, label %1449, label %1407, !llvm.loop !28
+1430:                                             ; preds = %1427, %1425
+  %1431 = phi double [ %1426, %1425 ], [ %1429, %1427 ]
+  %1432 = icmp eq i64 %1423, -4
+  %1433 = select i1 %1432, i64 -4, i64 0
+  br i1 %1432, label %1491, label %1434
 
-1449:                                             ; preds = %1445, %1407, %1396
-  %1450 = phi i64 [ %1405, %1396 ], [ %1401, %1445 ], [ %1409, %1407 ]
-  %1451 = load ptr, ptr %77, align 8
-  %1452 = getelementptr inbounds i8, ptr %1451, i64 48
-  store i64 %1450, ptr %1452, align 8
-  br label %1453
+1434:                                             ; preds = %1430
+  %1435 = fcmp olt double %1422, 1.000000e+00
+  %1436 = load ptr, ptr %73, align 8
+  %1437 = getelementptr inbounds i8, ptr %1436, i64 8
+  %1438 = load i64, ptr %1437, align 8
+  %1439 = load i64, ptr %83, align 8
+  %1440 = load ptr, ptr %78, align 8
+  %1441 = load ptr, ptr %77, align 8
+  %1442 = getelementptr inbounds i8, ptr %1441, i64 48
+  %1443 = load i64, ptr %1442, align 8
+  %1444 = icmp slt i64 %1443, %1439
+  br i1 %1444, label %1445, label %1487
 
-1453:                                             ; preds = %1437, %1449, %1392
-  %1454 = phi i64 [ %1395, %1392 ], [ 0, %1449 ], [ %1444, %1437 ]
-  %1455 = icmp eq i64 %1454, 0
-  %1456 = icmp ne i64 %1385, 0
-  %1457 = fcmp olt double %1384, 1.000000e+00
-  %1458 = and i1 %1457, %1455
-  %1459 = and i1 %1456, %1458
-  br i1 %1459, label %1460, label %1497
+1445:                                             ; preds = %1434, %1483
+  %1446 = phi i64 [ %1484, %1483 ], [ undef, %1434 ]
+  %1447 = phi i64 [ %1485, %1483 ], [ %1443, %1434 ]
+  %1448 = getelementptr inbounds double, ptr %1440, i64 %1447
+  %1449 = load double, ptr %1448, align 8
+  %1450 = fcmp olt double %1449, %1431
+  %1451 = fcmp oeq double %1449, %1431
+  %1452 = and i1 %1435, %1451
+  %1453 = or i1 %1450, %1452
+  br i1 %1453, label %1454, label %1487
 
-1460:                                             ; preds = %1453
-  %1461 = load ptr, ptr %162, align 8
-  %1462 = load ptr, ptr %163, align 8
-  %1463 = insertelement <8 x double> poison, double %1384, i64 0
-  %1464 = shufflevector <8 x double> %1463, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1464, ptr %1462, align 8
-  %1465 = load ptr, ptr %74, align 8
-  %1466 = load ptr, ptr %146, align 8
-  %1467 = load i64, ptr %144, align 8
-  %1468 = load ptr, ptr %0, align 8
-  %1469 = getelementptr inbounds i8, ptr %1468, i64 24
-  %1470 = load i64, ptr %1469, align 8
-  %1471 = load ptr, ptr %163, align 8
-  %1472 = load ptr, ptr %73, align 8
-  %1473 = getelementptr inbounds i8, ptr %1472, i64 16
-  %1474 = load i64, ptr %1473, align 8
-  tail call fastcc void @nested(ptr noundef %1461, ptr noundef %1465, ptr noundef %1466, i64 noundef %1467, i64 noundef %1470, ptr noundef %1471, i64 noundef %1474) #8
-  %1475 = load i64, ptr %80, align 8
-  %1476 = icmp sgt i64 %1475, 0
-  br i1 %1476, label %1481, label %1477
+1454:                                             ; preds = %1445
+  %1455 = fsub double %1449, %505
+  %1456 = fdiv double %1455, %591
+  %1457 = mul nsw i64 %1447, %1438
+  %1458 = getelementptr inbounds double, ptr %1, i64 %1457
+  %1459 = load ptr, ptr %161, align 8
+  %1460 = insertelement <8 x double> poison, double %1456, i64 0
+  %1461 = shufflevector <8 x double> %1460, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1461, ptr %1459, align 8
+  %1462 = load ptr, ptr %74, align 8
+  %1463 = load ptr, ptr %146, align 8
+  %1464 = load i64, ptr %144, align 8
+  %1465 = load ptr, ptr %0, align 8
+  %1466 = getelementptr inbounds i8, ptr %1465, i64 24
+  %1467 = load i64, ptr %1466, align 8
+  %1468 = load ptr, ptr %161, align 8
+  %1469 = load ptr, ptr %73, align 8
+  %1470 = getelementptr inbounds i8, ptr %1469, i64 16
+  %1471 = load i64, ptr %1470, align 8
+  tail call fastcc void @nested(ptr noundef %1458, ptr noundef %1462, ptr noundef %1463, i64 noundef %1464, i64 noundef %1467, ptr noundef %1468, i64 noundef %1471) #8
+  %1472 = load ptr, ptr %81, align 8
+  %1473 = load i64, ptr %1472, align 8
+  %1474 = icmp eq i64 %1473, 1
+  br i1 %1474, label %1475, label %1483
 
-1477:                                             ; preds = %1481, %1460
-  %1478 = load ptr, ptr %81, align 8
-  %1479 = load i64, ptr %1478, align 8
-  %1480 = icmp eq i64 %1479, 1
-  br i1 %1480, label %1491, label %1497
+1475:                                             ; preds = %1454
+  %1476 = load double, ptr %1448, align 8
+  %1477 = getelementptr inbounds i8, ptr %1472, i64 56
+  %1478 = load i64, ptr %1477, align 8
+  %1479 = inttoptr i64 %1478 to ptr
+  %1480 = tail call i64 %1479(ptr noundef %0, double noundef %1476, ptr noundef %1458, ptr noundef null) #9
+  %1481 = icmp eq i64 %1480, 0
+  %1482 = select i1 %1481, i64 %1446, i64 %1480
+  br i1 %1481, label %1483, label %1491
 
-1481:                                             ; preds = %1460, %1481
-  %1482 = phi i64 [ %1488, %1481 ], [ 0, %1460 ]
-  %1483 = load ptr, ptr %162, align 8
-  %1484 = getelementptr inbounds double, ptr %1483, i64 %1482
-  %1485 = load double, ptr %1484, align 8
-  %1486 = load ptr, ptr %76, align 8
-  %1487 = getelementptr inbounds double, ptr %1486, i64 %1482
-  store double %1485, ptr %1487, align 8
-  %1488 = add nuw nsw i64 %1482, 1
-  %1489 = load i64, ptr %80, align 8
-  %1490 = icmp slt i64 %1488, %1489
-  br i1 %1490, label %1481, label %1477, !llvm.loop !29
+1483:                                             ; preds = %1475, %1454
+  %1484 = phi i64 [ %1482, %1475 ], [ %1446, %1454 ]
+  %1485 = add i64 %1447, 1
+  %1486 = icmp eq i64 %1485, %1439
+  br i1 %1486, label %1487, label %1445, !llvm.loop !28
 
-1491:                                             ; preds = %1477
-  %1492 = load ptr, ptr %76, align 8
-  %1493 = getelementptr inbounds i8, ptr %1478, i64 56
-  %1494 = load i64, ptr %1493, align 8
-  %1495 = inttoptr i64 %1494 to ptr
-  %1496 = tail call i64 %1495(ptr noundef %0, double noundef %1393, ptr noundef %1492, ptr noundef null) #9
-  br label %1497
+1487:                                             ; preds = %1483, %1445, %1434
+  %1488 = phi i64 [ %1443, %1434 ], [ %1439, %1483 ], [ %1447, %1445 ]
+  %1489 = load ptr, ptr %77, align 8
+  %1490 = getelementptr inbounds i8, ptr %1489, i64 48
+  store i64 %1488, ptr %1490, align 8
+  br label %1491
 
-1497:                                             ; preds = %1491, %1477, %1453
-  %1498 = phi i64 [ %1496, %1491 ], [ 0, %1477 ], [ %1454, %1453 ]
-  %1499 = icmp eq i64 %1498, 0
-  br i1 %1499, label %1502, label %1500
+1491:                                             ; preds = %1475, %1487, %1430
+  %1492 = phi i64 [ %1433, %1430 ], [ 0, %1487 ], [ %1482, %1475 ]
+  %1493 = icmp eq i64 %1492, 0
+  %1494 = icmp ne i64 %1423, 0
+  %1495 = fcmp olt double %1422, 1.000000e+00
+  %1496 = and i1 %1495, %1493
+  %1497 = and i1 %1494, %1496
+  br i1 %1497, label %1498, label %1535
 
-1500:                                             ; preds = %1497
-  store double %491, ptr %1371, align 8
-  %1501 = getelementptr inbounds i8, ptr %1371, i64 8
-  store double %577, ptr %1501, align 8
-  br label %1558
-
-1502:                                             ; preds = %1497
-  br i1 %1386, label %1503, label %1541
-
-1503:                                             ; preds = %1502
-  %1504 = load ptr, ptr %76, align 8
-  %1505 = load ptr, ptr %73, align 8
-  %1506 = getelementptr inbounds i8, ptr %1505, i64 8
-  %1507 = load i64, ptr %1506, align 8
-  %1508 = load i64, ptr %83, align 8
-  %1509 = load ptr, ptr %78, align 8
-  %1510 = load ptr, ptr %77, align 8
-  %1511 = getelementptr inbounds i8, ptr %1510, i64 48
+1498:                                             ; preds = %1491
+  %1499 = load ptr, ptr %162, align 8
+  %1500 = load ptr, ptr %163, align 8
+  %1501 = insertelement <8 x double> poison, double %1422, i64 0
+  %1502 = shufflevector <8 x double> %1501, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1502, ptr %1500, align 8
+  %1503 = load ptr, ptr %74, align 8
+  %1504 = load ptr, ptr %146, align 8
+  %1505 = load i64, ptr %144, align 8
+  %1506 = load ptr, ptr %0, align 8
+  %1507 = getelementptr inbounds i8, ptr %1506, i64 24
+  %1508 = load i64, ptr %1507, align 8
+  %1509 = load ptr, ptr %163, align 8
+  %1510 = load ptr, ptr %73, align 8
+  %1511 = getelementptr inbounds i8, ptr %1510, i64 16
   %1512 = load i64, ptr %1511, align 8
-  %1513 = icmp slt i64 %1512, %1508
-  br i1 %1513, label %1514, label %1537
+  tail call fastcc void @nested(ptr noundef %1499, ptr noundef %1503, ptr noundef %1504, i64 noundef %1505, i64 noundef %1508, ptr noundef %1509, i64 noundef %1512) #8
+  %1513 = load i64, ptr %80, align 8
+  %1514 = icmp sgt i64 %1513, 0
+  br i1 %1514, label %1519, label %1515
 
-1514:                                             ; preds = %1503
-  %1515 = icmp sgt i64 %1507, 0
-  br label %1516
+1515:                                             ; preds = %1519, %1498
+  %1516 = load ptr, ptr %81, align 8
+  %1517 = load i64, ptr %1516, align 8
+  %1518 = icmp eq i64 %1517, 1
+  br i1 %1518, label %1529, label %1535
 
-1516:                                             ; preds = %1514, %1527
-  %1517 = phi i64 [ %1512, %1514 ], [ %1528, %1527 ]
-  %1518 = getelementptr inbounds double, ptr %1509, i64 %1517
-  %1519 = load double, ptr %1518, align 8
-  %1520 = load ptr, ptr %75, align 8
-  %1521 = load double, ptr %1520, align 8
-  %1522 = fcmp ugt double %1519, %1521
-  br i1 %1522, label %1537, label %1523
+1519:                                             ; preds = %1498, %1519
+  %1520 = phi i64 [ %1526, %1519 ], [ 0, %1498 ]
+  %1521 = load ptr, ptr %162, align 8
+  %1522 = getelementptr inbounds double, ptr %1521, i64 %1520
+  %1523 = load double, ptr %1522, align 8
+  %1524 = load ptr, ptr %76, align 8
+  %1525 = getelementptr inbounds double, ptr %1524, i64 %1520
+  store double %1523, ptr %1525, align 8
+  %1526 = add nuw nsw i64 %1520, 1
+  %1527 = load i64, ptr %80, align 8
+  %1528 = icmp slt i64 %1526, %1527
+  br i1 %1528, label %1519, label %1515, !llvm.loop !29
 
-1523:                                             ; preds = %1516
-  br i1 %1515, label %1524, label %1527
+1529:                                             ; preds = %1515
+  %1530 = load ptr, ptr %76, align 8
+  %1531 = getelementptr inbounds i8, ptr %1516, i64 56
+  %1532 = load i64, ptr %1531, align 8
+  %1533 = inttoptr i64 %1532 to ptr
+  %1534 = tail call i64 %1533(ptr noundef %0, double noundef %1431, ptr noundef %1530, ptr noundef null) #9
+  br label %1535
 
-1524:                                             ; preds = %1523
-  %1525 = mul nsw i64 %1517, %1507
-  %1526 = getelementptr double, ptr %1, i64 %1525
-  br label %1530
+1535:                                             ; preds = %1529, %1515, %1491
+  %1536 = phi i64 [ %1534, %1529 ], [ 0, %1515 ], [ %1492, %1491 ]
+  %1537 = icmp eq i64 %1536, 0
+  br i1 %1537, label %1540, label %1538
 
-1527:                                             ; preds = %1530, %1523
-  %1528 = add i64 %1517, 1
-  %1529 = icmp eq i64 %1528, %1508
-  br i1 %1529, label %1537, label %1516, !llvm.loop !9
+1538:                                             ; preds = %1535
+  store double %505, ptr %1409, align 8
+  %1539 = getelementptr inbounds i8, ptr %1409, i64 8
+  store double %591, ptr %1539, align 8
+  br label %1596
 
-1530:                                             ; preds = %1524, %1530
-  %1531 = phi i64 [ 0, %1524 ], [ %1535, %1530 ]
-  %1532 = getelementptr inbounds double, ptr %1504, i64 %1531
-  %1533 = load double, ptr %1532, align 8
-  %1534 = getelementptr double, ptr %1526, i64 %1531
-  store double %1533, ptr %1534, align 8
-  %1535 = add nuw nsw i64 %1531, 1
-  %1536 = icmp eq i64 %1535, %1507
-  br i1 %1536, label %1527, label %1530, !llvm.loop !10
+1540:                                             ; preds = %1535
+  br i1 %1424, label %1541, label %1579
 
-1537:                                             ; preds = %1527, %1516, %1503
-  %1538 = phi i64 [ %1512, %1503 ], [ %1508, %1527 ], [ %1517, %1516 ]
-  %1539 = load ptr, ptr %77, align 8
-  %1540 = getelementptr inbounds i8, ptr %1539, i64 48
-  store i64 %1538, ptr %1540, align 8
-  br label %1541
+1541:                                             ; preds = %1540
+  %1542 = load ptr, ptr %76, align 8
+  %1543 = load ptr, ptr %73, align 8
+  %1544 = getelementptr inbounds i8, ptr %1543, i64 8
+  %1545 = load i64, ptr %1544, align 8
+  %1546 = load i64, ptr %83, align 8
+  %1547 = load ptr, ptr %78, align 8
+  %1548 = load ptr, ptr %77, align 8
+  %1549 = getelementptr inbounds i8, ptr %1548, i64 48
+  %1550 = load i64, ptr %1549, align 8
+  %1551 = icmp slt i64 %1550, %1546
+  br i1 %1551, label %1552, label %1575
 
-1541:                                             ; preds = %1537, %1502
-  br i1 %1456, label %1542, label %1558
+1552:                                             ; preds = %1541
+  %1553 = icmp sgt i64 %1545, 0
+  br label %1554
 
-1542:                                             ; preds = %1541
-  %1543 = load i64, ptr %80, align 8
-  %1544 = icmp sgt i64 %1543, 0
-  br i1 %1544, label %1548, label %1545
+1554:                                             ; preds = %1552, %1565
+  %1555 = phi i64 [ %1550, %1552 ], [ %1566, %1565 ]
+  %1556 = getelementptr inbounds double, ptr %1547, i64 %1555
+  %1557 = load double, ptr %1556, align 8
+  %1558 = load ptr, ptr %75, align 8
+  %1559 = load double, ptr %1558, align 8
+  %1560 = fcmp ugt double %1557, %1559
+  br i1 %1560, label %1575, label %1561
 
-1545:                                             ; preds = %1548, %1542
-  store double %1393, ptr %1371, align 8
-  %1546 = getelementptr inbounds i8, ptr %1371, i64 8
-  store double 0.000000e+00, ptr %1546, align 8
-  %1547 = load ptr, ptr %77, align 8
-  store i64 0, ptr %1547, align 8
-  br label %1558
+1561:                                             ; preds = %1554
+  br i1 %1553, label %1562, label %1565
 
-1548:                                             ; preds = %1542, %1548
-  %1549 = phi i64 [ %1555, %1548 ], [ 0, %1542 ]
-  %1550 = load ptr, ptr %76, align 8
-  %1551 = getelementptr inbounds double, ptr %1550, i64 %1549
-  %1552 = load double, ptr %1551, align 8
-  %1553 = load ptr, ptr %74, align 8
-  %1554 = getelementptr inbounds double, ptr %1553, i64 %1549
-  store double %1552, ptr %1554, align 8
-  %1555 = add nuw nsw i64 %1549, 1
-  %1556 = load i64, ptr %80, align 8
-  %1557 = icmp slt i64 %1555, %1556
-  br i1 %1557, label %1548, label %1545, !llvm.loop !30
+1562:                                             ; preds = %1561
+  %1563 = mul nsw i64 %1555, %1545
+  %1564 = getelementptr double, ptr %1, i64 %1563
+  br label %1568
 
-1558:                                             ; preds = %1379, %1500, %1541, %1545
-  %1559 = phi i64 [ -6, %1379 ], [ %1498, %1500 ], [ %1385, %1545 ], [ %1385, %1541 ]
-  %1560 = icmp eq i64 %1559, -6
-  br i1 %1560, label %1565, label %1561
+1565:                                             ; preds = %1568, %1561
+  %1566 = add i64 %1555, 1
+  %1567 = icmp eq i64 %1566, %1546
+  br i1 %1567, label %1575, label %1554, !llvm.loop !9
 
-1561:                                             ; preds = %1558
-  %1562 = icmp ne i64 %1559, 6
-  %1563 = select i1 %1562, i1 true, i1 %187
-  %1564 = select i1 %1563, i1 true, i1 %194
-  br i1 %1564, label %1575, label %1565
+1568:                                             ; preds = %1562, %1568
+  %1569 = phi i64 [ 0, %1562 ], [ %1573, %1568 ]
+  %1570 = getelementptr inbounds double, ptr %1542, i64 %1569
+  %1571 = load double, ptr %1570, align 8
+  %1572 = getelementptr double, ptr %1564, i64 %1569
+  store double %1571, ptr %1572, align 8
+  %1573 = add nuw nsw i64 %1569, 1
+  %1574 = icmp eq i64 %1573, %1545
+  br i1 %1574, label %1565, label %1568, !llvm.loop !10
 
-1565:                                             ; preds = %1561, %1558
-  %1566 = phi i64 [ %1559, %1561 ], [ 2, %1558 ]
-  %1567 = load i64, ptr %459, align 8
-  %1568 = add nsw i64 %1567, -1
-  store i64 %1568, ptr %459, align 8
-  %1569 = load ptr, ptr %96, align 8
-  %1570 = load i64, ptr %1569, align 8
-  %1571 = add nsw i64 %1570, -1
-  store i64 %1571, ptr %1569, align 8
-  %1572 = load i64, ptr %460, align 8
-  %1573 = add nsw i64 %1572, 1
-  store i64 %1573, ptr %460, align 8
-  store i64 %1566, ptr %480, align 8
-  store double 1.000000e+00, ptr %481, align 8
-  %1574 = fmul double %577, 2.500000e-01
-  br label %1732, !llvm.loop !20
+1575:                                             ; preds = %1565, %1554, %1541
+  %1576 = phi i64 [ %1550, %1541 ], [ %1546, %1565 ], [ %1555, %1554 ]
+  %1577 = load ptr, ptr %77, align 8
+  %1578 = getelementptr inbounds i8, ptr %1577, i64 48
+  store i64 %1576, ptr %1578, align 8
+  br label %1579
 
-1575:                                             ; preds = %1561
-  %1576 = icmp eq i64 %1559, 0
-  br i1 %1576, label %1581, label %1577
+1579:                                             ; preds = %1575, %1540
+  br i1 %1494, label %1580, label %1596
 
-1577:                                             ; preds = %1575
-  %1578 = load ptr, ptr %96, align 8
-  %1579 = load i64, ptr %1578, align 8
-  %1580 = add nsw i64 %1579, 1
-  store i64 %1580, ptr %1578, align 8
-  br label %1732
+1580:                                             ; preds = %1579
+  %1581 = load i64, ptr %80, align 8
+  %1582 = icmp sgt i64 %1581, 0
+  br i1 %1582, label %1586, label %1583
 
-1581:                                             ; preds = %1575, %1217
-  br i1 %187, label %1684, label %1582
+1583:                                             ; preds = %1586, %1580
+  store double %1431, ptr %1409, align 8
+  %1584 = getelementptr inbounds i8, ptr %1409, i64 8
+  store double 0.000000e+00, ptr %1584, align 8
+  %1585 = load ptr, ptr %77, align 8
+  store i64 0, ptr %1585, align 8
+  br label %1596
 
-1582:                                             ; preds = %1581
-  %1583 = load double, ptr %471, align 8
-  %1584 = fcmp ogt double %961, 1.000000e-10
-  %1585 = select i1 %1584, double %961, double 1.000000e-10
-  %1586 = load double, ptr %472, align 8
-  %1587 = load double, ptr %473, align 8
-  %1588 = fneg double %1587
-  %1589 = bitcast double %1585 to i64
-  %1590 = add nsw i64 %1589, -4604544271217802189
-  %1591 = ashr i64 %1590, 52
-  %1592 = and i64 %1590, -4503599627370496
-  %1593 = sub nsw i64 %1589, %1592
-  %1594 = bitcast i64 %1593 to double
-  %1595 = fadd double %1594, -1.000000e+00
-  %1596 = fadd double %1594, 1.000000e+00
-  %1597 = fdiv double %1595, %1596
-  %1598 = fmul double %1597, %1597
-  %1599 = tail call double @llvm.fma.f64(double %1598, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1600 = tail call double @llvm.fma.f64(double %1599, double %1598, double 0x3FE2776C50EF9BFE)
-  %1601 = tail call double @llvm.fma.f64(double %1600, double %1598, double 0x3FEEC709DC3A03FD)
-  %1602 = tail call double @llvm.fma.f64(double %1601, double %1598, double 0x40071547652B82FE)
-  %1603 = trunc nsw i64 %1591 to i32
-  %1604 = sitofp i32 %1603 to double
-  %1605 = fmul double %1597, %1602
-  %1606 = fadd double %1605, %1604
-  %1607 = fmul double %1606, %1588
-  %1608 = fcmp ogt double %1607, -1.000000e+03
-  %1609 = select i1 %1608, double %1607, double -1.000000e+03
-  %1610 = fcmp olt double %1609, 1.000000e+03
-  %1611 = select i1 %1610, double %1609, double 1.000000e+03
-  %1612 = tail call double @llvm.rint.f64(double %1611)
-  %1613 = fsub double %1611, %1612
-  %1614 = tail call double @llvm.fma.f64(double %1613, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1615 = tail call double @llvm.fma.f64(double %1614, double %1613, double 0x3F55D87FE78A6730)
-  %1616 = tail call double @llvm.fma.f64(double %1615, double %1613, double 0x3F83B2AB6FBA4E77)
-  %1617 = tail call double @llvm.fma.f64(double %1616, double %1613, double 0x3FAC6B08D704A0BF)
-  %1618 = tail call double @llvm.fma.f64(double %1617, double %1613, double 0x3FCEBFBDFF82C58E)
-  %1619 = tail call double @llvm.fma.f64(double %1618, double %1613, double 0x3FE62E42FEFA39EF)
-  %1620 = tail call double @llvm.fma.f64(double %1619, double %1613, double 1.000000e+00)
-  %1621 = bitcast double %1620 to i64
-  %1622 = fptosi double %1612 to i32
-  %1623 = sext i32 %1622 to i64
-  %1624 = shl nsw i64 %1623, 52
-  %1625 = add nsw i64 %1624, %1621
-  %1626 = bitcast i64 %1625 to double
-  %1627 = fmul double %1586, %1626
-  %1628 = load double, ptr %474, align 8
-  %1629 = fcmp une double %1628, 0.000000e+00
-  br i1 %1629, label %1630, label %1670
+1586:                                             ; preds = %1580, %1586
+  %1587 = phi i64 [ %1593, %1586 ], [ 0, %1580 ]
+  %1588 = load ptr, ptr %76, align 8
+  %1589 = getelementptr inbounds double, ptr %1588, i64 %1587
+  %1590 = load double, ptr %1589, align 8
+  %1591 = load ptr, ptr %74, align 8
+  %1592 = getelementptr inbounds double, ptr %1591, i64 %1587
+  store double %1590, ptr %1592, align 8
+  %1593 = add nuw nsw i64 %1587, 1
+  %1594 = load i64, ptr %80, align 8
+  %1595 = icmp slt i64 %1593, %1594
+  br i1 %1595, label %1586, label %1583, !llvm.loop !30
 
-1630:                                             ; preds = %1582
-  %1631 = load i64, ptr %470, align 8
-  %1632 = add nsw i64 %1631, -4604544271217802189
-  %1633 = ashr i64 %1632, 52
-  %1634 = and i64 %1632, -4503599627370496
-  %1635 = sub nsw i64 %1631, %1634
-  %1636 = bitcast i64 %1635 to double
-  %1637 = fadd double %1636, -1.000000e+00
-  %1638 = fadd double %1636, 1.000000e+00
-  %1639 = fdiv double %1637, %1638
-  %1640 = fmul double %1639, %1639
-  %1641 = tail call double @llvm.fma.f64(double %1640, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1642 = tail call double @llvm.fma.f64(double %1641, double %1640, double 0x3FE2776C50EF9BFE)
-  %1643 = tail call double @llvm.fma.f64(double %1642, double %1640, double 0x3FEEC709DC3A03FD)
-  %1644 = tail call double @llvm.fma.f64(double %1643, double %1640, double 0x40071547652B82FE)
-  %1645 = trunc nsw i64 %1633 to i32
-  %1646 = sitofp i32 %1645 to double
-  %1647 = fmul double %1639, %1644
-  %1648 = fadd double %1647, %1646
-  %1649 = fmul double %1628, %1648
-  %1650 = fcmp ogt double %1649, -1.000000e+03
-  %1651 = select i1 %1650, double %1649, double -1.000000e+03
-  %1652 = fcmp olt double %1651, 1.000000e+03
-  %1653 = select i1 %1652, double %1651, double 1.000000e+03
-  %1654 = tail call double @llvm.rint.f64(double %1653)
-  %1655 = fsub double %1653, %1654
-  %1656 = tail call double @llvm.fma.f64(double %1655, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1657 = tail call double @llvm.fma.f64(double %1656, double %1655, double 0x3F55D87FE78A6730)
-  %1658 = tail call double @llvm.fma.f64(double %1657, double %1655, double 0x3F83B2AB6FBA4E77)
-  %1659 = tail call double @llvm.fma.f64(double %1658, double %1655, double 0x3FAC6B08D704A0BF)
-  %1660 = tail call double @llvm.fma.f64(double %1659, double %1655, double 0x3FCEBFBDFF82C58E)
-  %1661 = tail call double @llvm.fma.f64(double %1660, double %1655, double 0x3FE62E42FEFA39EF)
-  %1662 = tail call double @llvm.fma.f64(double %1661, double %1655, double 1.000000e+00)
-  %1663 = bitcast double %1662 to i64
-  %1664 = fptosi double %1654 to i32
-  %1665 = sext i32 %1664 to i64
-  %1666 = shl nsw i64 %1665, 52
-  %1667 = add nsw i64 %1666, %1663
-  %1668 = bitcast i64 %1667 to double
-  %1669 = fmul double %1627, %1668
-  br label %1670
+1596:                                             ; preds = %1417, %1538, %1579, %1583
+  %1597 = phi i64 [ -6, %1417 ], [ %1536, %1538 ], [ %1423, %1583 ], [ %1423, %1579 ]
+  %1598 = icmp eq i64 %1597, -6
+  br i1 %1598, label %1603, label %1599
 
-1670:                                             ; preds = %1582, %1630
-  %1671 = phi double [ %1669, %1630 ], [ %1627, %1582 ]
-  %1672 = load double, ptr %475, align 8
-  %1673 = fcmp ogt double %1671, %1672
-  %1674 = select i1 %1673, double %1671, double %1672
-  %1675 = fcmp olt double %1583, %1674
-  %1676 = select i1 %1675, double %1583, double %1674
-  %1677 = fmul double %577, %1676
-  %1678 = fcmp ogt double %492, %1677
-  %1679 = select i1 %1678, double %492, double %1677
-  %1680 = select i1 %581, double %1677, double %1679
-  %1681 = fcmp ogt double %961, 1.000000e-04
-  %1682 = select i1 %1681, double %961, double 1.000000e-04
-  store double %1682, ptr %470, align 8
-  %1683 = load double, ptr %476, align 8
-  store double %1683, ptr %471, align 8
-  br label %1684
+1599:                                             ; preds = %1596
+  %1600 = icmp ne i64 %1597, 6
+  %1601 = select i1 %1600, i1 true, i1 %187
+  %1602 = select i1 %1601, i1 true, i1 %194
+  br i1 %1602, label %1613, label %1603
 
-1684:                                             ; preds = %1670, %1581
-  %1685 = phi double [ %1680, %1670 ], [ %492, %1581 ]
-  br i1 %477, label %1690, label %1686
+1603:                                             ; preds = %1599, %1596
+  %1604 = phi i64 [ %1597, %1599 ], [ 2, %1596 ]
+  %1605 = load i64, ptr %473, align 8
+  %1606 = add nsw i64 %1605, -1
+  store i64 %1606, ptr %473, align 8
+  %1607 = load ptr, ptr %96, align 8
+  %1608 = load i64, ptr %1607, align 8
+  %1609 = add nsw i64 %1608, -1
+  store i64 %1609, ptr %1607, align 8
+  %1610 = load i64, ptr %474, align 8
+  %1611 = add nsw i64 %1610, 1
+  store i64 %1611, ptr %474, align 8
+  store i64 %1604, ptr %494, align 8
+  store double 1.000000e+00, ptr %495, align 8
+  %1612 = fmul double %591, 2.500000e-01
+  br label %1776, !llvm.loop !20
 
-1686:                                             ; preds = %1690, %1684
-  %1687 = load i64, ptr %478, align 8
-  %1688 = load i64, ptr %83, align 8
-  %1689 = icmp eq i64 %1687, %1688
-  br i1 %1689, label %1702, label %1703
+1613:                                             ; preds = %1599
+  %1614 = icmp eq i64 %1597, 0
+  br i1 %1614, label %1619, label %1615
 
-1690:                                             ; preds = %1684, %1690
-  %1691 = phi i64 [ %1700, %1690 ], [ 0, %1684 ]
-  %1692 = getelementptr inbounds double, ptr %172, i64 %1691
-  %1693 = load double, ptr %1692, align 8
-  %1694 = load ptr, ptr %74, align 8
-  %1695 = getelementptr inbounds double, ptr %1694, i64 %1691
-  store double %1693, ptr %1695, align 8
-  %1696 = getelementptr inbounds double, ptr %202, i64 %1691
-  %1697 = load double, ptr %1696, align 8
-  %1698 = load ptr, ptr %84, align 8
-  %1699 = getelementptr inbounds double, ptr %1698, i64 %1691
-  store double %1697, ptr %1699, align 8
-  %1700 = add nuw nsw i64 %1691, 1
-  %1701 = icmp eq i64 %1700, %181
-  br i1 %1701, label %1686, label %1690, !llvm.loop !31
+1615:                                             ; preds = %1613
+  %1616 = load ptr, ptr %96, align 8
+  %1617 = load i64, ptr %1616, align 8
+  %1618 = add nsw i64 %1617, 1
+  store i64 %1618, ptr %1616, align 8
+  br label %1776
 
-1702:                                             ; preds = %1686
-  store double %1685, ptr %204, align 8
-  br label %1732
+1619:                                             ; preds = %1613, %1249
+  br i1 %187, label %1722, label %1620
 
-1703:                                             ; preds = %1686
-  %1704 = fcmp oeq double %576, %551
-  br i1 %1704, label %1705, label %1732
+1620:                                             ; preds = %1619
+  %1621 = load double, ptr %485, align 8
+  %1622 = fcmp ogt double %993, 1.000000e-10
+  %1623 = select i1 %1622, double %993, double 1.000000e-10
+  %1624 = load double, ptr %486, align 8
+  %1625 = load double, ptr %487, align 8
+  %1626 = fneg double %1625
+  %1627 = bitcast double %1623 to i64
+  %1628 = add nsw i64 %1627, -4604544271217802189
+  %1629 = ashr i64 %1628, 52
+  %1630 = and i64 %1628, -4503599627370496
+  %1631 = sub nsw i64 %1627, %1630
+  %1632 = bitcast i64 %1631 to double
+  %1633 = fadd double %1632, -1.000000e+00
+  %1634 = fadd double %1632, 1.000000e+00
+  %1635 = fdiv double %1633, %1634
+  %1636 = fmul double %1635, %1635
+  %1637 = tail call double @llvm.fma.f64(double %1636, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1638 = tail call double @llvm.fma.f64(double %1637, double %1636, double 0x3FE2776C50EF9BFE)
+  %1639 = tail call double @llvm.fma.f64(double %1638, double %1636, double 0x3FEEC709DC3A03FD)
+  %1640 = tail call double @llvm.fma.f64(double %1639, double %1636, double 0x40071547652B82FE)
+  %1641 = trunc nsw i64 %1629 to i32
+  %1642 = sitofp i32 %1641 to double
+  %1643 = fmul double %1635, %1640
+  %1644 = fadd double %1643, %1642
+  %1645 = fmul double %1644, %1626
+  %1646 = fcmp ogt double %1645, -1.000000e+03
+  %1647 = select i1 %1646, double %1645, double -1.000000e+03
+  %1648 = fcmp olt double %1647, 1.000000e+03
+  %1649 = select i1 %1648, double %1647, double 1.000000e+03
+  %1650 = tail call double @llvm.rint.f64(double %1649)
+  %1651 = fsub double %1649, %1650
+  %1652 = tail call double @llvm.fma.f64(double %1651, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1653 = tail call double @llvm.fma.f64(double %1652, double %1651, double 0x3F55D87FE78A6730)
+  %1654 = tail call double @llvm.fma.f64(double %1653, double %1651, double 0x3F83B2AB6FBA4E77)
+  %1655 = tail call double @llvm.fma.f64(double %1654, double %1651, double 0x3FAC6B08D704A0BF)
+  %1656 = tail call double @llvm.fma.f64(double %1655, double %1651, double 0x3FCEBFBDFF82C58E)
+  %1657 = tail call double @llvm.fma.f64(double %1656, double %1651, double 0x3FE62E42FEFA39EF)
+  %1658 = tail call double @llvm.fma.f64(double %1657, double %1651, double 1.000000e+00)
+  %1659 = bitcast double %1658 to i64
+  %1660 = fptosi double %1650 to i32
+  %1661 = sext i32 %1660 to i64
+  %1662 = shl nsw i64 %1661, 52
+  %1663 = add nsw i64 %1662, %1659
+  %1664 = bitcast i64 %1663 to double
+  %1665 = fmul double %1624, %1664
+  %1666 = load double, ptr %488, align 8
+  %1667 = fcmp une double %1666, 0.000000e+00
+  br i1 %1667, label %1668, label %1708
 
-1705:                                             ; preds = %1703
-  %1706 = load i64, ptr %98, align 8
-  %1707 = icmp sgt i64 %1706, 0
-  br i1 %1707, label %1708, label %1710
+1668:                                             ; preds = %1620
+  %1669 = load i64, ptr %484, align 8
+  %1670 = add nsw i64 %1669, -4604544271217802189
+  %1671 = ashr i64 %1670, 52
+  %1672 = and i64 %1670, -4503599627370496
+  %1673 = sub nsw i64 %1669, %1672
+  %1674 = bitcast i64 %1673 to double
+  %1675 = fadd double %1674, -1.000000e+00
+  %1676 = fadd double %1674, 1.000000e+00
+  %1677 = fdiv double %1675, %1676
+  %1678 = fmul double %1677, %1677
+  %1679 = tail call double @llvm.fma.f64(double %1678, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1680 = tail call double @llvm.fma.f64(double %1679, double %1678, double 0x3FE2776C50EF9BFE)
+  %1681 = tail call double @llvm.fma.f64(double %1680, double %1678, double 0x3FEEC709DC3A03FD)
+  %1682 = tail call double @llvm.fma.f64(double %1681, double %1678, double 0x40071547652B82FE)
+  %1683 = trunc nsw i64 %1671 to i32
+  %1684 = sitofp i32 %1683 to double
+  %1685 = fmul double %1677, %1682
+  %1686 = fadd double %1685, %1684
+  %1687 = fmul double %1666, %1686
+  %1688 = fcmp ogt double %1687, -1.000000e+03
+  %1689 = select i1 %1688, double %1687, double -1.000000e+03
+  %1690 = fcmp olt double %1689, 1.000000e+03
+  %1691 = select i1 %1690, double %1689, double 1.000000e+03
+  %1692 = tail call double @llvm.rint.f64(double %1691)
+  %1693 = fsub double %1691, %1692
+  %1694 = tail call double @llvm.fma.f64(double %1693, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1695 = tail call double @llvm.fma.f64(double %1694, double %1693, double 0x3F55D87FE78A6730)
+  %1696 = tail call double @llvm.fma.f64(double %1695, double %1693, double 0x3F83B2AB6FBA4E77)
+  %1697 = tail call double @llvm.fma.f64(double %1696, double %1693, double 0x3FAC6B08D704A0BF)
+  %1698 = tail call double @llvm.fma.f64(double %1697, double %1693, double 0x3FCEBFBDFF82C58E)
+  %1699 = tail call double @llvm.fma.f64(double %1698, double %1693, double 0x3FE62E42FEFA39EF)
+  %1700 = tail call double @llvm.fma.f64(double %1699, double %1693, double 1.000000e+00)
+  %1701 = bitcast double %1700 to i64
+  %1702 = fptosi double %1692 to i32
+  %1703 = sext i32 %1702 to i64
+  %1704 = shl nsw i64 %1703, 52
+  %1705 = add nsw i64 %1704, %1701
+  %1706 = bitcast i64 %1705 to double
+  %1707 = fmul double %1665, %1706
+  br label %1708
 
-1708:                                             ; preds = %1705
-  %1709 = load ptr, ptr %164, align 8
-  store double 0x7FF0000000000000, ptr %1709, align 8
-  br label %1710
+1708:                                             ; preds = %1620, %1668
+  %1709 = phi double [ %1707, %1668 ], [ %1665, %1620 ]
+  %1710 = load double, ptr %489, align 8
+  %1711 = fcmp ogt double %1709, %1710
+  %1712 = select i1 %1711, double %1709, double %1710
+  %1713 = fcmp olt double %1621, %1712
+  %1714 = select i1 %1713, double %1621, double %1712
+  %1715 = fmul double %591, %1714
+  %1716 = fcmp ogt double %506, %1715
+  %1717 = select i1 %1716, double %506, double %1715
+  %1718 = select i1 %595, double %1715, double %1717
+  %1719 = fcmp ogt double %993, 1.000000e-04
+  %1720 = select i1 %1719, double %993, double 1.000000e-04
+  store double %1720, ptr %484, align 8
+  %1721 = load double, ptr %490, align 8
+  store double %1721, ptr %485, align 8
+  br label %1722
 
-1710:                                             ; preds = %1705, %1708
-  %1711 = load i64, ptr %464, align 8
-  %1712 = add nsw i64 %1711, 1
-  store i64 %1712, ptr %464, align 8
-  %1713 = load ptr, ptr %74, align 8
-  %1714 = load ptr, ptr %84, align 8
-  %1715 = load ptr, ptr %165, align 8
-  store double %576, ptr %1715, align 8
-  %1716 = load i64, ptr %166, align 8
-  %1717 = icmp sgt i64 %1716, 0
-  br i1 %1717, label %1718, label %1719
+1722:                                             ; preds = %1708, %1619
+  %1723 = phi double [ %1718, %1708 ], [ %506, %1619 ]
+  br i1 %491, label %1728, label %1724
 
-1718:                                             ; preds = %1710
+1724:                                             ; preds = %1728, %1722
+  %1725 = load i64, ptr %492, align 8
+  %1726 = load i64, ptr %83, align 8
+  %1727 = icmp eq i64 %1725, %1726
+  br i1 %1727, label %1740, label %1741
+
+1728:                                             ; preds = %1722, %1728
+  %1729 = phi i64 [ %1738, %1728 ], [ 0, %1722 ]
+  %1730 = getelementptr inbounds double, ptr %172, i64 %1729
+  %1731 = load double, ptr %1730, align 8
+  %1732 = load ptr, ptr %74, align 8
+  %1733 = getelementptr inbounds double, ptr %1732, i64 %1729
+  store double %1731, ptr %1733, align 8
+  %1734 = getelementptr inbounds double, ptr %202, i64 %1729
+  %1735 = load double, ptr %1734, align 8
+  %1736 = load ptr, ptr %84, align 8
+  %1737 = getelementptr inbounds double, ptr %1736, i64 %1729
+  store double %1735, ptr %1737, align 8
+  %1738 = add nuw nsw i64 %1729, 1
+  %1739 = icmp eq i64 %1738, %181
+  br i1 %1739, label %1724, label %1728, !llvm.loop !31
+
+1740:                                             ; preds = %1724
+  store double %1723, ptr %204, align 8
+  br label %1776
+
+1741:                                             ; preds = %1724
+  %1742 = fcmp oeq double %590, %565
+  br i1 %1742, label %1743, label %1776
+
+1743:                                             ; preds = %1741
+  %1744 = load i64, ptr %97, align 8
+  %1745 = icmp sgt i64 %1744, 0
+  br i1 %1745, label %1746, label %1748
+
+1746:                                             ; preds = %1743
+  %1747 = load ptr, ptr %164, align 8
+  store double 0x7FF0000000000000, ptr %1747, align 8
+  br label %1748
+
+1748:                                             ; preds = %1743, %1746
+  %1749 = load i64, ptr %478, align 8
+  %1750 = add nsw i64 %1749, 1
+  store i64 %1750, ptr %478, align 8
+  %1751 = load ptr, ptr %74, align 8
+  %1752 = load ptr, ptr %84, align 8
+  %1753 = load ptr, ptr %165, align 8
+  store double %590, ptr %1753, align 8
+  %1754 = load ptr, ptr %73, align 8
+  %1755 = getelementptr inbounds i8, ptr %1754, i64 40
+  %1756 = load i64, ptr %1755, align 8
+  %1757 = icmp eq i64 %1756, 0
+  br i1 %1757, label %1759, label %1758
+
+1758:                                             ; preds = %1748
+  tail call fastcc void @settle(ptr noundef nonnull %73) #8
+  br label %1759
+
+1759:                                             ; preds = %1758, %1748
+  %1760 = load i64, ptr %166, align 8
+  %1761 = icmp sgt i64 %1760, 0
+  br i1 %1761, label %1762, label %1763
+
+1762:                                             ; preds = %1759
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1719
+  br label %1763
 
-1719:                                             ; preds = %1710, %1718
-  %1720 = load ptr, ptr %73, align 8
-  %1721 = load i64, ptr %1720, align 8
-  %1722 = load ptr, ptr %165, align 8
-  %1723 = load ptr, ptr %167, align 8
-  %1724 = load ptr, ptr %168, align 8
-  %1725 = inttoptr i64 %1721 to ptr
-  %1726 = load ptr, ptr %1725, align 8
-  %1727 = tail call i32 %1726(ptr noundef %1722, ptr noundef %1713, ptr noundef %1723, ptr noundef %1724, ptr noundef %1714) #9
-  %1728 = icmp eq i32 %1727, 0
-  br i1 %1728, label %1732, label %1729
+1763:                                             ; preds = %1759, %1762
+  %1764 = load ptr, ptr %73, align 8
+  %1765 = load i64, ptr %1764, align 8
+  %1766 = load ptr, ptr %165, align 8
+  %1767 = load ptr, ptr %167, align 8
+  %1768 = load ptr, ptr %168, align 8
+  %1769 = inttoptr i64 %1765 to ptr
+  %1770 = load ptr, ptr %1769, align 8
+  %1771 = tail call i32 %1770(ptr noundef %1766, ptr noundef %1751, ptr noundef %1767, ptr noundef %1768, ptr noundef %1752) #9
+  %1772 = icmp eq i32 %1771, 0
+  br i1 %1772, label %1776, label %1773
 
-1729:                                             ; preds = %1719
-  store i64 3, ptr %479, align 8
-  store double %1685, ptr %204, align 8
-  %1730 = icmp slt i32 %1727, 0
-  %1731 = select i1 %1730, i64 -4, i64 2
-  br label %1732
+1773:                                             ; preds = %1763
+  store i64 3, ptr %493, align 8
+  store double %1723, ptr %204, align 8
+  %1774 = icmp slt i32 %1771, 0
+  %1775 = select i1 %1774, i64 -4, i64 2
+  br label %1776
 
-1732:                                             ; preds = %1729, %1719, %1703, %1702, %1577, %1565, %1367, %1029, %1028, %948, %758, %583
-  %1733 = phi double [ %492, %583 ], [ %492, %758 ], [ %492, %948 ], [ %1027, %1029 ], [ %1027, %1028 ], [ %492, %1367 ], [ %1574, %1565 ], [ %492, %1577 ], [ %1685, %1702 ], [ %1685, %1729 ], [ %1685, %1719 ], [ %1685, %1703 ]
-  %1734 = phi double [ %491, %583 ], [ %491, %758 ], [ %491, %948 ], [ %491, %1029 ], [ %491, %1028 ], [ %491, %1367 ], [ %491, %1565 ], [ %491, %1577 ], [ %576, %1702 ], [ %576, %1729 ], [ %576, %1719 ], [ %576, %1703 ]
-  %1735 = phi i32 [ 1, %583 ], [ 1, %758 ], [ 1, %948 ], [ 3, %1029 ], [ 1, %1028 ], [ 1, %1367 ], [ 3, %1565 ], [ 1, %1577 ], [ 1, %1702 ], [ 1, %1729 ], [ 0, %1719 ], [ 0, %1703 ]
-  %1736 = phi i64 [ 2, %583 ], [ -4, %758 ], [ -4, %948 ], [ %490, %1029 ], [ 2, %1028 ], [ %1369, %1367 ], [ %490, %1565 ], [ %1559, %1577 ], [ 0, %1702 ], [ %1731, %1729 ], [ %490, %1719 ], [ %490, %1703 ]
-  switch i32 %1735, label %1740 [
-    i32 0, label %1737
-    i32 3, label %1737
+1776:                                             ; preds = %1773, %1763, %1741, %1740, %1615, %1603, %1405, %1061, %1060, %980, %784, %597
+  %1777 = phi double [ %506, %597 ], [ %506, %784 ], [ %506, %980 ], [ %1059, %1061 ], [ %1059, %1060 ], [ %506, %1405 ], [ %1612, %1603 ], [ %506, %1615 ], [ %1723, %1740 ], [ %1723, %1773 ], [ %1723, %1763 ], [ %1723, %1741 ]
+  %1778 = phi double [ %505, %597 ], [ %505, %784 ], [ %505, %980 ], [ %505, %1061 ], [ %505, %1060 ], [ %505, %1405 ], [ %505, %1603 ], [ %505, %1615 ], [ %590, %1740 ], [ %590, %1773 ], [ %590, %1763 ], [ %590, %1741 ]
+  %1779 = phi i32 [ 1, %597 ], [ 1, %784 ], [ 1, %980 ], [ 3, %1061 ], [ 1, %1060 ], [ 1, %1405 ], [ 3, %1603 ], [ 1, %1615 ], [ 1, %1740 ], [ 1, %1773 ], [ 0, %1763 ], [ 0, %1741 ]
+  %1780 = phi i64 [ 2, %597 ], [ -4, %784 ], [ -4, %980 ], [ %504, %1061 ], [ 2, %1060 ], [ %1407, %1405 ], [ %504, %1603 ], [ %1597, %1615 ], [ 0, %1740 ], [ %1775, %1773 ], [ %504, %1763 ], [ %504, %1741 ]
+  switch i32 %1779, label %1784 [
+    i32 0, label %1781
+    i32 3, label %1781
   ]
 
-1737:                                             ; preds = %1732, %1732
-  %1738 = load i64, ptr %174, align 8
-  %1739 = icmp eq i64 %1738, 0
-  br i1 %1739, label %486, label %488, !llvm.loop !20
+1781:                                             ; preds = %1776, %1776
+  %1782 = load i64, ptr %174, align 8
+  %1783 = icmp eq i64 %1782, 0
+  br i1 %1783, label %500, label %502, !llvm.loop !20
 
-1740:                                             ; preds = %1732, %170, %258, %300, %486, %505, %513
-  %1741 = phi i64 [ -1, %170 ], [ %261, %258 ], [ -1, %486 ], [ -5, %505 ], [ 1, %513 ], [ 0, %300 ], [ %1736, %1732 ]
-  %1742 = load ptr, ptr %169, align 8
-  %1743 = getelementptr inbounds i8, ptr %1742, i64 48
-  %1744 = load i64, ptr %1743, align 8
-  %1745 = icmp ne i64 %1741, -2
-  %1746 = icmp eq i64 %1744, 0
-  %1747 = select i1 %1745, i1 true, i1 %1746
-  br i1 %1747, label %1755, label %1748
+1784:                                             ; preds = %1776, %170, %266, %308, %500, %519, %527
+  %1785 = phi i64 [ -1, %170 ], [ %269, %266 ], [ -1, %500 ], [ -5, %519 ], [ 1, %527 ], [ 0, %308 ], [ %1780, %1776 ]
+  %1786 = load ptr, ptr %169, align 8
+  %1787 = getelementptr inbounds i8, ptr %1786, i64 48
+  %1788 = load i64, ptr %1787, align 8
+  %1789 = icmp ne i64 %1785, -2
+  %1790 = icmp eq i64 %1788, 0
+  %1791 = select i1 %1789, i1 true, i1 %1790
+  br i1 %1791, label %1799, label %1792
 
-1748:                                             ; preds = %1740
-  %1749 = inttoptr i64 %1744 to ptr
-  %1750 = tail call i64 %1749(ptr noundef %0) #9
-  %1751 = icmp eq i64 %1750, 8
-  %1752 = select i1 %1751, i64 8, i64 %1741
-  %1753 = icmp eq i64 %1750, 1
-  %1754 = zext i1 %1753 to i32
-  br label %1755
+1792:                                             ; preds = %1784
+  %1793 = inttoptr i64 %1788 to ptr
+  %1794 = tail call i64 %1793(ptr noundef %0) #9
+  %1795 = icmp eq i64 %1794, 8
+  %1796 = select i1 %1795, i64 8, i64 %1785
+  %1797 = icmp eq i64 %1794, 1
+  %1798 = zext i1 %1797 to i32
+  br label %1799
 
-1755:                                             ; preds = %1740, %1748
-  %1756 = phi i64 [ %1741, %1740 ], [ %1752, %1748 ]
-  %1757 = phi i32 [ 0, %1740 ], [ %1754, %1748 ]
-  %1758 = icmp eq i32 %1757, 0
-  br i1 %1758, label %1759, label %170, !llvm.loop !32
+1799:                                             ; preds = %1784, %1792
+  %1800 = phi i64 [ %1785, %1784 ], [ %1796, %1792 ]
+  %1801 = phi i32 [ 0, %1784 ], [ %1798, %1792 ]
+  %1802 = icmp eq i32 %1801, 0
+  br i1 %1802, label %1803, label %170, !llvm.loop !32
 
-1759:                                             ; preds = %1755
-  %1760 = getelementptr inbounds i8, ptr %0, i64 320
-  %1761 = load i64, ptr %1760, align 8
-  %1762 = icmp sgt i64 %1761, 0
-  br i1 %1762, label %1763, label %1766
+1803:                                             ; preds = %1799
+  %1804 = getelementptr inbounds i8, ptr %0, i64 320
+  %1805 = load i64, ptr %1804, align 8
+  %1806 = icmp sgt i64 %1805, 0
+  br i1 %1806, label %1807, label %1810
 
-1763:                                             ; preds = %1759
-  %1764 = getelementptr inbounds i8, ptr %0, i64 336
-  %1765 = load ptr, ptr %1764, align 8
-  store double 0x7FF0000000000000, ptr %1765, align 8
-  br label %1766
+1807:                                             ; preds = %1803
+  %1808 = getelementptr inbounds i8, ptr %0, i64 336
+  %1809 = load ptr, ptr %1808, align 8
+  store double 0x7FF0000000000000, ptr %1809, align 8
+  br label %1810
 
-1766:                                             ; preds = %1759, %1763
-  ret i64 %1756
+1810:                                             ; preds = %1803, %1807
+  ret i64 %1800
 }
 
 
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !8
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104

@@ -1,4 +1,4 @@
-; sources 5d0fb52540a62247e5133fd577f4147a4533e505791d4ea41c2d313fabdf44cd
+; sources a696c3e560dfeaa710451b1159119a6edfecbcc8e652bf89f27531ba4bbf3146
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -118,8 +118,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %84 = getelementptr inbounds i8, ptr %0, i64 680
   %85 = getelementptr inbounds i8, ptr %0, i64 696
   %86 = getelementptr inbounds i8, ptr %0, i64 768
-  %87 = getelementptr inbounds i8, ptr %0, i64 312
-  %88 = getelementptr inbounds i8, ptr %0, i64 320
+  %87 = getelementptr inbounds i8, ptr %0, i64 320
+  %88 = getelementptr inbounds i8, ptr %0, i64 312
   %89 = getelementptr inbounds i8, ptr %0, i64 336
   %90 = getelementptr inbounds i8, ptr %0, i64 528
   %91 = getelementptr inbounds i8, ptr %0, i64 168
@@ -129,8 +129,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %95 = getelementptr inbounds i8, ptr %0, i64 1392
   %96 = getelementptr inbounds i8, ptr %0, i64 528
   %97 = getelementptr inbounds i8, ptr %0, i64 1320
-  %98 = getelementptr inbounds i8, ptr %0, i64 312
-  %99 = getelementptr inbounds i8, ptr %0, i64 320
+  %98 = getelementptr inbounds i8, ptr %0, i64 320
+  %99 = getelementptr inbounds i8, ptr %0, i64 312
   %100 = getelementptr inbounds i8, ptr %0, i64 336
   %101 = getelementptr inbounds i8, ptr %0, i64 1440
   %102 = getelementptr inbounds i8, ptr %0, i64 1464
@@ -239,13 +239,13 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %205 = getelementptr inbounds i8, ptr %0, i64 768
   br label %206
 
-206:                                              ; preds = %2227, %76
-  %207 = phi double [ undef, %76 ], [ %2207, %2227 ]
-  %208 = phi double [ undef, %76 ], [ %2208, %2227 ]
-  %209 = phi double [ undef, %76 ], [ %2209, %2227 ]
-  %210 = phi i64 [ undef, %76 ], [ %2210, %2227 ]
-  %211 = phi i64 [ undef, %76 ], [ %2211, %2227 ]
-  %212 = phi i64 [ undef, %76 ], [ %2212, %2227 ]
+206:                                              ; preds = %2265, %76
+  %207 = phi double [ undef, %76 ], [ %2245, %2265 ]
+  %208 = phi double [ undef, %76 ], [ %2246, %2265 ]
+  %209 = phi double [ undef, %76 ], [ %2247, %2265 ]
+  %210 = phi i64 [ undef, %76 ], [ %2248, %2265 ]
+  %211 = phi i64 [ undef, %76 ], [ %2249, %2265 ]
+  %212 = phi i64 [ undef, %76 ], [ %2250, %2265 ]
   %213 = load ptr, ptr %80, align 8, !noalias !8
   %214 = load double, ptr %213, align 8, !noalias !8
   %215 = load ptr, ptr %77, align 8
@@ -272,7 +272,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %232 = getelementptr inbounds i8, ptr %231, i64 56
   %233 = load i64, ptr %232, align 8
   %234 = icmp eq i64 %233, 0
-  br i1 %234, label %2206, label %235
+  br i1 %234, label %2244, label %235
 
 235:                                              ; preds = %228
   %236 = load ptr, ptr %83, align 8
@@ -292,2611 +292,2750 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %250 = load double, ptr %249, align 8
   %251 = load i64, ptr %231, align 8
   %252 = icmp eq i64 %251, 0
-  br i1 %252, label %253, label %393
+  br i1 %252, label %253, label %401
 
 253:                                              ; preds = %235
-  %254 = load ptr, ptr %87, align 8
-  %255 = load i64, ptr %88, align 8
-  %256 = icmp eq i64 %255, 0
-  br i1 %256, label %283, label %257
+  %254 = load i64, ptr %87, align 8
+  %255 = icmp eq i64 %254, 0
+  br i1 %255, label %285, label %256
 
-257:                                              ; preds = %253
-  %258 = icmp sgt i64 %255, 0
-  br i1 %258, label %259, label %272
+256:                                              ; preds = %253
+  %257 = icmp sgt i64 %254, 0
+  br i1 %257, label %258, label %273
 
-259:                                              ; preds = %257, %259
-  %260 = phi i64 [ %270, %259 ], [ %255, %257 ]
-  %261 = phi i64 [ %269, %259 ], [ 0, %257 ]
-  %262 = add nuw nsw i64 %260, %261
-  %263 = lshr i64 %262, 1
-  %264 = and i64 %262, -2
-  %265 = getelementptr inbounds double, ptr %254, i64 %264
-  %266 = load double, ptr %265, align 8
-  %267 = fcmp ogt double %266, %248
-  %268 = add nuw nsw i64 %263, 1
-  %269 = select i1 %267, i64 %261, i64 %268
-  %270 = select i1 %267, i64 %263, i64 %260
-  %271 = icmp slt i64 %269, %270
-  br i1 %271, label %259, label %272, !llvm.loop !12
+258:                                              ; preds = %256
+  %259 = load ptr, ptr %88, align 8
+  br label %260
 
-272:                                              ; preds = %259, %257
-  %273 = phi i64 [ 0, %257 ], [ %269, %259 ]
-  %274 = icmp slt i64 %273, %255
-  br i1 %274, label %275, label %280
+260:                                              ; preds = %258, %260
+  %261 = phi i64 [ 0, %258 ], [ %271, %260 ]
+  %262 = phi i64 [ %254, %258 ], [ %270, %260 ]
+  %263 = add nuw nsw i64 %261, %262
+  %264 = lshr i64 %263, 1
+  %265 = mul i64 %264, 24
+  %266 = getelementptr inbounds i8, ptr %259, i64 %265
+  %267 = load double, ptr %266, align 8
+  %268 = fcmp ogt double %267, %248
+  %269 = add nuw nsw i64 %264, 1
+  %270 = select i1 %268, i64 %264, i64 %262
+  %271 = select i1 %268, i64 %261, i64 %269
+  %272 = icmp slt i64 %271, %270
+  br i1 %272, label %260, label %273, !llvm.loop !12
 
-275:                                              ; preds = %272
-  %276 = shl nuw nsw i64 %273, 1
-  %277 = or disjoint i64 %276, 1
-  %278 = getelementptr inbounds double, ptr %254, i64 %277
-  %279 = load double, ptr %278, align 8
-  br label %280
+273:                                              ; preds = %260, %256
+  %274 = phi i64 [ 0, %256 ], [ %271, %260 ]
+  %275 = icmp slt i64 %274, %254
+  br i1 %275, label %276, label %282
 
-280:                                              ; preds = %275, %272
-  %281 = phi double [ %279, %275 ], [ 0x7FF0000000000000, %272 ]
-  %282 = load ptr, ptr %89, align 8
-  store double %281, ptr %282, align 8
-  br label %283
+276:                                              ; preds = %273
+  %277 = load ptr, ptr %88, align 8
+  %278 = mul i64 %274, 24
+  %279 = getelementptr inbounds i8, ptr %277, i64 %278
+  %280 = getelementptr inbounds i8, ptr %279, i64 8
+  %281 = load double, ptr %280, align 8
+  br label %282
 
-283:                                              ; preds = %280, %253
-  %284 = getelementptr inbounds i8, ptr %231, i64 24
-  %285 = load i64, ptr %284, align 8
-  %286 = add nsw i64 %285, 1
-  store i64 %286, ptr %284, align 8
-  %287 = load ptr, ptr %78, align 8
-  %288 = load ptr, ptr %90, align 8
-  %289 = load ptr, ptr %91, align 8
-  store double %248, ptr %289, align 8
-  %290 = load i64, ptr %92, align 8
-  %291 = icmp sgt i64 %290, 0
-  br i1 %291, label %292, label %293
+282:                                              ; preds = %276, %273
+  %283 = phi double [ %281, %276 ], [ 0x7FF0000000000000, %273 ]
+  %284 = load ptr, ptr %89, align 8
+  store double %283, ptr %284, align 8
+  br label %285
 
-292:                                              ; preds = %283
+285:                                              ; preds = %282, %253
+  %286 = getelementptr inbounds i8, ptr %231, i64 24
+  %287 = load i64, ptr %286, align 8
+  %288 = add nsw i64 %287, 1
+  store i64 %288, ptr %286, align 8
+  %289 = load ptr, ptr %78, align 8
+  %290 = load ptr, ptr %90, align 8
+  %291 = load ptr, ptr %91, align 8
+  store double %248, ptr %291, align 8
+  %292 = load ptr, ptr %77, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 40
+  %294 = load i64, ptr %293, align 8
+  %295 = icmp eq i64 %294, 0
+  br i1 %295, label %297, label %296
+
+296:                                              ; preds = %285
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8
+  br label %297
+
+297:                                              ; preds = %296, %285
+  %298 = load i64, ptr %92, align 8
+  %299 = icmp sgt i64 %298, 0
+  br i1 %299, label %300, label %301
+
+300:                                              ; preds = %297
   tail call fastcc void @sample(ptr noundef nonnull %77) #8
-  br label %293
+  br label %301
 
-293:                                              ; preds = %283, %292
-  %294 = load ptr, ptr %77, align 8
-  %295 = load i64, ptr %294, align 8
-  %296 = load ptr, ptr %91, align 8
-  %297 = load ptr, ptr %93, align 8
-  %298 = load ptr, ptr %94, align 8
-  %299 = inttoptr i64 %295 to ptr
-  %300 = load ptr, ptr %299, align 8
-  %301 = tail call i32 %300(ptr noundef %296, ptr noundef %287, ptr noundef %297, ptr noundef %298, ptr noundef %288) #9
-  %302 = icmp eq i32 %301, 0
-  br i1 %302, label %307, label %303
+301:                                              ; preds = %297, %300
+  %302 = load ptr, ptr %77, align 8
+  %303 = load i64, ptr %302, align 8
+  %304 = load ptr, ptr %91, align 8
+  %305 = load ptr, ptr %93, align 8
+  %306 = load ptr, ptr %94, align 8
+  %307 = inttoptr i64 %303 to ptr
+  %308 = load ptr, ptr %307, align 8
+  %309 = tail call i32 %308(ptr noundef %304, ptr noundef %289, ptr noundef %305, ptr noundef %306, ptr noundef %290) #9
+  %310 = icmp eq i32 %309, 0
+  br i1 %310, label %315, label %311
 
-303:                                              ; preds = %293
-  %304 = getelementptr inbounds i8, ptr %231, i64 72
-  store i64 3, ptr %304, align 8
-  %305 = icmp slt i32 %301, 0
-  %306 = select i1 %305, i64 -4, i64 2
-  br label %2206
+311:                                              ; preds = %301
+  %312 = getelementptr inbounds i8, ptr %231, i64 72
+  store i64 3, ptr %312, align 8
+  %313 = icmp slt i32 %309, 0
+  %314 = select i1 %313, i64 -4, i64 2
+  br label %2244
 
-307:                                              ; preds = %293
+315:                                              ; preds = %301
   store i64 1, ptr %231, align 8
-  %308 = load ptr, ptr %79, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 16
-  %310 = load i64, ptr %309, align 8
-  %311 = and i64 %310, -2
-  store i64 %311, ptr %309, align 8
-  %312 = load ptr, ptr %79, align 8
-  %313 = getelementptr inbounds i8, ptr %312, i64 32
-  %314 = load i64, ptr %313, align 8
-  %315 = or i64 %314, 1
-  store i64 %315, ptr %313, align 8
   %316 = load ptr, ptr %79, align 8
-  %317 = getelementptr inbounds i8, ptr %316, i64 8
+  %317 = getelementptr inbounds i8, ptr %316, i64 16
   %318 = load i64, ptr %317, align 8
   %319 = and i64 %318, -2
-  %320 = getelementptr inbounds i8, ptr %316, i64 16
-  %321 = load i64, ptr %320, align 8
-  %322 = and i64 %321, 1
-  %323 = or disjoint i64 %322, %319
-  %324 = xor i64 %323, 1
-  store i64 %324, ptr %317, align 8
-  %325 = load ptr, ptr %95, align 8
-  %326 = getelementptr inbounds i8, ptr %325, i64 8
-  store double 0.000000e+00, ptr %326, align 8
-  %327 = load ptr, ptr %95, align 8
-  %328 = getelementptr inbounds i8, ptr %327, i64 24
-  store double 0.000000e+00, ptr %328, align 8
-  %329 = load ptr, ptr %78, align 8
-  %330 = load ptr, ptr %77, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 8
-  %332 = load i64, ptr %331, align 8
-  %333 = load i64, ptr %84, align 8
-  %334 = load ptr, ptr %83, align 8
-  %335 = load ptr, ptr %82, align 8
-  %336 = getelementptr inbounds i8, ptr %335, i64 48
-  %337 = load i64, ptr %336, align 8
-  %338 = icmp slt i64 %337, %333
-  br i1 %338, label %339, label %362
+  store i64 %319, ptr %317, align 8
+  %320 = load ptr, ptr %79, align 8
+  %321 = getelementptr inbounds i8, ptr %320, i64 32
+  %322 = load i64, ptr %321, align 8
+  %323 = or i64 %322, 1
+  store i64 %323, ptr %321, align 8
+  %324 = load ptr, ptr %79, align 8
+  %325 = getelementptr inbounds i8, ptr %324, i64 8
+  %326 = load i64, ptr %325, align 8
+  %327 = and i64 %326, -2
+  %328 = getelementptr inbounds i8, ptr %324, i64 16
+  %329 = load i64, ptr %328, align 8
+  %330 = and i64 %329, 1
+  %331 = or disjoint i64 %330, %327
+  %332 = xor i64 %331, 1
+  store i64 %332, ptr %325, align 8
+  %333 = load ptr, ptr %95, align 8
+  %334 = getelementptr inbounds i8, ptr %333, i64 8
+  store double 0.000000e+00, ptr %334, align 8
+  %335 = load ptr, ptr %95, align 8
+  %336 = getelementptr inbounds i8, ptr %335, i64 24
+  store double 0.000000e+00, ptr %336, align 8
+  %337 = load ptr, ptr %78, align 8
+  %338 = load ptr, ptr %77, align 8
+  %339 = getelementptr inbounds i8, ptr %338, i64 8
+  %340 = load i64, ptr %339, align 8
+  %341 = load i64, ptr %84, align 8
+  %342 = load ptr, ptr %83, align 8
+  %343 = load ptr, ptr %82, align 8
+  %344 = getelementptr inbounds i8, ptr %343, i64 48
+  %345 = load i64, ptr %344, align 8
+  %346 = icmp slt i64 %345, %341
+  br i1 %346, label %347, label %370
 
-339:                                              ; preds = %307
-  %340 = icmp sgt i64 %332, 0
-  br label %341
+347:                                              ; preds = %315
+  %348 = icmp sgt i64 %340, 0
+  br label %349
 
-341:                                              ; preds = %339, %352
-  %342 = phi i64 [ %337, %339 ], [ %353, %352 ]
-  %343 = getelementptr inbounds double, ptr %334, i64 %342
-  %344 = load double, ptr %343, align 8
-  %345 = load ptr, ptr %81, align 8
-  %346 = load double, ptr %345, align 8
-  %347 = fcmp ugt double %344, %346
-  br i1 %347, label %362, label %348
+349:                                              ; preds = %347, %360
+  %350 = phi i64 [ %345, %347 ], [ %361, %360 ]
+  %351 = getelementptr inbounds double, ptr %342, i64 %350
+  %352 = load double, ptr %351, align 8
+  %353 = load ptr, ptr %81, align 8
+  %354 = load double, ptr %353, align 8
+  %355 = fcmp ugt double %352, %354
+  br i1 %355, label %370, label %356
 
-348:                                              ; preds = %341
-  br i1 %340, label %349, label %352
+356:                                              ; preds = %349
+  br i1 %348, label %357, label %360
 
-349:                                              ; preds = %348
-  %350 = mul nsw i64 %342, %332
-  %351 = getelementptr double, ptr %1, i64 %350
-  br label %355
+357:                                              ; preds = %356
+  %358 = mul nsw i64 %350, %340
+  %359 = getelementptr double, ptr %1, i64 %358
+  br label %363
 
-352:                                              ; preds = %355, %348
-  %353 = add i64 %342, 1
-  %354 = icmp eq i64 %353, %333
-  br i1 %354, label %362, label %341, !llvm.loop !13
+360:                                              ; preds = %363, %356
+  %361 = add i64 %350, 1
+  %362 = icmp eq i64 %361, %341
+  br i1 %362, label %370, label %349, !llvm.loop !13
 
-355:                                              ; preds = %349, %355
-  %356 = phi i64 [ 0, %349 ], [ %360, %355 ]
-  %357 = getelementptr inbounds double, ptr %329, i64 %356
-  %358 = load double, ptr %357, align 8
-  %359 = getelementptr double, ptr %351, i64 %356
-  store double %358, ptr %359, align 8
-  %360 = add nuw nsw i64 %356, 1
-  %361 = icmp eq i64 %360, %332
-  br i1 %361, label %352, label %355, !llvm.loop !14
+363:                                              ; preds = %357, %363
+  %364 = phi i64 [ 0, %357 ], [ %368, %363 ]
+  %365 = getelementptr inbounds double, ptr %337, i64 %364
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr double, ptr %359, i64 %364
+  store double %366, ptr %367, align 8
+  %368 = add nuw nsw i64 %364, 1
+  %369 = icmp eq i64 %368, %340
+  br i1 %369, label %360, label %363, !llvm.loop !14
 
-362:                                              ; preds = %341, %352, %307
-  %363 = phi i64 [ %337, %307 ], [ %342, %341 ], [ %333, %352 ]
-  %364 = load ptr, ptr %82, align 8
-  %365 = getelementptr inbounds i8, ptr %364, i64 48
-  store i64 %363, ptr %365, align 8
-  %366 = icmp eq i64 %363, %333
-  br i1 %366, label %2206, label %367
+370:                                              ; preds = %349, %360, %315
+  %371 = phi i64 [ %345, %315 ], [ %350, %349 ], [ %341, %360 ]
+  %372 = load ptr, ptr %82, align 8
+  %373 = getelementptr inbounds i8, ptr %372, i64 48
+  store i64 %371, ptr %373, align 8
+  %374 = icmp eq i64 %371, %341
+  br i1 %374, label %2244, label %375
 
-367:                                              ; preds = %362
-  %368 = fcmp oeq double %250, 0.000000e+00
-  br i1 %368, label %369, label %393
+375:                                              ; preds = %370
+  %376 = fcmp oeq double %250, 0.000000e+00
+  br i1 %376, label %377, label %401
 
-369:                                              ; preds = %367
-  %370 = getelementptr inbounds i8, ptr %230, i64 16
-  %371 = load double, ptr %370, align 8
-  %372 = load ptr, ptr %78, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %372, ptr noundef %372, ptr noundef nonnull %78, i64 noundef %217) #8
-  %373 = load double, ptr %7, align 8
-  %374 = load ptr, ptr %96, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %374, ptr noundef %372, ptr noundef nonnull %78, i64 noundef %217) #8
-  %375 = load double, ptr %8, align 8
-  %376 = fcmp uge double %373, 1.000000e-05
-  %377 = fcmp uge double %375, 1.000000e-05
-  %378 = and i1 %376, %377
-  %379 = fmul double %373, 1.000000e-02
-  %380 = fdiv double %379, %375
-  %381 = select i1 %378, double %380, double 0x3EB0C6F7A0B5ED8D
-  %382 = fcmp olt double %371, %381
-  %383 = select i1 %382, double %371, double %381
-  %384 = tail call double @llvm.fabs.f64(double %248)
-  %385 = fmul double %384, 0x3D30000000000000
-  %386 = fcmp ogt double %385, %383
-  %387 = select i1 %386, double %385, double %383
-  %388 = fcmp olt double %371, %387
-  %389 = select i1 %388, double %371, double %387
-  %390 = tail call i1 @llvm.is.fpclass.f64(double %389, i32 639)
-  br i1 %390, label %391, label %393
+377:                                              ; preds = %375
+  %378 = getelementptr inbounds i8, ptr %230, i64 16
+  %379 = load double, ptr %378, align 8
+  %380 = load ptr, ptr %78, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %380, ptr noundef %380, ptr noundef nonnull %78, i64 noundef %217) #8
+  %381 = load double, ptr %7, align 8
+  %382 = load ptr, ptr %96, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %382, ptr noundef %380, ptr noundef nonnull %78, i64 noundef %217) #8
+  %383 = load double, ptr %8, align 8
+  %384 = fcmp uge double %381, 1.000000e-05
+  %385 = fcmp uge double %383, 1.000000e-05
+  %386 = and i1 %384, %385
+  %387 = fmul double %381, 1.000000e-02
+  %388 = fdiv double %387, %383
+  %389 = select i1 %386, double %388, double 0x3EB0C6F7A0B5ED8D
+  %390 = fcmp olt double %379, %389
+  %391 = select i1 %390, double %379, double %389
+  %392 = tail call double @llvm.fabs.f64(double %248)
+  %393 = fmul double %392, 0x3D30000000000000
+  %394 = fcmp ogt double %393, %391
+  %395 = select i1 %394, double %393, double %391
+  %396 = fcmp olt double %379, %395
+  %397 = select i1 %396, double %379, double %395
+  %398 = tail call i1 @llvm.is.fpclass.f64(double %397, i32 639)
+  br i1 %398, label %399, label %401
 
-391:                                              ; preds = %369
-  %392 = getelementptr inbounds i8, ptr %231, i64 72
-  store i64 4, ptr %392, align 8
-  br label %393
+399:                                              ; preds = %377
+  %400 = getelementptr inbounds i8, ptr %231, i64 72
+  store i64 4, ptr %400, align 8
+  br label %401
 
-393:                                              ; preds = %369, %391, %367, %235
-  %394 = phi double [ %250, %367 ], [ %250, %235 ], [ %389, %391 ], [ %389, %369 ]
-  %395 = load i64, ptr %232, align 8
-  %396 = icmp eq i64 %395, 0
-  br i1 %396, label %423, label %397
+401:                                              ; preds = %377, %399, %375, %235
+  %402 = phi double [ %250, %375 ], [ %250, %235 ], [ %397, %399 ], [ %397, %377 ]
+  %403 = load i64, ptr %232, align 8
+  %404 = icmp eq i64 %403, 0
+  br i1 %404, label %431, label %405
 
-397:                                              ; preds = %393
-  %398 = getelementptr inbounds i8, ptr %231, i64 8
-  %399 = getelementptr inbounds i8, ptr %231, i64 16
-  %400 = getelementptr inbounds i8, ptr %231, i64 64
-  %401 = getelementptr inbounds i8, ptr %230, i64 16
-  %402 = fcmp ogt double %229, 0x3CB0000000000000
-  %403 = select i1 %402, double %229, double 0x3CB0000000000000
-  %404 = fdiv double 0x3CE4000000000000, %403
-  %405 = tail call double @llvm.sqrt.f64(double %229)
-  %406 = fcmp olt double %405, 3.000000e-02
-  %407 = select i1 %406, double %405, double 3.000000e-02
-  %408 = fcmp ogt double %407, %404
-  %409 = select i1 %408, double %407, double %404
-  %410 = fmul double %229, %409
-  %411 = fmul double %410, %410
-  %412 = getelementptr inbounds i8, ptr %231, i64 24
-  %413 = getelementptr inbounds i8, ptr %231, i64 32
-  %414 = getelementptr inbounds i8, ptr %231, i64 40
-  %415 = getelementptr inbounds i8, ptr %231, i64 72
-  %416 = getelementptr inbounds i8, ptr %230, i64 32
-  %417 = getelementptr inbounds i8, ptr %231, i64 48
-  %418 = icmp sgt i64 %217, 0
-  %419 = getelementptr inbounds i8, ptr %231, i64 72
-  %420 = getelementptr inbounds i8, ptr %231, i64 48
-  %421 = getelementptr inbounds i8, ptr %231, i64 72
-  %422 = getelementptr inbounds i8, ptr %231, i64 72
-  br label %431
+405:                                              ; preds = %401
+  %406 = getelementptr inbounds i8, ptr %231, i64 8
+  %407 = getelementptr inbounds i8, ptr %231, i64 16
+  %408 = getelementptr inbounds i8, ptr %231, i64 64
+  %409 = getelementptr inbounds i8, ptr %230, i64 16
+  %410 = fcmp ogt double %229, 0x3CB0000000000000
+  %411 = select i1 %410, double %229, double 0x3CB0000000000000
+  %412 = fdiv double 0x3CE4000000000000, %411
+  %413 = tail call double @llvm.sqrt.f64(double %229)
+  %414 = fcmp olt double %413, 3.000000e-02
+  %415 = select i1 %414, double %413, double 3.000000e-02
+  %416 = fcmp ogt double %415, %412
+  %417 = select i1 %416, double %415, double %412
+  %418 = fmul double %229, %417
+  %419 = fmul double %418, %418
+  %420 = getelementptr inbounds i8, ptr %231, i64 24
+  %421 = getelementptr inbounds i8, ptr %231, i64 32
+  %422 = getelementptr inbounds i8, ptr %231, i64 40
+  %423 = getelementptr inbounds i8, ptr %231, i64 72
+  %424 = getelementptr inbounds i8, ptr %230, i64 32
+  %425 = getelementptr inbounds i8, ptr %231, i64 48
+  %426 = icmp sgt i64 %217, 0
+  %427 = getelementptr inbounds i8, ptr %231, i64 72
+  %428 = getelementptr inbounds i8, ptr %231, i64 48
+  %429 = getelementptr inbounds i8, ptr %231, i64 72
+  %430 = getelementptr inbounds i8, ptr %231, i64 72
+  br label %439
 
-423:                                              ; preds = %2203, %393
-  %424 = phi double [ %207, %393 ], [ %2193, %2203 ]
-  %425 = phi double [ %208, %393 ], [ %2194, %2203 ]
-  %426 = phi double [ %209, %393 ], [ %2195, %2203 ]
-  %427 = phi i64 [ %210, %393 ], [ %2196, %2203 ]
-  %428 = phi i64 [ %211, %393 ], [ %2197, %2203 ]
-  %429 = phi i64 [ %212, %393 ], [ %2198, %2203 ]
-  %430 = phi double [ %394, %393 ], [ %2199, %2203 ]
-  store double %430, ptr %249, align 8
-  br label %2206
+431:                                              ; preds = %2241, %401
+  %432 = phi double [ %207, %401 ], [ %2231, %2241 ]
+  %433 = phi double [ %208, %401 ], [ %2232, %2241 ]
+  %434 = phi double [ %209, %401 ], [ %2233, %2241 ]
+  %435 = phi i64 [ %210, %401 ], [ %2234, %2241 ]
+  %436 = phi i64 [ %211, %401 ], [ %2235, %2241 ]
+  %437 = phi i64 [ %212, %401 ], [ %2236, %2241 ]
+  %438 = phi double [ %402, %401 ], [ %2237, %2241 ]
+  store double %438, ptr %249, align 8
+  br label %2244
 
-431:                                              ; preds = %397, %2203
-  %432 = phi i64 [ %395, %397 ], [ %2204, %2203 ]
-  %433 = phi i64 [ undef, %397 ], [ %2202, %2203 ]
-  %434 = phi double [ %248, %397 ], [ %2200, %2203 ]
-  %435 = phi double [ %394, %397 ], [ %2199, %2203 ]
-  %436 = phi i64 [ %212, %397 ], [ %2198, %2203 ]
-  %437 = phi i64 [ %211, %397 ], [ %2197, %2203 ]
-  %438 = phi i64 [ %210, %397 ], [ %2196, %2203 ]
-  %439 = phi double [ %209, %397 ], [ %2195, %2203 ]
-  %440 = phi double [ %208, %397 ], [ %2194, %2203 ]
-  %441 = phi double [ %207, %397 ], [ %2193, %2203 ]
-  %442 = load ptr, ptr %97, align 8
-  %443 = getelementptr inbounds i8, ptr %442, i64 8
-  %444 = load i64, ptr %443, align 8
-  %445 = icmp sgt i64 %444, 0
-  br i1 %445, label %446, label %451
+439:                                              ; preds = %405, %2241
+  %440 = phi i64 [ %403, %405 ], [ %2242, %2241 ]
+  %441 = phi i64 [ undef, %405 ], [ %2240, %2241 ]
+  %442 = phi double [ %248, %405 ], [ %2238, %2241 ]
+  %443 = phi double [ %402, %405 ], [ %2237, %2241 ]
+  %444 = phi i64 [ %212, %405 ], [ %2236, %2241 ]
+  %445 = phi i64 [ %211, %405 ], [ %2235, %2241 ]
+  %446 = phi i64 [ %210, %405 ], [ %2234, %2241 ]
+  %447 = phi double [ %209, %405 ], [ %2233, %2241 ]
+  %448 = phi double [ %208, %405 ], [ %2232, %2241 ]
+  %449 = phi double [ %207, %405 ], [ %2231, %2241 ]
+  %450 = load ptr, ptr %97, align 8
+  %451 = getelementptr inbounds i8, ptr %450, i64 8
+  %452 = load i64, ptr %451, align 8
+  %453 = icmp sgt i64 %452, 0
+  br i1 %453, label %454, label %459
 
-446:                                              ; preds = %431
-  %447 = load i64, ptr %442, align 8
-  %448 = add nsw i64 %447, 3
-  %449 = icmp slt i64 %444, %448
-  %450 = zext i1 %449 to i32
-  br label %451
+454:                                              ; preds = %439
+  %455 = load i64, ptr %450, align 8
+  %456 = add nsw i64 %455, 3
+  %457 = icmp slt i64 %452, %456
+  %458 = zext i1 %457 to i32
+  br label %459
 
-451:                                              ; preds = %431, %446
-  %452 = phi i32 [ 0, %431 ], [ %450, %446 ]
-  %453 = icmp eq i32 %452, 0
-  br i1 %453, label %455, label %454
-
-454:                                              ; preds = %451
-  store double %435, ptr %249, align 8
-  br label %2206
-
-455:                                              ; preds = %451
-  %456 = add nsw i64 %432, -1
-  store i64 %456, ptr %232, align 8
-  %457 = load i64, ptr %398, align 8
-  %458 = load i64, ptr %399, align 8
-  %459 = add nsw i64 %458, %457
-  %460 = load i64, ptr %400, align 8
-  %461 = icmp slt i64 %459, %460
+459:                                              ; preds = %439, %454
+  %460 = phi i32 [ 0, %439 ], [ %458, %454 ]
+  %461 = icmp eq i32 %460, 0
   br i1 %461, label %463, label %462
 
-462:                                              ; preds = %455
-  store double %435, ptr %249, align 8
-  br label %2206
+462:                                              ; preds = %459
+  store double %443, ptr %249, align 8
+  br label %2244
 
-463:                                              ; preds = %455
-  %464 = load ptr, ptr %98, align 8
-  %465 = load i64, ptr %99, align 8
-  %466 = icmp eq i64 %465, 0
-  br i1 %466, label %499, label %467
+463:                                              ; preds = %459
+  %464 = add nsw i64 %440, -1
+  store i64 %464, ptr %232, align 8
+  %465 = load i64, ptr %406, align 8
+  %466 = load i64, ptr %407, align 8
+  %467 = add nsw i64 %466, %465
+  %468 = load i64, ptr %408, align 8
+  %469 = icmp slt i64 %467, %468
+  br i1 %469, label %471, label %470
 
-467:                                              ; preds = %463
-  %468 = icmp sgt i64 %465, 0
-  br i1 %468, label %469, label %482
+470:                                              ; preds = %463
+  store double %443, ptr %249, align 8
+  br label %2244
 
-469:                                              ; preds = %467, %469
-  %470 = phi i64 [ %480, %469 ], [ %465, %467 ]
-  %471 = phi i64 [ %479, %469 ], [ 0, %467 ]
-  %472 = add nuw nsw i64 %470, %471
-  %473 = lshr i64 %472, 1
-  %474 = and i64 %472, -2
-  %475 = getelementptr inbounds double, ptr %464, i64 %474
-  %476 = load double, ptr %475, align 8
-  %477 = fcmp ogt double %476, %434
-  %478 = add nuw nsw i64 %473, 1
-  %479 = select i1 %477, i64 %471, i64 %478
-  %480 = select i1 %477, i64 %473, i64 %470
-  %481 = icmp slt i64 %479, %480
-  br i1 %481, label %469, label %482, !llvm.loop !12
+471:                                              ; preds = %463
+  %472 = load i64, ptr %98, align 8
+  %473 = icmp eq i64 %472, 0
+  br i1 %473, label %507, label %474
 
-482:                                              ; preds = %469, %467
-  %483 = phi i64 [ 0, %467 ], [ %479, %469 ]
-  %484 = icmp slt i64 %483, %465
-  br i1 %484, label %485, label %490
+474:                                              ; preds = %471
+  %475 = icmp sgt i64 %472, 0
+  br i1 %475, label %476, label %491
 
-485:                                              ; preds = %482
-  %486 = shl nuw nsw i64 %483, 1
-  %487 = or disjoint i64 %486, 1
-  %488 = getelementptr inbounds double, ptr %464, i64 %487
-  %489 = load double, ptr %488, align 8
-  br label %490
+476:                                              ; preds = %474
+  %477 = load ptr, ptr %99, align 8
+  br label %478
 
-490:                                              ; preds = %485, %482
-  %491 = phi double [ %489, %485 ], [ 0x7FF0000000000000, %482 ]
-  %492 = load ptr, ptr %100, align 8
-  store double %491, ptr %492, align 8
-  %493 = load i64, ptr %99, align 8
-  %494 = icmp slt i64 %483, %493
-  br i1 %494, label %495, label %499
+478:                                              ; preds = %476, %478
+  %479 = phi i64 [ 0, %476 ], [ %489, %478 ]
+  %480 = phi i64 [ %472, %476 ], [ %488, %478 ]
+  %481 = add nuw nsw i64 %479, %480
+  %482 = lshr i64 %481, 1
+  %483 = mul i64 %482, 24
+  %484 = getelementptr inbounds i8, ptr %477, i64 %483
+  %485 = load double, ptr %484, align 8
+  %486 = fcmp ogt double %485, %442
+  %487 = add nuw nsw i64 %482, 1
+  %488 = select i1 %486, i64 %482, i64 %480
+  %489 = select i1 %486, i64 %479, i64 %487
+  %490 = icmp slt i64 %489, %488
+  br i1 %490, label %478, label %491, !llvm.loop !12
 
-495:                                              ; preds = %490
-  %496 = shl nsw i64 %483, 4
-  %497 = getelementptr inbounds i8, ptr %464, i64 %496
-  %498 = load double, ptr %497, align 8
-  br label %499
+491:                                              ; preds = %478, %474
+  %492 = phi i64 [ 0, %474 ], [ %489, %478 ]
+  %493 = load ptr, ptr %99, align 8
+  %494 = mul i64 %492, 24
+  %495 = getelementptr inbounds i8, ptr %493, i64 %494
+  %496 = icmp slt i64 %492, %472
+  br i1 %496, label %497, label %500
 
-499:                                              ; preds = %463, %490, %495
-  %500 = phi double [ 0x7FF0000000000000, %463 ], [ %498, %495 ], [ 0x7FF0000000000000, %490 ]
-  %501 = fcmp olt double %240, %500
-  %502 = select i1 %501, double %240, double %500
-  %503 = load double, ptr %401, align 8
-  %504 = fcmp olt double %435, %503
-  %505 = select i1 %504, double %435, double %503
-  %506 = fadd double %434, %505
-  %507 = fmul double %505, 1.000000e-03
-  %508 = fsub double %502, %507
-  %509 = fcmp ule double %506, %508
-  %510 = select i1 %509, double %506, double %502
-  %511 = fsub double %510, %434
-  %512 = fmul double %511, 6.250000e-02
-  %513 = fadd double %434, %512
-  %514 = fcmp ule double %513, %434
-  %515 = fcmp une double %510, %502
-  %516 = and i1 %515, %514
-  br i1 %516, label %517, label %518
+497:                                              ; preds = %491
+  %498 = getelementptr inbounds i8, ptr %495, i64 8
+  %499 = load double, ptr %498, align 8
+  br label %500
 
-517:                                              ; preds = %499
-  store double %511, ptr %249, align 8
-  br label %2192
+500:                                              ; preds = %497, %491
+  %501 = phi double [ %499, %497 ], [ 0x7FF0000000000000, %491 ]
+  %502 = load ptr, ptr %100, align 8
+  store double %501, ptr %502, align 8
+  %503 = load i64, ptr %98, align 8
+  %504 = icmp slt i64 %492, %503
+  br i1 %504, label %505, label %507
 
-518:                                              ; preds = %499
-  %519 = load ptr, ptr %77, align 8, !noalias !15
-  %520 = getelementptr inbounds i8, ptr %519, i64 8
-  %521 = load i64, ptr %520, align 8, !noalias !15
-  %522 = load ptr, ptr %79, align 8, !noalias !15
-  %523 = getelementptr inbounds i8, ptr %522, i64 8
-  %524 = load i64, ptr %523, align 8, !noalias !15
-  %525 = and i64 %524, 1
-  %526 = icmp eq i64 %525, 0
-  br i1 %526, label %646, label %527
+505:                                              ; preds = %500
+  %506 = load double, ptr %495, align 8
+  br label %507
 
-527:                                              ; preds = %518
-  %528 = load ptr, ptr %102, align 8, !noalias !15
-  %529 = load i64, ptr %522, align 8, !noalias !15
-  %530 = icmp eq i64 %529, 0
-  br i1 %530, label %531, label %533
+507:                                              ; preds = %471, %500, %505
+  %508 = phi double [ 0x7FF0000000000000, %471 ], [ %506, %505 ], [ 0x7FF0000000000000, %500 ]
+  %509 = fcmp olt double %240, %508
+  %510 = select i1 %509, double %240, double %508
+  %511 = load double, ptr %409, align 8
+  %512 = fcmp olt double %443, %511
+  %513 = select i1 %512, double %443, double %511
+  %514 = fadd double %442, %513
+  %515 = fmul double %513, 1.000000e-03
+  %516 = fsub double %510, %515
+  %517 = fcmp ule double %514, %516
+  %518 = select i1 %517, double %514, double %510
+  %519 = fsub double %518, %442
+  %520 = fmul double %519, 6.250000e-02
+  %521 = fadd double %442, %520
+  %522 = fcmp ule double %521, %442
+  %523 = fcmp une double %518, %510
+  %524 = and i1 %523, %522
+  br i1 %524, label %525, label %526
 
-531:                                              ; preds = %527
-  %532 = icmp sgt i64 %521, 0
-  br i1 %532, label %551, label %549
+525:                                              ; preds = %507
+  store double %519, ptr %249, align 8
+  br label %2230
 
-533:                                              ; preds = %527
-  %534 = load ptr, ptr %103, align 8, !noalias !15
-  store double %434, ptr %534, align 8, !noalias !15
-  %535 = load i64, ptr %104, align 8, !noalias !15
-  %536 = icmp sgt i64 %535, 0
-  br i1 %536, label %537, label %538
+526:                                              ; preds = %507
+  %527 = load ptr, ptr %77, align 8, !noalias !15
+  %528 = getelementptr inbounds i8, ptr %527, i64 8
+  %529 = load i64, ptr %528, align 8, !noalias !15
+  %530 = load ptr, ptr %79, align 8, !noalias !15
+  %531 = getelementptr inbounds i8, ptr %530, i64 8
+  %532 = load i64, ptr %531, align 8, !noalias !15
+  %533 = and i64 %532, 1
+  %534 = icmp eq i64 %533, 0
+  br i1 %534, label %666, label %535
 
-537:                                              ; preds = %533
+535:                                              ; preds = %526
+  %536 = load ptr, ptr %102, align 8, !noalias !15
+  %537 = load i64, ptr %530, align 8, !noalias !15
+  %538 = icmp eq i64 %537, 0
+  br i1 %538, label %539, label %541
+
+539:                                              ; preds = %535
+  %540 = icmp sgt i64 %529, 0
+  br i1 %540, label %565, label %563
+
+541:                                              ; preds = %535
+  %542 = load ptr, ptr %103, align 8, !noalias !15
+  store double %442, ptr %542, align 8, !noalias !15
+  %543 = load ptr, ptr %77, align 8, !noalias !15
+  %544 = getelementptr inbounds i8, ptr %543, i64 40
+  %545 = load i64, ptr %544, align 8, !noalias !15
+  %546 = icmp eq i64 %545, 0
+  br i1 %546, label %548, label %547
+
+547:                                              ; preds = %541
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
+  br label %548
+
+548:                                              ; preds = %547, %541
+  %549 = load i64, ptr %104, align 8, !noalias !15
+  %550 = icmp sgt i64 %549, 0
+  br i1 %550, label %551, label %552
+
+551:                                              ; preds = %548
   tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %538
+  br label %552
 
-538:                                              ; preds = %537, %533
-  %539 = load ptr, ptr %79, align 8, !noalias !15
-  %540 = load i64, ptr %539, align 8, !noalias !15
-  %541 = load ptr, ptr %103, align 8, !noalias !15
-  %542 = load ptr, ptr %78, align 8, !noalias !15
-  %543 = load ptr, ptr %105, align 8, !noalias !15
-  %544 = load ptr, ptr %106, align 8, !noalias !15
-  %545 = inttoptr i64 %540 to ptr
-  %546 = load ptr, ptr %545, align 8, !noalias !15
-  %547 = tail call i32 %546(ptr noundef %541, ptr noundef %542, ptr noundef %543, ptr noundef %544, ptr noundef %528) #9, !noalias !15
-  %548 = sext i32 %547 to i64
-  br label %617
+552:                                              ; preds = %551, %548
+  %553 = load ptr, ptr %79, align 8, !noalias !15
+  %554 = load i64, ptr %553, align 8, !noalias !15
+  %555 = load ptr, ptr %103, align 8, !noalias !15
+  %556 = load ptr, ptr %78, align 8, !noalias !15
+  %557 = load ptr, ptr %105, align 8, !noalias !15
+  %558 = load ptr, ptr %106, align 8, !noalias !15
+  %559 = inttoptr i64 %554 to ptr
+  %560 = load ptr, ptr %559, align 8, !noalias !15
+  %561 = tail call i32 %560(ptr noundef %555, ptr noundef %556, ptr noundef %557, ptr noundef %558, ptr noundef %536) #9, !noalias !15
+  %562 = sext i32 %561 to i64
+  br label %637
 
-549:                                              ; preds = %551, %531
-  %550 = icmp sgt i64 %521, 0
-  br i1 %550, label %563, label %617
+563:                                              ; preds = %565, %539
+  %564 = icmp sgt i64 %529, 0
+  br i1 %564, label %577, label %637
 
-551:                                              ; preds = %531, %551
-  %552 = phi i64 [ %558, %551 ], [ 0, %531 ]
-  %553 = load ptr, ptr %78, align 8, !noalias !15
-  %554 = getelementptr inbounds double, ptr %553, i64 %552
-  %555 = load double, ptr %554, align 8, !noalias !15
-  %556 = load ptr, ptr %107, align 8, !noalias !15
-  %557 = getelementptr inbounds double, ptr %556, i64 %552
-  store double %555, ptr %557, align 8, !noalias !15
-  %558 = add nuw nsw i64 %552, 1
-  %559 = icmp eq i64 %558, %521
-  br i1 %559, label %549, label %551, !llvm.loop !18
-
-560:                                              ; preds = %615
-  %561 = add nuw nsw i64 %565, 1
-  %562 = icmp eq i64 %561, %521
-  br i1 %562, label %617, label %563, !llvm.loop !19
-
-563:                                              ; preds = %549, %560
-  %564 = phi i64 [ %616, %560 ], [ undef, %549 ]
-  %565 = phi i64 [ %561, %560 ], [ 0, %549 ]
-  %566 = phi double [ %577, %560 ], [ 0.000000e+00, %549 ]
+565:                                              ; preds = %539, %565
+  %566 = phi i64 [ %572, %565 ], [ 0, %539 ]
   %567 = load ptr, ptr %78, align 8, !noalias !15
-  %568 = getelementptr inbounds double, ptr %567, i64 %565
+  %568 = getelementptr inbounds double, ptr %567, i64 %566
   %569 = load double, ptr %568, align 8, !noalias !15
-  %570 = tail call double @llvm.fabs.f64(double %569)
-  %571 = fcmp olt double %570, 1.000000e-05
-  %572 = select i1 %571, double 1.000000e-05, double %570
-  %573 = fmul double %572, 1.500000e-08
-  %574 = fadd double %569, %573
-  %575 = load ptr, ptr %108, align 8, !noalias !15
-  %576 = getelementptr inbounds double, ptr %575, i64 %565
-  store double %574, ptr %576, align 8, !noalias !15
-  %577 = fadd double %566, 1.000000e+00
-  %578 = load ptr, ptr %108, align 8, !noalias !15
-  %579 = load ptr, ptr %109, align 8, !noalias !15
-  %580 = load ptr, ptr %110, align 8, !noalias !15
-  store double %434, ptr %580, align 8, !noalias !15
-  %581 = load i64, ptr %111, align 8, !noalias !15
-  %582 = icmp sgt i64 %581, 0
-  br i1 %582, label %583, label %584
+  %570 = load ptr, ptr %107, align 8, !noalias !15
+  %571 = getelementptr inbounds double, ptr %570, i64 %566
+  store double %569, ptr %571, align 8, !noalias !15
+  %572 = add nuw nsw i64 %566, 1
+  %573 = icmp eq i64 %572, %529
+  br i1 %573, label %563, label %565, !llvm.loop !18
 
-583:                                              ; preds = %563
+574:                                              ; preds = %635
+  %575 = add nuw nsw i64 %579, 1
+  %576 = icmp eq i64 %575, %529
+  br i1 %576, label %637, label %577, !llvm.loop !19
+
+577:                                              ; preds = %563, %574
+  %578 = phi i64 [ %636, %574 ], [ undef, %563 ]
+  %579 = phi i64 [ %575, %574 ], [ 0, %563 ]
+  %580 = phi double [ %591, %574 ], [ 0.000000e+00, %563 ]
+  %581 = load ptr, ptr %78, align 8, !noalias !15
+  %582 = getelementptr inbounds double, ptr %581, i64 %579
+  %583 = load double, ptr %582, align 8, !noalias !15
+  %584 = tail call double @llvm.fabs.f64(double %583)
+  %585 = fcmp olt double %584, 1.000000e-05
+  %586 = select i1 %585, double 1.000000e-05, double %584
+  %587 = fmul double %586, 1.500000e-08
+  %588 = fadd double %583, %587
+  %589 = load ptr, ptr %108, align 8, !noalias !15
+  %590 = getelementptr inbounds double, ptr %589, i64 %579
+  store double %588, ptr %590, align 8, !noalias !15
+  %591 = fadd double %580, 1.000000e+00
+  %592 = load ptr, ptr %108, align 8, !noalias !15
+  %593 = load ptr, ptr %109, align 8, !noalias !15
+  %594 = load ptr, ptr %110, align 8, !noalias !15
+  store double %442, ptr %594, align 8, !noalias !15
+  %595 = load ptr, ptr %77, align 8, !noalias !15
+  %596 = getelementptr inbounds i8, ptr %595, i64 40
+  %597 = load i64, ptr %596, align 8, !noalias !15
+  %598 = icmp eq i64 %597, 0
+  br i1 %598, label %600, label %599
+
+599:                                              ; preds = %577
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
+  br label %600
+
+600:                                              ; preds = %599, %577
+  %601 = load i64, ptr %111, align 8, !noalias !15
+  %602 = icmp sgt i64 %601, 0
+  br i1 %602, label %603, label %604
+
+603:                                              ; preds = %600
   tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %584
+  br label %604
 
-584:                                              ; preds = %583, %563
-  %585 = load ptr, ptr %77, align 8, !noalias !15
-  %586 = load i64, ptr %585, align 8, !noalias !15
-  %587 = load ptr, ptr %110, align 8, !noalias !15
-  %588 = load ptr, ptr %112, align 8, !noalias !15
-  %589 = load ptr, ptr %113, align 8, !noalias !15
-  %590 = inttoptr i64 %586 to ptr
-  %591 = load ptr, ptr %590, align 8, !noalias !15
-  %592 = tail call i32 %591(ptr noundef %587, ptr noundef %578, ptr noundef %588, ptr noundef %589, ptr noundef %579) #9, !noalias !15
-  %593 = sext i32 %592 to i64
-  %594 = icmp eq i32 %592, 0
-  br i1 %594, label %595, label %615
+604:                                              ; preds = %603, %600
+  %605 = load ptr, ptr %77, align 8, !noalias !15
+  %606 = load i64, ptr %605, align 8, !noalias !15
+  %607 = load ptr, ptr %110, align 8, !noalias !15
+  %608 = load ptr, ptr %112, align 8, !noalias !15
+  %609 = load ptr, ptr %113, align 8, !noalias !15
+  %610 = inttoptr i64 %606 to ptr
+  %611 = load ptr, ptr %610, align 8, !noalias !15
+  %612 = tail call i32 %611(ptr noundef %607, ptr noundef %592, ptr noundef %608, ptr noundef %609, ptr noundef %593) #9, !noalias !15
+  %613 = sext i32 %612 to i64
+  %614 = icmp eq i32 %612, 0
+  br i1 %614, label %615, label %635
 
-595:                                              ; preds = %584
-  %596 = getelementptr double, ptr %528, i64 %565
-  %597 = fsub double %574, %569
-  br label %601
+615:                                              ; preds = %604
+  %616 = getelementptr double, ptr %536, i64 %579
+  %617 = fsub double %588, %583
+  br label %621
 
-598:                                              ; preds = %601
-  %599 = load ptr, ptr %108, align 8, !noalias !15
-  %600 = getelementptr inbounds double, ptr %599, i64 %565
-  store double %569, ptr %600, align 8, !noalias !15
-  br label %615
+618:                                              ; preds = %621
+  %619 = load ptr, ptr %108, align 8, !noalias !15
+  %620 = getelementptr inbounds double, ptr %619, i64 %579
+  store double %583, ptr %620, align 8, !noalias !15
+  br label %635
 
-601:                                              ; preds = %595, %601
-  %602 = phi i64 [ 0, %595 ], [ %613, %601 ]
-  %603 = load ptr, ptr %109, align 8, !noalias !15
-  %604 = getelementptr inbounds double, ptr %603, i64 %602
-  %605 = load double, ptr %604, align 8, !noalias !15
-  %606 = load ptr, ptr %114, align 8, !noalias !15
-  %607 = getelementptr inbounds double, ptr %606, i64 %602
-  %608 = load double, ptr %607, align 8, !noalias !15
-  %609 = fsub double %605, %608
-  %610 = fdiv double %609, %597
-  %611 = mul nuw nsw i64 %602, %521
-  %612 = getelementptr double, ptr %596, i64 %611
-  store double %610, ptr %612, align 8, !noalias !15
-  %613 = add nuw nsw i64 %602, 1
-  %614 = icmp eq i64 %613, %521
-  br i1 %614, label %598, label %601, !llvm.loop !20
+621:                                              ; preds = %615, %621
+  %622 = phi i64 [ 0, %615 ], [ %633, %621 ]
+  %623 = load ptr, ptr %109, align 8, !noalias !15
+  %624 = getelementptr inbounds double, ptr %623, i64 %622
+  %625 = load double, ptr %624, align 8, !noalias !15
+  %626 = load ptr, ptr %114, align 8, !noalias !15
+  %627 = getelementptr inbounds double, ptr %626, i64 %622
+  %628 = load double, ptr %627, align 8, !noalias !15
+  %629 = fsub double %625, %628
+  %630 = fdiv double %629, %617
+  %631 = mul nuw nsw i64 %622, %529
+  %632 = getelementptr double, ptr %616, i64 %631
+  store double %630, ptr %632, align 8, !noalias !15
+  %633 = add nuw nsw i64 %622, 1
+  %634 = icmp eq i64 %633, %529
+  br i1 %634, label %618, label %621, !llvm.loop !20
 
-615:                                              ; preds = %598, %584
-  %616 = phi i64 [ %564, %598 ], [ %593, %584 ]
-  br i1 %594, label %560, label %617
+635:                                              ; preds = %618, %604
+  %636 = phi i64 [ %578, %618 ], [ %613, %604 ]
+  br i1 %614, label %574, label %637
 
-617:                                              ; preds = %615, %560, %549, %538
-  %618 = phi double [ 0.000000e+00, %538 ], [ 0.000000e+00, %549 ], [ %577, %560 ], [ %577, %615 ]
-  %619 = phi i64 [ %548, %538 ], [ 0, %549 ], [ %616, %615 ], [ 0, %560 ]
-  %620 = load i64, ptr %115, align 8, !noalias !15
-  %621 = icmp sgt i64 %620, 0
-  br i1 %621, label %622, label %635
+637:                                              ; preds = %635, %574, %563, %552
+  %638 = phi double [ 0.000000e+00, %552 ], [ 0.000000e+00, %563 ], [ %591, %574 ], [ %591, %635 ]
+  %639 = phi i64 [ %562, %552 ], [ 0, %563 ], [ %636, %635 ], [ 0, %574 ]
+  %640 = load i64, ptr %115, align 8, !noalias !15
+  %641 = icmp sgt i64 %640, 0
+  br i1 %641, label %642, label %655
 
-622:                                              ; preds = %617, %622
-  %623 = phi i64 [ %632, %622 ], [ 0, %617 ]
-  %624 = load ptr, ptr %102, align 8, !noalias !15
-  %625 = getelementptr inbounds double, ptr %624, i64 %623
-  %626 = load double, ptr %625, align 8, !noalias !15
-  %627 = tail call double @llvm.fabs.f64(double %626)
-  %628 = fcmp ueq double %627, 0x7FF0000000000000
-  %629 = select i1 %628, double 0.000000e+00, double %626
-  %630 = load ptr, ptr %101, align 8, !noalias !15
-  %631 = getelementptr inbounds double, ptr %630, i64 %623
-  store double %629, ptr %631, align 8, !noalias !15
-  %632 = add nuw nsw i64 %623, 1
-  %633 = load i64, ptr %115, align 8, !noalias !15
-  %634 = icmp slt i64 %632, %633
-  br i1 %634, label %622, label %635, !llvm.loop !21
+642:                                              ; preds = %637, %642
+  %643 = phi i64 [ %652, %642 ], [ 0, %637 ]
+  %644 = load ptr, ptr %102, align 8, !noalias !15
+  %645 = getelementptr inbounds double, ptr %644, i64 %643
+  %646 = load double, ptr %645, align 8, !noalias !15
+  %647 = tail call double @llvm.fabs.f64(double %646)
+  %648 = fcmp ueq double %647, 0x7FF0000000000000
+  %649 = select i1 %648, double 0.000000e+00, double %646
+  %650 = load ptr, ptr %101, align 8, !noalias !15
+  %651 = getelementptr inbounds double, ptr %650, i64 %643
+  store double %649, ptr %651, align 8, !noalias !15
+  %652 = add nuw nsw i64 %643, 1
+  %653 = load i64, ptr %115, align 8, !noalias !15
+  %654 = icmp slt i64 %652, %653
+  br i1 %654, label %642, label %655, !llvm.loop !21
 
-635:                                              ; preds = %622, %617
-  %636 = icmp slt i64 %619, 0
-  br i1 %636, label %1588, label %637
+655:                                              ; preds = %642, %637
+  %656 = icmp slt i64 %639, 0
+  br i1 %656, label %1620, label %657
 
-637:                                              ; preds = %635
-  %638 = load i64, ptr %523, align 8, !noalias !15
-  %639 = and i64 %638, -2
-  store i64 %639, ptr %523, align 8, !noalias !15
-  %640 = getelementptr inbounds i8, ptr %522, i64 16
-  %641 = load i64, ptr %640, align 8, !noalias !15
-  %642 = or i64 %641, 1
-  store i64 %642, ptr %640, align 8, !noalias !15
-  %643 = getelementptr inbounds i8, ptr %522, i64 24
-  %644 = load i64, ptr %643, align 8, !noalias !15
-  %645 = and i64 %644, -2
-  store i64 %645, ptr %643, align 8, !noalias !15
-  br label %646
+657:                                              ; preds = %655
+  %658 = load i64, ptr %531, align 8, !noalias !15
+  %659 = and i64 %658, -2
+  store i64 %659, ptr %531, align 8, !noalias !15
+  %660 = getelementptr inbounds i8, ptr %530, i64 16
+  %661 = load i64, ptr %660, align 8, !noalias !15
+  %662 = or i64 %661, 1
+  store i64 %662, ptr %660, align 8, !noalias !15
+  %663 = getelementptr inbounds i8, ptr %530, i64 24
+  %664 = load i64, ptr %663, align 8, !noalias !15
+  %665 = and i64 %664, -2
+  store i64 %665, ptr %663, align 8, !noalias !15
+  br label %666
 
-646:                                              ; preds = %637, %518
-  %647 = phi double [ 0.000000e+00, %518 ], [ %618, %637 ]
-  %648 = load ptr, ptr %79, align 8, !noalias !15
-  %649 = load ptr, ptr %116, align 8, !noalias !15
-  %650 = load double, ptr %649, align 8, !noalias !15
-  %651 = fsub double %511, %650
-  %652 = tail call double @llvm.fabs.f64(double %651)
-  %653 = tail call double @llvm.fabs.f64(double %510)
-  %654 = fmul double %653, 0x3CB0000000000000
-  %655 = fcmp ogt double %652, %654
-  %656 = getelementptr inbounds i8, ptr %648, i64 24
-  %657 = load i64, ptr %656, align 8, !noalias !15
-  %658 = trunc i64 %657 to i1
-  %659 = xor i1 %658, true
-  %660 = or i1 %655, %659
-  %661 = zext i1 %660 to i64
-  br i1 %660, label %662, label %722
+666:                                              ; preds = %657, %526
+  %667 = phi double [ 0.000000e+00, %526 ], [ %638, %657 ]
+  %668 = load ptr, ptr %79, align 8, !noalias !15
+  %669 = load ptr, ptr %116, align 8, !noalias !15
+  %670 = load double, ptr %669, align 8, !noalias !15
+  %671 = fsub double %519, %670
+  %672 = tail call double @llvm.fabs.f64(double %671)
+  %673 = tail call double @llvm.fabs.f64(double %518)
+  %674 = fmul double %673, 0x3CB0000000000000
+  %675 = fcmp ogt double %672, %674
+  %676 = getelementptr inbounds i8, ptr %668, i64 24
+  %677 = load i64, ptr %676, align 8, !noalias !15
+  %678 = trunc i64 %677 to i1
+  %679 = xor i1 %678, true
+  %680 = or i1 %675, %679
+  %681 = zext i1 %680 to i64
+  br i1 %680, label %682, label %742
 
-662:                                              ; preds = %646
-  store double %511, ptr %649, align 8, !noalias !15
-  %663 = load i64, ptr %117, align 8, !noalias !15
-  %664 = load ptr, ptr %118, align 8, !noalias !15
-  %665 = load ptr, ptr %119, align 8, !noalias !15
-  %666 = icmp sgt i64 %663, 0
-  br i1 %666, label %667, label %697
+682:                                              ; preds = %666
+  store double %519, ptr %669, align 8, !noalias !15
+  %683 = load i64, ptr %117, align 8, !noalias !15
+  %684 = load ptr, ptr %118, align 8, !noalias !15
+  %685 = load ptr, ptr %119, align 8, !noalias !15
+  %686 = icmp sgt i64 %683, 0
+  br i1 %686, label %687, label %717
 
-667:                                              ; preds = %662
-  %668 = fdiv double 0x400D1A48D83E731D, %511
-  %669 = fdiv double 0x400572DB93E0C672, %511
-  %670 = fdiv double 0xC0086747F2C3FCB6, %511
-  br label %671
+687:                                              ; preds = %682
+  %688 = fdiv double 0x400D1A48D83E731D, %519
+  %689 = fdiv double 0x400572DB93E0C672, %519
+  %690 = fdiv double 0xC0086747F2C3FCB6, %519
+  br label %691
 
-671:                                              ; preds = %667, %674
-  %672 = phi i64 [ 0, %667 ], [ %675, %674 ]
-  %673 = mul nuw nsw i64 %672, %663
-  br label %677
+691:                                              ; preds = %687, %694
+  %692 = phi i64 [ 0, %687 ], [ %695, %694 ]
+  %693 = mul nuw nsw i64 %692, %683
+  br label %697
 
-674:                                              ; preds = %677
-  %675 = add nuw nsw i64 %672, 1
-  %676 = icmp eq i64 %675, %663
-  br i1 %676, label %697, label %671, !llvm.loop !22
+694:                                              ; preds = %697
+  %695 = add nuw nsw i64 %692, 1
+  %696 = icmp eq i64 %695, %683
+  br i1 %696, label %717, label %691, !llvm.loop !22
 
-677:                                              ; preds = %671, %677
-  %678 = phi i64 [ 0, %671 ], [ %695, %677 ]
-  %679 = load ptr, ptr %120, align 8, !noalias !15
-  %680 = add nuw nsw i64 %678, %673
-  %681 = getelementptr inbounds double, ptr %679, i64 %680
-  %682 = load double, ptr %681, align 8, !noalias !15
-  %683 = fneg double %682
-  %684 = icmp eq i64 %672, %678
-  %685 = fsub double %668, %682
-  %686 = select i1 %684, double %685, double %683
-  %687 = fsub double %669, %682
-  %688 = select i1 %684, double %687, double %683
-  %689 = getelementptr inbounds double, ptr %664, i64 %680
-  store double %686, ptr %689, align 8, !noalias !15
-  %690 = select i1 %684, double %670, double 0.000000e+00
-  %691 = shl nuw nsw i64 %680, 1
-  %692 = getelementptr inbounds double, ptr %665, i64 %691
-  store double %688, ptr %692, align 8, !noalias !15
-  %693 = or disjoint i64 %691, 1
-  %694 = getelementptr inbounds double, ptr %665, i64 %693
-  store double %690, ptr %694, align 8, !noalias !15
-  %695 = add nuw nsw i64 %678, 1
-  %696 = icmp eq i64 %695, %663
-  br i1 %696, label %674, label %677, !llvm.loop !23
+697:                                              ; preds = %691, %697
+  %698 = phi i64 [ 0, %691 ], [ %715, %697 ]
+  %699 = load ptr, ptr %120, align 8, !noalias !15
+  %700 = add nuw nsw i64 %698, %693
+  %701 = getelementptr inbounds double, ptr %699, i64 %700
+  %702 = load double, ptr %701, align 8, !noalias !15
+  %703 = fneg double %702
+  %704 = icmp eq i64 %692, %698
+  %705 = fsub double %688, %702
+  %706 = select i1 %704, double %705, double %703
+  %707 = fsub double %689, %702
+  %708 = select i1 %704, double %707, double %703
+  %709 = getelementptr inbounds double, ptr %684, i64 %700
+  store double %706, ptr %709, align 8, !noalias !15
+  %710 = select i1 %704, double %690, double 0.000000e+00
+  %711 = shl nuw nsw i64 %700, 1
+  %712 = getelementptr inbounds double, ptr %685, i64 %711
+  store double %708, ptr %712, align 8, !noalias !15
+  %713 = or disjoint i64 %711, 1
+  %714 = getelementptr inbounds double, ptr %685, i64 %713
+  store double %710, ptr %714, align 8, !noalias !15
+  %715 = add nuw nsw i64 %698, 1
+  %716 = icmp eq i64 %715, %683
+  br i1 %716, label %694, label %697, !llvm.loop !23
 
-697:                                              ; preds = %674, %662
-  %698 = load ptr, ptr %121, align 8, !noalias !15
-  %699 = tail call fastcc i64 @real_factorise(ptr noundef %664, i64 noundef %663, ptr noundef %698) #8, !noalias !15
-  %700 = load ptr, ptr %122, align 8, !noalias !15
-  %701 = tail call fastcc i64 @pair_factorise(ptr noundef %665, i64 noundef %663, ptr noundef %700) #8, !noalias !15
-  %702 = or i64 %701, %699
-  %703 = and i64 %702, %661
-  %704 = load i64, ptr %656, align 8, !noalias !15
-  %705 = or i64 %704, %661
-  %706 = xor i64 %703, -1
-  %707 = xor i64 %703, %705
-  store i64 %707, ptr %656, align 8, !noalias !15
-  %708 = icmp eq i64 %703, 0
-  %709 = select i1 %708, double 2.000000e+00, double 4.000000e+00
-  %710 = fmul double %511, 5.000000e-01
-  %711 = select i1 %708, double %435, double %710
-  %712 = load ptr, ptr %79, align 8, !noalias !15
-  %713 = getelementptr inbounds i8, ptr %712, i64 8
-  %714 = load i64, ptr %713, align 8, !noalias !15
-  %715 = and i64 %714, %706
-  %716 = getelementptr inbounds i8, ptr %712, i64 16
-  %717 = load i64, ptr %716, align 8, !noalias !15
-  %718 = xor i64 %717, -1
-  %719 = and i64 %703, %718
-  %720 = or disjoint i64 %719, %715
-  store i64 %720, ptr %713, align 8, !noalias !15
-  %721 = and i64 %706, 1
-  br label %722
+717:                                              ; preds = %694, %682
+  %718 = load ptr, ptr %121, align 8, !noalias !15
+  %719 = tail call fastcc i64 @real_factorise(ptr noundef %684, i64 noundef %683, ptr noundef %718) #8, !noalias !15
+  %720 = load ptr, ptr %122, align 8, !noalias !15
+  %721 = tail call fastcc i64 @pair_factorise(ptr noundef %685, i64 noundef %683, ptr noundef %720) #8, !noalias !15
+  %722 = or i64 %721, %719
+  %723 = and i64 %722, %681
+  %724 = load i64, ptr %676, align 8, !noalias !15
+  %725 = or i64 %724, %681
+  %726 = xor i64 %723, -1
+  %727 = xor i64 %723, %725
+  store i64 %727, ptr %676, align 8, !noalias !15
+  %728 = icmp eq i64 %723, 0
+  %729 = select i1 %728, double 2.000000e+00, double 4.000000e+00
+  %730 = fmul double %519, 5.000000e-01
+  %731 = select i1 %728, double %443, double %730
+  %732 = load ptr, ptr %79, align 8, !noalias !15
+  %733 = getelementptr inbounds i8, ptr %732, i64 8
+  %734 = load i64, ptr %733, align 8, !noalias !15
+  %735 = and i64 %734, %726
+  %736 = getelementptr inbounds i8, ptr %732, i64 16
+  %737 = load i64, ptr %736, align 8, !noalias !15
+  %738 = xor i64 %737, -1
+  %739 = and i64 %723, %738
+  %740 = or disjoint i64 %739, %735
+  store i64 %740, ptr %733, align 8, !noalias !15
+  %741 = and i64 %726, 1
+  br label %742
 
-722:                                              ; preds = %646, %697
-  %723 = phi double [ %435, %646 ], [ %711, %697 ]
-  %724 = phi double [ 2.000000e+00, %646 ], [ %709, %697 ]
-  %725 = phi i64 [ 1, %646 ], [ %721, %697 ]
-  %726 = icmp eq i64 %725, 0
-  br i1 %726, label %1588, label %727
+742:                                              ; preds = %666, %717
+  %743 = phi double [ %443, %666 ], [ %731, %717 ]
+  %744 = phi double [ 2.000000e+00, %666 ], [ %729, %717 ]
+  %745 = phi i64 [ 1, %666 ], [ %741, %717 ]
+  %746 = icmp eq i64 %745, 0
+  br i1 %746, label %1620, label %747
 
-727:                                              ; preds = %722
-  %728 = load ptr, ptr %116, align 8, !noalias !15
-  %729 = getelementptr inbounds i8, ptr %728, i64 8
-  %730 = load double, ptr %729, align 8, !noalias !15
-  %731 = load ptr, ptr %77, align 8, !noalias !15
-  %732 = getelementptr inbounds i8, ptr %731, i64 8
-  %733 = load i64, ptr %732, align 8, !noalias !15
-  %734 = load ptr, ptr %123, align 8, !noalias !15
-  %735 = load ptr, ptr %78, align 8, !noalias !15
-  %736 = load ptr, ptr %124, align 8, !noalias !15
-  %737 = load ptr, ptr %125, align 8, !noalias !15
-  %738 = fcmp ule double %730, 0.000000e+00
-  %739 = icmp sgt i64 %733, 0
-  %740 = shl i64 %733, 4
-  %741 = getelementptr i8, ptr %734, i64 %740
-  %742 = mul i64 %733, 24
-  %743 = getelementptr i8, ptr %734, i64 %742
-  %744 = getelementptr double, ptr %734, i64 %733
-  br label %750
+747:                                              ; preds = %742
+  %748 = load ptr, ptr %116, align 8, !noalias !15
+  %749 = getelementptr inbounds i8, ptr %748, i64 8
+  %750 = load double, ptr %749, align 8, !noalias !15
+  %751 = load ptr, ptr %77, align 8, !noalias !15
+  %752 = getelementptr inbounds i8, ptr %751, i64 8
+  %753 = load i64, ptr %752, align 8, !noalias !15
+  %754 = load ptr, ptr %123, align 8, !noalias !15
+  %755 = load ptr, ptr %78, align 8, !noalias !15
+  %756 = load ptr, ptr %124, align 8, !noalias !15
+  %757 = load ptr, ptr %125, align 8, !noalias !15
+  %758 = fcmp ule double %750, 0.000000e+00
+  %759 = icmp sgt i64 %753, 0
+  %760 = shl i64 %753, 4
+  %761 = getelementptr i8, ptr %754, i64 %760
+  %762 = mul i64 %753, 24
+  %763 = getelementptr i8, ptr %754, i64 %762
+  %764 = getelementptr double, ptr %754, i64 %753
+  br label %770
 
-745:                                              ; preds = %761
-  %746 = icmp sgt i64 %733, 0
-  %747 = getelementptr double, ptr %736, i64 %733
-  %748 = shl i64 %733, 4
-  %749 = getelementptr i8, ptr %736, i64 %748
-  br label %787
+765:                                              ; preds = %781
+  %766 = icmp sgt i64 %753, 0
+  %767 = getelementptr double, ptr %756, i64 %753
+  %768 = shl i64 %753, 4
+  %769 = getelementptr i8, ptr %756, i64 %768
+  br label %807
 
-750:                                              ; preds = %727, %761
-  %751 = phi i64 [ 0, %727 ], [ %762, %761 ]
-  %752 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %751
-  %753 = load double, ptr %752, align 8, !noalias !15
-  %754 = fmul double %511, %753
-  %755 = fdiv double %754, %730
-  %756 = fadd double %755, 1.000000e+00
-  br i1 %739, label %757, label %761
+770:                                              ; preds = %747, %781
+  %771 = phi i64 [ 0, %747 ], [ %782, %781 ]
+  %772 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %771
+  %773 = load double, ptr %772, align 8, !noalias !15
+  %774 = fmul double %519, %773
+  %775 = fdiv double %774, %750
+  %776 = fadd double %775, 1.000000e+00
+  br i1 %759, label %777, label %781
 
-757:                                              ; preds = %750
-  %758 = fsub double 1.000000e+00, %756
-  %759 = mul nuw nsw i64 %733, %751
-  %760 = getelementptr double, ptr %736, i64 %759
-  br label %764
+777:                                              ; preds = %770
+  %778 = fsub double 1.000000e+00, %776
+  %779 = mul nuw nsw i64 %753, %771
+  %780 = getelementptr double, ptr %756, i64 %779
+  br label %784
 
-761:                                              ; preds = %764, %750
-  %762 = add nuw nsw i64 %751, 1
-  %763 = icmp eq i64 %762, 3
-  br i1 %763, label %745, label %750, !llvm.loop !24
+781:                                              ; preds = %784, %770
+  %782 = add nuw nsw i64 %771, 1
+  %783 = icmp eq i64 %782, 3
+  br i1 %783, label %765, label %770, !llvm.loop !24
 
-764:                                              ; preds = %757, %764
-  %765 = phi i64 [ 0, %757 ], [ %785, %764 ]
-  %766 = getelementptr double, ptr %741, i64 %765
-  %767 = load double, ptr %766, align 8, !noalias !15
-  %768 = getelementptr double, ptr %743, i64 %765
-  %769 = load double, ptr %768, align 8, !noalias !15
-  %770 = fmul double %756, %769
-  %771 = fadd double %767, %770
-  %772 = fmul double %758, %771
-  %773 = getelementptr inbounds double, ptr %734, i64 %765
-  %774 = load double, ptr %773, align 8, !noalias !15
-  %775 = getelementptr double, ptr %744, i64 %765
-  %776 = load double, ptr %775, align 8, !noalias !15
-  %777 = fadd double %776, %772
-  %778 = fmul double %756, %777
-  %779 = fadd double %774, %778
-  %780 = getelementptr inbounds double, ptr %735, i64 %765
-  %781 = load double, ptr %780, align 8, !noalias !15
-  %782 = fsub double %779, %781
-  %783 = select i1 %738, double 0.000000e+00, double %782
-  %784 = getelementptr double, ptr %760, i64 %765
-  store double %783, ptr %784, align 8, !noalias !15
-  %785 = add nuw nsw i64 %765, 1
-  %786 = icmp eq i64 %785, %733
-  br i1 %786, label %761, label %764, !llvm.loop !25
-
-787:                                              ; preds = %745, %798
-  %788 = phi i64 [ 0, %745 ], [ %799, %798 ]
-  br i1 %746, label %789, label %798
-
-789:                                              ; preds = %787
-  %790 = mul nuw nsw i64 %733, %788
-  %791 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %788
-  %792 = load double, ptr %791, align 8, !noalias !15
-  %793 = getelementptr inbounds i8, ptr %791, i64 8
+784:                                              ; preds = %777, %784
+  %785 = phi i64 [ 0, %777 ], [ %805, %784 ]
+  %786 = getelementptr double, ptr %761, i64 %785
+  %787 = load double, ptr %786, align 8, !noalias !15
+  %788 = getelementptr double, ptr %763, i64 %785
+  %789 = load double, ptr %788, align 8, !noalias !15
+  %790 = fmul double %776, %789
+  %791 = fadd double %787, %790
+  %792 = fmul double %778, %791
+  %793 = getelementptr inbounds double, ptr %754, i64 %785
   %794 = load double, ptr %793, align 8, !noalias !15
-  %795 = getelementptr inbounds i8, ptr %791, i64 16
+  %795 = getelementptr double, ptr %764, i64 %785
   %796 = load double, ptr %795, align 8, !noalias !15
-  %797 = getelementptr double, ptr %737, i64 %790
-  br label %801
+  %797 = fadd double %796, %792
+  %798 = fmul double %776, %797
+  %799 = fadd double %794, %798
+  %800 = getelementptr inbounds double, ptr %755, i64 %785
+  %801 = load double, ptr %800, align 8, !noalias !15
+  %802 = fsub double %799, %801
+  %803 = select i1 %758, double 0.000000e+00, double %802
+  %804 = getelementptr double, ptr %780, i64 %785
+  store double %803, ptr %804, align 8, !noalias !15
+  %805 = add nuw nsw i64 %785, 1
+  %806 = icmp eq i64 %805, %753
+  br i1 %806, label %781, label %784, !llvm.loop !25
 
-798:                                              ; preds = %801, %787
-  %799 = add nuw nsw i64 %788, 1
-  %800 = icmp eq i64 %799, 3
-  br i1 %800, label %817, label %787, !llvm.loop !26
+807:                                              ; preds = %765, %818
+  %808 = phi i64 [ 0, %765 ], [ %819, %818 ]
+  br i1 %766, label %809, label %818
 
-801:                                              ; preds = %789, %801
-  %802 = phi i64 [ 0, %789 ], [ %815, %801 ]
-  %803 = getelementptr inbounds double, ptr %736, i64 %802
-  %804 = load double, ptr %803, align 8, !noalias !15
-  %805 = fmul double %792, %804
-  %806 = getelementptr double, ptr %747, i64 %802
-  %807 = load double, ptr %806, align 8, !noalias !15
-  %808 = fmul double %794, %807
-  %809 = fadd double %805, %808
-  %810 = getelementptr double, ptr %749, i64 %802
-  %811 = load double, ptr %810, align 8, !noalias !15
-  %812 = fmul double %796, %811
-  %813 = fadd double %809, %812
-  %814 = getelementptr double, ptr %797, i64 %802
-  store double %813, ptr %814, align 8, !noalias !15
-  %815 = add nuw nsw i64 %802, 1
-  %816 = icmp eq i64 %815, %733
-  br i1 %816, label %798, label %801, !llvm.loop !27
+809:                                              ; preds = %807
+  %810 = mul nuw nsw i64 %753, %808
+  %811 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %808
+  %812 = load double, ptr %811, align 8, !noalias !15
+  %813 = getelementptr inbounds i8, ptr %811, i64 8
+  %814 = load double, ptr %813, align 8, !noalias !15
+  %815 = getelementptr inbounds i8, ptr %811, i64 16
+  %816 = load double, ptr %815, align 8, !noalias !15
+  %817 = getelementptr double, ptr %757, i64 %810
+  br label %821
 
-817:                                              ; preds = %798
-  %818 = load ptr, ptr %79, align 8, !noalias !28
-  %819 = getelementptr inbounds i8, ptr %818, i64 40
-  %820 = load i64, ptr %819, align 8, !noalias !28
-  %821 = icmp sgt i64 %820, 0
-  %822 = select i1 %821, i64 10, i64 6
-  %823 = fdiv double 0x400572DB93E0C672, %511
-  %824 = fdiv double 0xC0086747F2C3FCB6, %511
-  %825 = fdiv double 0x400D1A48D83E731D, %511
-  %826 = fneg double %824
-  br label %830
+818:                                              ; preds = %821, %807
+  %819 = add nuw nsw i64 %808, 1
+  %820 = icmp eq i64 %819, 3
+  br i1 %820, label %837, label %807, !llvm.loop !26
 
-827:                                              ; preds = %1281
-  %828 = add nuw nsw i64 %834, 1
-  %829 = icmp eq i64 %828, %822
-  br i1 %829, label %1296, label %830, !llvm.loop !31
+821:                                              ; preds = %809, %821
+  %822 = phi i64 [ 0, %809 ], [ %835, %821 ]
+  %823 = getelementptr inbounds double, ptr %756, i64 %822
+  %824 = load double, ptr %823, align 8, !noalias !15
+  %825 = fmul double %812, %824
+  %826 = getelementptr double, ptr %767, i64 %822
+  %827 = load double, ptr %826, align 8, !noalias !15
+  %828 = fmul double %814, %827
+  %829 = fadd double %825, %828
+  %830 = getelementptr double, ptr %769, i64 %822
+  %831 = load double, ptr %830, align 8, !noalias !15
+  %832 = fmul double %816, %831
+  %833 = fadd double %829, %832
+  %834 = getelementptr double, ptr %817, i64 %822
+  store double %833, ptr %834, align 8, !noalias !15
+  %835 = add nuw nsw i64 %822, 1
+  %836 = icmp eq i64 %835, %753
+  br i1 %836, label %818, label %821, !llvm.loop !27
 
-830:                                              ; preds = %817, %827
-  %831 = phi double [ -1.000000e+00, %817 ], [ %1294, %827 ]
-  %832 = phi i64 [ %725, %817 ], [ %1293, %827 ]
-  %833 = phi i64 [ 0, %817 ], [ %1292, %827 ]
-  %834 = phi i64 [ 0, %817 ], [ %828, %827 ]
-  %835 = phi i64 [ 0, %817 ], [ %1290, %827 ]
-  %836 = phi i64 [ 0, %817 ], [ %918, %827 ]
-  %837 = phi i64 [ 0, %817 ], [ %917, %827 ]
-  %838 = phi double [ 0.000000e+00, %817 ], [ %1289, %827 ]
-  %839 = phi double [ 0.000000e+00, %817 ], [ %1288, %827 ]
-  %840 = phi double [ 0.000000e+00, %817 ], [ %916, %827 ]
-  %841 = phi i64 [ %436, %817 ], [ %1287, %827 ]
-  %842 = phi i64 [ %437, %817 ], [ %1286, %827 ]
-  %843 = phi i64 [ %438, %817 ], [ %1285, %827 ]
-  %844 = phi double [ %439, %817 ], [ %1284, %827 ]
-  %845 = phi double [ %440, %817 ], [ %1283, %827 ]
-  %846 = phi double [ %441, %817 ], [ %1282, %827 ]
-  %847 = icmp ugt i64 %834, 5
-  %848 = select i1 %847, i64 %835, i64 -1
-  %849 = and i64 %832, %848
-  %850 = load ptr, ptr %77, align 8, !noalias !28
-  %851 = getelementptr inbounds i8, ptr %850, i64 8
-  %852 = load i64, ptr %851, align 8, !noalias !28
-  %853 = load ptr, ptr %124, align 8, !noalias !28
-  %854 = icmp eq i64 %849, 0
-  br i1 %854, label %915, label %855
+837:                                              ; preds = %818
+  %838 = load ptr, ptr %79, align 8, !noalias !28
+  %839 = getelementptr inbounds i8, ptr %838, i64 40
+  %840 = load i64, ptr %839, align 8, !noalias !28
+  %841 = icmp sgt i64 %840, 0
+  %842 = select i1 %841, i64 10, i64 6
+  %843 = fdiv double 0x400572DB93E0C672, %519
+  %844 = fdiv double 0xC0086747F2C3FCB6, %519
+  %845 = fdiv double 0x400D1A48D83E731D, %519
+  %846 = fneg double %844
+  br label %850
 
-855:                                              ; preds = %830
-  %856 = icmp sgt i64 %852, 0
-  br label %857
+847:                                              ; preds = %1307
+  %848 = add nuw nsw i64 %854, 1
+  %849 = icmp eq i64 %848, %842
+  br i1 %849, label %1322, label %850, !llvm.loop !31
 
-857:                                              ; preds = %855, %883
-  %858 = phi i64 [ %849, %855 ], [ %898, %883 ]
-  %859 = phi i64 [ 0, %855 ], [ %899, %883 ]
-  %860 = phi i64 [ %836, %855 ], [ %896, %883 ]
-  %861 = phi i64 [ %837, %855 ], [ %894, %883 ]
-  %862 = phi double [ %840, %855 ], [ %870, %883 ]
-  br i1 %856, label %863, label %866
+850:                                              ; preds = %837, %847
+  %851 = phi double [ -1.000000e+00, %837 ], [ %1320, %847 ]
+  %852 = phi i64 [ %745, %837 ], [ %1319, %847 ]
+  %853 = phi i64 [ 0, %837 ], [ %1318, %847 ]
+  %854 = phi i64 [ 0, %837 ], [ %848, %847 ]
+  %855 = phi i64 [ 0, %837 ], [ %1316, %847 ]
+  %856 = phi i64 [ 0, %837 ], [ %944, %847 ]
+  %857 = phi i64 [ 0, %837 ], [ %943, %847 ]
+  %858 = phi double [ 0.000000e+00, %837 ], [ %1315, %847 ]
+  %859 = phi double [ 0.000000e+00, %837 ], [ %1314, %847 ]
+  %860 = phi double [ 0.000000e+00, %837 ], [ %942, %847 ]
+  %861 = phi i64 [ %444, %837 ], [ %1313, %847 ]
+  %862 = phi i64 [ %445, %837 ], [ %1312, %847 ]
+  %863 = phi i64 [ %446, %837 ], [ %1311, %847 ]
+  %864 = phi double [ %447, %837 ], [ %1310, %847 ]
+  %865 = phi double [ %448, %837 ], [ %1309, %847 ]
+  %866 = phi double [ %449, %837 ], [ %1308, %847 ]
+  %867 = icmp ugt i64 %854, 5
+  %868 = select i1 %867, i64 %855, i64 -1
+  %869 = and i64 %852, %868
+  %870 = load ptr, ptr %77, align 8, !noalias !28
+  %871 = getelementptr inbounds i8, ptr %870, i64 8
+  %872 = load i64, ptr %871, align 8, !noalias !28
+  %873 = load ptr, ptr %124, align 8, !noalias !28
+  %874 = icmp eq i64 %869, 0
+  br i1 %874, label %941, label %875
 
-863:                                              ; preds = %857
-  %864 = mul nuw nsw i64 %859, %852
-  %865 = getelementptr double, ptr %853, i64 %864
-  br label %903
+875:                                              ; preds = %850
+  %876 = icmp sgt i64 %872, 0
+  br label %877
 
-866:                                              ; preds = %903, %857
-  %867 = and i64 %858, 4294967295
-  %868 = icmp eq i64 %867, 0
-  %869 = select i1 %868, double 0.000000e+00, double 1.000000e+00
-  %870 = fadd double %862, %869
-  %871 = load ptr, ptr %127, align 8, !noalias !28
-  %872 = mul nsw i64 %859, %852
-  %873 = getelementptr inbounds double, ptr %871, i64 %872
-  %874 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %859
-  %875 = load double, ptr %874, align 8, !noalias !28
-  %876 = fmul double %511, %875
-  %877 = fadd double %434, %876
-  %878 = load ptr, ptr %128, align 8, !noalias !28
-  %879 = load ptr, ptr %129, align 8, !noalias !28
-  store double %877, ptr %879, align 8, !noalias !28
-  %880 = load i64, ptr %130, align 8, !noalias !28
-  %881 = icmp sgt i64 %880, 0
-  br i1 %881, label %882, label %883
+877:                                              ; preds = %875, %909
+  %878 = phi i64 [ %869, %875 ], [ %924, %909 ]
+  %879 = phi i64 [ 0, %875 ], [ %925, %909 ]
+  %880 = phi i64 [ %856, %875 ], [ %922, %909 ]
+  %881 = phi i64 [ %857, %875 ], [ %920, %909 ]
+  %882 = phi double [ %860, %875 ], [ %890, %909 ]
+  br i1 %876, label %883, label %886
 
-882:                                              ; preds = %866
+883:                                              ; preds = %877
+  %884 = mul nuw nsw i64 %879, %872
+  %885 = getelementptr double, ptr %873, i64 %884
+  br label %929
+
+886:                                              ; preds = %929, %877
+  %887 = and i64 %878, 4294967295
+  %888 = icmp eq i64 %887, 0
+  %889 = select i1 %888, double 0.000000e+00, double 1.000000e+00
+  %890 = fadd double %882, %889
+  %891 = load ptr, ptr %127, align 8, !noalias !28
+  %892 = mul nsw i64 %879, %872
+  %893 = getelementptr inbounds double, ptr %891, i64 %892
+  %894 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %879
+  %895 = load double, ptr %894, align 8, !noalias !28
+  %896 = fmul double %519, %895
+  %897 = fadd double %442, %896
+  %898 = load ptr, ptr %128, align 8, !noalias !28
+  %899 = load ptr, ptr %129, align 8, !noalias !28
+  store double %897, ptr %899, align 8, !noalias !28
+  %900 = load ptr, ptr %77, align 8, !noalias !28
+  %901 = getelementptr inbounds i8, ptr %900, i64 40
+  %902 = load i64, ptr %901, align 8, !noalias !28
+  %903 = icmp eq i64 %902, 0
+  br i1 %903, label %905, label %904
+
+904:                                              ; preds = %886
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !28
+  br label %905
+
+905:                                              ; preds = %904, %886
+  %906 = load i64, ptr %130, align 8, !noalias !28
+  %907 = icmp sgt i64 %906, 0
+  br i1 %907, label %908, label %909
+
+908:                                              ; preds = %905
   tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !28
-  br label %883
+  br label %909
 
-883:                                              ; preds = %882, %866
-  %884 = load ptr, ptr %77, align 8, !noalias !28
-  %885 = load i64, ptr %884, align 8, !noalias !28
-  %886 = load ptr, ptr %129, align 8, !noalias !28
-  %887 = load ptr, ptr %131, align 8, !noalias !28
-  %888 = load ptr, ptr %132, align 8, !noalias !28
-  %889 = inttoptr i64 %885 to ptr
-  %890 = load ptr, ptr %889, align 8, !noalias !28
-  %891 = tail call i32 %890(ptr noundef %886, ptr noundef %878, ptr noundef %887, ptr noundef %888, ptr noundef %873) #9, !noalias !28
-  %892 = sext i32 %891 to i64
-  %893 = icmp slt i32 %891, 0
-  %894 = select i1 %893, i64 %892, i64 %861
-  %895 = and i64 %858, %892
-  %896 = or i64 %895, %860
-  %897 = xor i64 %892, -1
-  %898 = and i64 %858, %897
-  %899 = add nuw nsw i64 %859, 1
-  %900 = icmp ult i64 %859, 2
-  %901 = icmp ne i64 %898, 0
-  %902 = select i1 %900, i1 %901, i1 false
-  br i1 %902, label %857, label %915, !llvm.loop !32
+909:                                              ; preds = %908, %905
+  %910 = load ptr, ptr %77, align 8, !noalias !28
+  %911 = load i64, ptr %910, align 8, !noalias !28
+  %912 = load ptr, ptr %129, align 8, !noalias !28
+  %913 = load ptr, ptr %131, align 8, !noalias !28
+  %914 = load ptr, ptr %132, align 8, !noalias !28
+  %915 = inttoptr i64 %911 to ptr
+  %916 = load ptr, ptr %915, align 8, !noalias !28
+  %917 = tail call i32 %916(ptr noundef %912, ptr noundef %898, ptr noundef %913, ptr noundef %914, ptr noundef %893) #9, !noalias !28
+  %918 = sext i32 %917 to i64
+  %919 = icmp slt i32 %917, 0
+  %920 = select i1 %919, i64 %918, i64 %881
+  %921 = and i64 %878, %918
+  %922 = or i64 %921, %880
+  %923 = xor i64 %918, -1
+  %924 = and i64 %878, %923
+  %925 = add nuw nsw i64 %879, 1
+  %926 = icmp ult i64 %879, 2
+  %927 = icmp ne i64 %924, 0
+  %928 = select i1 %926, i1 %927, i1 false
+  br i1 %928, label %877, label %941, !llvm.loop !32
 
-903:                                              ; preds = %863, %903
-  %904 = phi i64 [ 0, %863 ], [ %913, %903 ]
-  %905 = load ptr, ptr %126, align 8, !noalias !28
-  %906 = load ptr, ptr %78, align 8, !noalias !28
-  %907 = getelementptr inbounds double, ptr %906, i64 %904
-  %908 = load double, ptr %907, align 8, !noalias !28
-  %909 = getelementptr double, ptr %865, i64 %904
-  %910 = load double, ptr %909, align 8, !noalias !28
-  %911 = fadd double %908, %910
-  %912 = getelementptr inbounds double, ptr %905, i64 %904
-  store double %911, ptr %912, align 8, !noalias !28
-  %913 = add nuw nsw i64 %904, 1
-  %914 = icmp eq i64 %913, %852
-  br i1 %914, label %866, label %903, !llvm.loop !33
+929:                                              ; preds = %883, %929
+  %930 = phi i64 [ 0, %883 ], [ %939, %929 ]
+  %931 = load ptr, ptr %126, align 8, !noalias !28
+  %932 = load ptr, ptr %78, align 8, !noalias !28
+  %933 = getelementptr inbounds double, ptr %932, i64 %930
+  %934 = load double, ptr %933, align 8, !noalias !28
+  %935 = getelementptr double, ptr %885, i64 %930
+  %936 = load double, ptr %935, align 8, !noalias !28
+  %937 = fadd double %934, %936
+  %938 = getelementptr inbounds double, ptr %931, i64 %930
+  store double %937, ptr %938, align 8, !noalias !28
+  %939 = add nuw nsw i64 %930, 1
+  %940 = icmp eq i64 %939, %872
+  br i1 %940, label %886, label %929, !llvm.loop !33
 
-915:                                              ; preds = %883, %830
-  %916 = phi double [ %840, %830 ], [ %870, %883 ]
-  %917 = phi i64 [ %837, %830 ], [ %894, %883 ]
-  %918 = phi i64 [ %836, %830 ], [ %896, %883 ]
-  %919 = phi i64 [ %849, %830 ], [ %898, %883 ]
-  %920 = icmp eq i64 %919, 0
-  br i1 %920, label %921, label %925
+941:                                              ; preds = %909, %850
+  %942 = phi double [ %860, %850 ], [ %890, %909 ]
+  %943 = phi i64 [ %857, %850 ], [ %920, %909 ]
+  %944 = phi i64 [ %856, %850 ], [ %922, %909 ]
+  %945 = phi i64 [ %869, %850 ], [ %924, %909 ]
+  %946 = icmp eq i64 %945, 0
+  br i1 %946, label %947, label %951
 
-921:                                              ; preds = %915
-  %922 = or i64 %849, %833
-  %923 = xor i64 %922, -1
-  %924 = and i64 %835, %923
-  br label %1281
+947:                                              ; preds = %941
+  %948 = or i64 %869, %853
+  %949 = xor i64 %948, -1
+  %950 = and i64 %855, %949
+  br label %1307
 
-925:                                              ; preds = %915
-  %926 = load ptr, ptr %77, align 8, !noalias !28
-  %927 = getelementptr inbounds i8, ptr %926, i64 8
-  %928 = load i64, ptr %927, align 8, !noalias !28
-  %929 = load ptr, ptr %133, align 8, !noalias !28
-  %930 = load ptr, ptr %125, align 8, !noalias !28
-  %931 = icmp sgt i64 %928, 0
-  br i1 %931, label %932, label %1010
+951:                                              ; preds = %941
+  %952 = load ptr, ptr %77, align 8, !noalias !28
+  %953 = getelementptr inbounds i8, ptr %952, i64 8
+  %954 = load i64, ptr %953, align 8, !noalias !28
+  %955 = load ptr, ptr %133, align 8, !noalias !28
+  %956 = load ptr, ptr %125, align 8, !noalias !28
+  %957 = icmp sgt i64 %954, 0
+  br i1 %957, label %958, label %1036
 
-932:                                              ; preds = %925
-  %933 = shl nuw nsw i64 %928, 1
-  br label %934
+958:                                              ; preds = %951
+  %959 = shl nuw nsw i64 %954, 1
+  br label %960
 
-934:                                              ; preds = %932, %934
-  %935 = phi i32 [ 1, %932 ], [ %950, %934 ]
-  %936 = phi i64 [ 0, %932 ], [ %1008, %934 ]
-  %937 = phi double [ 0.000000e+00, %932 ], [ %1007, %934 ]
-  %938 = getelementptr inbounds double, ptr %929, i64 %936
-  %939 = load double, ptr %938, align 8, !noalias !28
-  %940 = add nuw nsw i64 %936, %928
-  %941 = getelementptr inbounds double, ptr %929, i64 %940
-  %942 = load double, ptr %941, align 8, !noalias !28
-  %943 = fadd double %939, %942
-  %944 = add nuw nsw i64 %936, %933
-  %945 = getelementptr inbounds double, ptr %929, i64 %944
-  %946 = load double, ptr %945, align 8, !noalias !28
-  %947 = fadd double %943, %946
-  %948 = tail call double @llvm.fabs.f64(double %947)
-  %949 = fcmp one double %948, 0x7FF0000000000000
-  %950 = select i1 %949, i32 %935, i32 0
-  %951 = getelementptr inbounds double, ptr %930, i64 %940
-  %952 = load double, ptr %951, align 8, !noalias !28
-  %953 = getelementptr inbounds double, ptr %930, i64 %944
-  %954 = load double, ptr %953, align 8, !noalias !28
-  %955 = fmul double %939, 0xC010B70201A79C46
-  %956 = fmul double %942, 0x3FD4F8C15DA84E86
-  %957 = fsub double %955, %956
-  %958 = fmul double %946, 0x3FDE810014C55221
-  %959 = fadd double %957, %958
-  %960 = fmul double %939, 0x3FE017885A24A7F2
-  %961 = fmul double %942, 0x4004934E6FCAA598
-  %962 = fsub double %960, %961
-  %963 = fmul double %946, 0x3FE312C0CF7BDFD1
-  %964 = fadd double %962, %963
-  %965 = fmul double %939, 0x4010B70201A79C46
-  %966 = fmul double %942, 0x3FD4F8C15DA84E86
-  %967 = fadd double %965, %966
-  %968 = fmul double %946, 0x3FE0BF7FF59D56EF
-  %969 = fadd double %967, %968
-  %970 = getelementptr inbounds double, ptr %930, i64 %936
-  %971 = load double, ptr %970, align 8, !noalias !28
-  %972 = fmul double %825, %971
-  %973 = fsub double %969, %972
-  %974 = fmul double %954, %826
-  %975 = tail call double @llvm.fma.f64(double %823, double %952, double %974)
-  %976 = fmul double %824, %952
-  %977 = tail call double @llvm.fma.f64(double %823, double %954, double %976)
-  %978 = fsub double %959, %975
-  %979 = fsub double %964, %977
-  %980 = load ptr, ptr %134, align 8, !noalias !28
-  %981 = getelementptr inbounds double, ptr %980, i64 %936
-  store double %973, ptr %981, align 8, !noalias !28
-  %982 = load ptr, ptr %135, align 8, !noalias !28
-  %983 = shl nuw nsw i64 %936, 1
-  %984 = getelementptr inbounds double, ptr %982, i64 %983
-  store double %978, ptr %984, align 8, !noalias !28
-  %985 = or disjoint i64 %983, 1
-  %986 = getelementptr inbounds double, ptr %982, i64 %985
-  store double %979, ptr %986, align 8, !noalias !28
-  %987 = load ptr, ptr %78, align 8, !noalias !28
-  %988 = getelementptr inbounds double, ptr %987, i64 %936
-  %989 = load double, ptr %988, align 8, !noalias !28
-  %990 = tail call double @llvm.fabs.f64(double %973)
-  %991 = tail call double @llvm.fabs.f64(double %978)
-  %992 = tail call double @llvm.fabs.f64(double %979)
-  %993 = fadd double %992, %991
-  %994 = fadd double %990, %993
-  %995 = fmul double %511, %994
-  %996 = load ptr, ptr %136, align 8, !noalias !28
-  %997 = getelementptr inbounds double, ptr %996, i64 %936
-  %998 = load double, ptr %997, align 8, !noalias !28
-  %999 = load ptr, ptr %80, align 8, !noalias !28
-  %1000 = getelementptr inbounds double, ptr %999, i64 %936
-  %1001 = load double, ptr %1000, align 8, !noalias !28
-  %1002 = tail call double @llvm.fabs.f64(double %989)
-  %1003 = fmul double %1002, %1001
-  %1004 = fadd double %998, %1003
-  %1005 = fdiv double %995, %1004
-  %1006 = fmul double %1005, %1005
-  %1007 = fadd double %937, %1006
-  %1008 = add nuw nsw i64 %936, 1
-  %1009 = icmp eq i64 %1008, %928
-  br i1 %1009, label %1010, label %934, !llvm.loop !34
+960:                                              ; preds = %958, %960
+  %961 = phi i32 [ 1, %958 ], [ %976, %960 ]
+  %962 = phi i64 [ 0, %958 ], [ %1034, %960 ]
+  %963 = phi double [ 0.000000e+00, %958 ], [ %1033, %960 ]
+  %964 = getelementptr inbounds double, ptr %955, i64 %962
+  %965 = load double, ptr %964, align 8, !noalias !28
+  %966 = add nuw nsw i64 %962, %954
+  %967 = getelementptr inbounds double, ptr %955, i64 %966
+  %968 = load double, ptr %967, align 8, !noalias !28
+  %969 = fadd double %965, %968
+  %970 = add nuw nsw i64 %962, %959
+  %971 = getelementptr inbounds double, ptr %955, i64 %970
+  %972 = load double, ptr %971, align 8, !noalias !28
+  %973 = fadd double %969, %972
+  %974 = tail call double @llvm.fabs.f64(double %973)
+  %975 = fcmp one double %974, 0x7FF0000000000000
+  %976 = select i1 %975, i32 %961, i32 0
+  %977 = getelementptr inbounds double, ptr %956, i64 %966
+  %978 = load double, ptr %977, align 8, !noalias !28
+  %979 = getelementptr inbounds double, ptr %956, i64 %970
+  %980 = load double, ptr %979, align 8, !noalias !28
+  %981 = fmul double %965, 0xC010B70201A79C46
+  %982 = fmul double %968, 0x3FD4F8C15DA84E86
+  %983 = fsub double %981, %982
+  %984 = fmul double %972, 0x3FDE810014C55221
+  %985 = fadd double %983, %984
+  %986 = fmul double %965, 0x3FE017885A24A7F2
+  %987 = fmul double %968, 0x4004934E6FCAA598
+  %988 = fsub double %986, %987
+  %989 = fmul double %972, 0x3FE312C0CF7BDFD1
+  %990 = fadd double %988, %989
+  %991 = fmul double %965, 0x4010B70201A79C46
+  %992 = fmul double %968, 0x3FD4F8C15DA84E86
+  %993 = fadd double %991, %992
+  %994 = fmul double %972, 0x3FE0BF7FF59D56EF
+  %995 = fadd double %993, %994
+  %996 = getelementptr inbounds double, ptr %956, i64 %962
+  %997 = load double, ptr %996, align 8, !noalias !28
+  %998 = fmul double %845, %997
+  %999 = fsub double %995, %998
+  %1000 = fmul double %980, %846
+  %1001 = tail call double @llvm.fma.f64(double %843, double %978, double %1000)
+  %1002 = fmul double %844, %978
+  %1003 = tail call double @llvm.fma.f64(double %843, double %980, double %1002)
+  %1004 = fsub double %985, %1001
+  %1005 = fsub double %990, %1003
+  %1006 = load ptr, ptr %134, align 8, !noalias !28
+  %1007 = getelementptr inbounds double, ptr %1006, i64 %962
+  store double %999, ptr %1007, align 8, !noalias !28
+  %1008 = load ptr, ptr %135, align 8, !noalias !28
+  %1009 = shl nuw nsw i64 %962, 1
+  %1010 = getelementptr inbounds double, ptr %1008, i64 %1009
+  store double %1004, ptr %1010, align 8, !noalias !28
+  %1011 = or disjoint i64 %1009, 1
+  %1012 = getelementptr inbounds double, ptr %1008, i64 %1011
+  store double %1005, ptr %1012, align 8, !noalias !28
+  %1013 = load ptr, ptr %78, align 8, !noalias !28
+  %1014 = getelementptr inbounds double, ptr %1013, i64 %962
+  %1015 = load double, ptr %1014, align 8, !noalias !28
+  %1016 = tail call double @llvm.fabs.f64(double %999)
+  %1017 = tail call double @llvm.fabs.f64(double %1004)
+  %1018 = tail call double @llvm.fabs.f64(double %1005)
+  %1019 = fadd double %1018, %1017
+  %1020 = fadd double %1016, %1019
+  %1021 = fmul double %519, %1020
+  %1022 = load ptr, ptr %136, align 8, !noalias !28
+  %1023 = getelementptr inbounds double, ptr %1022, i64 %962
+  %1024 = load double, ptr %1023, align 8, !noalias !28
+  %1025 = load ptr, ptr %80, align 8, !noalias !28
+  %1026 = getelementptr inbounds double, ptr %1025, i64 %962
+  %1027 = load double, ptr %1026, align 8, !noalias !28
+  %1028 = tail call double @llvm.fabs.f64(double %1015)
+  %1029 = fmul double %1028, %1027
+  %1030 = fadd double %1024, %1029
+  %1031 = fdiv double %1021, %1030
+  %1032 = fmul double %1031, %1031
+  %1033 = fadd double %963, %1032
+  %1034 = add nuw nsw i64 %962, 1
+  %1035 = icmp eq i64 %1034, %954
+  br i1 %1035, label %1036, label %960, !llvm.loop !34
 
-1010:                                             ; preds = %934, %925
-  %1011 = phi double [ 0.000000e+00, %925 ], [ %1007, %934 ]
-  %1012 = phi i32 [ 1, %925 ], [ %950, %934 ]
-  %1013 = zext nneg i32 %1012 to i64
-  %1014 = xor i64 %1013, 4294967295
-  %1015 = and i64 %919, %1014
-  %1016 = icmp eq i64 %1015, 0
-  %1017 = select i1 %1016, double %839, double 0x7FF0000000000000
-  %1018 = load ptr, ptr %77, align 8, !noalias !28
-  %1019 = getelementptr inbounds i8, ptr %1018, i64 8
-  %1020 = load i64, ptr %1019, align 8, !noalias !28
-  %1021 = load i64, ptr %138, align 8, !noalias !28
-  %1022 = load ptr, ptr %79, align 8, !noalias !28
-  %1023 = getelementptr inbounds i8, ptr %1022, i64 40
-  %1024 = load i64, ptr %1023, align 8, !noalias !28
-  %1025 = load ptr, ptr %139, align 8, !noalias !28
-  %1026 = load ptr, ptr %140, align 8, !noalias !28
-  %1027 = load ptr, ptr %141, align 8, !noalias !28
-  %1028 = load ptr, ptr %137, align 8, !noalias !28
-  tail call fastcc void @real_solve(ptr noundef %1027, i64 noundef %1021, ptr noundef %1028, ptr noundef %1025) #8, !noalias !28
-  %1029 = load ptr, ptr %142, align 8, !noalias !28
-  %1030 = load ptr, ptr %143, align 8, !noalias !28
-  tail call fastcc void @pair_solve(ptr noundef %1029, i64 noundef %1021, ptr noundef %1030, ptr noundef %1026) #8, !noalias !28
-  %1031 = icmp sgt i64 %1024, 0
-  br i1 %1031, label %1032, label %1040
+1036:                                             ; preds = %960, %951
+  %1037 = phi double [ 0.000000e+00, %951 ], [ %1033, %960 ]
+  %1038 = phi i32 [ 1, %951 ], [ %976, %960 ]
+  %1039 = zext nneg i32 %1038 to i64
+  %1040 = xor i64 %1039, 4294967295
+  %1041 = and i64 %945, %1040
+  %1042 = icmp eq i64 %1041, 0
+  %1043 = select i1 %1042, double %859, double 0x7FF0000000000000
+  %1044 = load ptr, ptr %77, align 8, !noalias !28
+  %1045 = getelementptr inbounds i8, ptr %1044, i64 8
+  %1046 = load i64, ptr %1045, align 8, !noalias !28
+  %1047 = load i64, ptr %138, align 8, !noalias !28
+  %1048 = load ptr, ptr %79, align 8, !noalias !28
+  %1049 = getelementptr inbounds i8, ptr %1048, i64 40
+  %1050 = load i64, ptr %1049, align 8, !noalias !28
+  %1051 = load ptr, ptr %139, align 8, !noalias !28
+  %1052 = load ptr, ptr %140, align 8, !noalias !28
+  %1053 = load ptr, ptr %141, align 8, !noalias !28
+  %1054 = load ptr, ptr %137, align 8, !noalias !28
+  tail call fastcc void @real_solve(ptr noundef %1053, i64 noundef %1047, ptr noundef %1054, ptr noundef %1051) #8, !noalias !28
+  %1055 = load ptr, ptr %142, align 8, !noalias !28
+  %1056 = load ptr, ptr %143, align 8, !noalias !28
+  tail call fastcc void @pair_solve(ptr noundef %1055, i64 noundef %1047, ptr noundef %1056, ptr noundef %1052) #8, !noalias !28
+  %1057 = icmp sgt i64 %1050, 0
+  br i1 %1057, label %1058, label %1066
 
-1032:                                             ; preds = %1010
-  %1033 = load ptr, ptr %141, align 8, !noalias !28
-  %1034 = load ptr, ptr %137, align 8, !noalias !28
-  %1035 = getelementptr inbounds double, ptr %1025, i64 %1021
-  tail call fastcc void @real_solve_columns(ptr noundef %1033, i64 noundef %1021, ptr noundef %1034, ptr noundef %1035, i64 noundef %1024) #8, !noalias !28
-  %1036 = load ptr, ptr %142, align 8, !noalias !28
-  %1037 = load ptr, ptr %143, align 8, !noalias !28
-  %1038 = shl nsw i64 %1021, 4
-  %1039 = getelementptr inbounds i8, ptr %1026, i64 %1038
-  tail call fastcc void @pair_solve_columns(ptr noundef %1036, i64 noundef %1021, ptr noundef %1037, ptr noundef %1039, i64 noundef %1024) #8, !noalias !28
-  br label %1040
+1058:                                             ; preds = %1036
+  %1059 = load ptr, ptr %141, align 8, !noalias !28
+  %1060 = load ptr, ptr %137, align 8, !noalias !28
+  %1061 = getelementptr inbounds double, ptr %1051, i64 %1047
+  tail call fastcc void @real_solve_columns(ptr noundef %1059, i64 noundef %1047, ptr noundef %1060, ptr noundef %1061, i64 noundef %1050) #8, !noalias !28
+  %1062 = load ptr, ptr %142, align 8, !noalias !28
+  %1063 = load ptr, ptr %143, align 8, !noalias !28
+  %1064 = shl nsw i64 %1047, 4
+  %1065 = getelementptr inbounds i8, ptr %1052, i64 %1064
+  tail call fastcc void @pair_solve_columns(ptr noundef %1062, i64 noundef %1047, ptr noundef %1063, ptr noundef %1065, i64 noundef %1050) #8, !noalias !28
+  br label %1066
 
-1040:                                             ; preds = %1032, %1010
-  %1041 = icmp sgt i64 %1020, 0
-  br i1 %1041, label %1042, label %1077
+1066:                                             ; preds = %1058, %1036
+  %1067 = icmp sgt i64 %1046, 0
+  br i1 %1067, label %1068, label %1103
 
-1042:                                             ; preds = %1040
-  %1043 = load ptr, ptr %78, align 8, !noalias !28
-  %1044 = load ptr, ptr %144, align 8, !noalias !28
-  %1045 = load ptr, ptr %80, align 8, !noalias !28
-  br label %1046
+1068:                                             ; preds = %1066
+  %1069 = load ptr, ptr %78, align 8, !noalias !28
+  %1070 = load ptr, ptr %144, align 8, !noalias !28
+  %1071 = load ptr, ptr %80, align 8, !noalias !28
+  br label %1072
 
-1046:                                             ; preds = %1042, %1046
-  %1047 = phi double [ 0.000000e+00, %1042 ], [ %1074, %1046 ]
-  %1048 = phi i64 [ 0, %1042 ], [ %1075, %1046 ]
-  %1049 = getelementptr inbounds double, ptr %1043, i64 %1048
-  %1050 = load double, ptr %1049, align 8, !noalias !28
-  %1051 = getelementptr inbounds double, ptr %1044, i64 %1048
-  %1052 = load double, ptr %1051, align 8, !noalias !28
-  %1053 = getelementptr inbounds double, ptr %1045, i64 %1048
-  %1054 = load double, ptr %1053, align 8, !noalias !28
-  %1055 = tail call double @llvm.fabs.f64(double %1050)
-  %1056 = fmul double %1055, %1054
-  %1057 = fadd double %1052, %1056
-  %1058 = getelementptr inbounds double, ptr %1025, i64 %1048
-  %1059 = load double, ptr %1058, align 8, !noalias !28
-  %1060 = fdiv double %1059, %1057
-  %1061 = shl nuw nsw i64 %1048, 1
-  %1062 = getelementptr inbounds double, ptr %1026, i64 %1061
-  %1063 = load double, ptr %1062, align 8, !noalias !28
-  %1064 = or disjoint i64 %1061, 1
-  %1065 = getelementptr inbounds double, ptr %1026, i64 %1064
-  %1066 = load double, ptr %1065, align 8, !noalias !28
-  %1067 = fdiv double %1063, %1057
-  %1068 = fdiv double %1066, %1057
-  %1069 = fmul double %1060, %1060
-  %1070 = fmul double %1067, %1067
-  %1071 = fadd double %1069, %1070
-  %1072 = fmul double %1068, %1068
-  %1073 = fadd double %1071, %1072
-  %1074 = fadd double %1047, %1073
-  %1075 = add nuw nsw i64 %1048, 1
-  %1076 = icmp eq i64 %1075, %1020
-  br i1 %1076, label %1077, label %1046, !llvm.loop !35
+1072:                                             ; preds = %1068, %1072
+  %1073 = phi double [ 0.000000e+00, %1068 ], [ %1100, %1072 ]
+  %1074 = phi i64 [ 0, %1068 ], [ %1101, %1072 ]
+  %1075 = getelementptr inbounds double, ptr %1069, i64 %1074
+  %1076 = load double, ptr %1075, align 8, !noalias !28
+  %1077 = getelementptr inbounds double, ptr %1070, i64 %1074
+  %1078 = load double, ptr %1077, align 8, !noalias !28
+  %1079 = getelementptr inbounds double, ptr %1071, i64 %1074
+  %1080 = load double, ptr %1079, align 8, !noalias !28
+  %1081 = tail call double @llvm.fabs.f64(double %1076)
+  %1082 = fmul double %1081, %1080
+  %1083 = fadd double %1078, %1082
+  %1084 = getelementptr inbounds double, ptr %1051, i64 %1074
+  %1085 = load double, ptr %1084, align 8, !noalias !28
+  %1086 = fdiv double %1085, %1083
+  %1087 = shl nuw nsw i64 %1074, 1
+  %1088 = getelementptr inbounds double, ptr %1052, i64 %1087
+  %1089 = load double, ptr %1088, align 8, !noalias !28
+  %1090 = or disjoint i64 %1087, 1
+  %1091 = getelementptr inbounds double, ptr %1052, i64 %1090
+  %1092 = load double, ptr %1091, align 8, !noalias !28
+  %1093 = fdiv double %1089, %1083
+  %1094 = fdiv double %1092, %1083
+  %1095 = fmul double %1086, %1086
+  %1096 = fmul double %1093, %1093
+  %1097 = fadd double %1095, %1096
+  %1098 = fmul double %1094, %1094
+  %1099 = fadd double %1097, %1098
+  %1100 = fadd double %1073, %1099
+  %1101 = add nuw nsw i64 %1074, 1
+  %1102 = icmp eq i64 %1101, %1046
+  br i1 %1102, label %1103, label %1072, !llvm.loop !35
 
-1077:                                             ; preds = %1046, %1040
-  %1078 = phi double [ 0.000000e+00, %1040 ], [ %1074, %1046 ]
-  %1079 = mul nsw i64 %1020, 3
-  %1080 = sitofp i64 %1079 to double
-  %1081 = fdiv double %1078, %1080
-  %1082 = tail call double @llvm.sqrt.f64(double %1081)
-  %1083 = fcmp oeq double %1082, 0.000000e+00
-  %1084 = fcmp ogt double %1011, 0.000000e+00
-  %1085 = and i1 %1084, %1083
-  %1086 = zext i1 %1085 to i64
-  %1087 = xor i64 %1086, -1
-  %1088 = and i64 %1013, %1087
-  %1089 = and i64 %1088, %919
-  %1090 = xor i64 %835, -1
-  %1091 = and i64 %1089, %1090
-  %1092 = trunc nuw nsw i64 %1091 to i32
-  %1093 = fcmp ogt double %831, 0.000000e+00
-  %1094 = and i32 %1092, 1
-  %1095 = select i1 %1093, i32 %1094, i32 0
-  %1096 = fdiv double %1082, %831
-  %1097 = icmp eq i32 %1095, 0
-  %1098 = select i1 %1097, double %1017, double %1096
-  %1099 = fsub double 1.000000e+00, %1098
-  %1100 = fdiv double %1082, %1099
-  %1101 = icmp ult i64 %834, 5
-  br i1 %1101, label %1194, label %1102
+1103:                                             ; preds = %1072, %1066
+  %1104 = phi double [ 0.000000e+00, %1066 ], [ %1100, %1072 ]
+  %1105 = mul nsw i64 %1046, 3
+  %1106 = sitofp i64 %1105 to double
+  %1107 = fdiv double %1104, %1106
+  %1108 = tail call double @llvm.sqrt.f64(double %1107)
+  %1109 = fcmp oeq double %1108, 0.000000e+00
+  %1110 = fcmp ogt double %1037, 0.000000e+00
+  %1111 = and i1 %1110, %1109
+  %1112 = zext i1 %1111 to i64
+  %1113 = xor i64 %1112, -1
+  %1114 = and i64 %1039, %1113
+  %1115 = and i64 %1114, %945
+  %1116 = xor i64 %855, -1
+  %1117 = and i64 %1115, %1116
+  %1118 = trunc nuw nsw i64 %1117 to i32
+  %1119 = fcmp ogt double %851, 0.000000e+00
+  %1120 = and i32 %1118, 1
+  %1121 = select i1 %1119, i32 %1120, i32 0
+  %1122 = fdiv double %1108, %851
+  %1123 = icmp eq i32 %1121, 0
+  %1124 = select i1 %1123, double %1043, double %1122
+  %1125 = fsub double 1.000000e+00, %1124
+  %1126 = fdiv double %1108, %1125
+  %1127 = icmp ult i64 %854, 5
+  br i1 %1127, label %1220, label %1128
 
-1102:                                             ; preds = %1194, %1077
-  %1103 = phi double [ %1100, %1077 ], [ %1197, %1194 ]
-  %1104 = fcmp oge double %1098, 1.000000e+00
-  %1105 = fcmp ogt double %1103, %409
-  %1106 = or i1 %1104, %1105
-  %1107 = xor i32 %1095, -1
-  %1108 = zext i32 %1107 to i64
-  %1109 = select i1 %1106, i64 %1108, i64 2147483647
-  %1110 = and i64 %1109, %1089
-  %1111 = xor i64 %1110, -1
-  %1112 = and i64 %849, %1111
-  %1113 = or i64 %1112, %833
-  %1114 = load ptr, ptr %77, align 8, !noalias !28
-  %1115 = getelementptr inbounds i8, ptr %1114, i64 8
-  %1116 = load i64, ptr %1115, align 8, !noalias !28
-  %1117 = load ptr, ptr %124, align 8, !noalias !28
-  %1118 = load ptr, ptr %125, align 8, !noalias !28
-  %1119 = icmp sgt i64 %1116, 0
-  br i1 %1119, label %1120, label %1180
+1128:                                             ; preds = %1220, %1103
+  %1129 = phi double [ %1126, %1103 ], [ %1223, %1220 ]
+  %1130 = fcmp oge double %1124, 1.000000e+00
+  %1131 = fcmp ogt double %1129, %417
+  %1132 = or i1 %1130, %1131
+  %1133 = xor i32 %1121, -1
+  %1134 = zext i32 %1133 to i64
+  %1135 = select i1 %1132, i64 %1134, i64 2147483647
+  %1136 = and i64 %1135, %1115
+  %1137 = xor i64 %1136, -1
+  %1138 = and i64 %869, %1137
+  %1139 = or i64 %1138, %853
+  %1140 = load ptr, ptr %77, align 8, !noalias !28
+  %1141 = getelementptr inbounds i8, ptr %1140, i64 8
+  %1142 = load i64, ptr %1141, align 8, !noalias !28
+  %1143 = load ptr, ptr %124, align 8, !noalias !28
+  %1144 = load ptr, ptr %125, align 8, !noalias !28
+  %1145 = icmp sgt i64 %1142, 0
+  br i1 %1145, label %1146, label %1206
 
-1120:                                             ; preds = %1102
-  %1121 = icmp eq i64 %1110, 0
-  %1122 = getelementptr double, ptr %1118, i64 %1116
-  %1123 = shl i64 %1116, 4
-  %1124 = getelementptr i8, ptr %1118, i64 %1123
-  %1125 = icmp eq i64 %1110, 0
-  br label %1126
+1146:                                             ; preds = %1128
+  %1147 = icmp eq i64 %1136, 0
+  %1148 = getelementptr double, ptr %1144, i64 %1142
+  %1149 = shl i64 %1142, 4
+  %1150 = getelementptr i8, ptr %1144, i64 %1149
+  %1151 = icmp eq i64 %1136, 0
+  br label %1152
 
-1126:                                             ; preds = %1120, %1155
-  %1127 = phi i64 [ 0, %1120 ], [ %1156, %1155 ]
-  %1128 = load ptr, ptr %140, align 8, !noalias !28
-  %1129 = shl nuw nsw i64 %1127, 1
-  %1130 = getelementptr inbounds double, ptr %1128, i64 %1129
-  %1131 = load double, ptr %1130, align 8, !noalias !28
-  %1132 = or disjoint i64 %1129, 1
-  %1133 = getelementptr inbounds double, ptr %1128, i64 %1132
-  %1134 = load double, ptr %1133, align 8, !noalias !28
-  %1135 = load ptr, ptr %139, align 8, !noalias !28
-  %1136 = getelementptr inbounds double, ptr %1135, i64 %1127
-  %1137 = load double, ptr %1136, align 8, !noalias !28
-  store double %1137, ptr %4, align 16, !noalias !28
-  store double %1131, ptr %145, align 8, !noalias !28
-  store double %1134, ptr %146, align 16, !noalias !28
-  %1138 = getelementptr double, ptr %1118, i64 %1127
-  br label %1144
+1152:                                             ; preds = %1146, %1181
+  %1153 = phi i64 [ 0, %1146 ], [ %1182, %1181 ]
+  %1154 = load ptr, ptr %140, align 8, !noalias !28
+  %1155 = shl nuw nsw i64 %1153, 1
+  %1156 = getelementptr inbounds double, ptr %1154, i64 %1155
+  %1157 = load double, ptr %1156, align 8, !noalias !28
+  %1158 = or disjoint i64 %1155, 1
+  %1159 = getelementptr inbounds double, ptr %1154, i64 %1158
+  %1160 = load double, ptr %1159, align 8, !noalias !28
+  %1161 = load ptr, ptr %139, align 8, !noalias !28
+  %1162 = getelementptr inbounds double, ptr %1161, i64 %1153
+  %1163 = load double, ptr %1162, align 8, !noalias !28
+  store double %1163, ptr %4, align 16, !noalias !28
+  store double %1157, ptr %145, align 8, !noalias !28
+  store double %1160, ptr %146, align 16, !noalias !28
+  %1164 = getelementptr double, ptr %1144, i64 %1153
+  br label %1170
 
-1139:                                             ; preds = %1144
-  %1140 = getelementptr inbounds double, ptr %1118, i64 %1127
-  %1141 = getelementptr double, ptr %1122, i64 %1127
-  %1142 = getelementptr double, ptr %1124, i64 %1127
-  %1143 = getelementptr double, ptr %1117, i64 %1127
-  br label %1158
+1165:                                             ; preds = %1170
+  %1166 = getelementptr inbounds double, ptr %1144, i64 %1153
+  %1167 = getelementptr double, ptr %1148, i64 %1153
+  %1168 = getelementptr double, ptr %1150, i64 %1153
+  %1169 = getelementptr double, ptr %1143, i64 %1153
+  br label %1184
 
-1144:                                             ; preds = %1126, %1144
-  %1145 = phi i64 [ 0, %1126 ], [ %1153, %1144 ]
-  %1146 = mul nuw nsw i64 %1116, %1145
-  %1147 = getelementptr double, ptr %1138, i64 %1146
-  %1148 = load double, ptr %1147, align 8, !noalias !28
-  %1149 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %1145
-  %1150 = load double, ptr %1149, align 8, !noalias !28
-  %1151 = fadd double %1148, %1150
-  %1152 = select i1 %1121, double %1148, double %1151
-  store double %1152, ptr %1147, align 8, !noalias !28
-  %1153 = add nuw nsw i64 %1145, 1
-  %1154 = icmp eq i64 %1153, 3
-  br i1 %1154, label %1139, label %1144, !llvm.loop !36
-
-1155:                                             ; preds = %1158
-  %1156 = add nuw nsw i64 %1127, 1
-  %1157 = icmp eq i64 %1156, %1116
-  br i1 %1157, label %1180, label %1126, !llvm.loop !37
-
-1158:                                             ; preds = %1139, %1158
-  %1159 = phi i64 [ 0, %1139 ], [ %1178, %1158 ]
-  %1160 = mul nuw nsw i64 %1116, %1159
-  %1161 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1159
-  %1162 = load double, ptr %1161, align 8, !noalias !28
-  %1163 = load double, ptr %1140, align 8, !noalias !28
-  %1164 = fmul double %1162, %1163
-  %1165 = getelementptr inbounds i8, ptr %1161, i64 8
-  %1166 = load double, ptr %1165, align 8, !noalias !28
-  %1167 = load double, ptr %1141, align 8, !noalias !28
-  %1168 = fmul double %1166, %1167
-  %1169 = fadd double %1164, %1168
-  %1170 = getelementptr inbounds i8, ptr %1161, i64 16
-  %1171 = load double, ptr %1170, align 8, !noalias !28
-  %1172 = load double, ptr %1142, align 8, !noalias !28
-  %1173 = fmul double %1171, %1172
-  %1174 = fadd double %1169, %1173
-  %1175 = getelementptr double, ptr %1143, i64 %1160
+1170:                                             ; preds = %1152, %1170
+  %1171 = phi i64 [ 0, %1152 ], [ %1179, %1170 ]
+  %1172 = mul nuw nsw i64 %1142, %1171
+  %1173 = getelementptr double, ptr %1164, i64 %1172
+  %1174 = load double, ptr %1173, align 8, !noalias !28
+  %1175 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %1171
   %1176 = load double, ptr %1175, align 8, !noalias !28
-  %1177 = select i1 %1125, double %1176, double %1174
-  store double %1177, ptr %1175, align 8, !noalias !28
-  %1178 = add nuw nsw i64 %1159, 1
-  %1179 = icmp eq i64 %1178, 3
-  br i1 %1179, label %1155, label %1158, !llvm.loop !38
+  %1177 = fadd double %1174, %1176
+  %1178 = select i1 %1147, double %1174, double %1177
+  store double %1178, ptr %1173, align 8, !noalias !28
+  %1179 = add nuw nsw i64 %1171, 1
+  %1180 = icmp eq i64 %1179, 3
+  br i1 %1180, label %1165, label %1170, !llvm.loop !36
 
-1180:                                             ; preds = %1155, %1102
-  %1181 = fdiv double %1098, %1099
-  %1182 = fmul double %1082, %1181
-  %1183 = fcmp olt double %1182, %409
-  %1184 = and i1 %1093, %1183
-  %1185 = or i1 %1083, %1184
-  %1186 = and i64 %1090, 1
-  %1187 = select i1 %1185, i64 %1186, i64 0
-  %1188 = and i64 %1110, %1187
-  %1189 = add nuw nsw i64 %834, 1
-  %1190 = uitofp nneg i64 %1189 to double
-  %1191 = icmp eq i64 %1188, 0
-  %1192 = select i1 %1191, double %838, double %1190
-  %1193 = or i64 %1188, %835
-  br i1 %821, label %1200, label %1274
+1181:                                             ; preds = %1184
+  %1182 = add nuw nsw i64 %1153, 1
+  %1183 = icmp eq i64 %1182, %1142
+  br i1 %1183, label %1206, label %1152, !llvm.loop !37
 
-1194:                                             ; preds = %1077, %1194
-  %1195 = phi i64 [ %1198, %1194 ], [ %834, %1077 ]
-  %1196 = phi double [ %1197, %1194 ], [ %1100, %1077 ]
-  %1197 = fmul double %1098, %1196
-  %1198 = add nuw nsw i64 %1195, 1
-  %1199 = icmp ult i64 %1195, 4
-  br i1 %1199, label %1194, label %1102, !llvm.loop !39
+1184:                                             ; preds = %1165, %1184
+  %1185 = phi i64 [ 0, %1165 ], [ %1204, %1184 ]
+  %1186 = mul nuw nsw i64 %1142, %1185
+  %1187 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1185
+  %1188 = load double, ptr %1187, align 8, !noalias !28
+  %1189 = load double, ptr %1166, align 8, !noalias !28
+  %1190 = fmul double %1188, %1189
+  %1191 = getelementptr inbounds i8, ptr %1187, i64 8
+  %1192 = load double, ptr %1191, align 8, !noalias !28
+  %1193 = load double, ptr %1167, align 8, !noalias !28
+  %1194 = fmul double %1192, %1193
+  %1195 = fadd double %1190, %1194
+  %1196 = getelementptr inbounds i8, ptr %1187, i64 16
+  %1197 = load double, ptr %1196, align 8, !noalias !28
+  %1198 = load double, ptr %1168, align 8, !noalias !28
+  %1199 = fmul double %1197, %1198
+  %1200 = fadd double %1195, %1199
+  %1201 = getelementptr double, ptr %1169, i64 %1186
+  %1202 = load double, ptr %1201, align 8, !noalias !28
+  %1203 = select i1 %1151, double %1202, double %1200
+  store double %1203, ptr %1201, align 8, !noalias !28
+  %1204 = add nuw nsw i64 %1185, 1
+  %1205 = icmp eq i64 %1204, 3
+  br i1 %1205, label %1181, label %1184, !llvm.loop !38
 
-1200:                                             ; preds = %1180
-  %1201 = load i64, ptr %138, align 8, !noalias !28
-  %1202 = load ptr, ptr %79, align 8, !noalias !28
-  %1203 = getelementptr inbounds i8, ptr %1202, i64 40
-  %1204 = load i64, ptr %1203, align 8, !noalias !28
-  %1205 = load ptr, ptr %77, align 8, !noalias !28
-  %1206 = getelementptr inbounds i8, ptr %1205, i64 8
-  %1207 = load i64, ptr %1206, align 8, !noalias !28
-  %1208 = load ptr, ptr %125, align 8, !noalias !28
-  %1209 = icmp sgt i64 %1204, 0
-  br i1 %1209, label %1210, label %1269
+1206:                                             ; preds = %1181, %1128
+  %1207 = fdiv double %1124, %1125
+  %1208 = fmul double %1108, %1207
+  %1209 = fcmp olt double %1208, %417
+  %1210 = and i1 %1119, %1209
+  %1211 = or i1 %1109, %1210
+  %1212 = and i64 %1116, 1
+  %1213 = select i1 %1211, i64 %1212, i64 0
+  %1214 = and i64 %1136, %1213
+  %1215 = add nuw nsw i64 %854, 1
+  %1216 = uitofp nneg i64 %1215 to double
+  %1217 = icmp eq i64 %1214, 0
+  %1218 = select i1 %1217, double %858, double %1216
+  %1219 = or i64 %1214, %855
+  br i1 %841, label %1226, label %1300
 
-1210:                                             ; preds = %1200
-  %1211 = icmp sgt i64 %1201, 0
-  br label %1212
+1220:                                             ; preds = %1103, %1220
+  %1221 = phi i64 [ %1224, %1220 ], [ %854, %1103 ]
+  %1222 = phi double [ %1223, %1220 ], [ %1126, %1103 ]
+  %1223 = fmul double %1124, %1222
+  %1224 = add nuw nsw i64 %1221, 1
+  %1225 = icmp ult i64 %1221, 4
+  br i1 %1225, label %1220, label %1128, !llvm.loop !39
 
-1212:                                             ; preds = %1210, %1220
-  %1213 = phi double [ 0.000000e+00, %1210 ], [ %1228, %1220 ]
-  %1214 = phi i64 [ 0, %1210 ], [ %1229, %1220 ]
-  br i1 %1211, label %1215, label %1220
+1226:                                             ; preds = %1206
+  %1227 = load i64, ptr %138, align 8, !noalias !28
+  %1228 = load ptr, ptr %79, align 8, !noalias !28
+  %1229 = getelementptr inbounds i8, ptr %1228, i64 40
+  %1230 = load i64, ptr %1229, align 8, !noalias !28
+  %1231 = load ptr, ptr %77, align 8, !noalias !28
+  %1232 = getelementptr inbounds i8, ptr %1231, i64 8
+  %1233 = load i64, ptr %1232, align 8, !noalias !28
+  %1234 = load ptr, ptr %125, align 8, !noalias !28
+  %1235 = icmp sgt i64 %1230, 0
+  br i1 %1235, label %1236, label %1295
 
-1215:                                             ; preds = %1212
-  %1216 = add nuw i64 %1214, %1201
-  %1217 = load ptr, ptr %139, align 8, !noalias !28
-  %1218 = load ptr, ptr %78, align 8, !noalias !28
-  %1219 = load ptr, ptr %140, align 8, !noalias !28
-  br label %1231
+1236:                                             ; preds = %1226
+  %1237 = icmp sgt i64 %1227, 0
+  br label %1238
 
-1220:                                             ; preds = %1255, %1212
-  %1221 = phi double [ 0.000000e+00, %1212 ], [ %1266, %1255 ]
-  %1222 = phi double [ 0.000000e+00, %1212 ], [ %1256, %1255 ]
-  %1223 = fcmp ule double %1221, 0.000000e+00
-  %1224 = fdiv double %1222, %1221
-  %1225 = select i1 %1223, double 1.000000e+00, double %1224
-  %1226 = fmul double %1213, %1221
-  %1227 = fcmp ule double %1222, %1226
-  %1228 = select i1 %1227, double %1213, double %1225
-  %1229 = add nuw nsw i64 %1214, 1
-  %1230 = icmp eq i64 %1229, %1204
-  br i1 %1230, label %1269, label %1212, !llvm.loop !40
+1238:                                             ; preds = %1236, %1246
+  %1239 = phi double [ 0.000000e+00, %1236 ], [ %1254, %1246 ]
+  %1240 = phi i64 [ 0, %1236 ], [ %1255, %1246 ]
+  br i1 %1237, label %1241, label %1246
 
-1231:                                             ; preds = %1215, %1255
-  %1232 = phi double [ 0.000000e+00, %1215 ], [ %1256, %1255 ]
-  %1233 = phi double [ 0.000000e+00, %1215 ], [ %1266, %1255 ]
-  %1234 = phi i64 [ 0, %1215 ], [ %1257, %1255 ]
-  %1235 = mul nuw nsw i64 %1234, %1204
-  %1236 = add i64 %1216, %1235
-  %1237 = getelementptr inbounds double, ptr %1217, i64 %1236
-  %1238 = load double, ptr %1237, align 8, !noalias !28
-  %1239 = getelementptr inbounds double, ptr %1218, i64 %1236
-  %1240 = load double, ptr %1239, align 8, !noalias !28
-  %1241 = shl nsw i64 %1236, 1
-  %1242 = getelementptr inbounds double, ptr %1219, i64 %1241
-  %1243 = load double, ptr %1242, align 8, !noalias !28
-  %1244 = or disjoint i64 %1241, 1
-  %1245 = getelementptr inbounds double, ptr %1219, i64 %1244
-  %1246 = load double, ptr %1245, align 8, !noalias !28
-  %1247 = fmul double %1238, %1238
-  %1248 = fmul double %1243, %1243
-  %1249 = fmul double %1246, %1246
-  %1250 = fadd double %1248, %1249
-  %1251 = fadd double %1247, %1250
-  %1252 = fmul double %1240, %1240
-  %1253 = fadd double %1233, %1252
-  %1254 = getelementptr double, ptr %1208, i64 %1236
-  br label %1259
+1241:                                             ; preds = %1238
+  %1242 = add nuw i64 %1240, %1227
+  %1243 = load ptr, ptr %139, align 8, !noalias !28
+  %1244 = load ptr, ptr %78, align 8, !noalias !28
+  %1245 = load ptr, ptr %140, align 8, !noalias !28
+  br label %1257
 
-1255:                                             ; preds = %1259
-  %1256 = fadd double %1232, %1251
-  %1257 = add nuw nsw i64 %1234, 1
-  %1258 = icmp eq i64 %1257, %1201
-  br i1 %1258, label %1220, label %1231, !llvm.loop !41
+1246:                                             ; preds = %1281, %1238
+  %1247 = phi double [ 0.000000e+00, %1238 ], [ %1292, %1281 ]
+  %1248 = phi double [ 0.000000e+00, %1238 ], [ %1282, %1281 ]
+  %1249 = fcmp ule double %1247, 0.000000e+00
+  %1250 = fdiv double %1248, %1247
+  %1251 = select i1 %1249, double 1.000000e+00, double %1250
+  %1252 = fmul double %1239, %1247
+  %1253 = fcmp ule double %1248, %1252
+  %1254 = select i1 %1253, double %1239, double %1251
+  %1255 = add nuw nsw i64 %1240, 1
+  %1256 = icmp eq i64 %1255, %1230
+  br i1 %1256, label %1295, label %1238, !llvm.loop !40
 
-1259:                                             ; preds = %1231, %1259
-  %1260 = phi i64 [ 0, %1231 ], [ %1267, %1259 ]
-  %1261 = phi double [ %1253, %1231 ], [ %1266, %1259 ]
-  %1262 = mul nsw i64 %1207, %1260
-  %1263 = getelementptr double, ptr %1254, i64 %1262
+1257:                                             ; preds = %1241, %1281
+  %1258 = phi double [ 0.000000e+00, %1241 ], [ %1282, %1281 ]
+  %1259 = phi double [ 0.000000e+00, %1241 ], [ %1292, %1281 ]
+  %1260 = phi i64 [ 0, %1241 ], [ %1283, %1281 ]
+  %1261 = mul nuw nsw i64 %1260, %1230
+  %1262 = add i64 %1242, %1261
+  %1263 = getelementptr inbounds double, ptr %1243, i64 %1262
   %1264 = load double, ptr %1263, align 8, !noalias !28
-  %1265 = fmul double %1264, %1264
-  %1266 = fadd double %1261, %1265
-  %1267 = add nuw nsw i64 %1260, 1
-  %1268 = icmp eq i64 %1267, 3
-  br i1 %1268, label %1255, label %1259, !llvm.loop !42
+  %1265 = getelementptr inbounds double, ptr %1244, i64 %1262
+  %1266 = load double, ptr %1265, align 8, !noalias !28
+  %1267 = shl nsw i64 %1262, 1
+  %1268 = getelementptr inbounds double, ptr %1245, i64 %1267
+  %1269 = load double, ptr %1268, align 8, !noalias !28
+  %1270 = or disjoint i64 %1267, 1
+  %1271 = getelementptr inbounds double, ptr %1245, i64 %1270
+  %1272 = load double, ptr %1271, align 8, !noalias !28
+  %1273 = fmul double %1264, %1264
+  %1274 = fmul double %1269, %1269
+  %1275 = fmul double %1272, %1272
+  %1276 = fadd double %1274, %1275
+  %1277 = fadd double %1273, %1276
+  %1278 = fmul double %1266, %1266
+  %1279 = fadd double %1259, %1278
+  %1280 = getelementptr double, ptr %1234, i64 %1262
+  br label %1285
 
-1269:                                             ; preds = %1220, %1200
-  %1270 = phi double [ 0.000000e+00, %1200 ], [ %1228, %1220 ]
-  %1271 = fcmp ole double %1270, %411
-  %1272 = and i64 %1193, 1
-  %1273 = select i1 %1271, i64 %1272, i64 0
-  br label %1274
+1281:                                             ; preds = %1285
+  %1282 = fadd double %1258, %1277
+  %1283 = add nuw nsw i64 %1260, 1
+  %1284 = icmp eq i64 %1283, %1227
+  br i1 %1284, label %1246, label %1257, !llvm.loop !41
 
-1274:                                             ; preds = %1269, %1180
-  %1275 = phi i64 [ %1273, %1269 ], [ %1193, %1180 ]
-  %1276 = xor i64 %1275, -1
-  %1277 = and i64 %1110, %1276
-  %1278 = icmp eq i64 %1277, 0
-  %1279 = select i1 %1278, i32 2, i32 0
-  %1280 = select i1 %1278, double %831, double %1082
-  br label %1281
+1285:                                             ; preds = %1257, %1285
+  %1286 = phi i64 [ 0, %1257 ], [ %1293, %1285 ]
+  %1287 = phi double [ %1279, %1257 ], [ %1292, %1285 ]
+  %1288 = mul nsw i64 %1233, %1286
+  %1289 = getelementptr double, ptr %1280, i64 %1288
+  %1290 = load double, ptr %1289, align 8, !noalias !28
+  %1291 = fmul double %1290, %1290
+  %1292 = fadd double %1287, %1291
+  %1293 = add nuw nsw i64 %1286, 1
+  %1294 = icmp eq i64 %1293, 3
+  br i1 %1294, label %1281, label %1285, !llvm.loop !42
 
-1281:                                             ; preds = %1274, %921
-  %1282 = phi double [ %916, %921 ], [ %846, %1274 ]
-  %1283 = phi double [ %839, %921 ], [ %845, %1274 ]
-  %1284 = phi double [ %838, %921 ], [ %844, %1274 ]
-  %1285 = phi i64 [ %917, %921 ], [ %843, %1274 ]
-  %1286 = phi i64 [ %918, %921 ], [ %842, %1274 ]
-  %1287 = phi i64 [ %924, %921 ], [ %841, %1274 ]
-  %1288 = phi double [ %839, %921 ], [ %1098, %1274 ]
-  %1289 = phi double [ %838, %921 ], [ %1192, %1274 ]
-  %1290 = phi i64 [ %924, %921 ], [ %1193, %1274 ]
-  %1291 = phi i32 [ 1, %921 ], [ %1279, %1274 ]
-  %1292 = phi i64 [ %833, %921 ], [ %1113, %1274 ]
-  %1293 = phi i64 [ %849, %921 ], [ %1277, %1274 ]
-  %1294 = phi double [ %831, %921 ], [ %1280, %1274 ]
-  %1295 = icmp eq i32 %1291, 0
-  br i1 %1295, label %827, label %1296
+1295:                                             ; preds = %1246, %1226
+  %1296 = phi double [ 0.000000e+00, %1226 ], [ %1254, %1246 ]
+  %1297 = fcmp ole double %1296, %419
+  %1298 = and i64 %1219, 1
+  %1299 = select i1 %1297, i64 %1298, i64 0
+  br label %1300
 
-1296:                                             ; preds = %1281, %827
-  %1297 = phi i32 [ %1291, %1281 ], [ 2, %827 ]
-  %1298 = icmp eq i32 %1297, 2
-  br i1 %1298, label %1299, label %1302
+1300:                                             ; preds = %1295, %1206
+  %1301 = phi i64 [ %1299, %1295 ], [ %1219, %1206 ]
+  %1302 = xor i64 %1301, -1
+  %1303 = and i64 %1136, %1302
+  %1304 = icmp eq i64 %1303, 0
+  %1305 = select i1 %1304, i32 2, i32 0
+  %1306 = select i1 %1304, double %851, double %1108
+  br label %1307
 
-1299:                                             ; preds = %1296
-  %1300 = xor i64 %1292, -1
-  %1301 = and i64 %1290, %1300
-  br label %1302
+1307:                                             ; preds = %1300, %947
+  %1308 = phi double [ %942, %947 ], [ %866, %1300 ]
+  %1309 = phi double [ %859, %947 ], [ %865, %1300 ]
+  %1310 = phi double [ %858, %947 ], [ %864, %1300 ]
+  %1311 = phi i64 [ %943, %947 ], [ %863, %1300 ]
+  %1312 = phi i64 [ %944, %947 ], [ %862, %1300 ]
+  %1313 = phi i64 [ %950, %947 ], [ %861, %1300 ]
+  %1314 = phi double [ %859, %947 ], [ %1124, %1300 ]
+  %1315 = phi double [ %858, %947 ], [ %1218, %1300 ]
+  %1316 = phi i64 [ %950, %947 ], [ %1219, %1300 ]
+  %1317 = phi i32 [ 1, %947 ], [ %1305, %1300 ]
+  %1318 = phi i64 [ %853, %947 ], [ %1139, %1300 ]
+  %1319 = phi i64 [ %869, %947 ], [ %1303, %1300 ]
+  %1320 = phi double [ %851, %947 ], [ %1306, %1300 ]
+  %1321 = icmp eq i32 %1317, 0
+  br i1 %1321, label %847, label %1322
 
-1302:                                             ; preds = %1296, %1299
-  %1303 = phi double [ %916, %1299 ], [ %1282, %1296 ]
-  %1304 = phi double [ %1288, %1299 ], [ %1283, %1296 ]
-  %1305 = phi double [ %1289, %1299 ], [ %1284, %1296 ]
-  %1306 = phi i64 [ %917, %1299 ], [ %1285, %1296 ]
-  %1307 = phi i64 [ %918, %1299 ], [ %1286, %1296 ]
-  %1308 = phi i64 [ %1301, %1299 ], [ %1287, %1296 ]
-  %1309 = fadd double %647, %1303
-  %1310 = fcmp ogt double %1305, 2.000000e+00
-  %1311 = fcmp ogt double %1304, 1.000000e-03
-  %1312 = and i1 %1311, %1310
-  %1313 = icmp eq i64 %1308, %725
-  br i1 %1313, label %1381, label %1314
+1322:                                             ; preds = %1307, %847
+  %1323 = phi i32 [ %1317, %1307 ], [ 2, %847 ]
+  %1324 = icmp eq i32 %1323, 2
+  br i1 %1324, label %1325, label %1328
 
-1314:                                             ; preds = %1302
-  %1315 = xor i64 %1308, -1
-  %1316 = and i64 %725, %1315
-  %1317 = load ptr, ptr %79, align 8, !noalias !15
-  %1318 = getelementptr inbounds i8, ptr %1317, i64 16
-  %1319 = load i64, ptr %1318, align 8, !noalias !15
-  %1320 = xor i64 %1307, -1
-  %1321 = and i64 %1319, %1320
-  %1322 = and i64 %1321, %1316
-  %1323 = tail call double @llvm.fabs.f64(double %1304)
-  %1324 = fcmp ueq double %1323, 0x7FF0000000000000
-  %1325 = select i1 %1324, double 4.000000e+00, double 7.000000e+00
-  %1326 = and i64 %1307, 4294967295
-  %1327 = icmp eq i64 %1326, 0
-  %1328 = select i1 %1327, double %1325, double 3.000000e+00
-  %1329 = icmp eq i64 %1316, 0
-  %1330 = select i1 %1329, double %724, double %1328
-  %1331 = icmp eq i64 %1322, 0
-  br i1 %1331, label %1352, label %1332
+1325:                                             ; preds = %1322
+  %1326 = xor i64 %1318, -1
+  %1327 = and i64 %1316, %1326
+  br label %1328
 
-1332:                                             ; preds = %1314
-  %1333 = load i64, ptr %147, align 8, !noalias !15
-  %1334 = icmp sgt i64 %1333, 0
-  br i1 %1334, label %1335, label %1347
+1328:                                             ; preds = %1322, %1325
+  %1329 = phi double [ %942, %1325 ], [ %1308, %1322 ]
+  %1330 = phi double [ %1314, %1325 ], [ %1309, %1322 ]
+  %1331 = phi double [ %1315, %1325 ], [ %1310, %1322 ]
+  %1332 = phi i64 [ %943, %1325 ], [ %1311, %1322 ]
+  %1333 = phi i64 [ %944, %1325 ], [ %1312, %1322 ]
+  %1334 = phi i64 [ %1327, %1325 ], [ %1313, %1322 ]
+  %1335 = fadd double %667, %1329
+  %1336 = fcmp ogt double %1331, 2.000000e+00
+  %1337 = fcmp ogt double %1330, 1.000000e-03
+  %1338 = and i1 %1337, %1336
+  %1339 = icmp eq i64 %1334, %745
+  br i1 %1339, label %1407, label %1340
 
-1335:                                             ; preds = %1332, %1335
-  %1336 = phi i32 [ %1343, %1335 ], [ 0, %1332 ]
-  %1337 = phi i64 [ %1344, %1335 ], [ 0, %1332 ]
-  %1338 = load ptr, ptr %148, align 8, !noalias !15
-  %1339 = getelementptr inbounds double, ptr %1338, i64 %1337
-  %1340 = load double, ptr %1339, align 8, !noalias !15
-  %1341 = fcmp une double %1340, 0.000000e+00
-  %1342 = zext i1 %1341 to i32
-  %1343 = or i32 %1336, %1342
-  store double 0.000000e+00, ptr %1339, align 8, !noalias !15
-  %1344 = add nuw nsw i64 %1337, 1
-  %1345 = load i64, ptr %147, align 8, !noalias !15
-  %1346 = icmp slt i64 %1344, %1345
-  br i1 %1346, label %1335, label %1347, !llvm.loop !43
+1340:                                             ; preds = %1328
+  %1341 = xor i64 %1334, -1
+  %1342 = and i64 %745, %1341
+  %1343 = load ptr, ptr %79, align 8, !noalias !15
+  %1344 = getelementptr inbounds i8, ptr %1343, i64 16
+  %1345 = load i64, ptr %1344, align 8, !noalias !15
+  %1346 = xor i64 %1333, -1
+  %1347 = and i64 %1345, %1346
+  %1348 = and i64 %1347, %1342
+  %1349 = tail call double @llvm.fabs.f64(double %1330)
+  %1350 = fcmp ueq double %1349, 0x7FF0000000000000
+  %1351 = select i1 %1350, double 4.000000e+00, double 7.000000e+00
+  %1352 = and i64 %1333, 4294967295
+  %1353 = icmp eq i64 %1352, 0
+  %1354 = select i1 %1353, double %1351, double 3.000000e+00
+  %1355 = icmp eq i64 %1342, 0
+  %1356 = select i1 %1355, double %744, double %1354
+  %1357 = icmp eq i64 %1348, 0
+  br i1 %1357, label %1378, label %1358
 
-1347:                                             ; preds = %1335, %1332
-  %1348 = phi i32 [ 0, %1332 ], [ %1343, %1335 ]
-  %1349 = zext nneg i32 %1348 to i64
-  %1350 = and i64 %1322, %1349
-  %1351 = xor i64 %1350, -1
-  br label %1352
+1358:                                             ; preds = %1340
+  %1359 = load i64, ptr %147, align 8, !noalias !15
+  %1360 = icmp sgt i64 %1359, 0
+  br i1 %1360, label %1361, label %1373
 
-1352:                                             ; preds = %1314, %1347
-  %1353 = phi i64 [ %1351, %1347 ], [ -1, %1314 ]
-  %1354 = and i64 %1353, %1322
-  %1355 = getelementptr inbounds i8, ptr %1317, i64 24
-  %1356 = load i64, ptr %1355, align 8, !noalias !15
-  %1357 = and i64 %1356, %1353
-  store i64 %1357, ptr %1355, align 8, !noalias !15
-  %1358 = xor i64 %1354, -1
-  %1359 = load i64, ptr %1318, align 8, !noalias !15
-  %1360 = and i64 %1359, %1358
-  store i64 %1360, ptr %1318, align 8, !noalias !15
-  %1361 = fmul double %511, 5.000000e-01
-  %1362 = icmp eq i64 %1354, 0
-  %1363 = select i1 %1362, double %723, double %1361
-  %1364 = fmul double %511, 2.500000e-01
-  %1365 = select i1 %1327, double %1363, double %1364
-  %1366 = load ptr, ptr %116, align 8, !noalias !15
-  %1367 = getelementptr inbounds i8, ptr %1366, i64 8
-  %1368 = load double, ptr %1367, align 8, !noalias !15
-  %1369 = select i1 %1327, double %1368, double 0.000000e+00
-  store double %1369, ptr %1367, align 8, !noalias !15
-  %1370 = and i64 %1353, %1316
-  %1371 = load ptr, ptr %79, align 8, !noalias !15
-  %1372 = getelementptr inbounds i8, ptr %1371, i64 8
-  %1373 = load i64, ptr %1372, align 8, !noalias !15
-  %1374 = xor i64 %1370, -1
-  %1375 = and i64 %1373, %1374
-  %1376 = getelementptr inbounds i8, ptr %1371, i64 16
-  %1377 = load i64, ptr %1376, align 8, !noalias !15
-  %1378 = xor i64 %1377, -1
-  %1379 = and i64 %1370, %1378
-  %1380 = or disjoint i64 %1379, %1375
-  store i64 %1380, ptr %1372, align 8, !noalias !15
-  br label %1381
+1361:                                             ; preds = %1358, %1361
+  %1362 = phi i32 [ %1369, %1361 ], [ 0, %1358 ]
+  %1363 = phi i64 [ %1370, %1361 ], [ 0, %1358 ]
+  %1364 = load ptr, ptr %148, align 8, !noalias !15
+  %1365 = getelementptr inbounds double, ptr %1364, i64 %1363
+  %1366 = load double, ptr %1365, align 8, !noalias !15
+  %1367 = fcmp une double %1366, 0.000000e+00
+  %1368 = zext i1 %1367 to i32
+  %1369 = or i32 %1362, %1368
+  store double 0.000000e+00, ptr %1365, align 8, !noalias !15
+  %1370 = add nuw nsw i64 %1363, 1
+  %1371 = load i64, ptr %147, align 8, !noalias !15
+  %1372 = icmp slt i64 %1370, %1371
+  br i1 %1372, label %1361, label %1373, !llvm.loop !43
 
-1381:                                             ; preds = %1352, %1302
-  %1382 = phi double [ %723, %1302 ], [ %1365, %1352 ]
-  %1383 = phi double [ %724, %1302 ], [ %1330, %1352 ]
-  %1384 = icmp eq i64 %1308, 0
-  %1385 = icmp ne i64 %1306, 0
-  %1386 = select i1 %1384, i1 true, i1 %1385
-  br i1 %1386, label %1588, label %1387
+1373:                                             ; preds = %1361, %1358
+  %1374 = phi i32 [ 0, %1358 ], [ %1369, %1361 ]
+  %1375 = zext nneg i32 %1374 to i64
+  %1376 = and i64 %1348, %1375
+  %1377 = xor i64 %1376, -1
+  br label %1378
 
-1387:                                             ; preds = %1381
-  %1388 = icmp sgt i64 %521, 0
-  br i1 %1388, label %1389, label %1391
+1378:                                             ; preds = %1340, %1373
+  %1379 = phi i64 [ %1377, %1373 ], [ -1, %1340 ]
+  %1380 = and i64 %1379, %1348
+  %1381 = getelementptr inbounds i8, ptr %1343, i64 24
+  %1382 = load i64, ptr %1381, align 8, !noalias !15
+  %1383 = and i64 %1382, %1379
+  store i64 %1383, ptr %1381, align 8, !noalias !15
+  %1384 = xor i64 %1380, -1
+  %1385 = load i64, ptr %1344, align 8, !noalias !15
+  %1386 = and i64 %1385, %1384
+  store i64 %1386, ptr %1344, align 8, !noalias !15
+  %1387 = fmul double %519, 5.000000e-01
+  %1388 = icmp eq i64 %1380, 0
+  %1389 = select i1 %1388, double %743, double %1387
+  %1390 = fmul double %519, 2.500000e-01
+  %1391 = select i1 %1353, double %1389, double %1390
+  %1392 = load ptr, ptr %116, align 8, !noalias !15
+  %1393 = getelementptr inbounds i8, ptr %1392, i64 8
+  %1394 = load double, ptr %1393, align 8, !noalias !15
+  %1395 = select i1 %1353, double %1394, double 0.000000e+00
+  store double %1395, ptr %1393, align 8, !noalias !15
+  %1396 = and i64 %1379, %1342
+  %1397 = load ptr, ptr %79, align 8, !noalias !15
+  %1398 = getelementptr inbounds i8, ptr %1397, i64 8
+  %1399 = load i64, ptr %1398, align 8, !noalias !15
+  %1400 = xor i64 %1396, -1
+  %1401 = and i64 %1399, %1400
+  %1402 = getelementptr inbounds i8, ptr %1397, i64 16
+  %1403 = load i64, ptr %1402, align 8, !noalias !15
+  %1404 = xor i64 %1403, -1
+  %1405 = and i64 %1396, %1404
+  %1406 = or disjoint i64 %1405, %1401
+  store i64 %1406, ptr %1398, align 8, !noalias !15
+  br label %1407
 
-1389:                                             ; preds = %1387
-  %1390 = shl i64 %521, 4
-  br label %1574
+1407:                                             ; preds = %1378, %1328
+  %1408 = phi double [ %743, %1328 ], [ %1391, %1378 ]
+  %1409 = phi double [ %744, %1328 ], [ %1356, %1378 ]
+  %1410 = icmp eq i64 %1334, 0
+  %1411 = icmp ne i64 %1332, 0
+  %1412 = select i1 %1410, i1 true, i1 %1411
+  br i1 %1412, label %1620, label %1413
 
-1391:                                             ; preds = %1574, %1387
-  %1392 = getelementptr inbounds i8, ptr %522, i64 32
-  %1393 = load i64, ptr %1392, align 8, !noalias !15
-  %1394 = load ptr, ptr %77, align 8, !noalias !15
-  %1395 = getelementptr inbounds i8, ptr %1394, i64 8
-  %1396 = load i64, ptr %1395, align 8, !noalias !15
-  %1397 = load i64, ptr %151, align 8, !noalias !15
-  %1398 = load ptr, ptr %152, align 8, !noalias !15
-  %1399 = load ptr, ptr %153, align 8, !noalias !15
-  %1400 = icmp sgt i64 %1396, 0
-  br i1 %1400, label %1401, label %1403
+1413:                                             ; preds = %1407
+  %1414 = icmp sgt i64 %529, 0
+  br i1 %1414, label %1415, label %1417
 
-1401:                                             ; preds = %1391
-  %1402 = shl i64 %1396, 4
-  br label %1417
+1415:                                             ; preds = %1413
+  %1416 = shl i64 %529, 4
+  br label %1606
 
-1403:                                             ; preds = %1417, %1391
-  %1404 = load ptr, ptr %155, align 8, !noalias !15
-  %1405 = load ptr, ptr %150, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1404, i64 noundef %1397, ptr noundef %1405, ptr noundef %1399) #8, !noalias !15
-  %1406 = load ptr, ptr %156, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1399, ptr noundef %1406, ptr noundef nonnull %78, i64 noundef %1396) #8, !noalias !15
-  %1407 = load double, ptr %5, align 8, !noalias !15
-  %1408 = fcmp olt double %1407, 1.000000e+00
-  %1409 = zext i1 %1408 to i64
-  %1410 = xor i64 %1409, -1
-  %1411 = and i64 %1393, %1410
-  %1412 = and i64 %1411, %1308
-  %1413 = and i64 %1308, %1409
-  %1414 = icmp eq i64 %1412, 0
-  br i1 %1414, label %1507, label %1415
+1417:                                             ; preds = %1606, %1413
+  %1418 = getelementptr inbounds i8, ptr %530, i64 32
+  %1419 = load i64, ptr %1418, align 8, !noalias !15
+  %1420 = load ptr, ptr %77, align 8, !noalias !15
+  %1421 = getelementptr inbounds i8, ptr %1420, i64 8
+  %1422 = load i64, ptr %1421, align 8, !noalias !15
+  %1423 = load i64, ptr %151, align 8, !noalias !15
+  %1424 = load ptr, ptr %152, align 8, !noalias !15
+  %1425 = load ptr, ptr %153, align 8, !noalias !15
+  %1426 = icmp sgt i64 %1422, 0
+  br i1 %1426, label %1427, label %1429
 
-1415:                                             ; preds = %1403
-  %1416 = icmp sgt i64 %1396, 0
-  br i1 %1416, label %1470, label %1442
+1427:                                             ; preds = %1417
+  %1428 = shl i64 %1422, 4
+  br label %1443
 
-1417:                                             ; preds = %1401, %1417
-  %1418 = phi i64 [ 0, %1401 ], [ %1440, %1417 ]
-  %1419 = load ptr, ptr %124, align 8, !noalias !15
-  %1420 = getelementptr inbounds double, ptr %1419, i64 %1418
-  %1421 = load double, ptr %1420, align 8, !noalias !15
-  %1422 = fmul double %1421, 0x402418FD8BAFFE05
-  %1423 = getelementptr double, ptr %1419, i64 %1396
-  %1424 = getelementptr double, ptr %1423, i64 %1418
-  %1425 = load double, ptr %1424, align 8, !noalias !15
-  %1426 = fmul double %1425, 0x3FF61D41B2D54580
-  %1427 = fsub double %1426, %1422
-  %1428 = getelementptr i8, ptr %1419, i64 %1402
-  %1429 = getelementptr double, ptr %1428, i64 %1418
-  %1430 = load double, ptr %1429, align 8, !noalias !15
-  %1431 = fmul double %1430, 0x3FD5555555555555
-  %1432 = fsub double %1427, %1431
-  %1433 = fdiv double %1432, %511
-  %1434 = getelementptr inbounds double, ptr %1398, i64 %1418
-  store double %1433, ptr %1434, align 8, !noalias !15
-  %1435 = load ptr, ptr %154, align 8, !noalias !15
-  %1436 = getelementptr inbounds double, ptr %1435, i64 %1418
-  %1437 = load double, ptr %1436, align 8, !noalias !15
-  %1438 = fadd double %1437, %1433
-  %1439 = getelementptr inbounds double, ptr %1399, i64 %1418
-  store double %1438, ptr %1439, align 8, !noalias !15
-  %1440 = add nuw nsw i64 %1418, 1
-  %1441 = icmp eq i64 %1440, %1396
-  br i1 %1441, label %1403, label %1417, !llvm.loop !44
+1429:                                             ; preds = %1443, %1417
+  %1430 = load ptr, ptr %155, align 8, !noalias !15
+  %1431 = load ptr, ptr %150, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1430, i64 noundef %1423, ptr noundef %1431, ptr noundef %1425) #8, !noalias !15
+  %1432 = load ptr, ptr %156, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1425, ptr noundef %1432, ptr noundef nonnull %78, i64 noundef %1422) #8, !noalias !15
+  %1433 = load double, ptr %5, align 8, !noalias !15
+  %1434 = fcmp olt double %1433, 1.000000e+00
+  %1435 = zext i1 %1434 to i64
+  %1436 = xor i64 %1435, -1
+  %1437 = and i64 %1419, %1436
+  %1438 = and i64 %1437, %1334
+  %1439 = and i64 %1334, %1435
+  %1440 = icmp eq i64 %1438, 0
+  br i1 %1440, label %1539, label %1441
 
-1442:                                             ; preds = %1470, %1415
-  %1443 = and i64 %1412, 4294967295
-  %1444 = icmp eq i64 %1443, 0
-  %1445 = select i1 %1444, double 0.000000e+00, double 1.000000e+00
-  %1446 = fadd double %1309, %1445
-  %1447 = load ptr, ptr %158, align 8, !noalias !15
-  %1448 = load ptr, ptr %159, align 8, !noalias !15
-  %1449 = load ptr, ptr %160, align 8, !noalias !15
-  store double %434, ptr %1449, align 8, !noalias !15
-  %1450 = load i64, ptr %161, align 8, !noalias !15
-  %1451 = icmp sgt i64 %1450, 0
-  br i1 %1451, label %1452, label %1453
+1441:                                             ; preds = %1429
+  %1442 = icmp sgt i64 %1422, 0
+  br i1 %1442, label %1502, label %1468
 
-1452:                                             ; preds = %1442
+1443:                                             ; preds = %1427, %1443
+  %1444 = phi i64 [ 0, %1427 ], [ %1466, %1443 ]
+  %1445 = load ptr, ptr %124, align 8, !noalias !15
+  %1446 = getelementptr inbounds double, ptr %1445, i64 %1444
+  %1447 = load double, ptr %1446, align 8, !noalias !15
+  %1448 = fmul double %1447, 0x402418FD8BAFFE05
+  %1449 = getelementptr double, ptr %1445, i64 %1422
+  %1450 = getelementptr double, ptr %1449, i64 %1444
+  %1451 = load double, ptr %1450, align 8, !noalias !15
+  %1452 = fmul double %1451, 0x3FF61D41B2D54580
+  %1453 = fsub double %1452, %1448
+  %1454 = getelementptr i8, ptr %1445, i64 %1428
+  %1455 = getelementptr double, ptr %1454, i64 %1444
+  %1456 = load double, ptr %1455, align 8, !noalias !15
+  %1457 = fmul double %1456, 0x3FD5555555555555
+  %1458 = fsub double %1453, %1457
+  %1459 = fdiv double %1458, %519
+  %1460 = getelementptr inbounds double, ptr %1424, i64 %1444
+  store double %1459, ptr %1460, align 8, !noalias !15
+  %1461 = load ptr, ptr %154, align 8, !noalias !15
+  %1462 = getelementptr inbounds double, ptr %1461, i64 %1444
+  %1463 = load double, ptr %1462, align 8, !noalias !15
+  %1464 = fadd double %1463, %1459
+  %1465 = getelementptr inbounds double, ptr %1425, i64 %1444
+  store double %1464, ptr %1465, align 8, !noalias !15
+  %1466 = add nuw nsw i64 %1444, 1
+  %1467 = icmp eq i64 %1466, %1422
+  br i1 %1467, label %1429, label %1443, !llvm.loop !44
+
+1468:                                             ; preds = %1502, %1441
+  %1469 = and i64 %1438, 4294967295
+  %1470 = icmp eq i64 %1469, 0
+  %1471 = select i1 %1470, double 0.000000e+00, double 1.000000e+00
+  %1472 = fadd double %1335, %1471
+  %1473 = load ptr, ptr %158, align 8, !noalias !15
+  %1474 = load ptr, ptr %159, align 8, !noalias !15
+  %1475 = load ptr, ptr %160, align 8, !noalias !15
+  store double %442, ptr %1475, align 8, !noalias !15
+  %1476 = load ptr, ptr %77, align 8, !noalias !15
+  %1477 = getelementptr inbounds i8, ptr %1476, i64 40
+  %1478 = load i64, ptr %1477, align 8, !noalias !15
+  %1479 = icmp eq i64 %1478, 0
+  br i1 %1479, label %1481, label %1480
+
+1480:                                             ; preds = %1468
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
+  br label %1481
+
+1481:                                             ; preds = %1480, %1468
+  %1482 = load i64, ptr %161, align 8, !noalias !15
+  %1483 = icmp sgt i64 %1482, 0
+  br i1 %1483, label %1484, label %1485
+
+1484:                                             ; preds = %1481
   tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %1453
+  br label %1485
 
-1453:                                             ; preds = %1452, %1442
-  %1454 = load ptr, ptr %77, align 8, !noalias !15
-  %1455 = load i64, ptr %1454, align 8, !noalias !15
-  %1456 = load ptr, ptr %160, align 8, !noalias !15
-  %1457 = load ptr, ptr %162, align 8, !noalias !15
-  %1458 = load ptr, ptr %163, align 8, !noalias !15
-  %1459 = inttoptr i64 %1455 to ptr
-  %1460 = load ptr, ptr %1459, align 8, !noalias !15
-  %1461 = tail call i32 %1460(ptr noundef %1456, ptr noundef %1447, ptr noundef %1457, ptr noundef %1458, ptr noundef %1448) #9, !noalias !15
-  %1462 = sext i32 %1461 to i64
-  %1463 = icmp slt i32 %1461, 0
-  %1464 = select i1 %1463, i64 %1462, i64 %1306
-  %1465 = trunc i64 %1412 to i32
-  %1466 = and i32 %1461, %1465
-  %1467 = icmp eq i32 %1466, 0
-  %1468 = select i1 %1467, double %1383, double 3.000000e+00
-  %1469 = icmp sgt i64 %1396, 0
-  br i1 %1469, label %1496, label %1482
+1485:                                             ; preds = %1484, %1481
+  %1486 = load ptr, ptr %77, align 8, !noalias !15
+  %1487 = load i64, ptr %1486, align 8, !noalias !15
+  %1488 = load ptr, ptr %160, align 8, !noalias !15
+  %1489 = load ptr, ptr %162, align 8, !noalias !15
+  %1490 = load ptr, ptr %163, align 8, !noalias !15
+  %1491 = inttoptr i64 %1487 to ptr
+  %1492 = load ptr, ptr %1491, align 8, !noalias !15
+  %1493 = tail call i32 %1492(ptr noundef %1488, ptr noundef %1473, ptr noundef %1489, ptr noundef %1490, ptr noundef %1474) #9, !noalias !15
+  %1494 = sext i32 %1493 to i64
+  %1495 = icmp slt i32 %1493, 0
+  %1496 = select i1 %1495, i64 %1494, i64 %1332
+  %1497 = trunc i64 %1438 to i32
+  %1498 = and i32 %1493, %1497
+  %1499 = icmp eq i32 %1498, 0
+  %1500 = select i1 %1499, double %1409, double 3.000000e+00
+  %1501 = icmp sgt i64 %1422, 0
+  br i1 %1501, label %1528, label %1514
 
-1470:                                             ; preds = %1415, %1470
-  %1471 = phi i64 [ %1480, %1470 ], [ 0, %1415 ]
-  %1472 = load ptr, ptr %157, align 8, !noalias !15
-  %1473 = load ptr, ptr %78, align 8, !noalias !15
-  %1474 = getelementptr inbounds double, ptr %1473, i64 %1471
-  %1475 = load double, ptr %1474, align 8, !noalias !15
-  %1476 = getelementptr inbounds double, ptr %1399, i64 %1471
-  %1477 = load double, ptr %1476, align 8, !noalias !15
-  %1478 = fadd double %1475, %1477
-  %1479 = getelementptr inbounds double, ptr %1472, i64 %1471
-  store double %1478, ptr %1479, align 8, !noalias !15
-  %1480 = add nuw nsw i64 %1471, 1
-  %1481 = icmp eq i64 %1480, %1396
-  br i1 %1481, label %1442, label %1470, !llvm.loop !45
+1502:                                             ; preds = %1441, %1502
+  %1503 = phi i64 [ %1512, %1502 ], [ 0, %1441 ]
+  %1504 = load ptr, ptr %157, align 8, !noalias !15
+  %1505 = load ptr, ptr %78, align 8, !noalias !15
+  %1506 = getelementptr inbounds double, ptr %1505, i64 %1503
+  %1507 = load double, ptr %1506, align 8, !noalias !15
+  %1508 = getelementptr inbounds double, ptr %1425, i64 %1503
+  %1509 = load double, ptr %1508, align 8, !noalias !15
+  %1510 = fadd double %1507, %1509
+  %1511 = getelementptr inbounds double, ptr %1504, i64 %1503
+  store double %1510, ptr %1511, align 8, !noalias !15
+  %1512 = add nuw nsw i64 %1503, 1
+  %1513 = icmp eq i64 %1512, %1422
+  br i1 %1513, label %1468, label %1502, !llvm.loop !45
 
-1482:                                             ; preds = %1496, %1453
-  %1483 = load ptr, ptr %155, align 8, !noalias !15
-  %1484 = load ptr, ptr %150, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1483, i64 noundef %1397, ptr noundef %1484, ptr noundef %1399) #8, !noalias !15
-  %1485 = load ptr, ptr %156, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1399, ptr noundef %1485, ptr noundef nonnull %78, i64 noundef %1396) #8, !noalias !15
-  %1486 = load double, ptr %6, align 8, !noalias !15
-  %1487 = xor i64 %1462, -1
-  %1488 = and i64 %1412, %1487
-  %1489 = fcmp olt double %1486, 1.000000e+00
-  %1490 = and i64 %1488, 1
-  %1491 = select i1 %1489, i64 %1490, i64 0
-  %1492 = or i64 %1491, %1413
-  %1493 = and i64 %1488, 4294967295
-  %1494 = icmp eq i64 %1493, 0
-  %1495 = select i1 %1494, double %1407, double %1486
-  br label %1507
+1514:                                             ; preds = %1528, %1485
+  %1515 = load ptr, ptr %155, align 8, !noalias !15
+  %1516 = load ptr, ptr %150, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1515, i64 noundef %1423, ptr noundef %1516, ptr noundef %1425) #8, !noalias !15
+  %1517 = load ptr, ptr %156, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1425, ptr noundef %1517, ptr noundef nonnull %78, i64 noundef %1422) #8, !noalias !15
+  %1518 = load double, ptr %6, align 8, !noalias !15
+  %1519 = xor i64 %1494, -1
+  %1520 = and i64 %1438, %1519
+  %1521 = fcmp olt double %1518, 1.000000e+00
+  %1522 = and i64 %1520, 1
+  %1523 = select i1 %1521, i64 %1522, i64 0
+  %1524 = or i64 %1523, %1439
+  %1525 = and i64 %1520, 4294967295
+  %1526 = icmp eq i64 %1525, 0
+  %1527 = select i1 %1526, double %1433, double %1518
+  br label %1539
 
-1496:                                             ; preds = %1453, %1496
-  %1497 = phi i64 [ %1505, %1496 ], [ 0, %1453 ]
-  %1498 = load ptr, ptr %159, align 8, !noalias !15
-  %1499 = getelementptr inbounds double, ptr %1498, i64 %1497
-  %1500 = load double, ptr %1499, align 8, !noalias !15
-  %1501 = getelementptr inbounds double, ptr %1398, i64 %1497
-  %1502 = load double, ptr %1501, align 8, !noalias !15
-  %1503 = fadd double %1500, %1502
-  %1504 = getelementptr inbounds double, ptr %1399, i64 %1497
-  store double %1503, ptr %1504, align 8, !noalias !15
-  %1505 = add nuw nsw i64 %1497, 1
-  %1506 = icmp eq i64 %1505, %1396
-  br i1 %1506, label %1482, label %1496, !llvm.loop !46
+1528:                                             ; preds = %1485, %1528
+  %1529 = phi i64 [ %1537, %1528 ], [ 0, %1485 ]
+  %1530 = load ptr, ptr %159, align 8, !noalias !15
+  %1531 = getelementptr inbounds double, ptr %1530, i64 %1529
+  %1532 = load double, ptr %1531, align 8, !noalias !15
+  %1533 = getelementptr inbounds double, ptr %1424, i64 %1529
+  %1534 = load double, ptr %1533, align 8, !noalias !15
+  %1535 = fadd double %1532, %1534
+  %1536 = getelementptr inbounds double, ptr %1425, i64 %1529
+  store double %1535, ptr %1536, align 8, !noalias !15
+  %1537 = add nuw nsw i64 %1529, 1
+  %1538 = icmp eq i64 %1537, %1422
+  br i1 %1538, label %1514, label %1528, !llvm.loop !46
 
-1507:                                             ; preds = %1403, %1482
-  %1508 = phi double [ %1309, %1403 ], [ %1446, %1482 ]
-  %1509 = phi i64 [ %1306, %1403 ], [ %1464, %1482 ]
-  %1510 = phi i64 [ %1413, %1403 ], [ %1492, %1482 ]
-  %1511 = phi double [ %1383, %1403 ], [ %1468, %1482 ]
-  %1512 = phi double [ %1407, %1403 ], [ %1495, %1482 ]
-  %1513 = fcmp olt double %1512, 1.000000e-10
-  %1514 = select i1 %1513, double 1.000000e-10, double %1512
-  %1515 = load ptr, ptr %116, align 8, !noalias !15
-  %1516 = getelementptr inbounds i8, ptr %1515, i64 24
-  %1517 = load double, ptr %1516, align 8, !noalias !15
-  %1518 = fadd double %1305, 1.200000e+01
-  %1519 = fdiv double 0x4027666666666667, %1518
-  %1520 = tail call double @llvm.sqrt.f64(double %1514)
-  %1521 = tail call double @llvm.sqrt.f64(double %1520)
-  %1522 = fdiv double 1.000000e+00, %1521
-  %1523 = fmul double %1519, %1522
-  %1524 = fcmp ogt double %1523, 2.000000e-01
-  %1525 = select i1 %1524, double %1523, double 2.000000e-01
-  %1526 = tail call double @llvm.fabs.f64(double %1512)
-  %1527 = fcmp ueq double %1526, 0x7FF0000000000000
-  %1528 = select i1 %1527, double 2.500000e-01, double %1525
-  %1529 = fmul double %511, %1528
-  %1530 = getelementptr inbounds i8, ptr %1515, i64 16
-  %1531 = load double, ptr %1530, align 8, !noalias !15
-  %1532 = fdiv double %511, %1531
-  %1533 = fdiv double %1517, %1514
-  %1534 = tail call double @llvm.sqrt.f64(double %1533)
-  %1535 = tail call double @llvm.sqrt.f64(double %1534)
-  %1536 = fmul double %1532, %1535
-  %1537 = fcmp ule double %1517, 0.000000e+00
-  %1538 = fcmp olt double %1536, 1.000000e+00
-  %1539 = select i1 %1538, double %1536, double 1.000000e+00
-  %1540 = select i1 %1537, double 1.000000e+00, double %1539
-  %1541 = fmul double %1523, %1540
-  %1542 = fcmp olt double %1541, 1.000000e+01
-  %1543 = select i1 %1542, double %1541, double 1.000000e+01
-  %1544 = fcmp ule double %1543, 1.000000e+00
-  %1545 = fcmp uge double %1543, 1.200000e+00
-  %1546 = or i1 %1544, %1545
-  %1547 = select i1 %1546, i1 true, i1 %1312
-  %1548 = load double, ptr %1515, align 8, !noalias !15
-  %1549 = fcmp ogt double %1543, 2.000000e-01
-  %1550 = select i1 %1549, double %1543, double 2.000000e-01
-  %1551 = fmul double %511, %1550
-  %1552 = select i1 %1547, double %1551, double %1548
-  %1553 = icmp eq i64 %1510, 0
-  %1554 = select i1 %1553, double %1529, double %1552
-  %1555 = and i64 %1308, 4294967295
-  %1556 = icmp eq i64 %1555, 0
-  %1557 = select i1 %1556, double %1382, double %1554
-  %1558 = xor i64 %1510, -1
-  %1559 = and i64 %1308, %1558
-  %1560 = load ptr, ptr %79, align 8, !noalias !15
-  %1561 = getelementptr inbounds i8, ptr %1560, i64 32
-  %1562 = load i64, ptr %1561, align 8, !noalias !15
-  %1563 = or i64 %1562, %1559
-  store i64 %1563, ptr %1561, align 8, !noalias !15
-  %1564 = load ptr, ptr %79, align 8, !noalias !15
-  %1565 = getelementptr inbounds i8, ptr %1564, i64 8
-  %1566 = load i64, ptr %1565, align 8, !noalias !15
-  %1567 = xor i64 %1559, -1
-  %1568 = and i64 %1566, %1567
-  %1569 = getelementptr inbounds i8, ptr %1564, i64 16
-  %1570 = load i64, ptr %1569, align 8, !noalias !15
-  %1571 = xor i64 %1570, -1
-  %1572 = and i64 %1559, %1571
-  %1573 = or disjoint i64 %1572, %1568
-  store i64 %1573, ptr %1565, align 8, !noalias !15
-  br label %1588
+1539:                                             ; preds = %1429, %1514
+  %1540 = phi double [ %1335, %1429 ], [ %1472, %1514 ]
+  %1541 = phi i64 [ %1332, %1429 ], [ %1496, %1514 ]
+  %1542 = phi i64 [ %1439, %1429 ], [ %1524, %1514 ]
+  %1543 = phi double [ %1409, %1429 ], [ %1500, %1514 ]
+  %1544 = phi double [ %1433, %1429 ], [ %1527, %1514 ]
+  %1545 = fcmp olt double %1544, 1.000000e-10
+  %1546 = select i1 %1545, double 1.000000e-10, double %1544
+  %1547 = load ptr, ptr %116, align 8, !noalias !15
+  %1548 = getelementptr inbounds i8, ptr %1547, i64 24
+  %1549 = load double, ptr %1548, align 8, !noalias !15
+  %1550 = fadd double %1331, 1.200000e+01
+  %1551 = fdiv double 0x4027666666666667, %1550
+  %1552 = tail call double @llvm.sqrt.f64(double %1546)
+  %1553 = tail call double @llvm.sqrt.f64(double %1552)
+  %1554 = fdiv double 1.000000e+00, %1553
+  %1555 = fmul double %1551, %1554
+  %1556 = fcmp ogt double %1555, 2.000000e-01
+  %1557 = select i1 %1556, double %1555, double 2.000000e-01
+  %1558 = tail call double @llvm.fabs.f64(double %1544)
+  %1559 = fcmp ueq double %1558, 0x7FF0000000000000
+  %1560 = select i1 %1559, double 2.500000e-01, double %1557
+  %1561 = fmul double %519, %1560
+  %1562 = getelementptr inbounds i8, ptr %1547, i64 16
+  %1563 = load double, ptr %1562, align 8, !noalias !15
+  %1564 = fdiv double %519, %1563
+  %1565 = fdiv double %1549, %1546
+  %1566 = tail call double @llvm.sqrt.f64(double %1565)
+  %1567 = tail call double @llvm.sqrt.f64(double %1566)
+  %1568 = fmul double %1564, %1567
+  %1569 = fcmp ule double %1549, 0.000000e+00
+  %1570 = fcmp olt double %1568, 1.000000e+00
+  %1571 = select i1 %1570, double %1568, double 1.000000e+00
+  %1572 = select i1 %1569, double 1.000000e+00, double %1571
+  %1573 = fmul double %1555, %1572
+  %1574 = fcmp olt double %1573, 1.000000e+01
+  %1575 = select i1 %1574, double %1573, double 1.000000e+01
+  %1576 = fcmp ule double %1575, 1.000000e+00
+  %1577 = fcmp uge double %1575, 1.200000e+00
+  %1578 = or i1 %1576, %1577
+  %1579 = select i1 %1578, i1 true, i1 %1338
+  %1580 = load double, ptr %1547, align 8, !noalias !15
+  %1581 = fcmp ogt double %1575, 2.000000e-01
+  %1582 = select i1 %1581, double %1575, double 2.000000e-01
+  %1583 = fmul double %519, %1582
+  %1584 = select i1 %1579, double %1583, double %1580
+  %1585 = icmp eq i64 %1542, 0
+  %1586 = select i1 %1585, double %1561, double %1584
+  %1587 = and i64 %1334, 4294967295
+  %1588 = icmp eq i64 %1587, 0
+  %1589 = select i1 %1588, double %1408, double %1586
+  %1590 = xor i64 %1542, -1
+  %1591 = and i64 %1334, %1590
+  %1592 = load ptr, ptr %79, align 8, !noalias !15
+  %1593 = getelementptr inbounds i8, ptr %1592, i64 32
+  %1594 = load i64, ptr %1593, align 8, !noalias !15
+  %1595 = or i64 %1594, %1591
+  store i64 %1595, ptr %1593, align 8, !noalias !15
+  %1596 = load ptr, ptr %79, align 8, !noalias !15
+  %1597 = getelementptr inbounds i8, ptr %1596, i64 8
+  %1598 = load i64, ptr %1597, align 8, !noalias !15
+  %1599 = xor i64 %1591, -1
+  %1600 = and i64 %1598, %1599
+  %1601 = getelementptr inbounds i8, ptr %1596, i64 16
+  %1602 = load i64, ptr %1601, align 8, !noalias !15
+  %1603 = xor i64 %1602, -1
+  %1604 = and i64 %1591, %1603
+  %1605 = or disjoint i64 %1604, %1600
+  store i64 %1605, ptr %1597, align 8, !noalias !15
+  br label %1620
 
-1574:                                             ; preds = %1389, %1574
-  %1575 = phi i64 [ 0, %1389 ], [ %1586, %1574 ]
-  %1576 = load ptr, ptr %149, align 8, !noalias !15
-  %1577 = load ptr, ptr %78, align 8, !noalias !15
-  %1578 = getelementptr inbounds double, ptr %1577, i64 %1575
-  %1579 = load double, ptr %1578, align 8, !noalias !15
-  %1580 = load ptr, ptr %124, align 8, !noalias !15
-  %1581 = getelementptr i8, ptr %1580, i64 %1390
-  %1582 = getelementptr double, ptr %1581, i64 %1575
-  %1583 = load double, ptr %1582, align 8, !noalias !15
-  %1584 = fadd double %1579, %1583
-  %1585 = getelementptr inbounds double, ptr %1576, i64 %1575
-  store double %1584, ptr %1585, align 8, !noalias !15
-  %1586 = add nuw nsw i64 %1575, 1
-  %1587 = icmp eq i64 %1586, %521
-  br i1 %1587, label %1391, label %1574, !llvm.loop !47
+1606:                                             ; preds = %1415, %1606
+  %1607 = phi i64 [ 0, %1415 ], [ %1618, %1606 ]
+  %1608 = load ptr, ptr %149, align 8, !noalias !15
+  %1609 = load ptr, ptr %78, align 8, !noalias !15
+  %1610 = getelementptr inbounds double, ptr %1609, i64 %1607
+  %1611 = load double, ptr %1610, align 8, !noalias !15
+  %1612 = load ptr, ptr %124, align 8, !noalias !15
+  %1613 = getelementptr i8, ptr %1612, i64 %1416
+  %1614 = getelementptr double, ptr %1613, i64 %1607
+  %1615 = load double, ptr %1614, align 8, !noalias !15
+  %1616 = fadd double %1611, %1615
+  %1617 = getelementptr inbounds double, ptr %1608, i64 %1607
+  store double %1616, ptr %1617, align 8, !noalias !15
+  %1618 = add nuw nsw i64 %1607, 1
+  %1619 = icmp eq i64 %1618, %529
+  br i1 %1619, label %1417, label %1606, !llvm.loop !47
 
-1588:                                             ; preds = %1507, %1381, %722, %635
-  %1589 = phi double [ %441, %635 ], [ %441, %722 ], [ %1303, %1381 ], [ %1303, %1507 ]
-  %1590 = phi double [ %440, %635 ], [ %440, %722 ], [ %1304, %1381 ], [ %1304, %1507 ]
-  %1591 = phi double [ %439, %635 ], [ %439, %722 ], [ %1305, %1381 ], [ %1305, %1507 ]
-  %1592 = phi i64 [ %438, %635 ], [ %438, %722 ], [ %1306, %1381 ], [ %1306, %1507 ]
-  %1593 = phi i64 [ %437, %635 ], [ %437, %722 ], [ %1307, %1381 ], [ %1307, %1507 ]
-  %1594 = phi i64 [ %436, %635 ], [ %436, %722 ], [ %1308, %1381 ], [ %1308, %1507 ]
-  %1595 = phi i1 [ false, %635 ], [ false, %722 ], [ %1312, %1381 ], [ %1312, %1507 ]
-  %1596 = phi double [ 2.000000e+00, %635 ], [ %724, %722 ], [ %1383, %1381 ], [ %1511, %1507 ]
-  %1597 = phi double [ 0.000000e+00, %635 ], [ 0.000000e+00, %722 ], [ 0.000000e+00, %1381 ], [ %1512, %1507 ]
-  %1598 = phi double [ %435, %635 ], [ %723, %722 ], [ %1382, %1381 ], [ %1557, %1507 ]
-  %1599 = phi double [ %618, %635 ], [ %647, %722 ], [ %1309, %1381 ], [ %1508, %1507 ]
-  %1600 = phi i64 [ 0, %635 ], [ %661, %722 ], [ %661, %1381 ], [ %661, %1507 ]
-  %1601 = phi i64 [ 1, %635 ], [ 0, %722 ], [ %1306, %1381 ], [ %1509, %1507 ]
-  %1602 = phi i64 [ 0, %635 ], [ 0, %722 ], [ 0, %1381 ], [ %1510, %1507 ]
-  %1603 = zext i1 %1595 to i64
-  %1604 = fptosi double %1599 to i64
-  %1605 = load i64, ptr %412, align 8
-  %1606 = add nsw i64 %1605, %1604
-  store i64 %1606, ptr %412, align 8
-  %1607 = load i64, ptr %413, align 8
-  %1608 = add nsw i64 %1607, %525
-  store i64 %1608, ptr %413, align 8
-  %1609 = load i64, ptr %414, align 8
-  %1610 = add nsw i64 %1609, %1600
-  store i64 %1610, ptr %414, align 8
-  %1611 = icmp eq i64 %1601, 0
-  br i1 %1611, label %1612, label %2192
+1620:                                             ; preds = %1539, %1407, %742, %655
+  %1621 = phi double [ %449, %655 ], [ %449, %742 ], [ %1329, %1407 ], [ %1329, %1539 ]
+  %1622 = phi double [ %448, %655 ], [ %448, %742 ], [ %1330, %1407 ], [ %1330, %1539 ]
+  %1623 = phi double [ %447, %655 ], [ %447, %742 ], [ %1331, %1407 ], [ %1331, %1539 ]
+  %1624 = phi i64 [ %446, %655 ], [ %446, %742 ], [ %1332, %1407 ], [ %1332, %1539 ]
+  %1625 = phi i64 [ %445, %655 ], [ %445, %742 ], [ %1333, %1407 ], [ %1333, %1539 ]
+  %1626 = phi i64 [ %444, %655 ], [ %444, %742 ], [ %1334, %1407 ], [ %1334, %1539 ]
+  %1627 = phi i1 [ false, %655 ], [ false, %742 ], [ %1338, %1407 ], [ %1338, %1539 ]
+  %1628 = phi double [ 2.000000e+00, %655 ], [ %744, %742 ], [ %1409, %1407 ], [ %1543, %1539 ]
+  %1629 = phi double [ 0.000000e+00, %655 ], [ 0.000000e+00, %742 ], [ 0.000000e+00, %1407 ], [ %1544, %1539 ]
+  %1630 = phi double [ %443, %655 ], [ %743, %742 ], [ %1408, %1407 ], [ %1589, %1539 ]
+  %1631 = phi double [ %638, %655 ], [ %667, %742 ], [ %1335, %1407 ], [ %1540, %1539 ]
+  %1632 = phi i64 [ 0, %655 ], [ %681, %742 ], [ %681, %1407 ], [ %681, %1539 ]
+  %1633 = phi i64 [ 1, %655 ], [ 0, %742 ], [ %1332, %1407 ], [ %1541, %1539 ]
+  %1634 = phi i64 [ 0, %655 ], [ 0, %742 ], [ 0, %1407 ], [ %1542, %1539 ]
+  %1635 = zext i1 %1627 to i64
+  %1636 = fptosi double %1631 to i64
+  %1637 = load i64, ptr %420, align 8
+  %1638 = add nsw i64 %1637, %1636
+  store i64 %1638, ptr %420, align 8
+  %1639 = load i64, ptr %421, align 8
+  %1640 = add nsw i64 %1639, %533
+  store i64 %1640, ptr %421, align 8
+  %1641 = load i64, ptr %422, align 8
+  %1642 = add nsw i64 %1641, %1632
+  store i64 %1642, ptr %422, align 8
+  %1643 = icmp eq i64 %1633, 0
+  br i1 %1643, label %1644, label %2230
 
-1612:                                             ; preds = %1588
-  %1613 = icmp eq i64 %1602, 0
-  br i1 %1613, label %1614, label %1618
+1644:                                             ; preds = %1620
+  %1645 = icmp eq i64 %1634, 0
+  br i1 %1645, label %1646, label %1650
 
-1614:                                             ; preds = %1612
-  %1615 = load i64, ptr %399, align 8
-  %1616 = add nsw i64 %1615, 1
-  store i64 %1616, ptr %399, align 8
-  %1617 = fptosi double %1596 to i64
-  store i64 %1617, ptr %422, align 8
-  br label %2192, !llvm.loop !48
+1646:                                             ; preds = %1644
+  %1647 = load i64, ptr %407, align 8
+  %1648 = add nsw i64 %1647, 1
+  store i64 %1648, ptr %407, align 8
+  %1649 = fptosi double %1628 to i64
+  store i64 %1649, ptr %430, align 8
+  br label %2230, !llvm.loop !48
 
-1618:                                             ; preds = %1612
-  br i1 %243, label %1619, label %1647
+1650:                                             ; preds = %1644
+  br i1 %243, label %1651, label %1679
 
-1619:                                             ; preds = %1618
-  %1620 = load ptr, ptr %164, align 8
-  %1621 = load ptr, ptr %78, align 8
-  %1622 = load ptr, ptr %85, align 8
-  %1623 = getelementptr inbounds i8, ptr %1622, i64 56
-  %1624 = load i64, ptr %1623, align 8
-  %1625 = inttoptr i64 %1624 to ptr
-  %1626 = tail call i64 %1625(ptr noundef %0, double noundef %510, ptr noundef %1620, ptr noundef %1621) #9
-  %1627 = icmp eq i64 %1626, 0
-  br i1 %1627, label %1647, label %1628
+1651:                                             ; preds = %1650
+  %1652 = load ptr, ptr %164, align 8
+  %1653 = load ptr, ptr %78, align 8
+  %1654 = load ptr, ptr %85, align 8
+  %1655 = getelementptr inbounds i8, ptr %1654, i64 56
+  %1656 = load i64, ptr %1655, align 8
+  %1657 = inttoptr i64 %1656 to ptr
+  %1658 = tail call i64 %1657(ptr noundef %0, double noundef %518, ptr noundef %1652, ptr noundef %1653) #9
+  %1659 = icmp eq i64 %1658, 0
+  br i1 %1659, label %1679, label %1660
 
-1628:                                             ; preds = %1619
-  %1629 = load i64, ptr %399, align 8
-  %1630 = add nsw i64 %1629, 1
-  store i64 %1630, ptr %399, align 8
-  store i64 6, ptr %415, align 8
-  %1631 = fmul double %511, 2.500000e-01
-  %1632 = load ptr, ptr %79, align 8
-  %1633 = getelementptr inbounds i8, ptr %1632, i64 32
-  %1634 = load i64, ptr %1633, align 8
-  %1635 = or i64 %1634, 1
-  store i64 %1635, ptr %1633, align 8
-  %1636 = load ptr, ptr %79, align 8
-  %1637 = getelementptr inbounds i8, ptr %1636, i64 8
-  %1638 = load i64, ptr %1637, align 8
-  %1639 = and i64 %1638, -2
-  %1640 = getelementptr inbounds i8, ptr %1636, i64 16
-  %1641 = load i64, ptr %1640, align 8
-  %1642 = and i64 %1641, 1
-  %1643 = or disjoint i64 %1642, %1639
-  %1644 = xor i64 %1643, 1
-  store i64 %1644, ptr %1637, align 8
-  %1645 = load ptr, ptr %165, align 8
-  %1646 = getelementptr inbounds i8, ptr %1645, i64 8
-  store double 0.000000e+00, ptr %1646, align 8
-  br label %2192, !llvm.loop !48
+1660:                                             ; preds = %1651
+  %1661 = load i64, ptr %407, align 8
+  %1662 = add nsw i64 %1661, 1
+  store i64 %1662, ptr %407, align 8
+  store i64 6, ptr %423, align 8
+  %1663 = fmul double %519, 2.500000e-01
+  %1664 = load ptr, ptr %79, align 8
+  %1665 = getelementptr inbounds i8, ptr %1664, i64 32
+  %1666 = load i64, ptr %1665, align 8
+  %1667 = or i64 %1666, 1
+  store i64 %1667, ptr %1665, align 8
+  %1668 = load ptr, ptr %79, align 8
+  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
+  %1670 = load i64, ptr %1669, align 8
+  %1671 = and i64 %1670, -2
+  %1672 = getelementptr inbounds i8, ptr %1668, i64 16
+  %1673 = load i64, ptr %1672, align 8
+  %1674 = and i64 %1673, 1
+  %1675 = or disjoint i64 %1674, %1671
+  %1676 = xor i64 %1675, 1
+  store i64 %1676, ptr %1669, align 8
+  %1677 = load ptr, ptr %165, align 8
+  %1678 = getelementptr inbounds i8, ptr %1677, i64 8
+  store double 0.000000e+00, ptr %1678, align 8
+  br label %2230, !llvm.loop !48
 
-1647:                                             ; preds = %1619, %1618
-  %1648 = load i64, ptr %398, align 8
-  %1649 = add nsw i64 %1648, 1
-  store i64 %1649, ptr %398, align 8
-  store double %510, ptr %230, align 8
-  store double %511, ptr %416, align 8
-  %1650 = load ptr, ptr %77, align 8
-  %1651 = getelementptr inbounds i8, ptr %1650, i64 8
-  %1652 = load i64, ptr %1651, align 8
-  %1653 = load i64, ptr %166, align 8
-  %1654 = load ptr, ptr %167, align 8
-  %1655 = load ptr, ptr %168, align 8
-  %1656 = load ptr, ptr %169, align 8
-  %1657 = load ptr, ptr %170, align 8
-  br label %1673
+1679:                                             ; preds = %1651, %1650
+  %1680 = load i64, ptr %406, align 8
+  %1681 = add nsw i64 %1680, 1
+  store i64 %1681, ptr %406, align 8
+  store double %518, ptr %230, align 8
+  store double %519, ptr %424, align 8
+  %1682 = load ptr, ptr %77, align 8
+  %1683 = getelementptr inbounds i8, ptr %1682, i64 8
+  %1684 = load i64, ptr %1683, align 8
+  %1685 = load i64, ptr %166, align 8
+  %1686 = load ptr, ptr %167, align 8
+  %1687 = load ptr, ptr %168, align 8
+  %1688 = load ptr, ptr %169, align 8
+  %1689 = load ptr, ptr %170, align 8
+  br label %1705
 
-1658:                                             ; preds = %1673
-  %1659 = icmp sgt i64 %1652, 0
-  br i1 %1659, label %1660, label %1733
+1690:                                             ; preds = %1705
+  %1691 = icmp sgt i64 %1684, 0
+  br i1 %1691, label %1692, label %1765
 
-1660:                                             ; preds = %1658
-  %1661 = load double, ptr %9, align 16
-  %1662 = load double, ptr %171, align 8
-  %1663 = getelementptr double, ptr %1654, i64 %1652
-  %1664 = load double, ptr %172, align 16
-  %1665 = shl i64 %1652, 4
-  %1666 = getelementptr i8, ptr %1654, i64 %1665
-  %1667 = load double, ptr %10, align 16
-  %1668 = load double, ptr %173, align 8
-  %1669 = load double, ptr %174, align 16
-  %1670 = getelementptr inbounds double, ptr %1655, i64 %1653
-  %1671 = shl nsw i64 %1653, 4
-  %1672 = getelementptr inbounds i8, ptr %1655, i64 %1671
-  br label %1684
+1692:                                             ; preds = %1690
+  %1693 = load double, ptr %9, align 16
+  %1694 = load double, ptr %171, align 8
+  %1695 = getelementptr double, ptr %1686, i64 %1684
+  %1696 = load double, ptr %172, align 16
+  %1697 = shl i64 %1684, 4
+  %1698 = getelementptr i8, ptr %1686, i64 %1697
+  %1699 = load double, ptr %10, align 16
+  %1700 = load double, ptr %173, align 8
+  %1701 = load double, ptr %174, align 16
+  %1702 = getelementptr inbounds double, ptr %1687, i64 %1685
+  %1703 = shl nsw i64 %1685, 4
+  %1704 = getelementptr inbounds i8, ptr %1687, i64 %1703
+  br label %1716
 
-1673:                                             ; preds = %1647, %1673
-  %1674 = phi i64 [ 0, %1647 ], [ %1682, %1673 ]
-  %1675 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1674
-  %1676 = getelementptr inbounds i8, ptr %1675, i64 8
-  %1677 = load double, ptr %1676, align 8
-  %1678 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1674
-  store double %1677, ptr %1678, align 8
-  %1679 = getelementptr inbounds i8, ptr %1675, i64 16
-  %1680 = load double, ptr %1679, align 8
-  %1681 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1674
-  store double %1680, ptr %1681, align 8
-  %1682 = add nuw nsw i64 %1674, 1
-  %1683 = icmp eq i64 %1682, 3
-  br i1 %1683, label %1658, label %1673, !llvm.loop !49
+1705:                                             ; preds = %1679, %1705
+  %1706 = phi i64 [ 0, %1679 ], [ %1714, %1705 ]
+  %1707 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1706
+  %1708 = getelementptr inbounds i8, ptr %1707, i64 8
+  %1709 = load double, ptr %1708, align 8
+  %1710 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1706
+  store double %1709, ptr %1710, align 8
+  %1711 = getelementptr inbounds i8, ptr %1707, i64 16
+  %1712 = load double, ptr %1711, align 8
+  %1713 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1706
+  store double %1712, ptr %1713, align 8
+  %1714 = add nuw nsw i64 %1706, 1
+  %1715 = icmp eq i64 %1714, 3
+  br i1 %1715, label %1690, label %1705, !llvm.loop !49
 
-1684:                                             ; preds = %1660, %1721
-  %1685 = phi i64 [ 0, %1660 ], [ %1722, %1721 ]
-  %1686 = getelementptr inbounds double, ptr %1654, i64 %1685
-  %1687 = load double, ptr %1686, align 8
-  %1688 = fmul double %1661, %1687
-  %1689 = getelementptr double, ptr %1663, i64 %1685
-  %1690 = load double, ptr %1689, align 8
-  %1691 = fmul double %1662, %1690
-  %1692 = fadd double %1688, %1691
-  %1693 = getelementptr double, ptr %1666, i64 %1685
-  %1694 = load double, ptr %1693, align 8
-  %1695 = fmul double %1664, %1694
-  %1696 = fadd double %1692, %1695
-  %1697 = fmul double %1687, %1667
-  %1698 = fmul double %1690, %1668
-  %1699 = fadd double %1697, %1698
-  %1700 = fmul double %1694, %1669
-  %1701 = fadd double %1699, %1700
-  %1702 = load ptr, ptr %175, align 8
-  %1703 = getelementptr inbounds double, ptr %1702, i64 %1685
-  %1704 = load double, ptr %1703, align 8
-  %1705 = load ptr, ptr %78, align 8
-  %1706 = getelementptr inbounds double, ptr %1705, i64 %1685
-  %1707 = load double, ptr %1706, align 8
-  %1708 = fsub double %1704, %1707
-  %1709 = getelementptr inbounds double, ptr %1655, i64 %1685
-  store double %1708, ptr %1709, align 8
-  %1710 = fneg double %1696
-  %1711 = fsub double %1710, %1701
-  %1712 = getelementptr inbounds double, ptr %1670, i64 %1685
-  store double %1711, ptr %1712, align 8
-  %1713 = fneg double %1701
-  %1714 = getelementptr inbounds double, ptr %1672, i64 %1685
-  store double %1713, ptr %1714, align 8
-  %1715 = load ptr, ptr %78, align 8
-  %1716 = getelementptr inbounds double, ptr %1715, i64 %1685
-  %1717 = load double, ptr %1716, align 8
-  %1718 = getelementptr inbounds double, ptr %1656, i64 %1685
-  store double %1717, ptr %1718, align 8
-  %1719 = getelementptr double, ptr %1655, i64 %1685
-  %1720 = getelementptr double, ptr %1656, i64 %1685
-  br label %1724
+1716:                                             ; preds = %1692, %1753
+  %1717 = phi i64 [ 0, %1692 ], [ %1754, %1753 ]
+  %1718 = getelementptr inbounds double, ptr %1686, i64 %1717
+  %1719 = load double, ptr %1718, align 8
+  %1720 = fmul double %1693, %1719
+  %1721 = getelementptr double, ptr %1695, i64 %1717
+  %1722 = load double, ptr %1721, align 8
+  %1723 = fmul double %1694, %1722
+  %1724 = fadd double %1720, %1723
+  %1725 = getelementptr double, ptr %1698, i64 %1717
+  %1726 = load double, ptr %1725, align 8
+  %1727 = fmul double %1696, %1726
+  %1728 = fadd double %1724, %1727
+  %1729 = fmul double %1719, %1699
+  %1730 = fmul double %1722, %1700
+  %1731 = fadd double %1729, %1730
+  %1732 = fmul double %1726, %1701
+  %1733 = fadd double %1731, %1732
+  %1734 = load ptr, ptr %175, align 8
+  %1735 = getelementptr inbounds double, ptr %1734, i64 %1717
+  %1736 = load double, ptr %1735, align 8
+  %1737 = load ptr, ptr %78, align 8
+  %1738 = getelementptr inbounds double, ptr %1737, i64 %1717
+  %1739 = load double, ptr %1738, align 8
+  %1740 = fsub double %1736, %1739
+  %1741 = getelementptr inbounds double, ptr %1687, i64 %1717
+  store double %1740, ptr %1741, align 8
+  %1742 = fneg double %1728
+  %1743 = fsub double %1742, %1733
+  %1744 = getelementptr inbounds double, ptr %1702, i64 %1717
+  store double %1743, ptr %1744, align 8
+  %1745 = fneg double %1733
+  %1746 = getelementptr inbounds double, ptr %1704, i64 %1717
+  store double %1745, ptr %1746, align 8
+  %1747 = load ptr, ptr %78, align 8
+  %1748 = getelementptr inbounds double, ptr %1747, i64 %1717
+  %1749 = load double, ptr %1748, align 8
+  %1750 = getelementptr inbounds double, ptr %1688, i64 %1717
+  store double %1749, ptr %1750, align 8
+  %1751 = getelementptr double, ptr %1687, i64 %1717
+  %1752 = getelementptr double, ptr %1688, i64 %1717
+  br label %1756
 
-1721:                                             ; preds = %1724
-  %1722 = add nuw nsw i64 %1685, 1
-  %1723 = icmp eq i64 %1722, %1652
-  br i1 %1723, label %1733, label %1684, !llvm.loop !50
+1753:                                             ; preds = %1756
+  %1754 = add nuw nsw i64 %1717, 1
+  %1755 = icmp eq i64 %1754, %1684
+  br i1 %1755, label %1765, label %1716, !llvm.loop !50
 
-1724:                                             ; preds = %1684, %1724
-  %1725 = phi i64 [ 0, %1684 ], [ %1726, %1724 ]
-  %1726 = add nuw nsw i64 %1725, 1
-  %1727 = mul nuw nsw i64 %1652, %1726
-  %1728 = mul nsw i64 %1653, %1725
-  %1729 = getelementptr double, ptr %1719, i64 %1728
-  %1730 = load double, ptr %1729, align 8
-  %1731 = getelementptr double, ptr %1720, i64 %1727
-  store double %1730, ptr %1731, align 8
-  %1732 = icmp eq i64 %1726, 3
-  br i1 %1732, label %1721, label %1724, !llvm.loop !51
+1756:                                             ; preds = %1716, %1756
+  %1757 = phi i64 [ 0, %1716 ], [ %1758, %1756 ]
+  %1758 = add nuw nsw i64 %1757, 1
+  %1759 = mul nuw nsw i64 %1684, %1758
+  %1760 = mul nsw i64 %1685, %1757
+  %1761 = getelementptr double, ptr %1751, i64 %1760
+  %1762 = load double, ptr %1761, align 8
+  %1763 = getelementptr double, ptr %1752, i64 %1759
+  store double %1762, ptr %1763, align 8
+  %1764 = icmp eq i64 %1758, 3
+  br i1 %1764, label %1753, label %1756, !llvm.loop !51
 
-1733:                                             ; preds = %1721, %1658
-  %1734 = fcmp olt double %1597, 1.000000e-10
-  %1735 = select i1 %1734, double 1.000000e-10, double %1597
-  %1736 = getelementptr inbounds i8, ptr %1657, i64 8
-  store double %511, ptr %1736, align 8
-  %1737 = getelementptr inbounds i8, ptr %1657, i64 16
-  store double %511, ptr %1737, align 8
-  %1738 = getelementptr inbounds i8, ptr %1657, i64 24
-  store double %1735, ptr %1738, align 8
-  %1739 = load ptr, ptr %79, align 8
-  %1740 = getelementptr inbounds i8, ptr %1739, i64 8
-  %1741 = load i64, ptr %1740, align 8
-  %1742 = and i64 %1741, -2
-  %1743 = or disjoint i64 %1742, %1603
-  store i64 %1743, ptr %1740, align 8
-  %1744 = load ptr, ptr %79, align 8
-  %1745 = getelementptr inbounds i8, ptr %1744, i64 16
-  %1746 = load i64, ptr %1745, align 8
-  %1747 = and i64 %1746, -2
-  store i64 %1747, ptr %1745, align 8
-  %1748 = load ptr, ptr %79, align 8
-  %1749 = getelementptr inbounds i8, ptr %1748, i64 32
-  %1750 = load i64, ptr %1749, align 8
-  %1751 = and i64 %1750, -2
-  store i64 %1751, ptr %1749, align 8
-  %1752 = load ptr, ptr %0, align 8
-  %1753 = getelementptr inbounds i8, ptr %1752, i64 24
-  %1754 = load i64, ptr %1753, align 8
-  %1755 = load ptr, ptr %97, align 8
-  %1756 = getelementptr inbounds i8, ptr %1755, i64 8
-  %1757 = load i64, ptr %1756, align 8
-  %1758 = icmp eq i64 %1757, 0
-  br i1 %1758, label %1805, label %1759
+1765:                                             ; preds = %1753, %1690
+  %1766 = fcmp olt double %1629, 1.000000e-10
+  %1767 = select i1 %1766, double 1.000000e-10, double %1629
+  %1768 = getelementptr inbounds i8, ptr %1689, i64 8
+  store double %519, ptr %1768, align 8
+  %1769 = getelementptr inbounds i8, ptr %1689, i64 16
+  store double %519, ptr %1769, align 8
+  %1770 = getelementptr inbounds i8, ptr %1689, i64 24
+  store double %1767, ptr %1770, align 8
+  %1771 = load ptr, ptr %79, align 8
+  %1772 = getelementptr inbounds i8, ptr %1771, i64 8
+  %1773 = load i64, ptr %1772, align 8
+  %1774 = and i64 %1773, -2
+  %1775 = or disjoint i64 %1774, %1635
+  store i64 %1775, ptr %1772, align 8
+  %1776 = load ptr, ptr %79, align 8
+  %1777 = getelementptr inbounds i8, ptr %1776, i64 16
+  %1778 = load i64, ptr %1777, align 8
+  %1779 = and i64 %1778, -2
+  store i64 %1779, ptr %1777, align 8
+  %1780 = load ptr, ptr %79, align 8
+  %1781 = getelementptr inbounds i8, ptr %1780, i64 32
+  %1782 = load i64, ptr %1781, align 8
+  %1783 = and i64 %1782, -2
+  store i64 %1783, ptr %1781, align 8
+  %1784 = load ptr, ptr %0, align 8
+  %1785 = getelementptr inbounds i8, ptr %1784, i64 24
+  %1786 = load i64, ptr %1785, align 8
+  %1787 = load ptr, ptr %97, align 8
+  %1788 = getelementptr inbounds i8, ptr %1787, i64 8
+  %1789 = load i64, ptr %1788, align 8
+  %1790 = icmp eq i64 %1789, 0
+  br i1 %1790, label %1837, label %1791
 
-1759:                                             ; preds = %1733
-  %1760 = load i64, ptr %1755, align 8
-  %1761 = load ptr, ptr %77, align 8
-  %1762 = getelementptr inbounds i8, ptr %1761, i64 8
-  %1763 = load i64, ptr %1762, align 8
-  %1764 = load ptr, ptr %176, align 8
-  %1765 = load i64, ptr %177, align 8
-  %1766 = mul nsw i64 %1765, %1760
-  %1767 = getelementptr inbounds double, ptr %1764, i64 %1766
-  %1768 = getelementptr inbounds double, ptr %1767, i64 %1765
-  store double %434, ptr %1767, align 8
-  %1769 = getelementptr inbounds i8, ptr %1767, i64 8
-  store double %511, ptr %1769, align 8
-  store double %510, ptr %1768, align 8
-  %1770 = getelementptr inbounds i8, ptr %1768, i64 8
-  store double 0.000000e+00, ptr %1770, align 8
-  %1771 = icmp sgt i64 %1763, 0
-  br i1 %1771, label %1772, label %1775
+1791:                                             ; preds = %1765
+  %1792 = load i64, ptr %1787, align 8
+  %1793 = load ptr, ptr %77, align 8
+  %1794 = getelementptr inbounds i8, ptr %1793, i64 8
+  %1795 = load i64, ptr %1794, align 8
+  %1796 = load ptr, ptr %176, align 8
+  %1797 = load i64, ptr %177, align 8
+  %1798 = mul nsw i64 %1797, %1792
+  %1799 = getelementptr inbounds double, ptr %1796, i64 %1798
+  %1800 = getelementptr inbounds double, ptr %1799, i64 %1797
+  store double %442, ptr %1799, align 8
+  %1801 = getelementptr inbounds i8, ptr %1799, i64 8
+  store double %519, ptr %1801, align 8
+  store double %518, ptr %1800, align 8
+  %1802 = getelementptr inbounds i8, ptr %1800, i64 8
+  store double 0.000000e+00, ptr %1802, align 8
+  %1803 = icmp sgt i64 %1795, 0
+  br i1 %1803, label %1804, label %1807
 
-1772:                                             ; preds = %1759
-  %1773 = getelementptr i8, ptr %1767, i64 16
-  %1774 = icmp sgt i64 %1754, 0
-  br label %1778
+1804:                                             ; preds = %1791
+  %1805 = getelementptr i8, ptr %1799, i64 16
+  %1806 = icmp sgt i64 %1786, 0
+  br label %1810
 
-1775:                                             ; preds = %1790, %1759
-  %1776 = add nsw i64 %1760, 1
-  %1777 = load ptr, ptr %97, align 8
-  store i64 %1776, ptr %1777, align 8
-  br label %1805
+1807:                                             ; preds = %1822, %1791
+  %1808 = add nsw i64 %1792, 1
+  %1809 = load ptr, ptr %97, align 8
+  store i64 %1808, ptr %1809, align 8
+  br label %1837
 
-1778:                                             ; preds = %1772, %1790
-  %1779 = phi i64 [ 0, %1772 ], [ %1791, %1790 ]
-  %1780 = load ptr, ptr %78, align 8
-  %1781 = getelementptr inbounds double, ptr %1780, i64 %1779
-  %1782 = load double, ptr %1781, align 8
-  %1783 = add nuw nsw i64 %1779, 2
-  %1784 = getelementptr inbounds double, ptr %1767, i64 %1783
-  store double %1782, ptr %1784, align 8
-  %1785 = load ptr, ptr %178, align 8
-  %1786 = getelementptr inbounds double, ptr %1785, i64 %1779
-  %1787 = load double, ptr %1786, align 8
-  %1788 = getelementptr inbounds double, ptr %1768, i64 %1783
-  store double %1787, ptr %1788, align 8
-  %1789 = getelementptr double, ptr %1773, i64 %1779
-  br i1 %1774, label %1793, label %1790
+1810:                                             ; preds = %1804, %1822
+  %1811 = phi i64 [ 0, %1804 ], [ %1823, %1822 ]
+  %1812 = load ptr, ptr %78, align 8
+  %1813 = getelementptr inbounds double, ptr %1812, i64 %1811
+  %1814 = load double, ptr %1813, align 8
+  %1815 = add nuw nsw i64 %1811, 2
+  %1816 = getelementptr inbounds double, ptr %1799, i64 %1815
+  store double %1814, ptr %1816, align 8
+  %1817 = load ptr, ptr %178, align 8
+  %1818 = getelementptr inbounds double, ptr %1817, i64 %1811
+  %1819 = load double, ptr %1818, align 8
+  %1820 = getelementptr inbounds double, ptr %1800, i64 %1815
+  store double %1819, ptr %1820, align 8
+  %1821 = getelementptr double, ptr %1805, i64 %1811
+  br i1 %1806, label %1825, label %1822
 
-1790:                                             ; preds = %1793, %1778
-  %1791 = add nuw nsw i64 %1779, 1
-  %1792 = icmp eq i64 %1791, %1763
-  br i1 %1792, label %1775, label %1778, !llvm.loop !52
+1822:                                             ; preds = %1825, %1810
+  %1823 = add nuw nsw i64 %1811, 1
+  %1824 = icmp eq i64 %1823, %1795
+  br i1 %1824, label %1807, label %1810, !llvm.loop !52
 
-1793:                                             ; preds = %1778, %1793
-  %1794 = phi i64 [ %1801, %1793 ], [ 0, %1778 ]
-  %1795 = load ptr, ptr %179, align 8
-  %1796 = load i64, ptr %180, align 8
-  %1797 = mul nsw i64 %1796, %1794
-  %1798 = getelementptr double, ptr %1795, i64 %1797
-  %1799 = getelementptr double, ptr %1798, i64 %1779
-  %1800 = load double, ptr %1799, align 8
-  %1801 = add nuw nsw i64 %1794, 1
-  %1802 = mul nuw nsw i64 %1801, %1763
-  %1803 = getelementptr double, ptr %1789, i64 %1802
-  store double %1800, ptr %1803, align 8
-  %1804 = icmp eq i64 %1801, %1754
-  br i1 %1804, label %1790, label %1793, !llvm.loop !53
+1825:                                             ; preds = %1810, %1825
+  %1826 = phi i64 [ %1833, %1825 ], [ 0, %1810 ]
+  %1827 = load ptr, ptr %179, align 8
+  %1828 = load i64, ptr %180, align 8
+  %1829 = mul nsw i64 %1828, %1826
+  %1830 = getelementptr double, ptr %1827, i64 %1829
+  %1831 = getelementptr double, ptr %1830, i64 %1811
+  %1832 = load double, ptr %1831, align 8
+  %1833 = add nuw nsw i64 %1826, 1
+  %1834 = mul nuw nsw i64 %1833, %1795
+  %1835 = getelementptr double, ptr %1821, i64 %1834
+  store double %1832, ptr %1835, align 8
+  %1836 = icmp eq i64 %1833, %1786
+  br i1 %1836, label %1822, label %1825, !llvm.loop !53
 
-1805:                                             ; preds = %1733, %1775
-  br i1 %247, label %1806, label %1914
+1837:                                             ; preds = %1765, %1807
+  br i1 %247, label %1838, label %1946
 
-1806:                                             ; preds = %1805
-  %1807 = load ptr, ptr %86, align 8
-  %1808 = load ptr, ptr %77, align 8
-  %1809 = getelementptr inbounds i8, ptr %1808, i64 8
-  %1810 = load i64, ptr %1809, align 8
-  %1811 = load ptr, ptr %181, align 8
-  %1812 = getelementptr inbounds i8, ptr %1807, i64 32
-  %1813 = load i64, ptr %1812, align 8
-  %1814 = getelementptr inbounds double, ptr %1811, i64 %1813
-  %1815 = load ptr, ptr %182, align 8
-  %1816 = getelementptr inbounds i8, ptr %1807, i64 24
-  %1817 = load i64, ptr %1816, align 8
-  %1818 = icmp eq i64 %1817, 0
-  br i1 %1818, label %1911, label %1819
+1838:                                             ; preds = %1837
+  %1839 = load ptr, ptr %86, align 8
+  %1840 = load ptr, ptr %77, align 8
+  %1841 = getelementptr inbounds i8, ptr %1840, i64 8
+  %1842 = load i64, ptr %1841, align 8
+  %1843 = load ptr, ptr %181, align 8
+  %1844 = getelementptr inbounds i8, ptr %1839, i64 32
+  %1845 = load i64, ptr %1844, align 8
+  %1846 = getelementptr inbounds double, ptr %1843, i64 %1845
+  %1847 = load ptr, ptr %182, align 8
+  %1848 = getelementptr inbounds i8, ptr %1839, i64 24
+  %1849 = load i64, ptr %1848, align 8
+  %1850 = icmp eq i64 %1849, 0
+  br i1 %1850, label %1943, label %1851
 
-1819:                                             ; preds = %1806
-  %1820 = getelementptr inbounds i8, ptr %1807, i64 40
-  %1821 = load i64, ptr %1820, align 8
-  %1822 = icmp sgt i64 %1821, 0
-  br i1 %1822, label %1823, label %1827
+1851:                                             ; preds = %1838
+  %1852 = getelementptr inbounds i8, ptr %1839, i64 40
+  %1853 = load i64, ptr %1852, align 8
+  %1854 = icmp sgt i64 %1853, 0
+  br i1 %1854, label %1855, label %1859
 
-1823:                                             ; preds = %1819
-  %1824 = getelementptr double, ptr %1815, i64 %1810
-  %1825 = shl i64 %1810, 4
-  %1826 = getelementptr i8, ptr %1815, i64 %1825
-  br label %1881
+1855:                                             ; preds = %1851
+  %1856 = getelementptr double, ptr %1847, i64 %1842
+  %1857 = shl i64 %1842, 4
+  %1858 = getelementptr i8, ptr %1847, i64 %1857
+  br label %1913
 
-1827:                                             ; preds = %1881, %1819
-  %1828 = load ptr, ptr %184, align 8
-  %1829 = load ptr, ptr %86, align 8
-  %1830 = getelementptr inbounds i8, ptr %1829, i64 8
-  %1831 = load i64, ptr %1830, align 8
-  %1832 = load ptr, ptr %185, align 8
-  %1833 = load ptr, ptr %181, align 8
-  %1834 = getelementptr inbounds i8, ptr %1829, i64 32
-  %1835 = load i64, ptr %1834, align 8
-  %1836 = getelementptr inbounds i8, ptr %1829, i64 40
-  %1837 = load i64, ptr %1836, align 8
-  %1838 = getelementptr double, ptr %1833, i64 %1835
-  %1839 = getelementptr double, ptr %1838, i64 %1837
-  store double %511, ptr %1839, align 8
-  %1840 = load ptr, ptr %184, align 8
-  store double %434, ptr %1840, align 8
-  %1841 = load ptr, ptr %86, align 8
-  %1842 = getelementptr inbounds i8, ptr %1841, i64 24
-  %1843 = load i64, ptr %1842, align 8
-  %1844 = load ptr, ptr %78, align 8
-  %1845 = load ptr, ptr %181, align 8
-  %1846 = load ptr, ptr %186, align 8
-  %1847 = inttoptr i64 %1843 to ptr
-  %1848 = load ptr, ptr %1847, align 8
-  %1849 = tail call i32 %1848(ptr noundef %1828, ptr noundef %1844, ptr noundef %1845, ptr noundef %1846, ptr noundef %1832) #9
-  %1850 = icmp eq i32 %1849, 0
-  br i1 %1850, label %1851, label %1911
+1859:                                             ; preds = %1913, %1851
+  %1860 = load ptr, ptr %184, align 8
+  %1861 = load ptr, ptr %86, align 8
+  %1862 = getelementptr inbounds i8, ptr %1861, i64 8
+  %1863 = load i64, ptr %1862, align 8
+  %1864 = load ptr, ptr %185, align 8
+  %1865 = load ptr, ptr %181, align 8
+  %1866 = getelementptr inbounds i8, ptr %1861, i64 32
+  %1867 = load i64, ptr %1866, align 8
+  %1868 = getelementptr inbounds i8, ptr %1861, i64 40
+  %1869 = load i64, ptr %1868, align 8
+  %1870 = getelementptr double, ptr %1865, i64 %1867
+  %1871 = getelementptr double, ptr %1870, i64 %1869
+  store double %519, ptr %1871, align 8
+  %1872 = load ptr, ptr %184, align 8
+  store double %442, ptr %1872, align 8
+  %1873 = load ptr, ptr %86, align 8
+  %1874 = getelementptr inbounds i8, ptr %1873, i64 24
+  %1875 = load i64, ptr %1874, align 8
+  %1876 = load ptr, ptr %78, align 8
+  %1877 = load ptr, ptr %181, align 8
+  %1878 = load ptr, ptr %186, align 8
+  %1879 = inttoptr i64 %1875 to ptr
+  %1880 = load ptr, ptr %1879, align 8
+  %1881 = tail call i32 %1880(ptr noundef %1860, ptr noundef %1876, ptr noundef %1877, ptr noundef %1878, ptr noundef %1864) #9
+  %1882 = icmp eq i32 %1881, 0
+  br i1 %1882, label %1883, label %1943
 
-1851:                                             ; preds = %1827
-  %1852 = icmp slt i64 %1831, 1
-  br i1 %1852, label %1878, label %1853
+1883:                                             ; preds = %1859
+  %1884 = icmp slt i64 %1863, 1
+  br i1 %1884, label %1910, label %1885
 
-1853:                                             ; preds = %1851
-  %1854 = load ptr, ptr %187, align 8
-  %1855 = getelementptr double, ptr %1832, i64 %1831
-  br label %1856
+1885:                                             ; preds = %1883
+  %1886 = load ptr, ptr %187, align 8
+  %1887 = getelementptr double, ptr %1864, i64 %1863
+  br label %1888
 
-1856:                                             ; preds = %1853, %1874
-  %1857 = phi i1 [ %1852, %1853 ], [ %1876, %1874 ]
-  %1858 = phi i64 [ 0, %1853 ], [ %1875, %1874 ]
-  %1859 = getelementptr inbounds i64, ptr %1854, i64 %1858
-  %1860 = load i64, ptr %1859, align 8
-  %1861 = and i64 %1860, 2
-  %1862 = icmp eq i64 %1861, 0
-  br i1 %1862, label %1863, label %1874
+1888:                                             ; preds = %1885, %1906
+  %1889 = phi i1 [ %1884, %1885 ], [ %1908, %1906 ]
+  %1890 = phi i64 [ 0, %1885 ], [ %1907, %1906 ]
+  %1891 = getelementptr inbounds i64, ptr %1886, i64 %1890
+  %1892 = load i64, ptr %1891, align 8
+  %1893 = and i64 %1892, 2
+  %1894 = icmp eq i64 %1893, 0
+  br i1 %1894, label %1895, label %1906
 
-1863:                                             ; preds = %1856
-  %1864 = getelementptr inbounds double, ptr %1832, i64 %1858
-  %1865 = load double, ptr %1864, align 8
-  %1866 = load ptr, ptr %188, align 8
-  %1867 = getelementptr inbounds i64, ptr %1866, i64 %1858
-  %1868 = load i64, ptr %1867, align 8
-  %1869 = sitofp i64 %1868 to double
-  %1870 = fmul double %1865, %1869
-  %1871 = getelementptr double, ptr %1855, i64 %1858
-  %1872 = load double, ptr %1871, align 8
-  %1873 = fcmp ogt double %1870, %1872
-  br i1 %1873, label %1874, label %1878
+1895:                                             ; preds = %1888
+  %1896 = getelementptr inbounds double, ptr %1864, i64 %1890
+  %1897 = load double, ptr %1896, align 8
+  %1898 = load ptr, ptr %188, align 8
+  %1899 = getelementptr inbounds i64, ptr %1898, i64 %1890
+  %1900 = load i64, ptr %1899, align 8
+  %1901 = sitofp i64 %1900 to double
+  %1902 = fmul double %1897, %1901
+  %1903 = getelementptr double, ptr %1887, i64 %1890
+  %1904 = load double, ptr %1903, align 8
+  %1905 = fcmp ogt double %1902, %1904
+  br i1 %1905, label %1906, label %1910
 
-1874:                                             ; preds = %1863, %1856
-  %1875 = add nuw nsw i64 %1858, 1
-  %1876 = icmp sge i64 %1875, %1831
-  %1877 = icmp eq i64 %1875, %1831
-  br i1 %1877, label %1878, label %1856, !llvm.loop !54
+1906:                                             ; preds = %1895, %1888
+  %1907 = add nuw nsw i64 %1890, 1
+  %1908 = icmp sge i64 %1907, %1863
+  %1909 = icmp eq i64 %1907, %1863
+  br i1 %1909, label %1910, label %1888, !llvm.loop !54
 
-1878:                                             ; preds = %1874, %1863, %1851
-  %1879 = phi i1 [ %1852, %1851 ], [ %1876, %1874 ], [ %1857, %1863 ]
-  %1880 = zext i1 %1879 to i32
-  br label %1911
-
-1881:                                             ; preds = %1823, %1881
-  %1882 = phi i64 [ 0, %1823 ], [ %1908, %1881 ]
-  %1883 = load ptr, ptr %183, align 8
-  %1884 = getelementptr inbounds double, ptr %1883, i64 %1882
-  %1885 = load double, ptr %1884, align 8
-  %1886 = load ptr, ptr %78, align 8
-  %1887 = getelementptr inbounds double, ptr %1886, i64 %1882
-  %1888 = load double, ptr %1887, align 8
-  %1889 = fsub double %1885, %1888
-  %1890 = tail call double @llvm.fabs.f64(double %1889)
-  %1891 = getelementptr inbounds double, ptr %1815, i64 %1882
-  %1892 = load double, ptr %1891, align 8
-  %1893 = tail call double @llvm.fabs.f64(double %1892)
-  %1894 = getelementptr double, ptr %1824, i64 %1882
-  %1895 = load double, ptr %1894, align 8
-  %1896 = tail call double @llvm.fabs.f64(double %1895)
-  %1897 = fcmp ogt double %1893, %1896
-  %1898 = select i1 %1897, double %1893, double %1896
-  %1899 = getelementptr double, ptr %1826, i64 %1882
-  %1900 = load double, ptr %1899, align 8
-  %1901 = tail call double @llvm.fabs.f64(double %1900)
-  %1902 = fcmp ogt double %1898, %1901
-  %1903 = select i1 %1902, double %1898, double %1901
-  %1904 = fcmp ogt double %1903, %1890
-  %1905 = select i1 %1904, double %1903, double %1890
-  %1906 = fmul double %1905, 8.000000e+00
-  %1907 = getelementptr inbounds double, ptr %1814, i64 %1882
-  store double %1906, ptr %1907, align 8
-  %1908 = add nuw nsw i64 %1882, 1
-  %1909 = load i64, ptr %1820, align 8
-  %1910 = icmp slt i64 %1908, %1909
-  br i1 %1910, label %1881, label %1827, !llvm.loop !55
-
-1911:                                             ; preds = %1878, %1827, %1806
-  %1912 = phi i32 [ 0, %1806 ], [ 0, %1827 ], [ %1880, %1878 ]
-  %1913 = icmp eq i32 %1912, 0
-  br label %1914
-
-1914:                                             ; preds = %1911, %1805
-  %1915 = phi i1 [ false, %1805 ], [ %1913, %1911 ]
-  br i1 %1915, label %1921, label %1916
-
-1916:                                             ; preds = %1914
-  %1917 = load i64, ptr %417, align 8
-  %1918 = getelementptr inbounds double, ptr %236, i64 %1917
-  %1919 = load double, ptr %1918, align 8
-  %1920 = fcmp ugt double %1919, %510
-  br i1 %1920, label %2146, label %1921
-
-1921:                                             ; preds = %1916, %1914
-  %1922 = load ptr, ptr %81, align 8
-  br i1 %1915, label %1923, label %1934
-
-1923:                                             ; preds = %1921
-  %1924 = load ptr, ptr %86, align 8
-  %1925 = getelementptr inbounds i8, ptr %1924, i64 16
-  %1926 = load i64, ptr %1925, align 8
-  %1927 = inttoptr i64 %1926 to ptr
-  %1928 = tail call i64 %1927(ptr noundef %0, double noundef %434, double noundef %511) #9
-  %1929 = icmp eq i64 %1928, -6
-  br i1 %1929, label %1930, label %1931
-
-1930:                                             ; preds = %1923
-  store double %434, ptr %1922, align 8
-  br label %2109
-
-1931:                                             ; preds = %1923
-  %1932 = getelementptr inbounds i8, ptr %1922, i64 48
-  %1933 = load double, ptr %1932, align 8
-  br label %1934
-
-1934:                                             ; preds = %1931, %1921
-  %1935 = phi double [ %1933, %1931 ], [ 1.000000e+00, %1921 ]
-  %1936 = phi i64 [ %1928, %1931 ], [ 0, %1921 ]
-  %1937 = fcmp oeq double %1935, 1.000000e+00
-  br i1 %1937, label %1938, label %1940
-
-1938:                                             ; preds = %1934
-  %1939 = load double, ptr %1922, align 8
+1910:                                             ; preds = %1906, %1895, %1883
+  %1911 = phi i1 [ %1884, %1883 ], [ %1908, %1906 ], [ %1889, %1895 ]
+  %1912 = zext i1 %1911 to i32
   br label %1943
 
-1940:                                             ; preds = %1934
-  %1941 = fmul double %511, %1935
-  %1942 = fadd double %434, %1941
-  br label %1943
+1913:                                             ; preds = %1855, %1913
+  %1914 = phi i64 [ 0, %1855 ], [ %1940, %1913 ]
+  %1915 = load ptr, ptr %183, align 8
+  %1916 = getelementptr inbounds double, ptr %1915, i64 %1914
+  %1917 = load double, ptr %1916, align 8
+  %1918 = load ptr, ptr %78, align 8
+  %1919 = getelementptr inbounds double, ptr %1918, i64 %1914
+  %1920 = load double, ptr %1919, align 8
+  %1921 = fsub double %1917, %1920
+  %1922 = tail call double @llvm.fabs.f64(double %1921)
+  %1923 = getelementptr inbounds double, ptr %1847, i64 %1914
+  %1924 = load double, ptr %1923, align 8
+  %1925 = tail call double @llvm.fabs.f64(double %1924)
+  %1926 = getelementptr double, ptr %1856, i64 %1914
+  %1927 = load double, ptr %1926, align 8
+  %1928 = tail call double @llvm.fabs.f64(double %1927)
+  %1929 = fcmp ogt double %1925, %1928
+  %1930 = select i1 %1929, double %1925, double %1928
+  %1931 = getelementptr double, ptr %1858, i64 %1914
+  %1932 = load double, ptr %1931, align 8
+  %1933 = tail call double @llvm.fabs.f64(double %1932)
+  %1934 = fcmp ogt double %1930, %1933
+  %1935 = select i1 %1934, double %1930, double %1933
+  %1936 = fcmp ogt double %1935, %1922
+  %1937 = select i1 %1936, double %1935, double %1922
+  %1938 = fmul double %1937, 8.000000e+00
+  %1939 = getelementptr inbounds double, ptr %1846, i64 %1914
+  store double %1938, ptr %1939, align 8
+  %1940 = add nuw nsw i64 %1914, 1
+  %1941 = load i64, ptr %1852, align 8
+  %1942 = icmp slt i64 %1940, %1941
+  br i1 %1942, label %1913, label %1859, !llvm.loop !55
 
-1943:                                             ; preds = %1940, %1938
-  %1944 = phi double [ %1939, %1938 ], [ %1942, %1940 ]
-  %1945 = icmp eq i64 %1936, -4
-  %1946 = select i1 %1945, i64 -4, i64 0
-  br i1 %1945, label %2004, label %1947
+1943:                                             ; preds = %1910, %1859, %1838
+  %1944 = phi i32 [ 0, %1838 ], [ 0, %1859 ], [ %1912, %1910 ]
+  %1945 = icmp eq i32 %1944, 0
+  br label %1946
 
-1947:                                             ; preds = %1943
-  %1948 = fcmp olt double %1935, 1.000000e+00
-  %1949 = load ptr, ptr %77, align 8
-  %1950 = getelementptr inbounds i8, ptr %1949, i64 8
-  %1951 = load i64, ptr %1950, align 8
-  %1952 = load i64, ptr %84, align 8
-  %1953 = load ptr, ptr %83, align 8
-  %1954 = load ptr, ptr %82, align 8
-  %1955 = getelementptr inbounds i8, ptr %1954, i64 48
-  %1956 = load i64, ptr %1955, align 8
-  %1957 = icmp slt i64 %1956, %1952
-  br i1 %1957, label %1958, label %2000
+1946:                                             ; preds = %1943, %1837
+  %1947 = phi i1 [ false, %1837 ], [ %1945, %1943 ]
+  br i1 %1947, label %1953, label %1948
 
-1958:                                             ; preds = %1947, %1996
-  %1959 = phi i64 [ %1997, %1996 ], [ undef, %1947 ]
-  %1960 = phi i64 [ %1998, %1996 ], [ %1956, %1947 ]
-  %1961 = getelementptr inbounds double, ptr %1953, i64 %1960
-  %1962 = load double, ptr %1961, align 8
-  %1963 = fcmp olt double %1962, %1944
-  %1964 = fcmp oeq double %1962, %1944
-  %1965 = and i1 %1948, %1964
-  %1966 = or i1 %1963, %1965
-  br i1 %1966, label %1967, label %2000
+1948:                                             ; preds = %1946
+  %1949 = load i64, ptr %425, align 8
+  %1950 = getelementptr inbounds double, ptr %236, i64 %1949
+  %1951 = load double, ptr %1950, align 8
+  %1952 = fcmp ugt double %1951, %518
+  br i1 %1952, label %2178, label %1953
 
-1967:                                             ; preds = %1958
-  %1968 = fsub double %1962, %434
-  %1969 = fdiv double %1968, %511
-  %1970 = mul nsw i64 %1960, %1951
-  %1971 = getelementptr inbounds double, ptr %1, i64 %1970
-  %1972 = load ptr, ptr %189, align 8
-  %1973 = insertelement <8 x double> poison, double %1969, i64 0
-  %1974 = shufflevector <8 x double> %1973, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1974, ptr %1972, align 8
-  %1975 = load ptr, ptr %78, align 8
-  %1976 = load ptr, ptr %168, align 8
-  %1977 = load i64, ptr %166, align 8
-  %1978 = load ptr, ptr %0, align 8
-  %1979 = getelementptr inbounds i8, ptr %1978, i64 24
-  %1980 = load i64, ptr %1979, align 8
-  %1981 = load ptr, ptr %189, align 8
-  %1982 = load ptr, ptr %77, align 8
-  %1983 = getelementptr inbounds i8, ptr %1982, i64 16
-  %1984 = load i64, ptr %1983, align 8
-  tail call fastcc void @nested(ptr noundef %1971, ptr noundef %1975, ptr noundef %1976, i64 noundef %1977, i64 noundef %1980, ptr noundef %1981, i64 noundef %1984) #8
-  %1985 = load ptr, ptr %85, align 8
-  %1986 = load i64, ptr %1985, align 8
-  %1987 = icmp eq i64 %1986, 1
-  br i1 %1987, label %1988, label %1996
+1953:                                             ; preds = %1948, %1946
+  %1954 = load ptr, ptr %81, align 8
+  br i1 %1947, label %1955, label %1966
 
-1988:                                             ; preds = %1967
-  %1989 = load double, ptr %1961, align 8
-  %1990 = getelementptr inbounds i8, ptr %1985, i64 56
-  %1991 = load i64, ptr %1990, align 8
-  %1992 = inttoptr i64 %1991 to ptr
-  %1993 = tail call i64 %1992(ptr noundef %0, double noundef %1989, ptr noundef %1971, ptr noundef null) #9
-  %1994 = icmp eq i64 %1993, 0
-  %1995 = select i1 %1994, i64 %1959, i64 %1993
-  br i1 %1994, label %1996, label %2004
+1955:                                             ; preds = %1953
+  %1956 = load ptr, ptr %86, align 8
+  %1957 = getelementptr inbounds i8, ptr %1956, i64 16
+  %1958 = load i64, ptr %1957, align 8
+  %1959 = inttoptr i64 %1958 to ptr
+  %1960 = tail call i64 %1959(ptr noundef %0, double noundef %442, double noundef %519) #9
+  %1961 = icmp eq i64 %1960, -6
+  br i1 %1961, label %1962, label %1963
 
-1996:                                             ; preds = %1988, %1967
-  %1997 = phi i64 [ %1995, %1988 ], [ %1959, %1967 ]
-  %1998 = add i64 %1960, 1
-  %1999 = icmp eq i64 %1998, %1952
-  br i1 %1999, label %2000, label %1958, !llvm.loop !56
+1962:                                             ; preds = %1955
+  store double %442, ptr %1954, align 8
+  br label %2141
 
-2000:                                             ; preds = %1996, %1958, %1947
-  %2001 = phi i64 [ %1956, %1947 ], [ %1952, %1996 ], [ %1960, %1958 ]
-  %2002 = load ptr, ptr %82, align 8
-  %2003 = getelementptr inbounds i8, ptr %2002, i64 48
-  store i64 %2001, ptr %2003, align 8
-  br label %2004
+1963:                                             ; preds = %1955
+  %1964 = getelementptr inbounds i8, ptr %1954, i64 48
+  %1965 = load double, ptr %1964, align 8
+  br label %1966
 
-2004:                                             ; preds = %1988, %2000, %1943
-  %2005 = phi i64 [ %1946, %1943 ], [ 0, %2000 ], [ %1995, %1988 ]
-  %2006 = icmp eq i64 %2005, 0
-  %2007 = icmp ne i64 %1936, 0
-  %2008 = fcmp olt double %1935, 1.000000e+00
-  %2009 = and i1 %2008, %2006
-  %2010 = and i1 %2007, %2009
-  br i1 %2010, label %2011, label %2048
+1966:                                             ; preds = %1963, %1953
+  %1967 = phi double [ %1965, %1963 ], [ 1.000000e+00, %1953 ]
+  %1968 = phi i64 [ %1960, %1963 ], [ 0, %1953 ]
+  %1969 = fcmp oeq double %1967, 1.000000e+00
+  br i1 %1969, label %1970, label %1972
 
-2011:                                             ; preds = %2004
-  %2012 = load ptr, ptr %190, align 8
-  %2013 = load ptr, ptr %191, align 8
-  %2014 = insertelement <8 x double> poison, double %1935, i64 0
-  %2015 = shufflevector <8 x double> %2014, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2015, ptr %2013, align 8
-  %2016 = load ptr, ptr %78, align 8
-  %2017 = load ptr, ptr %168, align 8
-  %2018 = load i64, ptr %166, align 8
-  %2019 = load ptr, ptr %0, align 8
-  %2020 = getelementptr inbounds i8, ptr %2019, i64 24
-  %2021 = load i64, ptr %2020, align 8
-  %2022 = load ptr, ptr %191, align 8
-  %2023 = load ptr, ptr %77, align 8
-  %2024 = getelementptr inbounds i8, ptr %2023, i64 16
-  %2025 = load i64, ptr %2024, align 8
-  tail call fastcc void @nested(ptr noundef %2012, ptr noundef %2016, ptr noundef %2017, i64 noundef %2018, i64 noundef %2021, ptr noundef %2022, i64 noundef %2025) #8
-  %2026 = load i64, ptr %192, align 8
-  %2027 = icmp sgt i64 %2026, 0
-  br i1 %2027, label %2032, label %2028
+1970:                                             ; preds = %1966
+  %1971 = load double, ptr %1954, align 8
+  br label %1975
 
-2028:                                             ; preds = %2032, %2011
-  %2029 = load ptr, ptr %85, align 8
-  %2030 = load i64, ptr %2029, align 8
-  %2031 = icmp eq i64 %2030, 1
-  br i1 %2031, label %2042, label %2048
+1972:                                             ; preds = %1966
+  %1973 = fmul double %519, %1967
+  %1974 = fadd double %442, %1973
+  br label %1975
 
-2032:                                             ; preds = %2011, %2032
-  %2033 = phi i64 [ %2039, %2032 ], [ 0, %2011 ]
-  %2034 = load ptr, ptr %190, align 8
-  %2035 = getelementptr inbounds double, ptr %2034, i64 %2033
-  %2036 = load double, ptr %2035, align 8
-  %2037 = load ptr, ptr %193, align 8
-  %2038 = getelementptr inbounds double, ptr %2037, i64 %2033
-  store double %2036, ptr %2038, align 8
-  %2039 = add nuw nsw i64 %2033, 1
-  %2040 = load i64, ptr %192, align 8
-  %2041 = icmp slt i64 %2039, %2040
-  br i1 %2041, label %2032, label %2028, !llvm.loop !57
+1975:                                             ; preds = %1972, %1970
+  %1976 = phi double [ %1971, %1970 ], [ %1974, %1972 ]
+  %1977 = icmp eq i64 %1968, -4
+  %1978 = select i1 %1977, i64 -4, i64 0
+  br i1 %1977, label %2036, label %1979
 
-2042:                                             ; preds = %2028
-  %2043 = load ptr, ptr %194, align 8
-  %2044 = getelementptr inbounds i8, ptr %2029, i64 56
-  %2045 = load i64, ptr %2044, align 8
-  %2046 = inttoptr i64 %2045 to ptr
-  %2047 = tail call i64 %2046(ptr noundef %0, double noundef %1944, ptr noundef %2043, ptr noundef null) #9
-  br label %2048
+1979:                                             ; preds = %1975
+  %1980 = fcmp olt double %1967, 1.000000e+00
+  %1981 = load ptr, ptr %77, align 8
+  %1982 = getelementptr inbounds i8, ptr %1981, i64 8
+  %1983 = load i64, ptr %1982, align 8
+  %1984 = load i64, ptr %84, align 8
+  %1985 = load ptr, ptr %83, align 8
+  %1986 = load ptr, ptr %82, align 8
+  %1987 = getelementptr inbounds i8, ptr %1986, i64 48
+  %1988 = load i64, ptr %1987, align 8
+  %1989 = icmp slt i64 %1988, %1984
+  br i1 %1989, label %1990, label %2032
 
-2048:                                             ; preds = %2042, %2028, %2004
-  %2049 = phi i64 [ %2047, %2042 ], [ 0, %2028 ], [ %2005, %2004 ]
-  %2050 = icmp eq i64 %2049, 0
-  br i1 %2050, label %2053, label %2051
+1990:                                             ; preds = %1979, %2028
+  %1991 = phi i64 [ %2029, %2028 ], [ undef, %1979 ]
+  %1992 = phi i64 [ %2030, %2028 ], [ %1988, %1979 ]
+  %1993 = getelementptr inbounds double, ptr %1985, i64 %1992
+  %1994 = load double, ptr %1993, align 8
+  %1995 = fcmp olt double %1994, %1976
+  %1996 = fcmp oeq double %1994, %1976
+  %1997 = and i1 %1980, %1996
+  %1998 = or i1 %1995, %1997
+  br i1 %1998, label %1999, label %2032
 
-2051:                                             ; preds = %2048
-  store double %434, ptr %1922, align 8
-  %2052 = getelementptr inbounds i8, ptr %1922, i64 8
-  store double %511, ptr %2052, align 8
-  br label %2109
+1999:                                             ; preds = %1990
+  %2000 = fsub double %1994, %442
+  %2001 = fdiv double %2000, %519
+  %2002 = mul nsw i64 %1992, %1983
+  %2003 = getelementptr inbounds double, ptr %1, i64 %2002
+  %2004 = load ptr, ptr %189, align 8
+  %2005 = insertelement <8 x double> poison, double %2001, i64 0
+  %2006 = shufflevector <8 x double> %2005, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2006, ptr %2004, align 8
+  %2007 = load ptr, ptr %78, align 8
+  %2008 = load ptr, ptr %168, align 8
+  %2009 = load i64, ptr %166, align 8
+  %2010 = load ptr, ptr %0, align 8
+  %2011 = getelementptr inbounds i8, ptr %2010, i64 24
+  %2012 = load i64, ptr %2011, align 8
+  %2013 = load ptr, ptr %189, align 8
+  %2014 = load ptr, ptr %77, align 8
+  %2015 = getelementptr inbounds i8, ptr %2014, i64 16
+  %2016 = load i64, ptr %2015, align 8
+  tail call fastcc void @nested(ptr noundef %2003, ptr noundef %2007, ptr noundef %2008, i64 noundef %2009, i64 noundef %2012, ptr noundef %2013, i64 noundef %2016) #8
+  %2017 = load ptr, ptr %85, align 8
+  %2018 = load i64, ptr %2017, align 8
+  %2019 = icmp eq i64 %2018, 1
+  br i1 %2019, label %2020, label %2028
 
-2053:                                             ; preds = %2048
-  br i1 %1937, label %2054, label %2092
+2020:                                             ; preds = %1999
+  %2021 = load double, ptr %1993, align 8
+  %2022 = getelementptr inbounds i8, ptr %2017, i64 56
+  %2023 = load i64, ptr %2022, align 8
+  %2024 = inttoptr i64 %2023 to ptr
+  %2025 = tail call i64 %2024(ptr noundef %0, double noundef %2021, ptr noundef %2003, ptr noundef null) #9
+  %2026 = icmp eq i64 %2025, 0
+  %2027 = select i1 %2026, i64 %1991, i64 %2025
+  br i1 %2026, label %2028, label %2036
 
-2054:                                             ; preds = %2053
-  %2055 = load ptr, ptr %195, align 8
-  %2056 = load ptr, ptr %77, align 8
-  %2057 = getelementptr inbounds i8, ptr %2056, i64 8
-  %2058 = load i64, ptr %2057, align 8
-  %2059 = load i64, ptr %84, align 8
-  %2060 = load ptr, ptr %83, align 8
-  %2061 = load ptr, ptr %82, align 8
-  %2062 = getelementptr inbounds i8, ptr %2061, i64 48
-  %2063 = load i64, ptr %2062, align 8
-  %2064 = icmp slt i64 %2063, %2059
-  br i1 %2064, label %2065, label %2088
+2028:                                             ; preds = %2020, %1999
+  %2029 = phi i64 [ %2027, %2020 ], [ %1991, %1999 ]
+  %2030 = add i64 %1992, 1
+  %2031 = icmp eq i64 %2030, %1984
+  br i1 %2031, label %2032, label %1990, !llvm.loop !56
 
-2065:                                             ; preds = %2054
-  %2066 = icmp sgt i64 %2058, 0
-  br label %2067
+2032:                                             ; preds = %2028, %1990, %1979
+  %2033 = phi i64 [ %1988, %1979 ], [ %1984, %2028 ], [ %1992, %1990 ]
+  %2034 = load ptr, ptr %82, align 8
+  %2035 = getelementptr inbounds i8, ptr %2034, i64 48
+  store i64 %2033, ptr %2035, align 8
+  br label %2036
 
-2067:                                             ; preds = %2065, %2078
-  %2068 = phi i64 [ %2063, %2065 ], [ %2079, %2078 ]
-  %2069 = getelementptr inbounds double, ptr %2060, i64 %2068
-  %2070 = load double, ptr %2069, align 8
-  %2071 = load ptr, ptr %81, align 8
-  %2072 = load double, ptr %2071, align 8
-  %2073 = fcmp ugt double %2070, %2072
-  br i1 %2073, label %2088, label %2074
+2036:                                             ; preds = %2020, %2032, %1975
+  %2037 = phi i64 [ %1978, %1975 ], [ 0, %2032 ], [ %2027, %2020 ]
+  %2038 = icmp eq i64 %2037, 0
+  %2039 = icmp ne i64 %1968, 0
+  %2040 = fcmp olt double %1967, 1.000000e+00
+  %2041 = and i1 %2040, %2038
+  %2042 = and i1 %2039, %2041
+  br i1 %2042, label %2043, label %2080
 
-2074:                                             ; preds = %2067
-  br i1 %2066, label %2075, label %2078
+2043:                                             ; preds = %2036
+  %2044 = load ptr, ptr %190, align 8
+  %2045 = load ptr, ptr %191, align 8
+  %2046 = insertelement <8 x double> poison, double %1967, i64 0
+  %2047 = shufflevector <8 x double> %2046, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2047, ptr %2045, align 8
+  %2048 = load ptr, ptr %78, align 8
+  %2049 = load ptr, ptr %168, align 8
+  %2050 = load i64, ptr %166, align 8
+  %2051 = load ptr, ptr %0, align 8
+  %2052 = getelementptr inbounds i8, ptr %2051, i64 24
+  %2053 = load i64, ptr %2052, align 8
+  %2054 = load ptr, ptr %191, align 8
+  %2055 = load ptr, ptr %77, align 8
+  %2056 = getelementptr inbounds i8, ptr %2055, i64 16
+  %2057 = load i64, ptr %2056, align 8
+  tail call fastcc void @nested(ptr noundef %2044, ptr noundef %2048, ptr noundef %2049, i64 noundef %2050, i64 noundef %2053, ptr noundef %2054, i64 noundef %2057) #8
+  %2058 = load i64, ptr %192, align 8
+  %2059 = icmp sgt i64 %2058, 0
+  br i1 %2059, label %2064, label %2060
 
-2075:                                             ; preds = %2074
-  %2076 = mul nsw i64 %2068, %2058
-  %2077 = getelementptr double, ptr %1, i64 %2076
-  br label %2081
+2060:                                             ; preds = %2064, %2043
+  %2061 = load ptr, ptr %85, align 8
+  %2062 = load i64, ptr %2061, align 8
+  %2063 = icmp eq i64 %2062, 1
+  br i1 %2063, label %2074, label %2080
 
-2078:                                             ; preds = %2081, %2074
-  %2079 = add i64 %2068, 1
-  %2080 = icmp eq i64 %2079, %2059
-  br i1 %2080, label %2088, label %2067, !llvm.loop !13
+2064:                                             ; preds = %2043, %2064
+  %2065 = phi i64 [ %2071, %2064 ], [ 0, %2043 ]
+  %2066 = load ptr, ptr %190, align 8
+  %2067 = getelementptr inbounds double, ptr %2066, i64 %2065
+  %2068 = load double, ptr %2067, align 8
+  %2069 = load ptr, ptr %193, align 8
+  %2070 = getelementptr inbounds double, ptr %2069, i64 %2065
+  store double %2068, ptr %2070, align 8
+  %2071 = add nuw nsw i64 %2065, 1
+  %2072 = load i64, ptr %192, align 8
+  %2073 = icmp slt i64 %2071, %2072
+  br i1 %2073, label %2064, label %2060, !llvm.loop !57
 
-2081:                                             ; preds = %2075, %2081
-  %2082 = phi i64 [ 0, %2075 ], [ %2086, %2081 ]
-  %2083 = getelementptr inbounds double, ptr %2055, i64 %2082
-  %2084 = load double, ptr %2083, align 8
-  %2085 = getelementptr double, ptr %2077, i64 %2082
-  store double %2084, ptr %2085, align 8
-  %2086 = add nuw nsw i64 %2082, 1
-  %2087 = icmp eq i64 %2086, %2058
-  br i1 %2087, label %2078, label %2081, !llvm.loop !14
+2074:                                             ; preds = %2060
+  %2075 = load ptr, ptr %194, align 8
+  %2076 = getelementptr inbounds i8, ptr %2061, i64 56
+  %2077 = load i64, ptr %2076, align 8
+  %2078 = inttoptr i64 %2077 to ptr
+  %2079 = tail call i64 %2078(ptr noundef %0, double noundef %1976, ptr noundef %2075, ptr noundef null) #9
+  br label %2080
 
-2088:                                             ; preds = %2078, %2067, %2054
-  %2089 = phi i64 [ %2063, %2054 ], [ %2059, %2078 ], [ %2068, %2067 ]
-  %2090 = load ptr, ptr %82, align 8
-  %2091 = getelementptr inbounds i8, ptr %2090, i64 48
-  store i64 %2089, ptr %2091, align 8
-  br label %2092
+2080:                                             ; preds = %2074, %2060, %2036
+  %2081 = phi i64 [ %2079, %2074 ], [ 0, %2060 ], [ %2037, %2036 ]
+  %2082 = icmp eq i64 %2081, 0
+  br i1 %2082, label %2085, label %2083
 
-2092:                                             ; preds = %2088, %2053
-  br i1 %2007, label %2093, label %2109
+2083:                                             ; preds = %2080
+  store double %442, ptr %1954, align 8
+  %2084 = getelementptr inbounds i8, ptr %1954, i64 8
+  store double %519, ptr %2084, align 8
+  br label %2141
 
-2093:                                             ; preds = %2092
-  %2094 = load i64, ptr %196, align 8
-  %2095 = icmp sgt i64 %2094, 0
-  br i1 %2095, label %2099, label %2096
+2085:                                             ; preds = %2080
+  br i1 %1969, label %2086, label %2124
 
-2096:                                             ; preds = %2099, %2093
-  store double %1944, ptr %1922, align 8
-  %2097 = getelementptr inbounds i8, ptr %1922, i64 8
-  store double 0.000000e+00, ptr %2097, align 8
-  %2098 = load ptr, ptr %82, align 8
-  store i64 0, ptr %2098, align 8
-  br label %2109
+2086:                                             ; preds = %2085
+  %2087 = load ptr, ptr %195, align 8
+  %2088 = load ptr, ptr %77, align 8
+  %2089 = getelementptr inbounds i8, ptr %2088, i64 8
+  %2090 = load i64, ptr %2089, align 8
+  %2091 = load i64, ptr %84, align 8
+  %2092 = load ptr, ptr %83, align 8
+  %2093 = load ptr, ptr %82, align 8
+  %2094 = getelementptr inbounds i8, ptr %2093, i64 48
+  %2095 = load i64, ptr %2094, align 8
+  %2096 = icmp slt i64 %2095, %2091
+  br i1 %2096, label %2097, label %2120
 
-2099:                                             ; preds = %2093, %2099
-  %2100 = phi i64 [ %2106, %2099 ], [ 0, %2093 ]
-  %2101 = load ptr, ptr %197, align 8
-  %2102 = getelementptr inbounds double, ptr %2101, i64 %2100
-  %2103 = load double, ptr %2102, align 8
-  %2104 = load ptr, ptr %78, align 8
-  %2105 = getelementptr inbounds double, ptr %2104, i64 %2100
-  store double %2103, ptr %2105, align 8
-  %2106 = add nuw nsw i64 %2100, 1
-  %2107 = load i64, ptr %196, align 8
-  %2108 = icmp slt i64 %2106, %2107
-  br i1 %2108, label %2099, label %2096, !llvm.loop !58
+2097:                                             ; preds = %2086
+  %2098 = icmp sgt i64 %2090, 0
+  br label %2099
 
-2109:                                             ; preds = %1930, %2051, %2092, %2096
-  %2110 = phi i64 [ -6, %1930 ], [ %2049, %2051 ], [ %1936, %2096 ], [ %1936, %2092 ]
-  %2111 = icmp eq i64 %2110, -6
-  br i1 %2111, label %2115, label %2112
+2099:                                             ; preds = %2097, %2110
+  %2100 = phi i64 [ %2095, %2097 ], [ %2111, %2110 ]
+  %2101 = getelementptr inbounds double, ptr %2092, i64 %2100
+  %2102 = load double, ptr %2101, align 8
+  %2103 = load ptr, ptr %81, align 8
+  %2104 = load double, ptr %2103, align 8
+  %2105 = fcmp ugt double %2102, %2104
+  br i1 %2105, label %2120, label %2106
 
-2112:                                             ; preds = %2109
-  %2113 = icmp ne i64 %2110, 6
-  %2114 = select i1 %2113, i1 true, i1 %247
-  br i1 %2114, label %2140, label %2115
+2106:                                             ; preds = %2099
+  br i1 %2098, label %2107, label %2110
 
-2115:                                             ; preds = %2112, %2109
-  %2116 = phi i64 [ %2110, %2112 ], [ 2, %2109 ]
-  %2117 = load i64, ptr %398, align 8
-  %2118 = add nsw i64 %2117, -1
-  store i64 %2118, ptr %398, align 8
-  %2119 = load ptr, ptr %97, align 8
-  %2120 = load i64, ptr %2119, align 8
-  %2121 = add nsw i64 %2120, -1
-  store i64 %2121, ptr %2119, align 8
-  %2122 = load ptr, ptr %79, align 8
-  %2123 = getelementptr inbounds i8, ptr %2122, i64 32
-  %2124 = load i64, ptr %2123, align 8
-  %2125 = or i64 %2124, 1
-  store i64 %2125, ptr %2123, align 8
-  %2126 = load ptr, ptr %79, align 8
-  %2127 = getelementptr inbounds i8, ptr %2126, i64 8
-  %2128 = load i64, ptr %2127, align 8
-  %2129 = and i64 %2128, -2
-  %2130 = getelementptr inbounds i8, ptr %2126, i64 16
-  %2131 = load i64, ptr %2130, align 8
-  %2132 = and i64 %2131, 1
-  %2133 = or disjoint i64 %2132, %2129
-  %2134 = xor i64 %2133, 1
-  store i64 %2134, ptr %2127, align 8
-  %2135 = load ptr, ptr %170, align 8
-  %2136 = getelementptr inbounds i8, ptr %2135, i64 8
-  store double 0.000000e+00, ptr %2136, align 8
-  %2137 = load i64, ptr %399, align 8
-  %2138 = add nsw i64 %2137, 1
-  store i64 %2138, ptr %399, align 8
-  store i64 %2116, ptr %421, align 8
-  %2139 = fmul double %511, 2.500000e-01
-  br label %2192, !llvm.loop !48
+2107:                                             ; preds = %2106
+  %2108 = mul nsw i64 %2100, %2090
+  %2109 = getelementptr double, ptr %1, i64 %2108
+  br label %2113
 
-2140:                                             ; preds = %2112
-  %2141 = icmp eq i64 %2110, 0
-  br i1 %2141, label %2146, label %2142
+2110:                                             ; preds = %2113, %2106
+  %2111 = add i64 %2100, 1
+  %2112 = icmp eq i64 %2111, %2091
+  br i1 %2112, label %2120, label %2099, !llvm.loop !13
 
-2142:                                             ; preds = %2140
-  %2143 = load ptr, ptr %97, align 8
-  %2144 = load i64, ptr %2143, align 8
-  %2145 = add nsw i64 %2144, 1
-  store i64 %2145, ptr %2143, align 8
-  br label %2192
+2113:                                             ; preds = %2107, %2113
+  %2114 = phi i64 [ 0, %2107 ], [ %2118, %2113 ]
+  %2115 = getelementptr inbounds double, ptr %2087, i64 %2114
+  %2116 = load double, ptr %2115, align 8
+  %2117 = getelementptr double, ptr %2109, i64 %2114
+  store double %2116, ptr %2117, align 8
+  %2118 = add nuw nsw i64 %2114, 1
+  %2119 = icmp eq i64 %2118, %2090
+  br i1 %2119, label %2110, label %2113, !llvm.loop !14
 
-2146:                                             ; preds = %2140, %1916
-  br i1 %418, label %2171, label %2147
+2120:                                             ; preds = %2110, %2099, %2086
+  %2121 = phi i64 [ %2095, %2086 ], [ %2091, %2110 ], [ %2100, %2099 ]
+  %2122 = load ptr, ptr %82, align 8
+  %2123 = getelementptr inbounds i8, ptr %2122, i64 48
+  store i64 %2121, ptr %2123, align 8
+  br label %2124
 
-2147:                                             ; preds = %2171, %2146
-  %2148 = load i64, ptr %99, align 8
-  %2149 = icmp sgt i64 %2148, 0
-  br i1 %2149, label %2150, label %2152
+2124:                                             ; preds = %2120, %2085
+  br i1 %2039, label %2125, label %2141
 
-2150:                                             ; preds = %2147
-  %2151 = load ptr, ptr %199, align 8
-  store double 0x7FF0000000000000, ptr %2151, align 8
-  br label %2152
+2125:                                             ; preds = %2124
+  %2126 = load i64, ptr %196, align 8
+  %2127 = icmp sgt i64 %2126, 0
+  br i1 %2127, label %2131, label %2128
 
-2152:                                             ; preds = %2147, %2150
-  %2153 = load i64, ptr %412, align 8
-  %2154 = add nsw i64 %2153, 1
-  store i64 %2154, ptr %412, align 8
-  %2155 = load ptr, ptr %78, align 8
-  %2156 = load ptr, ptr %200, align 8
-  %2157 = load ptr, ptr %201, align 8
-  store double %510, ptr %2157, align 8
-  %2158 = load i64, ptr %202, align 8
-  %2159 = icmp sgt i64 %2158, 0
-  br i1 %2159, label %2160, label %2161
+2128:                                             ; preds = %2131, %2125
+  store double %1976, ptr %1954, align 8
+  %2129 = getelementptr inbounds i8, ptr %1954, i64 8
+  store double 0.000000e+00, ptr %2129, align 8
+  %2130 = load ptr, ptr %82, align 8
+  store i64 0, ptr %2130, align 8
+  br label %2141
 
-2160:                                             ; preds = %2152
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8
-  br label %2161
+2131:                                             ; preds = %2125, %2131
+  %2132 = phi i64 [ %2138, %2131 ], [ 0, %2125 ]
+  %2133 = load ptr, ptr %197, align 8
+  %2134 = getelementptr inbounds double, ptr %2133, i64 %2132
+  %2135 = load double, ptr %2134, align 8
+  %2136 = load ptr, ptr %78, align 8
+  %2137 = getelementptr inbounds double, ptr %2136, i64 %2132
+  store double %2135, ptr %2137, align 8
+  %2138 = add nuw nsw i64 %2132, 1
+  %2139 = load i64, ptr %196, align 8
+  %2140 = icmp slt i64 %2138, %2139
+  br i1 %2140, label %2131, label %2128, !llvm.loop !58
 
-2161:                                             ; preds = %2152, %2160
-  %2162 = load ptr, ptr %77, align 8
+2141:                                             ; preds = %1962, %2083, %2124, %2128
+  %2142 = phi i64 [ -6, %1962 ], [ %2081, %2083 ], [ %1968, %2128 ], [ %1968, %2124 ]
+  %2143 = icmp eq i64 %2142, -6
+  br i1 %2143, label %2147, label %2144
+
+2144:                                             ; preds = %2141
+  %2145 = icmp ne i64 %2142, 6
+  %2146 = select i1 %2145, i1 true, i1 %247
+  br i1 %2146, label %2172, label %2147
+
+2147:                                             ; preds = %2144, %2141
+  %2148 = phi i64 [ %2142, %2144 ], [ 2, %2141 ]
+  %2149 = load i64, ptr %406, align 8
+  %2150 = add nsw i64 %2149, -1
+  store i64 %2150, ptr %406, align 8
+  %2151 = load ptr, ptr %97, align 8
+  %2152 = load i64, ptr %2151, align 8
+  %2153 = add nsw i64 %2152, -1
+  store i64 %2153, ptr %2151, align 8
+  %2154 = load ptr, ptr %79, align 8
+  %2155 = getelementptr inbounds i8, ptr %2154, i64 32
+  %2156 = load i64, ptr %2155, align 8
+  %2157 = or i64 %2156, 1
+  store i64 %2157, ptr %2155, align 8
+  %2158 = load ptr, ptr %79, align 8
+  %2159 = getelementptr inbounds i8, ptr %2158, i64 8
+  %2160 = load i64, ptr %2159, align 8
+  %2161 = and i64 %2160, -2
+  %2162 = getelementptr inbounds i8, ptr %2158, i64 16
   %2163 = load i64, ptr %2162, align 8
-  %2164 = load ptr, ptr %201, align 8
-  %2165 = load ptr, ptr %203, align 8
-  %2166 = load ptr, ptr %204, align 8
-  %2167 = inttoptr i64 %2163 to ptr
-  %2168 = load ptr, ptr %2167, align 8
-  %2169 = tail call i32 %2168(ptr noundef %2164, ptr noundef %2155, ptr noundef %2165, ptr noundef %2166, ptr noundef %2156) #9
-  %2170 = icmp eq i32 %2169, 0
-  br i1 %2170, label %2183, label %2180
+  %2164 = and i64 %2163, 1
+  %2165 = or disjoint i64 %2164, %2161
+  %2166 = xor i64 %2165, 1
+  store i64 %2166, ptr %2159, align 8
+  %2167 = load ptr, ptr %170, align 8
+  %2168 = getelementptr inbounds i8, ptr %2167, i64 8
+  store double 0.000000e+00, ptr %2168, align 8
+  %2169 = load i64, ptr %407, align 8
+  %2170 = add nsw i64 %2169, 1
+  store i64 %2170, ptr %407, align 8
+  store i64 %2148, ptr %429, align 8
+  %2171 = fmul double %519, 2.500000e-01
+  br label %2230, !llvm.loop !48
 
-2171:                                             ; preds = %2146, %2171
-  %2172 = phi i64 [ %2178, %2171 ], [ 0, %2146 ]
-  %2173 = load ptr, ptr %198, align 8
-  %2174 = getelementptr inbounds double, ptr %2173, i64 %2172
-  %2175 = load double, ptr %2174, align 8
-  %2176 = load ptr, ptr %78, align 8
-  %2177 = getelementptr inbounds double, ptr %2176, i64 %2172
-  store double %2175, ptr %2177, align 8
-  %2178 = add nuw nsw i64 %2172, 1
-  %2179 = icmp eq i64 %2178, %217
-  br i1 %2179, label %2147, label %2171, !llvm.loop !59
+2172:                                             ; preds = %2144
+  %2173 = icmp eq i64 %2142, 0
+  br i1 %2173, label %2178, label %2174
 
-2180:                                             ; preds = %2161
-  store i64 3, ptr %419, align 8
-  store double %511, ptr %249, align 8
-  %2181 = icmp slt i32 %2169, 0
-  %2182 = select i1 %2181, i64 -4, i64 2
-  br label %2192
+2174:                                             ; preds = %2172
+  %2175 = load ptr, ptr %97, align 8
+  %2176 = load i64, ptr %2175, align 8
+  %2177 = add nsw i64 %2176, 1
+  store i64 %2177, ptr %2175, align 8
+  br label %2230
 
-2183:                                             ; preds = %2161
-  %2184 = fcmp oeq double %510, %500
-  %2185 = fcmp ogt double %435, %1598
-  %2186 = select i1 %2184, i1 %2185, i1 false
-  %2187 = select i1 %2186, double %435, double %1598
-  %2188 = load i64, ptr %420, align 8
-  %2189 = load i64, ptr %84, align 8
-  %2190 = icmp eq i64 %2188, %2189
-  br i1 %2190, label %2191, label %2192
+2178:                                             ; preds = %2172, %1948
+  br i1 %426, label %2209, label %2179
 
-2191:                                             ; preds = %2183
-  store double %2187, ptr %249, align 8
-  br label %2192
+2179:                                             ; preds = %2209, %2178
+  %2180 = load i64, ptr %98, align 8
+  %2181 = icmp sgt i64 %2180, 0
+  br i1 %2181, label %2182, label %2184
 
-2192:                                             ; preds = %1588, %1614, %1628, %2115, %2142, %2180, %2183, %2191, %517
-  %2193 = phi double [ %441, %517 ], [ %1589, %2191 ], [ %1589, %2183 ], [ %1589, %2180 ], [ %1589, %2142 ], [ %1589, %2115 ], [ %1589, %1628 ], [ %1589, %1614 ], [ %1589, %1588 ]
-  %2194 = phi double [ %440, %517 ], [ %1590, %2191 ], [ %1590, %2183 ], [ %1590, %2180 ], [ %1590, %2142 ], [ %1590, %2115 ], [ %1590, %1628 ], [ %1590, %1614 ], [ %1590, %1588 ]
-  %2195 = phi double [ %439, %517 ], [ %1591, %2191 ], [ %1591, %2183 ], [ %1591, %2180 ], [ %1591, %2142 ], [ %1591, %2115 ], [ %1591, %1628 ], [ %1591, %1614 ], [ %1591, %1588 ]
-  %2196 = phi i64 [ %438, %517 ], [ %1592, %2191 ], [ %1592, %2183 ], [ %1592, %2180 ], [ %1592, %2142 ], [ %1592, %2115 ], [ %1592, %1628 ], [ %1592, %1614 ], [ %1592, %1588 ]
-  %2197 = phi i64 [ %437, %517 ], [ %1593, %2191 ], [ %1593, %2183 ], [ %1593, %2180 ], [ %1593, %2142 ], [ %1593, %2115 ], [ %1593, %1628 ], [ %1593, %1614 ], [ %1593, %1588 ]
-  %2198 = phi i64 [ %436, %517 ], [ %1594, %2191 ], [ %1594, %2183 ], [ %1594, %2180 ], [ %1594, %2142 ], [ %1594, %2115 ], [ %1594, %1628 ], [ %1594, %1614 ], [ %1594, %1588 ]
-  %2199 = phi double [ %435, %517 ], [ %2187, %2191 ], [ %2187, %2183 ], [ %1598, %2180 ], [ %1598, %2142 ], [ %2139, %2115 ], [ %1631, %1628 ], [ %1598, %1614 ], [ %435, %1588 ]
-  %2200 = phi double [ %434, %517 ], [ %510, %2191 ], [ %510, %2183 ], [ %510, %2180 ], [ %434, %2142 ], [ %434, %2115 ], [ %434, %1628 ], [ %434, %1614 ], [ %434, %1588 ]
-  %2201 = phi i32 [ 1, %517 ], [ 1, %2191 ], [ 0, %2183 ], [ 1, %2180 ], [ 1, %2142 ], [ 3, %2115 ], [ 3, %1628 ], [ 3, %1614 ], [ 1, %1588 ]
-  %2202 = phi i64 [ 2, %517 ], [ 0, %2191 ], [ %433, %2183 ], [ %2182, %2180 ], [ %2110, %2142 ], [ %433, %2115 ], [ %433, %1628 ], [ %433, %1614 ], [ -4, %1588 ]
-  switch i32 %2201, label %2206 [
-    i32 0, label %2203
-    i32 3, label %2203
+2182:                                             ; preds = %2179
+  %2183 = load ptr, ptr %199, align 8
+  store double 0x7FF0000000000000, ptr %2183, align 8
+  br label %2184
+
+2184:                                             ; preds = %2179, %2182
+  %2185 = load i64, ptr %420, align 8
+  %2186 = add nsw i64 %2185, 1
+  store i64 %2186, ptr %420, align 8
+  %2187 = load ptr, ptr %78, align 8
+  %2188 = load ptr, ptr %200, align 8
+  %2189 = load ptr, ptr %201, align 8
+  store double %518, ptr %2189, align 8
+  %2190 = load ptr, ptr %77, align 8
+  %2191 = getelementptr inbounds i8, ptr %2190, i64 40
+  %2192 = load i64, ptr %2191, align 8
+  %2193 = icmp eq i64 %2192, 0
+  br i1 %2193, label %2195, label %2194
+
+2194:                                             ; preds = %2184
+  tail call fastcc void @settle(ptr noundef nonnull %77) #8
+  br label %2195
+
+2195:                                             ; preds = %2194, %2184
+  %2196 = load i64, ptr %202, align 8
+  %2197 = icmp sgt i64 %2196, 0
+  br i1 %2197, label %2198, label %2199
+
+2198:                                             ; preds = %2195
+  tail call fastcc void @sample(ptr noundef nonnull %77) #8
+  br label %2199
+
+2199:                                             ; preds = %2195, %2198
+  %2200 = load ptr, ptr %77, align 8
+  %2201 = load i64, ptr %2200, align 8
+  %2202 = load ptr, ptr %201, align 8
+  %2203 = load ptr, ptr %203, align 8
+  %2204 = load ptr, ptr %204, align 8
+  %2205 = inttoptr i64 %2201 to ptr
+  %2206 = load ptr, ptr %2205, align 8
+  %2207 = tail call i32 %2206(ptr noundef %2202, ptr noundef %2187, ptr noundef %2203, ptr noundef %2204, ptr noundef %2188) #9
+  %2208 = icmp eq i32 %2207, 0
+  br i1 %2208, label %2221, label %2218
+
+2209:                                             ; preds = %2178, %2209
+  %2210 = phi i64 [ %2216, %2209 ], [ 0, %2178 ]
+  %2211 = load ptr, ptr %198, align 8
+  %2212 = getelementptr inbounds double, ptr %2211, i64 %2210
+  %2213 = load double, ptr %2212, align 8
+  %2214 = load ptr, ptr %78, align 8
+  %2215 = getelementptr inbounds double, ptr %2214, i64 %2210
+  store double %2213, ptr %2215, align 8
+  %2216 = add nuw nsw i64 %2210, 1
+  %2217 = icmp eq i64 %2216, %217
+  br i1 %2217, label %2179, label %2209, !llvm.loop !59
+
+2218:                                             ; preds = %2199
+  store i64 3, ptr %427, align 8
+  store double %519, ptr %249, align 8
+  %2219 = icmp slt i32 %2207, 0
+  %2220 = select i1 %2219, i64 -4, i64 2
+  br label %2230
+
+2221:                                             ; preds = %2199
+  %2222 = fcmp oeq double %518, %508
+  %2223 = fcmp ogt double %443, %1630
+  %2224 = select i1 %2222, i1 %2223, i1 false
+  %2225 = select i1 %2224, double %443, double %1630
+  %2226 = load i64, ptr %428, align 8
+  %2227 = load i64, ptr %84, align 8
+  %2228 = icmp eq i64 %2226, %2227
+  br i1 %2228, label %2229, label %2230
+
+2229:                                             ; preds = %2221
+  store double %2225, ptr %249, align 8
+  br label %2230
+
+2230:                                             ; preds = %1620, %1646, %1660, %2147, %2174, %2218, %2221, %2229, %525
+  %2231 = phi double [ %449, %525 ], [ %1621, %2229 ], [ %1621, %2221 ], [ %1621, %2218 ], [ %1621, %2174 ], [ %1621, %2147 ], [ %1621, %1660 ], [ %1621, %1646 ], [ %1621, %1620 ]
+  %2232 = phi double [ %448, %525 ], [ %1622, %2229 ], [ %1622, %2221 ], [ %1622, %2218 ], [ %1622, %2174 ], [ %1622, %2147 ], [ %1622, %1660 ], [ %1622, %1646 ], [ %1622, %1620 ]
+  %2233 = phi double [ %447, %525 ], [ %1623, %2229 ], [ %1623, %2221 ], [ %1623, %2218 ], [ %1623, %2174 ], [ %1623, %2147 ], [ %1623, %1660 ], [ %1623, %1646 ], [ %1623, %1620 ]
+  %2234 = phi i64 [ %446, %525 ], [ %1624, %2229 ], [ %1624, %2221 ], [ %1624, %2218 ], [ %1624, %2174 ], [ %1624, %2147 ], [ %1624, %1660 ], [ %1624, %1646 ], [ %1624, %1620 ]
+  %2235 = phi i64 [ %445, %525 ], [ %1625, %2229 ], [ %1625, %2221 ], [ %1625, %2218 ], [ %1625, %2174 ], [ %1625, %2147 ], [ %1625, %1660 ], [ %1625, %1646 ], [ %1625, %1620 ]
+  %2236 = phi i64 [ %444, %525 ], [ %1626, %2229 ], [ %1626, %2221 ], [ %1626, %2218 ], [ %1626, %2174 ], [ %1626, %2147 ], [ %1626, %1660 ], [ %1626, %1646 ], [ %1626, %1620 ]
+  %2237 = phi double [ %443, %525 ], [ %2225, %2229 ], [ %2225, %2221 ], [ %1630, %2218 ], [ %1630, %2174 ], [ %2171, %2147 ], [ %1663, %1660 ], [ %1630, %1646 ], [ %443, %1620 ]
+  %2238 = phi double [ %442, %525 ], [ %518, %2229 ], [ %518, %2221 ], [ %518, %2218 ], [ %442, %2174 ], [ %442, %2147 ], [ %442, %1660 ], [ %442, %1646 ], [ %442, %1620 ]
+  %2239 = phi i32 [ 1, %525 ], [ 1, %2229 ], [ 0, %2221 ], [ 1, %2218 ], [ 1, %2174 ], [ 3, %2147 ], [ 3, %1660 ], [ 3, %1646 ], [ 1, %1620 ]
+  %2240 = phi i64 [ 2, %525 ], [ 0, %2229 ], [ %441, %2221 ], [ %2220, %2218 ], [ %2142, %2174 ], [ %441, %2147 ], [ %441, %1660 ], [ %441, %1646 ], [ -4, %1620 ]
+  switch i32 %2239, label %2244 [
+    i32 0, label %2241
+    i32 3, label %2241
   ]
 
-2203:                                             ; preds = %2192, %2192
-  %2204 = load i64, ptr %232, align 8
-  %2205 = icmp eq i64 %2204, 0
-  br i1 %2205, label %423, label %431, !llvm.loop !48
+2241:                                             ; preds = %2230, %2230
+  %2242 = load i64, ptr %232, align 8
+  %2243 = icmp eq i64 %2242, 0
+  br i1 %2243, label %431, label %439, !llvm.loop !48
 
-2206:                                             ; preds = %2192, %228, %303, %362, %423, %454, %462
-  %2207 = phi double [ %207, %228 ], [ %424, %423 ], [ %441, %462 ], [ %441, %454 ], [ %207, %362 ], [ %207, %303 ], [ %2193, %2192 ]
-  %2208 = phi double [ %208, %228 ], [ %425, %423 ], [ %440, %462 ], [ %440, %454 ], [ %208, %362 ], [ %208, %303 ], [ %2194, %2192 ]
-  %2209 = phi double [ %209, %228 ], [ %426, %423 ], [ %439, %462 ], [ %439, %454 ], [ %209, %362 ], [ %209, %303 ], [ %2195, %2192 ]
-  %2210 = phi i64 [ %210, %228 ], [ %427, %423 ], [ %438, %462 ], [ %438, %454 ], [ %210, %362 ], [ %210, %303 ], [ %2196, %2192 ]
-  %2211 = phi i64 [ %211, %228 ], [ %428, %423 ], [ %437, %462 ], [ %437, %454 ], [ %211, %362 ], [ %211, %303 ], [ %2197, %2192 ]
-  %2212 = phi i64 [ %212, %228 ], [ %429, %423 ], [ %436, %462 ], [ %436, %454 ], [ %212, %362 ], [ %212, %303 ], [ %2198, %2192 ]
-  %2213 = phi i64 [ -1, %228 ], [ -1, %423 ], [ 1, %462 ], [ -5, %454 ], [ 0, %362 ], [ %306, %303 ], [ %2202, %2192 ]
-  %2214 = load ptr, ptr %205, align 8
-  %2215 = getelementptr inbounds i8, ptr %2214, i64 48
-  %2216 = load i64, ptr %2215, align 8
-  %2217 = icmp ne i64 %2213, -2
-  %2218 = icmp eq i64 %2216, 0
-  %2219 = select i1 %2217, i1 true, i1 %2218
-  br i1 %2219, label %2227, label %2220
+2244:                                             ; preds = %2230, %228, %311, %370, %431, %462, %470
+  %2245 = phi double [ %207, %228 ], [ %432, %431 ], [ %449, %470 ], [ %449, %462 ], [ %207, %370 ], [ %207, %311 ], [ %2231, %2230 ]
+  %2246 = phi double [ %208, %228 ], [ %433, %431 ], [ %448, %470 ], [ %448, %462 ], [ %208, %370 ], [ %208, %311 ], [ %2232, %2230 ]
+  %2247 = phi double [ %209, %228 ], [ %434, %431 ], [ %447, %470 ], [ %447, %462 ], [ %209, %370 ], [ %209, %311 ], [ %2233, %2230 ]
+  %2248 = phi i64 [ %210, %228 ], [ %435, %431 ], [ %446, %470 ], [ %446, %462 ], [ %210, %370 ], [ %210, %311 ], [ %2234, %2230 ]
+  %2249 = phi i64 [ %211, %228 ], [ %436, %431 ], [ %445, %470 ], [ %445, %462 ], [ %211, %370 ], [ %211, %311 ], [ %2235, %2230 ]
+  %2250 = phi i64 [ %212, %228 ], [ %437, %431 ], [ %444, %470 ], [ %444, %462 ], [ %212, %370 ], [ %212, %311 ], [ %2236, %2230 ]
+  %2251 = phi i64 [ -1, %228 ], [ -1, %431 ], [ 1, %470 ], [ -5, %462 ], [ 0, %370 ], [ %314, %311 ], [ %2240, %2230 ]
+  %2252 = load ptr, ptr %205, align 8
+  %2253 = getelementptr inbounds i8, ptr %2252, i64 48
+  %2254 = load i64, ptr %2253, align 8
+  %2255 = icmp ne i64 %2251, -2
+  %2256 = icmp eq i64 %2254, 0
+  %2257 = select i1 %2255, i1 true, i1 %2256
+  br i1 %2257, label %2265, label %2258
 
-2220:                                             ; preds = %2206
-  %2221 = inttoptr i64 %2216 to ptr
-  %2222 = tail call i64 %2221(ptr noundef %0) #9
-  %2223 = icmp eq i64 %2222, 8
-  %2224 = select i1 %2223, i64 8, i64 %2213
-  %2225 = icmp eq i64 %2222, 1
-  %2226 = zext i1 %2225 to i32
-  br label %2227
+2258:                                             ; preds = %2244
+  %2259 = inttoptr i64 %2254 to ptr
+  %2260 = tail call i64 %2259(ptr noundef %0) #9
+  %2261 = icmp eq i64 %2260, 8
+  %2262 = select i1 %2261, i64 8, i64 %2251
+  %2263 = icmp eq i64 %2260, 1
+  %2264 = zext i1 %2263 to i32
+  br label %2265
 
-2227:                                             ; preds = %2206, %2220
-  %2228 = phi i64 [ %2213, %2206 ], [ %2224, %2220 ]
-  %2229 = phi i32 [ 0, %2206 ], [ %2226, %2220 ]
-  %2230 = icmp eq i32 %2229, 0
-  br i1 %2230, label %2231, label %206, !llvm.loop !60
+2265:                                             ; preds = %2244, %2258
+  %2266 = phi i64 [ %2251, %2244 ], [ %2262, %2258 ]
+  %2267 = phi i32 [ 0, %2244 ], [ %2264, %2258 ]
+  %2268 = icmp eq i32 %2267, 0
+  br i1 %2268, label %2269, label %206, !llvm.loop !60
 
-2231:                                             ; preds = %2227
-  %2232 = getelementptr inbounds i8, ptr %0, i64 320
-  %2233 = load i64, ptr %2232, align 8
-  %2234 = icmp sgt i64 %2233, 0
-  br i1 %2234, label %2235, label %2238
+2269:                                             ; preds = %2265
+  %2270 = getelementptr inbounds i8, ptr %0, i64 320
+  %2271 = load i64, ptr %2270, align 8
+  %2272 = icmp sgt i64 %2271, 0
+  br i1 %2272, label %2273, label %2276
 
-2235:                                             ; preds = %2231
-  %2236 = getelementptr inbounds i8, ptr %0, i64 336
-  %2237 = load ptr, ptr %2236, align 8
-  store double 0x7FF0000000000000, ptr %2237, align 8
-  br label %2238
+2273:                                             ; preds = %2269
+  %2274 = getelementptr inbounds i8, ptr %0, i64 336
+  %2275 = load ptr, ptr %2274, align 8
+  store double 0x7FF0000000000000, ptr %2275, align 8
+  br label %2276
 
-2238:                                             ; preds = %2231, %2235
-  ret i64 %2228
+2276:                                             ; preds = %2269, %2273
+  ret i64 %2266
 }
 
 
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !12
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104

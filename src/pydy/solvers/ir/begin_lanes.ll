@@ -1,4 +1,4 @@
-; sources 18d00e69af0619d988ae98b8a1ebed03cc0edb6eee9e0604525ed412a5e1726f
+; sources d01d6aaec81dcf95179f3c6ae55637abd56d7b03026cda8a11660ac705c1d3c0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

@@ -1,4 +1,4 @@
-; sources a9615df568051d044eb5c7a902e92e6ccaec727537c7d7831fb794b5ad981a5a
+; sources d4b5b578d3dcdeb018bf90fd5e7cc9ec33eae05b9c5fb364a051bbc5d5e240e2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
@@ -146,17 +146,17 @@ define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
   %116 = icmp eq i64 %115, 8
   br i1 %116, label %53, label %76, !llvm.loop !8
 
-117:                                              ; preds = %57, %171
-  %118 = phi i64 [ 0, %57 ], [ %172, %171 ]
-  br label %145
+117:                                              ; preds = %57, %177
+  %118 = phi i64 [ 0, %57 ], [ %178, %177 ]
+  br label %151
 
-119:                                              ; preds = %171, %56
+119:                                              ; preds = %177, %56
   %120 = add nuw nsw i64 %47, 8
   %121 = icmp slt i64 %120, %8
   %122 = add i64 %46, -8
   br i1 %121, label %45, label %44, !llvm.loop !9
 
-123:                                              ; preds = %156
+123:                                              ; preds = %162
   %124 = load ptr, ptr %9, align 8
   %125 = getelementptr inbounds double, ptr %124, i64 %118
   %126 = load double, ptr %125, align 8
@@ -166,115 +166,204 @@ define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {
   %130 = load ptr, ptr %12, align 8
   %131 = load ptr, ptr %37, align 8
   store <8 x double> %128, ptr %131, align 8
-  %132 = load i64, ptr %38, align 8
-  %133 = icmp sgt i64 %132, 0
-  br i1 %133, label %134, label %135
+  %132 = load ptr, ptr %0, align 8
+  %133 = getelementptr inbounds i8, ptr %132, i64 40
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp eq i64 %134, 0
+  br i1 %135, label %137, label %136
 
-134:                                              ; preds = %123
-  tail call fastcc void @sample(ptr noundef %0) #4
-  br label %135
+136:                                              ; preds = %123
+  tail call fastcc void @settle(ptr noundef nonnull %0) #4
+  br label %137
 
-135:                                              ; preds = %123, %134
-  %136 = load ptr, ptr %0, align 8
-  %137 = load i64, ptr %136, align 8
-  %138 = load ptr, ptr %37, align 8
-  %139 = load ptr, ptr %39, align 8
-  %140 = load ptr, ptr %40, align 8
-  %141 = inttoptr i64 %137 to ptr
-  %142 = load ptr, ptr %141, align 8
-  %143 = tail call i32 %142(ptr noundef %138, ptr noundef %129, ptr noundef %139, ptr noundef %140, ptr noundef %130) #3
-  %144 = sext i32 %143 to i64
-  br i1 %59, label %174, label %171
+137:                                              ; preds = %136, %123
+  %138 = load i64, ptr %38, align 8
+  %139 = icmp sgt i64 %138, 0
+  br i1 %139, label %140, label %141
 
-145:                                              ; preds = %117, %156
-  %146 = phi i64 [ 0, %117 ], [ %157, %156 ]
-  %147 = icmp sgt i64 %50, %146
-  %148 = select i1 %147, i64 %146, i64 %58
-  %149 = add nsw i64 %148, %47
-  %150 = load i64, ptr %31, align 8
-  %151 = mul nsw i64 %150, %149
-  %152 = getelementptr inbounds double, ptr %19, i64 %151
-  %153 = load i64, ptr %32, align 8
-  %154 = mul nsw i64 %153, %118
-  %155 = getelementptr inbounds double, ptr %152, i64 %154
-  br i1 %33, label %159, label %156
+140:                                              ; preds = %137
+  tail call fastcc void @sample(ptr noundef nonnull %0) #4
+  br label %141
 
-156:                                              ; preds = %159, %145
-  %157 = add nuw nsw i64 %146, 1
-  %158 = icmp eq i64 %157, 8
-  br i1 %158, label %123, label %145, !llvm.loop !10
+141:                                              ; preds = %137, %140
+  %142 = load ptr, ptr %0, align 8
+  %143 = load i64, ptr %142, align 8
+  %144 = load ptr, ptr %37, align 8
+  %145 = load ptr, ptr %39, align 8
+  %146 = load ptr, ptr %40, align 8
+  %147 = inttoptr i64 %143 to ptr
+  %148 = load ptr, ptr %147, align 8
+  %149 = tail call i32 %148(ptr noundef %144, ptr noundef %129, ptr noundef %145, ptr noundef %146, ptr noundef %130) #3
+  %150 = sext i32 %149 to i64
+  br i1 %59, label %180, label %177
 
-159:                                              ; preds = %145, %159
-  %160 = phi i64 [ %169, %159 ], [ 0, %145 ]
-  %161 = load i64, ptr %34, align 8
-  %162 = mul nsw i64 %161, %160
-  %163 = getelementptr inbounds double, ptr %155, i64 %162
-  %164 = load double, ptr %163, align 8
-  %165 = load ptr, ptr %35, align 8
-  %166 = shl nsw i64 %160, 6
-  %167 = getelementptr inbounds i8, ptr %165, i64 %166
-  %168 = getelementptr inbounds double, ptr %167, i64 %146
-  store double %164, ptr %168, align 8
-  %169 = add nuw nsw i64 %160, 1
-  %170 = icmp eq i64 %169, %5
-  br i1 %170, label %156, label %159, !llvm.loop !11
+151:                                              ; preds = %117, %162
+  %152 = phi i64 [ 0, %117 ], [ %163, %162 ]
+  %153 = icmp sgt i64 %50, %152
+  %154 = select i1 %153, i64 %152, i64 %58
+  %155 = add nsw i64 %154, %47
+  %156 = load i64, ptr %31, align 8
+  %157 = mul nsw i64 %156, %155
+  %158 = getelementptr inbounds double, ptr %19, i64 %157
+  %159 = load i64, ptr %32, align 8
+  %160 = mul nsw i64 %159, %118
+  %161 = getelementptr inbounds double, ptr %158, i64 %160
+  br i1 %33, label %165, label %162
 
-171:                                              ; preds = %190, %135
-  %172 = add nuw nsw i64 %118, 1
-  %173 = icmp eq i64 %172, %11
-  br i1 %173, label %119, label %117, !llvm.loop !12
+162:                                              ; preds = %165, %151
+  %163 = add nuw nsw i64 %152, 1
+  %164 = icmp eq i64 %163, 8
+  br i1 %164, label %123, label %151, !llvm.loop !10
 
-174:                                              ; preds = %135, %190
-  %175 = phi i64 [ %191, %190 ], [ 0, %135 ]
-  %176 = shl nuw i64 1, %175
-  %177 = and i64 %176, %144
-  %178 = icmp ne i64 %177, 0
-  %179 = select i1 %178, i1 true, i1 %41
-  br i1 %179, label %185, label %180
+165:                                              ; preds = %151, %165
+  %166 = phi i64 [ %175, %165 ], [ 0, %151 ]
+  %167 = load i64, ptr %34, align 8
+  %168 = mul nsw i64 %167, %166
+  %169 = getelementptr inbounds double, ptr %161, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = load ptr, ptr %35, align 8
+  %172 = shl nsw i64 %166, 6
+  %173 = getelementptr inbounds i8, ptr %171, i64 %172
+  %174 = getelementptr inbounds double, ptr %173, i64 %152
+  store double %170, ptr %174, align 8
+  %175 = add nuw nsw i64 %166, 1
+  %176 = icmp eq i64 %175, %5
+  br i1 %176, label %162, label %165, !llvm.loop !11
 
-180:                                              ; preds = %174
-  %181 = load ptr, ptr %36, align 8
-  %182 = getelementptr inbounds double, ptr %181, i64 %175
-  %183 = load double, ptr %182, align 8
-  %184 = fcmp uno double %183, 0.000000e+00
-  br label %185
+177:                                              ; preds = %196, %141
+  %178 = add nuw nsw i64 %118, 1
+  %179 = icmp eq i64 %178, %11
+  br i1 %179, label %119, label %117, !llvm.loop !12
 
-185:                                              ; preds = %174, %180
-  %186 = phi i1 [ %178, %174 ], [ %184, %180 ]
-  %187 = getelementptr inbounds double, ptr %17, i64 %175
-  br i1 %42, label %188, label %190
+180:                                              ; preds = %141, %196
+  %181 = phi i64 [ %197, %196 ], [ 0, %141 ]
+  %182 = shl nuw i64 1, %181
+  %183 = and i64 %182, %150
+  %184 = icmp ne i64 %183, 0
+  %185 = select i1 %184, i1 true, i1 %41
+  br i1 %185, label %191, label %186
 
-188:                                              ; preds = %185
-  %189 = add nuw nsw i64 %175, %47
-  br label %193
+186:                                              ; preds = %180
+  %187 = load ptr, ptr %36, align 8
+  %188 = getelementptr inbounds double, ptr %187, i64 %181
+  %189 = load double, ptr %188, align 8
+  %190 = fcmp uno double %189, 0.000000e+00
+  br label %191
 
-190:                                              ; preds = %199, %185
-  %191 = add nuw nsw i64 %175, 1
-  %192 = icmp eq i64 %191, %49
-  br i1 %192, label %171, label %174, !llvm.loop !13
+191:                                              ; preds = %180, %186
+  %192 = phi i1 [ %184, %180 ], [ %190, %186 ]
+  %193 = getelementptr inbounds double, ptr %17, i64 %181
+  br i1 %42, label %194, label %196
 
-193:                                              ; preds = %188, %199
-  %194 = phi i64 [ 0, %188 ], [ %207, %199 ]
-  br i1 %186, label %199, label %195
-
-195:                                              ; preds = %193
-  %196 = shl nsw i64 %194, 6
-  %197 = getelementptr inbounds i8, ptr %187, i64 %196
-  %198 = load double, ptr %197, align 8
+194:                                              ; preds = %191
+  %195 = add nuw nsw i64 %181, %47
   br label %199
 
-199:                                              ; preds = %193, %195
-  %200 = phi double [ %198, %195 ], [ 0x7FF8000000000000, %193 ]
-  %201 = load ptr, ptr %43, align 8
-  %202 = mul nuw nsw i64 %194, %8
-  %203 = add nuw i64 %189, %202
-  %204 = mul nsw i64 %203, %11
-  %205 = getelementptr double, ptr %201, i64 %204
-  %206 = getelementptr double, ptr %205, i64 %118
-  store double %200, ptr %206, align 8
-  %207 = add nuw nsw i64 %194, 1
-  %208 = icmp eq i64 %207, %15
-  br i1 %208, label %190, label %193, !llvm.loop !14
+196:                                              ; preds = %205, %191
+  %197 = add nuw nsw i64 %181, 1
+  %198 = icmp eq i64 %197, %49
+  br i1 %198, label %177, label %180, !llvm.loop !13
+
+199:                                              ; preds = %194, %205
+  %200 = phi i64 [ 0, %194 ], [ %213, %205 ]
+  br i1 %192, label %205, label %201
+
+201:                                              ; preds = %199
+  %202 = shl nsw i64 %200, 6
+  %203 = getelementptr inbounds i8, ptr %193, i64 %202
+  %204 = load double, ptr %203, align 8
+  br label %205
+
+205:                                              ; preds = %199, %201
+  %206 = phi double [ %204, %201 ], [ 0x7FF8000000000000, %199 ]
+  %207 = load ptr, ptr %43, align 8
+  %208 = mul nuw nsw i64 %200, %8
+  %209 = add nuw i64 %195, %208
+  %210 = mul nsw i64 %209, %11
+  %211 = getelementptr double, ptr %207, i64 %210
+  %212 = getelementptr double, ptr %211, i64 %118
+  store double %206, ptr %212, align 8
+  %213 = add nuw nsw i64 %200, 1
+  %214 = icmp eq i64 %213, %15
+  br i1 %214, label %196, label %199, !llvm.loop !14
+}
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 264
+  %3 = getelementptr inbounds i8, ptr %0, i64 24
+  %4 = getelementptr inbounds i8, ptr %0, i64 240
+  %5 = getelementptr inbounds i8, ptr %0, i64 248
+  br label %7
+
+6:                                                ; preds = %51
+  ret void
+
+7:                                                ; preds = %1, %51
+  %8 = phi i64 [ 0, %1 ], [ %53, %51 ]
+  %9 = load ptr, ptr %2, align 8
+  %10 = getelementptr inbounds double, ptr %9, i64 %8
+  %11 = load double, ptr %10, align 8
+  %12 = load ptr, ptr %3, align 8
+  %13 = getelementptr inbounds double, ptr %12, i64 %8
+  %14 = load double, ptr %13, align 8
+  %15 = fcmp olt double %14, %11
+  %16 = select i1 %15, double %14, double %11
+  %17 = load i64, ptr %5, align 8
+  %18 = icmp sgt i64 %17, 0
+  br i1 %18, label %19, label %34
+
+19:                                               ; preds = %7
+  %20 = load ptr, ptr %4, align 8
+  br label %21
+
+21:                                               ; preds = %19, %21
+  %22 = phi i64 [ 0, %19 ], [ %32, %21 ]
+  %23 = phi i64 [ %17, %19 ], [ %31, %21 ]
+  %24 = add nuw nsw i64 %22, %23
+  %25 = lshr i64 %24, 1
+  %26 = mul i64 %25, 24
+  %27 = getelementptr inbounds i8, ptr %20, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = fcmp ogt double %28, %16
+  %30 = add nuw nsw i64 %25, 1
+  %31 = select i1 %29, i64 %25, i64 %23
+  %32 = select i1 %29, i64 %22, i64 %30
+  %33 = icmp slt i64 %32, %31
+  br i1 %33, label %21, label %34, !llvm.loop !15
+
+34:                                               ; preds = %21, %7
+  %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
+  %36 = load ptr, ptr %4, align 8
+  %37 = mul i64 %35, 24
+  %38 = getelementptr inbounds i8, ptr %36, i64 %37
+  %39 = icmp eq i64 %35, 0
+  br i1 %39, label %44, label %40
+
+40:                                               ; preds = %34
+  %41 = getelementptr inbounds i8, ptr %38, i64 -8
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp olt double %16, %42
+  br i1 %43, label %51, label %44
+
+44:                                               ; preds = %40, %34
+  %45 = icmp slt i64 %35, %17
+  br i1 %45, label %46, label %50
+
+46:                                               ; preds = %44
+  %47 = getelementptr inbounds i8, ptr %38, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %16, %48
+  br i1 %49, label %51, label %50
+
+50:                                               ; preds = %46, %44
+  br label %51
+
+51:                                               ; preds = %50, %46, %40
+  %52 = phi double [ %42, %40 ], [ %16, %50 ], [ %48, %46 ]
+  store double %52, ptr %13, align 8
+  %53 = add nuw nsw i64 %8, 1
+  %54 = icmp eq i64 %53, 8
+  br i1 %54, label %6, label %7, !llvm.loop !16
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
@@ -310,7 +399,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !15
+  br i1 %25, label %15, label %14, !llvm.loop !17
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -371,7 +460,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !16
+  br i1 %76, label %65, label %77, !llvm.loop !18
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -404,7 +493,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !17
+  br i1 %105, label %22, label %26, !llvm.loop !19
 }
 
 declare i64 @llvm.smin.i64(i64, i64) #2
@@ -436,3 +525,5 @@ attributes #4 = { nounwind }
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !4, !5}

@@ -1,4 +1,4 @@
-; sources aa04c80c0f8c52b93d5658847aa552989fc82eec3441b7d3b55ee3b1d3b67199
+; sources ee8c2448167e414daacb3644999f75c47cf008103e521f90efbb527582111d8d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
@@ -12,7 +12,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %10 = getelementptr inbounds i8, ptr %1, i64 32
   %11 = load i64, ptr %10, align 8
   %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %13, label %567
+  br i1 %12, label %13, label %593
 
 13:                                               ; preds = %2
   %14 = getelementptr inbounds i8, ptr %1, i64 24
@@ -20,8 +20,8 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %16 = getelementptr inbounds i8, ptr %1, i64 72
   %17 = getelementptr inbounds i8, ptr %0, i64 368
   %18 = getelementptr inbounds i8, ptr %0, i64 648
-  %19 = getelementptr inbounds i8, ptr %0, i64 312
-  %20 = getelementptr inbounds i8, ptr %0, i64 320
+  %19 = getelementptr inbounds i8, ptr %0, i64 320
+  %20 = getelementptr inbounds i8, ptr %0, i64 312
   %21 = getelementptr inbounds i8, ptr %0, i64 336
   %22 = getelementptr inbounds i8, ptr %0, i64 528
   %23 = getelementptr inbounds i8, ptr %0, i64 168
@@ -66,10 +66,10 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %62 = icmp sgt i64 %7, 0
   br label %63
 
-63:                                               ; preds = %13, %563
-  %64 = phi i64 [ undef, %13 ], [ %562, %563 ]
-  %65 = phi i64 [ -1, %13 ], [ %561, %563 ]
-  %66 = phi i64 [ 0, %13 ], [ %564, %563 ]
+63:                                               ; preds = %13, %589
+  %64 = phi i64 [ undef, %13 ], [ %588, %589 ]
+  %65 = phi i64 [ -1, %13 ], [ %587, %589 ]
+  %66 = phi i64 [ 0, %13 ], [ %590, %589 ]
   %67 = load ptr, ptr %15, align 8
   %68 = getelementptr inbounds i64, ptr %67, i64 %66
   %69 = load i64, ptr %68, align 8
@@ -89,7 +89,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
 
 82:                                               ; preds = %63
   %83 = getelementptr inbounds i8, ptr %72, i64 16
-  br i1 %62, label %84, label %559
+  br i1 %62, label %84, label %585
 
 84:                                               ; preds = %82, %84
   %85 = phi i64 [ %89, %84 ], [ 0, %82 ]
@@ -99,11 +99,11 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   store double %87, ptr %88, align 8
   %89 = add nuw nsw i64 %85, 1
   %90 = icmp eq i64 %89, %7
-  br i1 %90, label %559, label %84, !llvm.loop !3
+  br i1 %90, label %585, label %84, !llvm.loop !3
 
 91:                                               ; preds = %63
   %92 = icmp eq i64 %69, %65
-  br i1 %92, label %529, label %93
+  br i1 %92, label %555, label %93
 
 93:                                               ; preds = %91
   %94 = getelementptr inbounds double, ptr %72, i64 %9
@@ -129,7 +129,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %110 = getelementptr inbounds i8, ptr %109, i64 24
   %111 = load i64, ptr %110, align 8
   %112 = icmp sgt i64 %111, 0
-  br i1 %112, label %113, label %525
+  br i1 %112, label %113, label %551
 
 113:                                              ; preds = %108
   %114 = getelementptr i8, ptr %72, i64 16
@@ -164,7 +164,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %134 = getelementptr inbounds i8, ptr %133, i64 24
   %135 = load i64, ptr %134, align 8
   %136 = icmp slt i64 %132, %135
-  br i1 %136, label %124, label %525, !llvm.loop !7
+  br i1 %136, label %124, label %551, !llvm.loop !7
 
 137:                                              ; preds = %126, %137
   %138 = phi i64 [ 0, %126 ], [ %144, %137 ]
@@ -179,544 +179,659 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   br i1 %145, label %131, label %137, !llvm.loop !8
 
 146:                                              ; preds = %106
-  %147 = load ptr, ptr %19, align 8
-  %148 = load i64, ptr %20, align 8
-  %149 = icmp eq i64 %148, 0
-  br i1 %149, label %176, label %150
+  %147 = load i64, ptr %19, align 8
+  %148 = icmp eq i64 %147, 0
+  br i1 %148, label %178, label %149
 
-150:                                              ; preds = %146
-  %151 = icmp sgt i64 %148, 0
-  br i1 %151, label %152, label %165
+149:                                              ; preds = %146
+  %150 = icmp sgt i64 %147, 0
+  br i1 %150, label %151, label %166
 
-152:                                              ; preds = %150, %152
-  %153 = phi i64 [ %163, %152 ], [ %148, %150 ]
-  %154 = phi i64 [ %162, %152 ], [ 0, %150 ]
-  %155 = add nuw nsw i64 %153, %154
-  %156 = lshr i64 %155, 1
-  %157 = and i64 %155, -2
-  %158 = getelementptr inbounds double, ptr %147, i64 %157
-  %159 = load double, ptr %158, align 8
-  %160 = fcmp ogt double %159, %101
-  %161 = add nuw nsw i64 %156, 1
-  %162 = select i1 %160, i64 %154, i64 %161
-  %163 = select i1 %160, i64 %156, i64 %153
-  %164 = icmp slt i64 %162, %163
-  br i1 %164, label %152, label %165, !llvm.loop !9
+151:                                              ; preds = %149
+  %152 = load ptr, ptr %20, align 8
+  br label %153
 
-165:                                              ; preds = %152, %150
-  %166 = phi i64 [ 0, %150 ], [ %162, %152 ]
-  %167 = icmp slt i64 %166, %148
-  br i1 %167, label %168, label %173
+153:                                              ; preds = %151, %153
+  %154 = phi i64 [ 0, %151 ], [ %164, %153 ]
+  %155 = phi i64 [ %147, %151 ], [ %163, %153 ]
+  %156 = add nuw nsw i64 %154, %155
+  %157 = lshr i64 %156, 1
+  %158 = mul i64 %157, 24
+  %159 = getelementptr inbounds i8, ptr %152, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fcmp ogt double %160, %101
+  %162 = add nuw nsw i64 %157, 1
+  %163 = select i1 %161, i64 %157, i64 %155
+  %164 = select i1 %161, i64 %154, i64 %162
+  %165 = icmp slt i64 %164, %163
+  br i1 %165, label %153, label %166, !llvm.loop !9
 
-168:                                              ; preds = %165
-  %169 = shl nuw nsw i64 %166, 1
-  %170 = or disjoint i64 %169, 1
-  %171 = getelementptr inbounds double, ptr %147, i64 %170
-  %172 = load double, ptr %171, align 8
-  br label %173
+166:                                              ; preds = %153, %149
+  %167 = phi i64 [ 0, %149 ], [ %164, %153 ]
+  %168 = icmp slt i64 %167, %147
+  br i1 %168, label %169, label %175
 
-173:                                              ; preds = %168, %165
-  %174 = phi double [ %172, %168 ], [ 0x7FF0000000000000, %165 ]
-  %175 = load ptr, ptr %21, align 8
-  store double %174, ptr %175, align 8
-  br label %176
+169:                                              ; preds = %166
+  %170 = load ptr, ptr %20, align 8
+  %171 = mul i64 %167, 24
+  %172 = getelementptr inbounds i8, ptr %170, i64 %171
+  %173 = getelementptr inbounds i8, ptr %172, i64 8
+  %174 = load double, ptr %173, align 8
+  br label %175
 
-176:                                              ; preds = %173, %146
-  %177 = load ptr, ptr %4, align 8
-  %178 = load ptr, ptr %22, align 8
-  %179 = load ptr, ptr %23, align 8
-  store double %101, ptr %179, align 8
-  %180 = load i64, ptr %24, align 8
-  %181 = icmp sgt i64 %180, 0
-  br i1 %181, label %182, label %183
+175:                                              ; preds = %169, %166
+  %176 = phi double [ %174, %169 ], [ 0x7FF0000000000000, %166 ]
+  %177 = load ptr, ptr %21, align 8
+  store double %176, ptr %177, align 8
+  br label %178
 
-182:                                              ; preds = %176
+178:                                              ; preds = %175, %146
+  %179 = load ptr, ptr %4, align 8
+  %180 = load ptr, ptr %22, align 8
+  %181 = load ptr, ptr %23, align 8
+  store double %101, ptr %181, align 8
+  %182 = load ptr, ptr %3, align 8
+  %183 = getelementptr inbounds i8, ptr %182, i64 40
+  %184 = load i64, ptr %183, align 8
+  %185 = icmp eq i64 %184, 0
+  br i1 %185, label %187, label %186
+
+186:                                              ; preds = %178
+  tail call fastcc void @settle(ptr noundef nonnull %3) #5
+  br label %187
+
+187:                                              ; preds = %186, %178
+  %188 = load i64, ptr %24, align 8
+  %189 = icmp sgt i64 %188, 0
+  br i1 %189, label %190, label %191
+
+190:                                              ; preds = %187
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %183
+  br label %191
 
-183:                                              ; preds = %176, %182
-  %184 = load ptr, ptr %3, align 8
-  %185 = load i64, ptr %184, align 8
-  %186 = load ptr, ptr %23, align 8
-  %187 = load ptr, ptr %25, align 8
-  %188 = load ptr, ptr %26, align 8
-  %189 = inttoptr i64 %185 to ptr
-  %190 = load ptr, ptr %189, align 8
-  %191 = tail call i32 %190(ptr noundef %186, ptr noundef %177, ptr noundef %187, ptr noundef %188, ptr noundef %178) #6
-  %192 = sext i32 %191 to i64
-  %193 = icmp eq i32 %191, 0
-  br i1 %193, label %194, label %347
+191:                                              ; preds = %187, %190
+  %192 = load ptr, ptr %3, align 8
+  %193 = load i64, ptr %192, align 8
+  %194 = load ptr, ptr %23, align 8
+  %195 = load ptr, ptr %25, align 8
+  %196 = load ptr, ptr %26, align 8
+  %197 = inttoptr i64 %193 to ptr
+  %198 = load ptr, ptr %197, align 8
+  %199 = tail call i32 %198(ptr noundef %194, ptr noundef %179, ptr noundef %195, ptr noundef %196, ptr noundef %180) #6
+  %200 = sext i32 %199 to i64
+  %201 = icmp eq i32 %199, 0
+  br i1 %201, label %202, label %361
 
-194:                                              ; preds = %183
-  %195 = load ptr, ptr %0, align 8
-  %196 = load i64, ptr %195, align 8
-  %197 = load ptr, ptr %27, align 8
-  %198 = insertelement <8 x double> poison, double %80, i64 0
-  %199 = shufflevector <8 x double> %198, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %199, ptr %197, align 8
-  %200 = icmp sgt i64 %196, 1
-  br i1 %200, label %205, label %290
+202:                                              ; preds = %191
+  %203 = load ptr, ptr %0, align 8
+  %204 = load i64, ptr %203, align 8
+  %205 = load ptr, ptr %27, align 8
+  %206 = insertelement <8 x double> poison, double %80, i64 0
+  %207 = shufflevector <8 x double> %206, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %207, ptr %205, align 8
+  %208 = icmp sgt i64 %204, 1
+  br i1 %208, label %213, label %304
 
-201:                                              ; preds = %278
-  %202 = add nuw nsw i64 %208, 1
-  %203 = icmp slt i64 %202, %196
-  %204 = icmp eq i64 %202, %196
-  br i1 %204, label %290, label %205, !llvm.loop !10
+209:                                              ; preds = %292
+  %210 = add nuw nsw i64 %216, 1
+  %211 = icmp slt i64 %210, %204
+  %212 = icmp eq i64 %210, %204
+  br i1 %212, label %304, label %213, !llvm.loop !10
 
-205:                                              ; preds = %194, %201
-  %206 = phi i1 [ %203, %201 ], [ %200, %194 ]
-  %207 = phi i64 [ %289, %201 ], [ undef, %194 ]
-  %208 = phi i64 [ %202, %201 ], [ 1, %194 ]
-  %209 = load ptr, ptr %28, align 8
-  %210 = load ptr, ptr %4, align 8
-  %211 = load ptr, ptr %3, align 8
-  %212 = getelementptr inbounds i8, ptr %211, i64 16
-  %213 = load i64, ptr %212, align 8
-  %214 = icmp sgt i64 %213, 1
-  %215 = zext i1 %214 to i64
-  %216 = load ptr, ptr %29, align 8
-  %217 = getelementptr inbounds i64, ptr %216, i64 %208
-  %218 = load i64, ptr %217, align 8
-  %219 = getelementptr i8, ptr %217, i64 8
-  %220 = load i64, ptr %219, align 8
-  %221 = xor i64 %218, -1
-  %222 = add i64 %220, %221
-  %223 = load ptr, ptr %27, align 8
-  %224 = load ptr, ptr %30, align 8
-  %225 = load ptr, ptr %31, align 8
-  %226 = getelementptr inbounds i64, ptr %225, i64 %218
-  %227 = load ptr, ptr %32, align 8
-  %228 = getelementptr inbounds double, ptr %227, i64 %218
-  tail call fastcc void @combine(ptr noundef %209, ptr noundef %210, ptr noundef %223, ptr noundef %224, ptr noundef %226, ptr noundef %228, i64 noundef %222, i64 noundef %215, i64 noundef %213) #5
-  %229 = icmp eq i64 %213, 1
-  br i1 %229, label %230, label %261
+213:                                              ; preds = %202, %209
+  %214 = phi i1 [ %211, %209 ], [ %208, %202 ]
+  %215 = phi i64 [ %303, %209 ], [ undef, %202 ]
+  %216 = phi i64 [ %210, %209 ], [ 1, %202 ]
+  %217 = load ptr, ptr %28, align 8
+  %218 = load ptr, ptr %4, align 8
+  %219 = load ptr, ptr %3, align 8
+  %220 = getelementptr inbounds i8, ptr %219, i64 16
+  %221 = load i64, ptr %220, align 8
+  %222 = icmp sgt i64 %221, 1
+  %223 = zext i1 %222 to i64
+  %224 = load ptr, ptr %29, align 8
+  %225 = getelementptr inbounds i64, ptr %224, i64 %216
+  %226 = load i64, ptr %225, align 8
+  %227 = getelementptr i8, ptr %225, i64 8
+  %228 = load i64, ptr %227, align 8
+  %229 = xor i64 %226, -1
+  %230 = add i64 %228, %229
+  %231 = load ptr, ptr %27, align 8
+  %232 = load ptr, ptr %30, align 8
+  %233 = load ptr, ptr %31, align 8
+  %234 = getelementptr inbounds i64, ptr %233, i64 %226
+  %235 = load ptr, ptr %32, align 8
+  %236 = getelementptr inbounds double, ptr %235, i64 %226
+  tail call fastcc void @combine(ptr noundef %217, ptr noundef %218, ptr noundef %231, ptr noundef %232, ptr noundef %234, ptr noundef %236, i64 noundef %230, i64 noundef %223, i64 noundef %221) #5
+  %237 = icmp eq i64 %221, 1
+  br i1 %237, label %238, label %269
 
-230:                                              ; preds = %205
-  %231 = load ptr, ptr %29, align 8
-  %232 = getelementptr i64, ptr %231, i64 %208
-  %233 = getelementptr i8, ptr %232, i64 8
-  %234 = load i64, ptr %233, align 8
-  %235 = add nsw i64 %234, -1
-  %236 = load ptr, ptr %32, align 8
-  %237 = getelementptr inbounds double, ptr %236, i64 %235
-  %238 = load double, ptr %237, align 8
-  %239 = fmul double %80, %238
-  %240 = load ptr, ptr %30, align 8
-  %241 = load ptr, ptr %31, align 8
-  %242 = getelementptr inbounds i64, ptr %241, i64 %235
-  %243 = load i64, ptr %242, align 8
-  %244 = getelementptr inbounds double, ptr %240, i64 %243
-  %245 = load ptr, ptr %3, align 8
-  %246 = getelementptr inbounds i8, ptr %245, i64 8
-  %247 = load i64, ptr %246, align 8
-  %248 = icmp sgt i64 %247, 0
-  br i1 %248, label %249, label %261
+238:                                              ; preds = %213
+  %239 = load ptr, ptr %29, align 8
+  %240 = getelementptr i64, ptr %239, i64 %216
+  %241 = getelementptr i8, ptr %240, i64 8
+  %242 = load i64, ptr %241, align 8
+  %243 = add nsw i64 %242, -1
+  %244 = load ptr, ptr %32, align 8
+  %245 = getelementptr inbounds double, ptr %244, i64 %243
+  %246 = load double, ptr %245, align 8
+  %247 = fmul double %80, %246
+  %248 = load ptr, ptr %30, align 8
+  %249 = load ptr, ptr %31, align 8
+  %250 = getelementptr inbounds i64, ptr %249, i64 %243
+  %251 = load i64, ptr %250, align 8
+  %252 = getelementptr inbounds double, ptr %248, i64 %251
+  %253 = load ptr, ptr %3, align 8
+  %254 = getelementptr inbounds i8, ptr %253, i64 8
+  %255 = load i64, ptr %254, align 8
+  %256 = icmp sgt i64 %255, 0
+  br i1 %256, label %257, label %269
 
-249:                                              ; preds = %230, %249
-  %250 = phi i64 [ %256, %249 ], [ 0, %230 ]
-  %251 = getelementptr inbounds double, ptr %244, i64 %250
-  %252 = load double, ptr %251, align 8
-  %253 = getelementptr inbounds double, ptr %209, i64 %250
-  %254 = load double, ptr %253, align 8
-  %255 = tail call double @llvm.fma.f64(double %239, double %252, double %254)
-  store double %255, ptr %253, align 8
-  %256 = add nuw nsw i64 %250, 1
-  %257 = load ptr, ptr %3, align 8
-  %258 = getelementptr inbounds i8, ptr %257, i64 8
-  %259 = load i64, ptr %258, align 8
-  %260 = icmp slt i64 %256, %259
-  br i1 %260, label %249, label %261, !llvm.loop !11
+257:                                              ; preds = %238, %257
+  %258 = phi i64 [ %264, %257 ], [ 0, %238 ]
+  %259 = getelementptr inbounds double, ptr %252, i64 %258
+  %260 = load double, ptr %259, align 8
+  %261 = getelementptr inbounds double, ptr %217, i64 %258
+  %262 = load double, ptr %261, align 8
+  %263 = tail call double @llvm.fma.f64(double %247, double %260, double %262)
+  store double %263, ptr %261, align 8
+  %264 = add nuw nsw i64 %258, 1
+  %265 = load ptr, ptr %3, align 8
+  %266 = getelementptr inbounds i8, ptr %265, i64 8
+  %267 = load i64, ptr %266, align 8
+  %268 = icmp slt i64 %264, %267
+  br i1 %268, label %257, label %269, !llvm.loop !11
 
-261:                                              ; preds = %249, %230, %205
-  %262 = load ptr, ptr %30, align 8
-  %263 = load i64, ptr %33, align 8
-  %264 = mul nsw i64 %263, %208
-  %265 = getelementptr inbounds double, ptr %262, i64 %264
-  %266 = load i64, ptr %103, align 8
-  %267 = add nsw i64 %266, 1
-  store i64 %267, ptr %103, align 8
-  %268 = load ptr, ptr %34, align 8
-  %269 = getelementptr inbounds double, ptr %268, i64 %208
-  %270 = load double, ptr %269, align 8
-  %271 = fmul double %80, %270
-  %272 = fadd double %101, %271
-  %273 = load ptr, ptr %28, align 8
-  %274 = load ptr, ptr %23, align 8
-  store double %272, ptr %274, align 8
-  %275 = load i64, ptr %24, align 8
-  %276 = icmp sgt i64 %275, 0
-  br i1 %276, label %277, label %278
+269:                                              ; preds = %257, %238, %213
+  %270 = load ptr, ptr %30, align 8
+  %271 = load i64, ptr %33, align 8
+  %272 = mul nsw i64 %271, %216
+  %273 = getelementptr inbounds double, ptr %270, i64 %272
+  %274 = load i64, ptr %103, align 8
+  %275 = add nsw i64 %274, 1
+  store i64 %275, ptr %103, align 8
+  %276 = load ptr, ptr %34, align 8
+  %277 = getelementptr inbounds double, ptr %276, i64 %216
+  %278 = load double, ptr %277, align 8
+  %279 = fmul double %80, %278
+  %280 = fadd double %101, %279
+  %281 = load ptr, ptr %28, align 8
+  %282 = load ptr, ptr %23, align 8
+  store double %280, ptr %282, align 8
+  %283 = load ptr, ptr %3, align 8
+  %284 = getelementptr inbounds i8, ptr %283, i64 40
+  %285 = load i64, ptr %284, align 8
+  %286 = icmp eq i64 %285, 0
+  br i1 %286, label %288, label %287
 
-277:                                              ; preds = %261
+287:                                              ; preds = %269
+  tail call fastcc void @settle(ptr noundef nonnull %3) #5
+  br label %288
+
+288:                                              ; preds = %287, %269
+  %289 = load i64, ptr %24, align 8
+  %290 = icmp sgt i64 %289, 0
+  br i1 %290, label %291, label %292
+
+291:                                              ; preds = %288
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %278
+  br label %292
 
-278:                                              ; preds = %261, %277
-  %279 = load ptr, ptr %3, align 8
-  %280 = load i64, ptr %279, align 8
-  %281 = load ptr, ptr %23, align 8
-  %282 = load ptr, ptr %25, align 8
-  %283 = load ptr, ptr %26, align 8
-  %284 = inttoptr i64 %280 to ptr
-  %285 = load ptr, ptr %284, align 8
-  %286 = tail call i32 %285(ptr noundef %281, ptr noundef %273, ptr noundef %282, ptr noundef %283, ptr noundef %265) #6
-  %287 = sext i32 %286 to i64
-  %288 = icmp eq i32 %286, 0
-  %289 = select i1 %288, i64 %207, i64 %287
-  br i1 %288, label %201, label %290
+292:                                              ; preds = %288, %291
+  %293 = load ptr, ptr %3, align 8
+  %294 = load i64, ptr %293, align 8
+  %295 = load ptr, ptr %23, align 8
+  %296 = load ptr, ptr %25, align 8
+  %297 = load ptr, ptr %26, align 8
+  %298 = inttoptr i64 %294 to ptr
+  %299 = load ptr, ptr %298, align 8
+  %300 = tail call i32 %299(ptr noundef %295, ptr noundef %281, ptr noundef %296, ptr noundef %297, ptr noundef %273) #6
+  %301 = sext i32 %300 to i64
+  %302 = icmp eq i32 %300, 0
+  %303 = select i1 %302, i64 %215, i64 %301
+  br i1 %302, label %209, label %304
 
-290:                                              ; preds = %201, %278, %194
-  %291 = phi i1 [ %200, %194 ], [ %203, %201 ], [ %206, %278 ]
-  %292 = phi i64 [ 0, %194 ], [ %287, %278 ], [ %287, %201 ]
-  %293 = phi i64 [ undef, %194 ], [ %289, %278 ], [ %289, %201 ]
-  br i1 %291, label %347, label %294
+304:                                              ; preds = %209, %292, %202
+  %305 = phi i1 [ %208, %202 ], [ %211, %209 ], [ %214, %292 ]
+  %306 = phi i64 [ 0, %202 ], [ %301, %292 ], [ %301, %209 ]
+  %307 = phi i64 [ undef, %202 ], [ %303, %292 ], [ %303, %209 ]
+  br i1 %305, label %361, label %308
 
-294:                                              ; preds = %290
-  %295 = load ptr, ptr %35, align 8
-  %296 = load ptr, ptr %4, align 8
-  %297 = load ptr, ptr %3, align 8
-  %298 = getelementptr inbounds i8, ptr %297, i64 16
-  %299 = load i64, ptr %298, align 8
-  %300 = icmp sgt i64 %299, 1
-  %301 = zext i1 %300 to i64
-  %302 = load ptr, ptr %36, align 8
-  %303 = getelementptr inbounds i64, ptr %302, i64 %196
-  %304 = load i64, ptr %303, align 8
-  %305 = getelementptr i8, ptr %303, i64 8
-  %306 = load i64, ptr %305, align 8
-  %307 = xor i64 %304, -1
-  %308 = add i64 %306, %307
-  %309 = load ptr, ptr %27, align 8
-  %310 = load ptr, ptr %37, align 8
-  %311 = load ptr, ptr %38, align 8
-  %312 = getelementptr inbounds i64, ptr %311, i64 %304
-  %313 = load ptr, ptr %39, align 8
-  %314 = getelementptr inbounds double, ptr %313, i64 %304
-  tail call fastcc void @combine(ptr noundef %295, ptr noundef %296, ptr noundef %309, ptr noundef %310, ptr noundef %312, ptr noundef %314, i64 noundef %308, i64 noundef %301, i64 noundef %299) #5
-  %315 = icmp eq i64 %299, 1
-  br i1 %315, label %316, label %347
-
-316:                                              ; preds = %294
-  %317 = load ptr, ptr %36, align 8
-  %318 = getelementptr i64, ptr %317, i64 %196
-  %319 = getelementptr i8, ptr %318, i64 8
+308:                                              ; preds = %304
+  %309 = load ptr, ptr %35, align 8
+  %310 = load ptr, ptr %4, align 8
+  %311 = load ptr, ptr %3, align 8
+  %312 = getelementptr inbounds i8, ptr %311, i64 16
+  %313 = load i64, ptr %312, align 8
+  %314 = icmp sgt i64 %313, 1
+  %315 = zext i1 %314 to i64
+  %316 = load ptr, ptr %36, align 8
+  %317 = getelementptr inbounds i64, ptr %316, i64 %204
+  %318 = load i64, ptr %317, align 8
+  %319 = getelementptr i8, ptr %317, i64 8
   %320 = load i64, ptr %319, align 8
-  %321 = add nsw i64 %320, -1
-  %322 = load ptr, ptr %39, align 8
-  %323 = getelementptr inbounds double, ptr %322, i64 %321
-  %324 = load double, ptr %323, align 8
-  %325 = fmul double %80, %324
-  %326 = load ptr, ptr %37, align 8
-  %327 = load ptr, ptr %38, align 8
-  %328 = getelementptr inbounds i64, ptr %327, i64 %321
-  %329 = load i64, ptr %328, align 8
-  %330 = getelementptr inbounds double, ptr %326, i64 %329
-  %331 = load ptr, ptr %3, align 8
-  %332 = getelementptr inbounds i8, ptr %331, i64 8
-  %333 = load i64, ptr %332, align 8
-  %334 = icmp sgt i64 %333, 0
-  br i1 %334, label %335, label %347
+  %321 = xor i64 %318, -1
+  %322 = add i64 %320, %321
+  %323 = load ptr, ptr %27, align 8
+  %324 = load ptr, ptr %37, align 8
+  %325 = load ptr, ptr %38, align 8
+  %326 = getelementptr inbounds i64, ptr %325, i64 %318
+  %327 = load ptr, ptr %39, align 8
+  %328 = getelementptr inbounds double, ptr %327, i64 %318
+  tail call fastcc void @combine(ptr noundef %309, ptr noundef %310, ptr noundef %323, ptr noundef %324, ptr noundef %326, ptr noundef %328, i64 noundef %322, i64 noundef %315, i64 noundef %313) #5
+  %329 = icmp eq i64 %313, 1
+  br i1 %329, label %330, label %361
 
-335:                                              ; preds = %316, %335
-  %336 = phi i64 [ %342, %335 ], [ 0, %316 ]
-  %337 = getelementptr inbounds double, ptr %330, i64 %336
+330:                                              ; preds = %308
+  %331 = load ptr, ptr %36, align 8
+  %332 = getelementptr i64, ptr %331, i64 %204
+  %333 = getelementptr i8, ptr %332, i64 8
+  %334 = load i64, ptr %333, align 8
+  %335 = add nsw i64 %334, -1
+  %336 = load ptr, ptr %39, align 8
+  %337 = getelementptr inbounds double, ptr %336, i64 %335
   %338 = load double, ptr %337, align 8
-  %339 = getelementptr inbounds double, ptr %295, i64 %336
-  %340 = load double, ptr %339, align 8
-  %341 = tail call double @llvm.fma.f64(double %325, double %338, double %340)
-  store double %341, ptr %339, align 8
-  %342 = add nuw nsw i64 %336, 1
-  %343 = load ptr, ptr %3, align 8
-  %344 = getelementptr inbounds i8, ptr %343, i64 8
-  %345 = load i64, ptr %344, align 8
-  %346 = icmp slt i64 %342, %345
-  br i1 %346, label %335, label %347, !llvm.loop !11
+  %339 = fmul double %80, %338
+  %340 = load ptr, ptr %37, align 8
+  %341 = load ptr, ptr %38, align 8
+  %342 = getelementptr inbounds i64, ptr %341, i64 %335
+  %343 = load i64, ptr %342, align 8
+  %344 = getelementptr inbounds double, ptr %340, i64 %343
+  %345 = load ptr, ptr %3, align 8
+  %346 = getelementptr inbounds i8, ptr %345, i64 8
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp sgt i64 %347, 0
+  br i1 %348, label %349, label %361
 
-347:                                              ; preds = %335, %316, %290, %294, %183
-  %348 = phi i64 [ %192, %183 ], [ %293, %290 ], [ %292, %294 ], [ %292, %316 ], [ %292, %335 ]
-  %349 = icmp eq i64 %348, 0
-  br i1 %349, label %350, label %525
+349:                                              ; preds = %330, %349
+  %350 = phi i64 [ %356, %349 ], [ 0, %330 ]
+  %351 = getelementptr inbounds double, ptr %344, i64 %350
+  %352 = load double, ptr %351, align 8
+  %353 = getelementptr inbounds double, ptr %309, i64 %350
+  %354 = load double, ptr %353, align 8
+  %355 = tail call double @llvm.fma.f64(double %339, double %352, double %354)
+  store double %355, ptr %353, align 8
+  %356 = add nuw nsw i64 %350, 1
+  %357 = load ptr, ptr %3, align 8
+  %358 = getelementptr inbounds i8, ptr %357, i64 8
+  %359 = load i64, ptr %358, align 8
+  %360 = icmp slt i64 %356, %359
+  br i1 %360, label %349, label %361, !llvm.loop !11
 
-350:                                              ; preds = %347
-  %351 = getelementptr inbounds i8, ptr %94, i64 16
-  %352 = icmp sgt i64 %97, 0
-  br i1 %352, label %374, label %353
+361:                                              ; preds = %349, %330, %304, %308, %191
+  %362 = phi i64 [ %200, %191 ], [ %307, %304 ], [ %306, %308 ], [ %306, %330 ], [ %306, %349 ]
+  %363 = icmp eq i64 %362, 0
+  br i1 %363, label %364, label %551
 
-353:                                              ; preds = %374, %350
-  %354 = load double, ptr %94, align 8
-  %355 = load ptr, ptr %41, align 8
-  %356 = load ptr, ptr %22, align 8
-  %357 = mul nsw i64 %100, %98
-  %358 = getelementptr inbounds double, ptr %356, i64 %357
-  %359 = load ptr, ptr %23, align 8
-  store double %354, ptr %359, align 8
-  %360 = load i64, ptr %24, align 8
-  %361 = icmp sgt i64 %360, 0
-  br i1 %361, label %362, label %363
+364:                                              ; preds = %361
+  %365 = getelementptr inbounds i8, ptr %94, i64 16
+  %366 = icmp sgt i64 %97, 0
+  br i1 %366, label %394, label %367
 
-362:                                              ; preds = %353
+367:                                              ; preds = %394, %364
+  %368 = load double, ptr %94, align 8
+  %369 = load ptr, ptr %41, align 8
+  %370 = load ptr, ptr %22, align 8
+  %371 = mul nsw i64 %100, %98
+  %372 = getelementptr inbounds double, ptr %370, i64 %371
+  %373 = load ptr, ptr %23, align 8
+  store double %368, ptr %373, align 8
+  %374 = load ptr, ptr %3, align 8
+  %375 = getelementptr inbounds i8, ptr %374, i64 40
+  %376 = load i64, ptr %375, align 8
+  %377 = icmp eq i64 %376, 0
+  br i1 %377, label %379, label %378
+
+378:                                              ; preds = %367
+  tail call fastcc void @settle(ptr noundef nonnull %3) #5
+  br label %379
+
+379:                                              ; preds = %378, %367
+  %380 = load i64, ptr %24, align 8
+  %381 = icmp sgt i64 %380, 0
+  br i1 %381, label %382, label %383
+
+382:                                              ; preds = %379
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %363
+  br label %383
 
-363:                                              ; preds = %353, %362
-  %364 = load ptr, ptr %3, align 8
-  %365 = load i64, ptr %364, align 8
-  %366 = load ptr, ptr %23, align 8
-  %367 = load ptr, ptr %25, align 8
-  %368 = load ptr, ptr %26, align 8
-  %369 = inttoptr i64 %365 to ptr
-  %370 = load ptr, ptr %369, align 8
-  %371 = tail call i32 %370(ptr noundef %366, ptr noundef %355, ptr noundef %367, ptr noundef %368, ptr noundef %358) #6
-  %372 = sext i32 %371 to i64
-  %373 = icmp eq i32 %371, 0
-  br i1 %373, label %382, label %525
-
-374:                                              ; preds = %350, %374
-  %375 = phi i64 [ %380, %374 ], [ 0, %350 ]
-  %376 = getelementptr inbounds double, ptr %351, i64 %375
-  %377 = load double, ptr %376, align 8
-  %378 = load ptr, ptr %40, align 8
-  %379 = getelementptr inbounds double, ptr %378, i64 %375
-  store double %377, ptr %379, align 8
-  %380 = add nuw nsw i64 %375, 1
-  %381 = icmp eq i64 %380, %97
-  br i1 %381, label %353, label %374, !llvm.loop !12
-
-382:                                              ; preds = %363
-  %383 = load ptr, ptr %0, align 8
+383:                                              ; preds = %379, %382
   %384 = load ptr, ptr %3, align 8
-  %385 = getelementptr inbounds i8, ptr %384, i64 16
-  %386 = load i64, ptr %385, align 8
-  %387 = load i64, ptr %383, align 8
-  %388 = load i64, ptr %42, align 8
-  %389 = load ptr, ptr %43, align 8
-  %390 = mul nsw i64 %388, %387
-  %391 = getelementptr inbounds double, ptr %389, i64 %390
-  %392 = load ptr, ptr %44, align 8
-  %393 = add nsw i64 %387, 1
-  %394 = getelementptr inbounds i8, ptr %383, i64 16
-  %395 = load i64, ptr %394, align 8
-  %396 = icmp sgt i64 %395, 0
-  br i1 %396, label %397, label %452
+  %385 = load i64, ptr %384, align 8
+  %386 = load ptr, ptr %23, align 8
+  %387 = load ptr, ptr %25, align 8
+  %388 = load ptr, ptr %26, align 8
+  %389 = inttoptr i64 %385 to ptr
+  %390 = load ptr, ptr %389, align 8
+  %391 = tail call i32 %390(ptr noundef %386, ptr noundef %369, ptr noundef %387, ptr noundef %388, ptr noundef %372) #6
+  %392 = sext i32 %391 to i64
+  %393 = icmp eq i32 %391, 0
+  br i1 %393, label %402, label %551
 
-397:                                              ; preds = %382
-  %398 = getelementptr inbounds i8, ptr %383, i64 8
-  br label %404
+394:                                              ; preds = %364, %394
+  %395 = phi i64 [ %400, %394 ], [ 0, %364 ]
+  %396 = getelementptr inbounds double, ptr %365, i64 %395
+  %397 = load double, ptr %396, align 8
+  %398 = load ptr, ptr %40, align 8
+  %399 = getelementptr inbounds double, ptr %398, i64 %395
+  store double %397, ptr %399, align 8
+  %400 = add nuw nsw i64 %395, 1
+  %401 = icmp eq i64 %400, %97
+  br i1 %401, label %367, label %394, !llvm.loop !12
 
-399:                                              ; preds = %440
-  %400 = add nsw i64 %407, 1
-  %401 = load i64, ptr %394, align 8
-  %402 = add nsw i64 %401, %393
-  %403 = icmp slt i64 %400, %402
-  br i1 %403, label %404, label %452, !llvm.loop !13
+402:                                              ; preds = %383
+  %403 = load ptr, ptr %0, align 8
+  %404 = load ptr, ptr %3, align 8
+  %405 = getelementptr inbounds i8, ptr %404, i64 16
+  %406 = load i64, ptr %405, align 8
+  %407 = load i64, ptr %403, align 8
+  %408 = load i64, ptr %42, align 8
+  %409 = load ptr, ptr %43, align 8
+  %410 = mul nsw i64 %408, %407
+  %411 = getelementptr inbounds double, ptr %409, i64 %410
+  %412 = load ptr, ptr %44, align 8
+  %413 = add nsw i64 %407, 1
+  %414 = getelementptr inbounds i8, ptr %403, i64 16
+  %415 = load i64, ptr %414, align 8
+  %416 = icmp sgt i64 %415, 0
+  br i1 %416, label %417, label %478
 
-404:                                              ; preds = %397, %399
-  %405 = phi i1 [ %396, %397 ], [ %403, %399 ]
-  %406 = phi i64 [ undef, %397 ], [ %451, %399 ]
-  %407 = phi i64 [ %393, %397 ], [ %400, %399 ]
-  %408 = load i64, ptr %398, align 8
-  %409 = load ptr, ptr %45, align 8
-  %410 = load ptr, ptr %4, align 8
-  %411 = load ptr, ptr %46, align 8
-  %412 = getelementptr i64, ptr %411, i64 %407
-  %413 = getelementptr i64, ptr %412, i64 %408
-  %414 = load i64, ptr %413, align 8
-  %415 = getelementptr i8, ptr %413, i64 8
-  %416 = load i64, ptr %415, align 8
-  %417 = xor i64 %414, -1
-  %418 = add i64 %416, %417
-  %419 = load ptr, ptr %47, align 8
-  %420 = load ptr, ptr %43, align 8
-  %421 = load ptr, ptr %48, align 8
-  %422 = getelementptr inbounds i64, ptr %421, i64 %414
-  %423 = load ptr, ptr %49, align 8
-  %424 = getelementptr inbounds double, ptr %423, i64 %414
-  tail call fastcc void @combine(ptr noundef %409, ptr noundef %410, ptr noundef %419, ptr noundef %420, ptr noundef %422, ptr noundef %424, i64 noundef %418, i64 noundef 1, i64 noundef %386) #5
-  %425 = load ptr, ptr %43, align 8
-  %426 = mul nsw i64 %407, %388
-  %427 = getelementptr inbounds double, ptr %425, i64 %426
-  %428 = load i64, ptr %103, align 8
-  %429 = add nsw i64 %428, 1
-  store i64 %429, ptr %103, align 8
-  %430 = load ptr, ptr %50, align 8
-  %431 = getelementptr inbounds double, ptr %430, i64 %407
-  %432 = load double, ptr %431, align 8
-  %433 = fmul double %80, %432
-  %434 = fadd double %101, %433
-  %435 = load ptr, ptr %45, align 8
-  %436 = load ptr, ptr %23, align 8
-  store double %434, ptr %436, align 8
-  %437 = load i64, ptr %24, align 8
-  %438 = icmp sgt i64 %437, 0
-  br i1 %438, label %439, label %440
+417:                                              ; preds = %402
+  %418 = getelementptr inbounds i8, ptr %403, i64 8
+  br label %424
 
-439:                                              ; preds = %404
+419:                                              ; preds = %466
+  %420 = add nsw i64 %427, 1
+  %421 = load i64, ptr %414, align 8
+  %422 = add nsw i64 %421, %413
+  %423 = icmp slt i64 %420, %422
+  br i1 %423, label %424, label %478, !llvm.loop !13
+
+424:                                              ; preds = %417, %419
+  %425 = phi i1 [ %416, %417 ], [ %423, %419 ]
+  %426 = phi i64 [ undef, %417 ], [ %477, %419 ]
+  %427 = phi i64 [ %413, %417 ], [ %420, %419 ]
+  %428 = load i64, ptr %418, align 8
+  %429 = load ptr, ptr %45, align 8
+  %430 = load ptr, ptr %4, align 8
+  %431 = load ptr, ptr %46, align 8
+  %432 = getelementptr i64, ptr %431, i64 %427
+  %433 = getelementptr i64, ptr %432, i64 %428
+  %434 = load i64, ptr %433, align 8
+  %435 = getelementptr i8, ptr %433, i64 8
+  %436 = load i64, ptr %435, align 8
+  %437 = xor i64 %434, -1
+  %438 = add i64 %436, %437
+  %439 = load ptr, ptr %47, align 8
+  %440 = load ptr, ptr %43, align 8
+  %441 = load ptr, ptr %48, align 8
+  %442 = getelementptr inbounds i64, ptr %441, i64 %434
+  %443 = load ptr, ptr %49, align 8
+  %444 = getelementptr inbounds double, ptr %443, i64 %434
+  tail call fastcc void @combine(ptr noundef %429, ptr noundef %430, ptr noundef %439, ptr noundef %440, ptr noundef %442, ptr noundef %444, i64 noundef %438, i64 noundef 1, i64 noundef %406) #5
+  %445 = load ptr, ptr %43, align 8
+  %446 = mul nsw i64 %427, %408
+  %447 = getelementptr inbounds double, ptr %445, i64 %446
+  %448 = load i64, ptr %103, align 8
+  %449 = add nsw i64 %448, 1
+  store i64 %449, ptr %103, align 8
+  %450 = load ptr, ptr %50, align 8
+  %451 = getelementptr inbounds double, ptr %450, i64 %427
+  %452 = load double, ptr %451, align 8
+  %453 = fmul double %80, %452
+  %454 = fadd double %101, %453
+  %455 = load ptr, ptr %45, align 8
+  %456 = load ptr, ptr %23, align 8
+  store double %454, ptr %456, align 8
+  %457 = load ptr, ptr %3, align 8
+  %458 = getelementptr inbounds i8, ptr %457, i64 40
+  %459 = load i64, ptr %458, align 8
+  %460 = icmp eq i64 %459, 0
+  br i1 %460, label %462, label %461
+
+461:                                              ; preds = %424
+  tail call fastcc void @settle(ptr noundef nonnull %3) #5
+  br label %462
+
+462:                                              ; preds = %461, %424
+  %463 = load i64, ptr %24, align 8
+  %464 = icmp sgt i64 %463, 0
+  br i1 %464, label %465, label %466
+
+465:                                              ; preds = %462
   tail call fastcc void @sample(ptr noundef nonnull %3) #5
-  br label %440
+  br label %466
 
-440:                                              ; preds = %404, %439
-  %441 = load ptr, ptr %3, align 8
-  %442 = load i64, ptr %441, align 8
-  %443 = load ptr, ptr %23, align 8
-  %444 = load ptr, ptr %25, align 8
-  %445 = load ptr, ptr %26, align 8
-  %446 = inttoptr i64 %442 to ptr
-  %447 = load ptr, ptr %446, align 8
-  %448 = tail call i32 %447(ptr noundef %443, ptr noundef %435, ptr noundef %444, ptr noundef %445, ptr noundef %427) #6
-  %449 = sext i32 %448 to i64
-  %450 = icmp eq i32 %448, 0
-  %451 = select i1 %450, i64 %406, i64 %449
-  br i1 %450, label %399, label %452
-
-452:                                              ; preds = %399, %440, %382
-  %453 = phi i1 [ %396, %382 ], [ %403, %399 ], [ %405, %440 ]
-  %454 = phi i64 [ 0, %382 ], [ %449, %440 ], [ %449, %399 ]
-  %455 = phi i64 [ undef, %382 ], [ %451, %440 ], [ %451, %399 ]
-  %456 = getelementptr inbounds i8, ptr %383, i64 16
-  br i1 %453, label %525, label %457
-
-457:                                              ; preds = %452
-  %458 = load ptr, ptr %3, align 8
-  %459 = getelementptr inbounds i8, ptr %458, i64 8
-  %460 = load i64, ptr %459, align 8
-  %461 = icmp sgt i64 %460, 0
-  br i1 %461, label %462, label %466
-
-462:                                              ; preds = %457
-  %463 = getelementptr inbounds double, ptr %392, i64 %388
-  %464 = shl nsw i64 %388, 4
-  %465 = getelementptr inbounds i8, ptr %392, i64 %464
-  br label %473
-
-466:                                              ; preds = %473, %457
-  %467 = getelementptr inbounds i8, ptr %383, i64 8
+466:                                              ; preds = %462, %465
+  %467 = load ptr, ptr %3, align 8
   %468 = load i64, ptr %467, align 8
-  %469 = load i64, ptr %456, align 8
-  %470 = getelementptr inbounds i8, ptr %383, i64 24
-  %471 = load i64, ptr %470, align 8
-  %472 = icmp sgt i64 %471, 3
-  br i1 %472, label %500, label %525
+  %469 = load ptr, ptr %23, align 8
+  %470 = load ptr, ptr %25, align 8
+  %471 = load ptr, ptr %26, align 8
+  %472 = inttoptr i64 %468 to ptr
+  %473 = load ptr, ptr %472, align 8
+  %474 = tail call i32 %473(ptr noundef %469, ptr noundef %455, ptr noundef %470, ptr noundef %471, ptr noundef %447) #6
+  %475 = sext i32 %474 to i64
+  %476 = icmp eq i32 %474, 0
+  %477 = select i1 %476, i64 %426, i64 %475
+  br i1 %476, label %419, label %478
 
-473:                                              ; preds = %462, %473
-  %474 = phi i64 [ 0, %462 ], [ %495, %473 ]
-  %475 = load ptr, ptr %51, align 8
-  %476 = getelementptr inbounds double, ptr %475, i64 %474
-  %477 = load double, ptr %476, align 8
-  %478 = load ptr, ptr %4, align 8
-  %479 = getelementptr inbounds double, ptr %478, i64 %474
-  %480 = load double, ptr %479, align 8
-  %481 = fsub double %477, %480
-  %482 = load ptr, ptr %43, align 8
-  %483 = getelementptr inbounds double, ptr %482, i64 %474
-  %484 = load double, ptr %483, align 8
-  %485 = fmul double %80, %484
-  %486 = fsub double %485, %481
-  %487 = getelementptr inbounds double, ptr %392, i64 %474
-  store double %481, ptr %487, align 8
-  %488 = getelementptr inbounds double, ptr %463, i64 %474
-  store double %486, ptr %488, align 8
-  %489 = fsub double %481, %486
-  %490 = getelementptr inbounds double, ptr %391, i64 %474
-  %491 = load double, ptr %490, align 8
-  %492 = fmul double %80, %491
-  %493 = fsub double %489, %492
-  %494 = getelementptr inbounds double, ptr %465, i64 %474
-  store double %493, ptr %494, align 8
-  %495 = add nuw nsw i64 %474, 1
-  %496 = load ptr, ptr %3, align 8
-  %497 = getelementptr inbounds i8, ptr %496, i64 8
-  %498 = load i64, ptr %497, align 8
-  %499 = icmp slt i64 %495, %498
-  br i1 %499, label %473, label %466, !llvm.loop !14
+478:                                              ; preds = %419, %466, %402
+  %479 = phi i1 [ %416, %402 ], [ %423, %419 ], [ %425, %466 ]
+  %480 = phi i64 [ 0, %402 ], [ %475, %466 ], [ %475, %419 ]
+  %481 = phi i64 [ undef, %402 ], [ %477, %466 ], [ %477, %419 ]
+  %482 = getelementptr inbounds i8, ptr %403, i64 16
+  br i1 %479, label %551, label %483
 
-500:                                              ; preds = %466, %500
-  %501 = phi i64 [ %522, %500 ], [ 3, %466 ]
-  %502 = mul nsw i64 %501, %388
-  %503 = getelementptr inbounds double, ptr %392, i64 %502
-  %504 = load ptr, ptr %52, align 8
-  %505 = load ptr, ptr %53, align 8
-  %506 = getelementptr i64, ptr %505, i64 %393
-  %507 = getelementptr i64, ptr %506, i64 %468
-  %508 = getelementptr i64, ptr %507, i64 %469
-  %509 = getelementptr i64, ptr %508, i64 %501
-  %510 = getelementptr i8, ptr %509, i64 -24
-  %511 = load i64, ptr %510, align 8
-  %512 = getelementptr i8, ptr %509, i64 -16
-  %513 = load i64, ptr %512, align 8
-  %514 = xor i64 %511, -1
-  %515 = add i64 %513, %514
-  %516 = load ptr, ptr %54, align 8
-  %517 = load ptr, ptr %43, align 8
-  %518 = load ptr, ptr %55, align 8
-  %519 = getelementptr inbounds i64, ptr %518, i64 %511
-  %520 = load ptr, ptr %56, align 8
-  %521 = getelementptr inbounds double, ptr %520, i64 %511
-  tail call fastcc void @combine(ptr noundef %503, ptr noundef %504, ptr noundef %516, ptr noundef %517, ptr noundef %519, ptr noundef %521, i64 noundef %515, i64 noundef 1, i64 noundef %386) #5
-  %522 = add nuw nsw i64 %501, 1
-  %523 = load i64, ptr %470, align 8
-  %524 = icmp slt i64 %522, %523
-  br i1 %524, label %500, label %525, !llvm.loop !15
+483:                                              ; preds = %478
+  %484 = load ptr, ptr %3, align 8
+  %485 = getelementptr inbounds i8, ptr %484, i64 8
+  %486 = load i64, ptr %485, align 8
+  %487 = icmp sgt i64 %486, 0
+  br i1 %487, label %488, label %492
 
-525:                                              ; preds = %500, %131, %466, %108, %452, %347, %363
-  %526 = phi i64 [ %348, %347 ], [ %372, %363 ], [ %455, %452 ], [ 0, %108 ], [ %454, %466 ], [ 0, %131 ], [ %454, %500 ]
-  %527 = icmp eq i64 %526, 0
-  %528 = select i1 %527, i64 %64, i64 %526
-  br i1 %527, label %529, label %559
+488:                                              ; preds = %483
+  %489 = getelementptr inbounds double, ptr %412, i64 %408
+  %490 = shl nsw i64 %408, 4
+  %491 = getelementptr inbounds i8, ptr %412, i64 %490
+  br label %499
 
-529:                                              ; preds = %525, %91
-  %530 = phi i64 [ %69, %525 ], [ %65, %91 ]
-  %531 = phi i64 [ %528, %525 ], [ %64, %91 ]
-  %532 = load double, ptr %72, align 8
-  %533 = fsub double %75, %532
-  %534 = load double, ptr %79, align 8
-  %535 = fdiv double %533, %534
-  %536 = load ptr, ptr %58, align 8
-  %537 = insertelement <8 x double> poison, double %535, i64 0
-  %538 = shufflevector <8 x double> %537, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %538, ptr %536, align 8
-  %539 = load ptr, ptr %4, align 8
-  %540 = load ptr, ptr %59, align 8
-  %541 = load i64, ptr %60, align 8
-  %542 = load ptr, ptr %0, align 8
-  %543 = getelementptr inbounds i8, ptr %542, i64 24
-  %544 = load i64, ptr %543, align 8
-  %545 = load ptr, ptr %58, align 8
-  %546 = load ptr, ptr %3, align 8
-  %547 = getelementptr inbounds i8, ptr %546, i64 16
-  %548 = load i64, ptr %547, align 8
-  tail call fastcc void @nested(ptr noundef %78, ptr noundef %539, ptr noundef %540, i64 noundef %541, i64 noundef %544, ptr noundef %545, i64 noundef %548) #5
-  %549 = load ptr, ptr %61, align 8
-  %550 = load i64, ptr %549, align 8
-  %551 = icmp eq i64 %550, 1
-  %552 = fcmp ogt double %535, 0.000000e+00
-  %553 = and i1 %552, %551
-  br i1 %553, label %554, label %559
+492:                                              ; preds = %499, %483
+  %493 = getelementptr inbounds i8, ptr %403, i64 8
+  %494 = load i64, ptr %493, align 8
+  %495 = load i64, ptr %482, align 8
+  %496 = getelementptr inbounds i8, ptr %403, i64 24
+  %497 = load i64, ptr %496, align 8
+  %498 = icmp sgt i64 %497, 3
+  br i1 %498, label %526, label %551
 
-554:                                              ; preds = %529
-  %555 = getelementptr inbounds i8, ptr %549, i64 56
-  %556 = load i64, ptr %555, align 8
-  %557 = inttoptr i64 %556 to ptr
-  %558 = tail call i64 %557(ptr noundef %0, double noundef %75, ptr noundef %78, ptr noundef null) #6
-  br label %559
+499:                                              ; preds = %488, %499
+  %500 = phi i64 [ 0, %488 ], [ %521, %499 ]
+  %501 = load ptr, ptr %51, align 8
+  %502 = getelementptr inbounds double, ptr %501, i64 %500
+  %503 = load double, ptr %502, align 8
+  %504 = load ptr, ptr %4, align 8
+  %505 = getelementptr inbounds double, ptr %504, i64 %500
+  %506 = load double, ptr %505, align 8
+  %507 = fsub double %503, %506
+  %508 = load ptr, ptr %43, align 8
+  %509 = getelementptr inbounds double, ptr %508, i64 %500
+  %510 = load double, ptr %509, align 8
+  %511 = fmul double %80, %510
+  %512 = fsub double %511, %507
+  %513 = getelementptr inbounds double, ptr %412, i64 %500
+  store double %507, ptr %513, align 8
+  %514 = getelementptr inbounds double, ptr %489, i64 %500
+  store double %512, ptr %514, align 8
+  %515 = fsub double %507, %512
+  %516 = getelementptr inbounds double, ptr %411, i64 %500
+  %517 = load double, ptr %516, align 8
+  %518 = fmul double %80, %517
+  %519 = fsub double %515, %518
+  %520 = getelementptr inbounds double, ptr %491, i64 %500
+  store double %519, ptr %520, align 8
+  %521 = add nuw nsw i64 %500, 1
+  %522 = load ptr, ptr %3, align 8
+  %523 = getelementptr inbounds i8, ptr %522, i64 8
+  %524 = load i64, ptr %523, align 8
+  %525 = icmp slt i64 %521, %524
+  br i1 %525, label %499, label %492, !llvm.loop !14
 
-559:                                              ; preds = %84, %82, %529, %554, %525
-  %560 = phi i32 [ 1, %525 ], [ 0, %554 ], [ 0, %529 ], [ 4, %82 ], [ 4, %84 ]
-  %561 = phi i64 [ %69, %525 ], [ %530, %554 ], [ %530, %529 ], [ %65, %82 ], [ %65, %84 ]
-  %562 = phi i64 [ %528, %525 ], [ %531, %554 ], [ %531, %529 ], [ %64, %82 ], [ %64, %84 ]
-  switch i32 %560, label %567 [
-    i32 0, label %563
-    i32 4, label %563
+526:                                              ; preds = %492, %526
+  %527 = phi i64 [ %548, %526 ], [ 3, %492 ]
+  %528 = mul nsw i64 %527, %408
+  %529 = getelementptr inbounds double, ptr %412, i64 %528
+  %530 = load ptr, ptr %52, align 8
+  %531 = load ptr, ptr %53, align 8
+  %532 = getelementptr i64, ptr %531, i64 %413
+  %533 = getelementptr i64, ptr %532, i64 %494
+  %534 = getelementptr i64, ptr %533, i64 %495
+  %535 = getelementptr i64, ptr %534, i64 %527
+  %536 = getelementptr i8, ptr %535, i64 -24
+  %537 = load i64, ptr %536, align 8
+  %538 = getelementptr i8, ptr %535, i64 -16
+  %539 = load i64, ptr %538, align 8
+  %540 = xor i64 %537, -1
+  %541 = add i64 %539, %540
+  %542 = load ptr, ptr %54, align 8
+  %543 = load ptr, ptr %43, align 8
+  %544 = load ptr, ptr %55, align 8
+  %545 = getelementptr inbounds i64, ptr %544, i64 %537
+  %546 = load ptr, ptr %56, align 8
+  %547 = getelementptr inbounds double, ptr %546, i64 %537
+  tail call fastcc void @combine(ptr noundef %529, ptr noundef %530, ptr noundef %542, ptr noundef %543, ptr noundef %545, ptr noundef %547, i64 noundef %541, i64 noundef 1, i64 noundef %406) #5
+  %548 = add nuw nsw i64 %527, 1
+  %549 = load i64, ptr %496, align 8
+  %550 = icmp slt i64 %548, %549
+  br i1 %550, label %526, label %551, !llvm.loop !15
+
+551:                                              ; preds = %526, %131, %492, %108, %478, %361, %383
+  %552 = phi i64 [ %362, %361 ], [ %392, %383 ], [ %481, %478 ], [ 0, %108 ], [ %480, %492 ], [ 0, %131 ], [ %480, %526 ]
+  %553 = icmp eq i64 %552, 0
+  %554 = select i1 %553, i64 %64, i64 %552
+  br i1 %553, label %555, label %585
+
+555:                                              ; preds = %551, %91
+  %556 = phi i64 [ %69, %551 ], [ %65, %91 ]
+  %557 = phi i64 [ %554, %551 ], [ %64, %91 ]
+  %558 = load double, ptr %72, align 8
+  %559 = fsub double %75, %558
+  %560 = load double, ptr %79, align 8
+  %561 = fdiv double %559, %560
+  %562 = load ptr, ptr %58, align 8
+  %563 = insertelement <8 x double> poison, double %561, i64 0
+  %564 = shufflevector <8 x double> %563, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %564, ptr %562, align 8
+  %565 = load ptr, ptr %4, align 8
+  %566 = load ptr, ptr %59, align 8
+  %567 = load i64, ptr %60, align 8
+  %568 = load ptr, ptr %0, align 8
+  %569 = getelementptr inbounds i8, ptr %568, i64 24
+  %570 = load i64, ptr %569, align 8
+  %571 = load ptr, ptr %58, align 8
+  %572 = load ptr, ptr %3, align 8
+  %573 = getelementptr inbounds i8, ptr %572, i64 16
+  %574 = load i64, ptr %573, align 8
+  tail call fastcc void @nested(ptr noundef %78, ptr noundef %565, ptr noundef %566, i64 noundef %567, i64 noundef %570, ptr noundef %571, i64 noundef %574) #5
+  %575 = load ptr, ptr %61, align 8
+  %576 = load i64, ptr %575, align 8
+  %577 = icmp eq i64 %576, 1
+  %578 = fcmp ogt double %561, 0.000000e+00
+  %579 = and i1 %578, %577
+  br i1 %579, label %580, label %585
+
+580:                                              ; preds = %555
+  %581 = getelementptr inbounds i8, ptr %575, i64 56
+  %582 = load i64, ptr %581, align 8
+  %583 = inttoptr i64 %582 to ptr
+  %584 = tail call i64 %583(ptr noundef %0, double noundef %75, ptr noundef %78, ptr noundef null) #6
+  br label %585
+
+585:                                              ; preds = %84, %82, %555, %580, %551
+  %586 = phi i32 [ 1, %551 ], [ 0, %580 ], [ 0, %555 ], [ 4, %82 ], [ 4, %84 ]
+  %587 = phi i64 [ %69, %551 ], [ %556, %580 ], [ %556, %555 ], [ %65, %82 ], [ %65, %84 ]
+  %588 = phi i64 [ %554, %551 ], [ %557, %580 ], [ %557, %555 ], [ %64, %82 ], [ %64, %84 ]
+  switch i32 %586, label %593 [
+    i32 0, label %589
+    i32 4, label %589
   ]
 
-563:                                              ; preds = %559, %559
-  %564 = add nuw nsw i64 %66, 1
-  %565 = load i64, ptr %10, align 8
-  %566 = icmp slt i64 %564, %565
-  br i1 %566, label %63, label %567, !llvm.loop !16
+589:                                              ; preds = %585, %585
+  %590 = add nuw nsw i64 %66, 1
+  %591 = load i64, ptr %10, align 8
+  %592 = icmp slt i64 %590, %591
+  br i1 %592, label %63, label %593, !llvm.loop !16
 
-567:                                              ; preds = %559, %563, %2
-  %568 = phi i64 [ 0, %2 ], [ %562, %559 ], [ 0, %563 ]
-  ret i64 %568
+593:                                              ; preds = %585, %589, %2
+  %594 = phi i64 [ 0, %2 ], [ %588, %585 ], [ 0, %589 ]
+  ret i64 %594
+}
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !9
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #1 {

@@ -1,4 +1,4 @@
-; sources ea3bcda5c0dc2a8adadba7c1a99fa32dfaa3ef2512f42b147e4bdf0b39e81f02
+; sources c0fda63f5a6126ad2c5961238b79121f69e3daee5dde2ca143cb982eebf254f9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -90,676 +90,687 @@ define range(i64 0, 7) i64 @project(ptr noundef readonly %0, double noundef %1, 
   %64 = getelementptr inbounds i8, ptr %0, i64 168
   %65 = load ptr, ptr %64, align 8
   store double %1, ptr %65, align 8
-  %66 = getelementptr inbounds i8, ptr %0, i64 248
-  %67 = load i64, ptr %66, align 8
-  %68 = icmp sgt i64 %67, 0
-  br i1 %68, label %69, label %70
+  %66 = load ptr, ptr %63, align 8
+  %67 = getelementptr inbounds i8, ptr %66, i64 40
+  %68 = load i64, ptr %67, align 8
+  %69 = icmp eq i64 %68, 0
+  br i1 %69, label %71, label %70
 
-69:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef nonnull %63) #7
-  br label %70
+70:                                               ; preds = %4
+  tail call fastcc void @settle(ptr noundef nonnull %63) #7
+  br label %71
 
-70:                                               ; preds = %4, %69
-  %71 = load ptr, ptr %5, align 8
-  %72 = load ptr, ptr %71, align 8
-  %73 = load i64, ptr %25, align 8
+71:                                               ; preds = %70, %4
+  %72 = getelementptr inbounds i8, ptr %0, i64 248
+  %73 = load i64, ptr %72, align 8
   %74 = icmp sgt i64 %73, 0
-  br i1 %74, label %75, label %89
+  br i1 %74, label %75, label %76
 
-75:                                               ; preds = %70, %79
-  %76 = phi i64 [ %80, %79 ], [ 0, %70 ]
-  %77 = mul nuw nsw i64 %76, %73
-  %78 = getelementptr double, ptr %72, i64 %77
-  br label %82
+75:                                               ; preds = %71
+  tail call fastcc void @sample(ptr noundef nonnull %63) #7
+  br label %76
 
-79:                                               ; preds = %82
-  %80 = add nuw nsw i64 %76, 1
-  %81 = icmp eq i64 %80, %73
-  br i1 %81, label %89, label %75, !llvm.loop !6
+76:                                               ; preds = %71, %75
+  %77 = load ptr, ptr %5, align 8
+  %78 = load ptr, ptr %77, align 8
+  %79 = load i64, ptr %25, align 8
+  %80 = icmp sgt i64 %79, 0
+  br i1 %80, label %81, label %95
 
-82:                                               ; preds = %75, %82
-  %83 = phi i64 [ 0, %75 ], [ %87, %82 ]
-  %84 = icmp eq i64 %76, %83
-  %85 = select i1 %84, double 1.000000e+00, double 0.000000e+00
-  %86 = getelementptr double, ptr %78, i64 %83
-  store double %85, ptr %86, align 8
-  %87 = add nuw nsw i64 %83, 1
-  %88 = icmp eq i64 %87, %73
-  br i1 %88, label %79, label %82, !llvm.loop !9
+81:                                               ; preds = %76, %85
+  %82 = phi i64 [ %86, %85 ], [ 0, %76 ]
+  %83 = mul nuw nsw i64 %82, %79
+  %84 = getelementptr double, ptr %78, i64 %83
+  br label %88
 
-89:                                               ; preds = %79, %70
-  %90 = load i64, ptr %37, align 8
-  %91 = load ptr, ptr %5, align 8
-  %92 = getelementptr inbounds i8, ptr %91, i64 240
-  %93 = load ptr, ptr %92, align 8
-  %94 = load i64, ptr %16, align 8
-  %95 = icmp sgt i64 %94, 0
-  br i1 %95, label %142, label %96
+85:                                               ; preds = %88
+  %86 = add nuw nsw i64 %82, 1
+  %87 = icmp eq i64 %86, %79
+  br i1 %87, label %95, label %81, !llvm.loop !6
 
-96:                                               ; preds = %142, %89
-  %97 = getelementptr inbounds i8, ptr %0, i64 168
-  %98 = getelementptr inbounds i8, ptr %0, i64 192
-  %99 = getelementptr inbounds i8, ptr %0, i64 720
-  %100 = load ptr, ptr %38, align 8
-  %101 = load i64, ptr %37, align 8
-  %102 = load ptr, ptr %11, align 8
-  %103 = getelementptr inbounds i8, ptr %102, i64 8
-  %104 = load i64, ptr %103, align 8
-  %105 = load ptr, ptr %97, align 8
-  %106 = load ptr, ptr %98, align 8
-  %107 = load ptr, ptr %99, align 8
-  %108 = inttoptr i64 %104 to ptr
-  %109 = load ptr, ptr %108, align 8
-  %110 = tail call i32 %109(ptr noundef %105, ptr noundef %2, ptr noundef %106, ptr noundef %107, ptr noundef %100) #8
-  %111 = icmp slt i32 %110, 0
-  br i1 %111, label %326, label %112
+88:                                               ; preds = %81, %88
+  %89 = phi i64 [ 0, %81 ], [ %93, %88 ]
+  %90 = icmp eq i64 %82, %89
+  %91 = select i1 %90, double 1.000000e+00, double 0.000000e+00
+  %92 = getelementptr double, ptr %84, i64 %89
+  store double %91, ptr %92, align 8
+  %93 = add nuw nsw i64 %89, 1
+  %94 = icmp eq i64 %93, %79
+  br i1 %94, label %85, label %88, !llvm.loop !9
 
-112:                                              ; preds = %96
-  %113 = icmp eq i64 %33, %94
-  %114 = load i64, ptr %16, align 8
-  %115 = icmp sgt i64 %114, 0
-  %116 = load ptr, ptr %38, align 8
-  %117 = load ptr, ptr %45, align 8
-  %118 = load ptr, ptr %5, align 8
-  %119 = getelementptr inbounds i8, ptr %118, i64 216
-  %120 = icmp ne ptr %62, null
-  %121 = load i64, ptr %22, align 8
-  %122 = load ptr, ptr %41, align 8
-  %123 = load i64, ptr %31, align 8
-  %124 = icmp slt i64 %123, %114
-  %125 = icmp sgt i64 %114, 0
-  %126 = icmp sgt i64 %121, 0
-  %127 = getelementptr inbounds i8, ptr %0, i64 600
-  %128 = getelementptr inbounds i8, ptr %0, i64 576
-  %129 = select i1 %124, double 1.000000e-05, double 0x3CE0000000000000
-  %130 = load ptr, ptr %45, align 8
-  %131 = load i64, ptr %25, align 8
-  %132 = add nsw i64 %131, %121
-  %133 = sitofp i64 %132 to double
-  %134 = icmp eq i64 %30, 1
-  %135 = getelementptr inbounds i8, ptr %91, i64 8
-  %136 = getelementptr inbounds i8, ptr %91, i64 16
-  %137 = getelementptr inbounds i8, ptr %91, i64 24
-  %138 = getelementptr inbounds i8, ptr %91, i64 32
-  %139 = getelementptr inbounds i8, ptr %91, i64 40
-  %140 = getelementptr inbounds i8, ptr %91, i64 144
-  %141 = icmp sgt i64 %114, 0
-  br label %159
+95:                                               ; preds = %85, %76
+  %96 = load i64, ptr %37, align 8
+  %97 = load ptr, ptr %5, align 8
+  %98 = getelementptr inbounds i8, ptr %97, i64 240
+  %99 = load ptr, ptr %98, align 8
+  %100 = load i64, ptr %16, align 8
+  %101 = icmp sgt i64 %100, 0
+  br i1 %101, label %148, label %102
 
-142:                                              ; preds = %89, %142
-  %143 = phi i64 [ %145, %142 ], [ 0, %89 ]
-  %144 = getelementptr inbounds double, ptr %93, i64 %143
-  store double 0.000000e+00, ptr %144, align 8
-  %145 = add nuw nsw i64 %143, 1
-  %146 = icmp eq i64 %145, %94
-  br i1 %146, label %96, label %142, !llvm.loop !10
+102:                                              ; preds = %148, %95
+  %103 = getelementptr inbounds i8, ptr %0, i64 168
+  %104 = getelementptr inbounds i8, ptr %0, i64 192
+  %105 = getelementptr inbounds i8, ptr %0, i64 720
+  %106 = load ptr, ptr %38, align 8
+  %107 = load i64, ptr %37, align 8
+  %108 = load ptr, ptr %11, align 8
+  %109 = getelementptr inbounds i8, ptr %108, i64 8
+  %110 = load i64, ptr %109, align 8
+  %111 = load ptr, ptr %103, align 8
+  %112 = load ptr, ptr %104, align 8
+  %113 = load ptr, ptr %105, align 8
+  %114 = inttoptr i64 %110 to ptr
+  %115 = load ptr, ptr %114, align 8
+  %116 = tail call i32 %115(ptr noundef %111, ptr noundef %2, ptr noundef %112, ptr noundef %113, ptr noundef %106) #8
+  %117 = icmp slt i32 %116, 0
+  br i1 %117, label %332, label %118
 
-147:                                              ; preds = %323
-  %148 = add nuw nsw i32 %163, 1
-  %149 = load ptr, ptr %11, align 8
-  %150 = getelementptr inbounds i8, ptr %149, i64 8
-  %151 = load i64, ptr %150, align 8
-  %152 = load ptr, ptr %97, align 8
-  %153 = load ptr, ptr %98, align 8
-  %154 = load ptr, ptr %99, align 8
-  %155 = inttoptr i64 %151 to ptr
-  %156 = load ptr, ptr %155, align 8
-  %157 = tail call i32 %156(ptr noundef %152, ptr noundef %2, ptr noundef %153, ptr noundef %154, ptr noundef %100) #8
-  %158 = icmp slt i32 %157, 0
-  br i1 %158, label %326, label %159, !llvm.loop !11
+118:                                              ; preds = %102
+  %119 = icmp eq i64 %33, %100
+  %120 = load i64, ptr %16, align 8
+  %121 = icmp sgt i64 %120, 0
+  %122 = load ptr, ptr %38, align 8
+  %123 = load ptr, ptr %45, align 8
+  %124 = load ptr, ptr %5, align 8
+  %125 = getelementptr inbounds i8, ptr %124, i64 216
+  %126 = icmp ne ptr %62, null
+  %127 = load i64, ptr %22, align 8
+  %128 = load ptr, ptr %41, align 8
+  %129 = load i64, ptr %31, align 8
+  %130 = icmp slt i64 %129, %120
+  %131 = icmp sgt i64 %120, 0
+  %132 = icmp sgt i64 %127, 0
+  %133 = getelementptr inbounds i8, ptr %0, i64 600
+  %134 = getelementptr inbounds i8, ptr %0, i64 576
+  %135 = select i1 %130, double 1.000000e-05, double 0x3CE0000000000000
+  %136 = load ptr, ptr %45, align 8
+  %137 = load i64, ptr %25, align 8
+  %138 = add nsw i64 %137, %127
+  %139 = sitofp i64 %138 to double
+  %140 = icmp eq i64 %30, 1
+  %141 = getelementptr inbounds i8, ptr %97, i64 8
+  %142 = getelementptr inbounds i8, ptr %97, i64 16
+  %143 = getelementptr inbounds i8, ptr %97, i64 24
+  %144 = getelementptr inbounds i8, ptr %97, i64 32
+  %145 = getelementptr inbounds i8, ptr %97, i64 40
+  %146 = getelementptr inbounds i8, ptr %97, i64 144
+  %147 = icmp sgt i64 %120, 0
+  br label %165
 
-159:                                              ; preds = %112, %147
-  %160 = phi i64 [ undef, %112 ], [ %325, %147 ]
-  %161 = phi i64 [ 0, %112 ], [ %275, %147 ]
-  %162 = phi double [ 0x7FF0000000000000, %112 ], [ %324, %147 ]
-  %163 = phi i32 [ 0, %112 ], [ %148, %147 ]
-  %164 = phi double [ 0.000000e+00, %112 ], [ %261, %147 ]
-  %165 = phi i64 [ %101, %112 ], [ %273, %147 ]
-  %166 = icmp eq i32 %163, 0
-  %167 = select i1 %166, i1 true, i1 %113
-  br i1 %115, label %178, label %168
+148:                                              ; preds = %95, %148
+  %149 = phi i64 [ %151, %148 ], [ 0, %95 ]
+  %150 = getelementptr inbounds double, ptr %99, i64 %149
+  store double 0.000000e+00, ptr %150, align 8
+  %151 = add nuw nsw i64 %149, 1
+  %152 = icmp eq i64 %151, %100
+  br i1 %152, label %102, label %148, !llvm.loop !10
 
-168:                                              ; preds = %199, %159
-  %169 = phi double [ 0.000000e+00, %159 ], [ %204, %199 ]
-  %170 = phi i32 [ 1, %159 ], [ %206, %199 ]
-  %171 = xor i32 %170, -1
-  %172 = sext i32 %171 to i64
-  %173 = and i64 %165, %172
-  %174 = or i64 %173, %161
-  %175 = and i1 %120, %166
-  %176 = and i1 %125, %175
-  %177 = select i1 %175, double 0.000000e+00, double %164
-  br i1 %176, label %209, label %260
+153:                                              ; preds = %329
+  %154 = add nuw nsw i32 %169, 1
+  %155 = load ptr, ptr %11, align 8
+  %156 = getelementptr inbounds i8, ptr %155, i64 8
+  %157 = load i64, ptr %156, align 8
+  %158 = load ptr, ptr %103, align 8
+  %159 = load ptr, ptr %104, align 8
+  %160 = load ptr, ptr %105, align 8
+  %161 = inttoptr i64 %157 to ptr
+  %162 = load ptr, ptr %161, align 8
+  %163 = tail call i32 %162(ptr noundef %158, ptr noundef %2, ptr noundef %159, ptr noundef %160, ptr noundef %106) #8
+  %164 = icmp slt i32 %163, 0
+  br i1 %164, label %332, label %165, !llvm.loop !11
 
-178:                                              ; preds = %159, %199
-  %179 = phi i64 [ %207, %199 ], [ 0, %159 ]
-  %180 = phi i32 [ %206, %199 ], [ 1, %159 ]
-  %181 = phi double [ %204, %199 ], [ 0.000000e+00, %159 ]
-  %182 = getelementptr inbounds double, ptr %116, i64 %179
-  %183 = load double, ptr %182, align 8
-  %184 = tail call double @llvm.fabs.f64(double %183)
-  %185 = getelementptr inbounds double, ptr %117, i64 %179
-  %186 = load double, ptr %185, align 8
-  %187 = getelementptr inbounds double, ptr %93, i64 %179
-  %188 = load double, ptr %187, align 8
-  %189 = fcmp ogt double %186, %188
-  %190 = select i1 %189, double %186, double %188
-  %191 = fmul double %190, 0x3CB0000000000000
-  %192 = fcmp une double %183, 0.000000e+00
-  br i1 %167, label %199, label %193
+165:                                              ; preds = %118, %153
+  %166 = phi i64 [ undef, %118 ], [ %331, %153 ]
+  %167 = phi i64 [ 0, %118 ], [ %281, %153 ]
+  %168 = phi double [ 0x7FF0000000000000, %118 ], [ %330, %153 ]
+  %169 = phi i32 [ 0, %118 ], [ %154, %153 ]
+  %170 = phi double [ 0.000000e+00, %118 ], [ %267, %153 ]
+  %171 = phi i64 [ %107, %118 ], [ %279, %153 ]
+  %172 = icmp eq i32 %169, 0
+  %173 = select i1 %172, i1 true, i1 %119
+  br i1 %121, label %184, label %174
 
-193:                                              ; preds = %178
-  %194 = load ptr, ptr %119, align 8
-  %195 = getelementptr inbounds double, ptr %194, i64 %179
-  %196 = load double, ptr %195, align 8
-  %197 = fcmp ogt double %196, 0.000000e+00
-  %198 = and i1 %192, %197
-  br label %199
+174:                                              ; preds = %205, %165
+  %175 = phi double [ 0.000000e+00, %165 ], [ %210, %205 ]
+  %176 = phi i32 [ 1, %165 ], [ %212, %205 ]
+  %177 = xor i32 %176, -1
+  %178 = sext i32 %177 to i64
+  %179 = and i64 %171, %178
+  %180 = or i64 %179, %167
+  %181 = and i1 %126, %172
+  %182 = and i1 %131, %181
+  %183 = select i1 %181, double 0.000000e+00, double %170
+  br i1 %182, label %215, label %266
 
-199:                                              ; preds = %193, %178
-  %200 = phi i1 [ %192, %178 ], [ %198, %193 ]
-  %201 = fdiv double %184, %191
-  %202 = fcmp ogt double %201, %181
-  %203 = select i1 %200, i1 %202, i1 false
-  %204 = select i1 %203, double %201, double %181
-  %205 = fcmp one double %184, 0x7FF0000000000000
-  %206 = select i1 %205, i32 %180, i32 0
-  %207 = add nuw nsw i64 %179, 1
-  %208 = icmp eq i64 %207, %114
-  br i1 %208, label %168, label %178, !llvm.loop !12
+184:                                              ; preds = %165, %205
+  %185 = phi i64 [ %213, %205 ], [ 0, %165 ]
+  %186 = phi i32 [ %212, %205 ], [ 1, %165 ]
+  %187 = phi double [ %210, %205 ], [ 0.000000e+00, %165 ]
+  %188 = getelementptr inbounds double, ptr %122, i64 %185
+  %189 = load double, ptr %188, align 8
+  %190 = tail call double @llvm.fabs.f64(double %189)
+  %191 = getelementptr inbounds double, ptr %123, i64 %185
+  %192 = load double, ptr %191, align 8
+  %193 = getelementptr inbounds double, ptr %99, i64 %185
+  %194 = load double, ptr %193, align 8
+  %195 = fcmp ogt double %192, %194
+  %196 = select i1 %195, double %192, double %194
+  %197 = fmul double %196, 0x3CB0000000000000
+  %198 = fcmp une double %189, 0.000000e+00
+  br i1 %173, label %205, label %199
 
-209:                                              ; preds = %168, %217
-  %210 = phi double [ %233, %217 ], [ 0.000000e+00, %168 ]
-  %211 = phi i64 [ %234, %217 ], [ 0, %168 ]
-  br i1 %126, label %212, label %217
+199:                                              ; preds = %184
+  %200 = load ptr, ptr %125, align 8
+  %201 = getelementptr inbounds double, ptr %200, i64 %185
+  %202 = load double, ptr %201, align 8
+  %203 = fcmp ogt double %202, 0.000000e+00
+  %204 = and i1 %198, %203
+  br label %205
 
-212:                                              ; preds = %209
-  %213 = mul nuw nsw i64 %211, %121
-  %214 = getelementptr double, ptr %122, i64 %213
-  %215 = load ptr, ptr %127, align 8
-  %216 = load ptr, ptr %128, align 8
-  br label %236
+205:                                              ; preds = %199, %184
+  %206 = phi i1 [ %198, %184 ], [ %204, %199 ]
+  %207 = fdiv double %190, %197
+  %208 = fcmp ogt double %207, %187
+  %209 = select i1 %206, i1 %208, i1 false
+  %210 = select i1 %209, double %207, double %187
+  %211 = fcmp one double %190, 0x7FF0000000000000
+  %212 = select i1 %211, i32 %186, i32 0
+  %213 = add nuw nsw i64 %185, 1
+  %214 = icmp eq i64 %213, %120
+  br i1 %214, label %174, label %184, !llvm.loop !12
 
-217:                                              ; preds = %236, %209
-  %218 = phi double [ 0.000000e+00, %209 ], [ %257, %236 ]
-  %219 = getelementptr inbounds double, ptr %130, i64 %211
-  %220 = load double, ptr %219, align 8
-  %221 = fmul double %129, %220
-  %222 = fmul double %218, %133
-  %223 = tail call double @llvm.sqrt.f64(double %222)
-  %224 = fmul double %223, 3.000000e+00
-  %225 = fadd double %221, %224
-  %226 = fcmp ule double %218, 0.000000e+00
-  %227 = getelementptr inbounds double, ptr %116, i64 %211
-  %228 = load double, ptr %227, align 8
-  %229 = tail call double @llvm.fabs.f64(double %228)
-  %230 = fdiv double %229, %225
-  %231 = fcmp ogt double %230, %210
-  %232 = select i1 %231, double %230, double %210
-  %233 = select i1 %226, double %210, double %232
-  %234 = add nuw nsw i64 %211, 1
-  %235 = icmp eq i64 %234, %114
-  br i1 %235, label %260, label %209, !llvm.loop !13
+215:                                              ; preds = %174, %223
+  %216 = phi double [ %239, %223 ], [ 0.000000e+00, %174 ]
+  %217 = phi i64 [ %240, %223 ], [ 0, %174 ]
+  br i1 %132, label %218, label %223
 
-236:                                              ; preds = %212, %236
-  %237 = phi double [ 0.000000e+00, %212 ], [ %257, %236 ]
-  %238 = phi i64 [ 0, %212 ], [ %258, %236 ]
-  %239 = getelementptr double, ptr %214, i64 %238
-  %240 = load double, ptr %239, align 8
-  %241 = getelementptr inbounds double, ptr %2, i64 %238
-  %242 = load double, ptr %241, align 8
-  %243 = getelementptr inbounds double, ptr %62, i64 %238
-  %244 = load double, ptr %243, align 8
-  %245 = getelementptr inbounds double, ptr %215, i64 %238
+218:                                              ; preds = %215
+  %219 = mul nuw nsw i64 %217, %127
+  %220 = getelementptr double, ptr %128, i64 %219
+  %221 = load ptr, ptr %133, align 8
+  %222 = load ptr, ptr %134, align 8
+  br label %242
+
+223:                                              ; preds = %242, %215
+  %224 = phi double [ 0.000000e+00, %215 ], [ %263, %242 ]
+  %225 = getelementptr inbounds double, ptr %136, i64 %217
+  %226 = load double, ptr %225, align 8
+  %227 = fmul double %135, %226
+  %228 = fmul double %224, %139
+  %229 = tail call double @llvm.sqrt.f64(double %228)
+  %230 = fmul double %229, 3.000000e+00
+  %231 = fadd double %227, %230
+  %232 = fcmp ule double %224, 0.000000e+00
+  %233 = getelementptr inbounds double, ptr %122, i64 %217
+  %234 = load double, ptr %233, align 8
+  %235 = tail call double @llvm.fabs.f64(double %234)
+  %236 = fdiv double %235, %231
+  %237 = fcmp ogt double %236, %216
+  %238 = select i1 %237, double %236, double %216
+  %239 = select i1 %232, double %216, double %238
+  %240 = add nuw nsw i64 %217, 1
+  %241 = icmp eq i64 %240, %120
+  br i1 %241, label %266, label %215, !llvm.loop !13
+
+242:                                              ; preds = %218, %242
+  %243 = phi double [ 0.000000e+00, %218 ], [ %263, %242 ]
+  %244 = phi i64 [ 0, %218 ], [ %264, %242 ]
+  %245 = getelementptr double, ptr %220, i64 %244
   %246 = load double, ptr %245, align 8
-  %247 = getelementptr inbounds double, ptr %216, i64 %238
+  %247 = getelementptr inbounds double, ptr %2, i64 %244
   %248 = load double, ptr %247, align 8
-  %249 = tail call double @llvm.fabs.f64(double %244)
-  %250 = tail call double @llvm.fabs.f64(double %242)
-  %251 = fcmp ogt double %249, %250
-  %252 = select i1 %251, double %249, double %250
-  %253 = fmul double %252, %248
-  %254 = fadd double %246, %253
-  %255 = fmul double %240, %254
-  %256 = fmul double %255, %255
-  %257 = fadd double %237, %256
-  %258 = add nuw nsw i64 %238, 1
-  %259 = icmp eq i64 %258, %121
-  br i1 %259, label %217, label %236, !llvm.loop !14
+  %249 = getelementptr inbounds double, ptr %62, i64 %244
+  %250 = load double, ptr %249, align 8
+  %251 = getelementptr inbounds double, ptr %221, i64 %244
+  %252 = load double, ptr %251, align 8
+  %253 = getelementptr inbounds double, ptr %222, i64 %244
+  %254 = load double, ptr %253, align 8
+  %255 = tail call double @llvm.fabs.f64(double %250)
+  %256 = tail call double @llvm.fabs.f64(double %248)
+  %257 = fcmp ogt double %255, %256
+  %258 = select i1 %257, double %255, double %256
+  %259 = fmul double %258, %254
+  %260 = fadd double %252, %259
+  %261 = fmul double %246, %260
+  %262 = fmul double %261, %261
+  %263 = fadd double %243, %262
+  %264 = add nuw nsw i64 %244, 1
+  %265 = icmp eq i64 %264, %127
+  br i1 %265, label %223, label %242, !llvm.loop !14
 
-260:                                              ; preds = %217, %168
-  %261 = phi double [ %177, %168 ], [ %233, %217 ]
-  %262 = fcmp ole double %169, 1.000000e+00
-  %263 = fmul double %162, 5.000000e-01
-  %264 = fcmp oge double %169, %263
-  %265 = fcmp ole double %169, 8.000000e+00
-  %266 = and i1 %264, %265
-  %267 = or i1 %262, %266
-  %268 = zext i1 %267 to i64
-  %269 = or i64 %174, %268
-  %270 = xor i64 %269, -1
-  %271 = and i64 %165, %270
-  %272 = icmp eq i32 %163, 9
-  %273 = select i1 %272, i64 0, i64 %271
-  %274 = select i1 %272, i64 %271, i64 0
-  %275 = or i64 %274, %174
-  store i64 %273, ptr %37, align 8
-  %276 = icmp eq i64 %273, 0
-  br i1 %276, label %323, label %277
+266:                                              ; preds = %223, %174
+  %267 = phi double [ %183, %174 ], [ %239, %223 ]
+  %268 = fcmp ole double %175, 1.000000e+00
+  %269 = fmul double %168, 5.000000e-01
+  %270 = fcmp oge double %175, %269
+  %271 = fcmp ole double %175, 8.000000e+00
+  %272 = and i1 %270, %271
+  %273 = or i1 %268, %272
+  %274 = zext i1 %273 to i64
+  %275 = or i64 %180, %274
+  %276 = xor i64 %275, -1
+  %277 = and i64 %171, %276
+  %278 = icmp eq i32 %169, 9
+  %279 = select i1 %278, i64 0, i64 %277
+  %280 = select i1 %278, i64 %277, i64 0
+  %281 = or i64 %280, %180
+  store i64 %279, ptr %37, align 8
+  %282 = icmp eq i64 %279, 0
+  br i1 %282, label %329, label %283
 
-277:                                              ; preds = %260
-  br i1 %134, label %278, label %296
+283:                                              ; preds = %266
+  br i1 %140, label %284, label %302
 
-278:                                              ; preds = %277
-  %279 = load i64, ptr %135, align 8
-  %280 = load i64, ptr %136, align 8
-  %281 = mul nsw i64 %280, %279
-  %282 = icmp sgt i64 %281, 0
-  br i1 %282, label %283, label %294
+284:                                              ; preds = %283
+  %285 = load i64, ptr %141, align 8
+  %286 = load i64, ptr %142, align 8
+  %287 = mul nsw i64 %286, %285
+  %288 = icmp sgt i64 %287, 0
+  br i1 %288, label %289, label %300
 
-283:                                              ; preds = %278, %283
-  %284 = phi i64 [ %289, %283 ], [ 0, %278 ]
-  %285 = getelementptr inbounds double, ptr %54, i64 %284
-  %286 = load double, ptr %285, align 8
-  %287 = load ptr, ptr %91, align 8
-  %288 = getelementptr inbounds double, ptr %287, i64 %284
-  store double %286, ptr %288, align 8
-  %289 = add nuw nsw i64 %284, 1
-  %290 = load i64, ptr %135, align 8
-  %291 = load i64, ptr %136, align 8
-  %292 = mul nsw i64 %291, %290
-  %293 = icmp slt i64 %289, %292
-  br i1 %293, label %283, label %294, !llvm.loop !15
+289:                                              ; preds = %284, %289
+  %290 = phi i64 [ %295, %289 ], [ 0, %284 ]
+  %291 = getelementptr inbounds double, ptr %54, i64 %290
+  %292 = load double, ptr %291, align 8
+  %293 = load ptr, ptr %97, align 8
+  %294 = getelementptr inbounds double, ptr %293, i64 %290
+  store double %292, ptr %294, align 8
+  %295 = add nuw nsw i64 %290, 1
+  %296 = load i64, ptr %141, align 8
+  %297 = load i64, ptr %142, align 8
+  %298 = mul nsw i64 %297, %296
+  %299 = icmp slt i64 %295, %298
+  br i1 %299, label %289, label %300, !llvm.loop !15
 
-294:                                              ; preds = %283, %278
-  %295 = load ptr, ptr %91, align 8
-  tail call fastcc void @factorise(ptr noundef %295, i64 noundef %73) #7
-  br label %296
+300:                                              ; preds = %289, %284
+  %301 = load ptr, ptr %97, align 8
+  tail call fastcc void @factorise(ptr noundef %301, i64 noundef %79) #7
+  br label %302
 
-296:                                              ; preds = %277, %294
-  %297 = load i64, ptr %138, align 8
-  %298 = load i64, ptr %139, align 8
-  %299 = mul nsw i64 %298, %297
-  %300 = icmp sgt i64 %299, 0
-  br i1 %300, label %301, label %312
+302:                                              ; preds = %283, %300
+  %303 = load i64, ptr %144, align 8
+  %304 = load i64, ptr %145, align 8
+  %305 = mul nsw i64 %304, %303
+  %306 = icmp sgt i64 %305, 0
+  br i1 %306, label %307, label %318
 
-301:                                              ; preds = %296, %301
-  %302 = phi i64 [ %307, %301 ], [ 0, %296 ]
-  %303 = getelementptr inbounds double, ptr %50, i64 %302
-  %304 = load double, ptr %303, align 8
-  %305 = load ptr, ptr %137, align 8
-  %306 = getelementptr inbounds double, ptr %305, i64 %302
-  store double %304, ptr %306, align 8
-  %307 = add nuw nsw i64 %302, 1
-  %308 = load i64, ptr %138, align 8
-  %309 = load i64, ptr %139, align 8
-  %310 = mul nsw i64 %309, %308
-  %311 = icmp slt i64 %307, %310
-  br i1 %311, label %301, label %312, !llvm.loop !15
+307:                                              ; preds = %302, %307
+  %308 = phi i64 [ %313, %307 ], [ 0, %302 ]
+  %309 = getelementptr inbounds double, ptr %50, i64 %308
+  %310 = load double, ptr %309, align 8
+  %311 = load ptr, ptr %143, align 8
+  %312 = getelementptr inbounds double, ptr %311, i64 %308
+  store double %310, ptr %312, align 8
+  %313 = add nuw nsw i64 %308, 1
+  %314 = load i64, ptr %144, align 8
+  %315 = load i64, ptr %145, align 8
+  %316 = mul nsw i64 %315, %314
+  %317 = icmp slt i64 %313, %316
+  br i1 %317, label %307, label %318, !llvm.loop !15
 
-312:                                              ; preds = %301, %296
-  %313 = load ptr, ptr %140, align 8
-  br i1 %141, label %314, label %322
+318:                                              ; preds = %307, %302
+  %319 = load ptr, ptr %146, align 8
+  br i1 %147, label %320, label %328
 
-314:                                              ; preds = %312, %314
-  %315 = phi i64 [ %320, %314 ], [ 0, %312 ]
-  %316 = getelementptr inbounds double, ptr %100, i64 %315
-  %317 = load double, ptr %316, align 8
-  %318 = fneg double %317
-  %319 = getelementptr inbounds double, ptr %313, i64 %315
-  store double %318, ptr %319, align 8
-  %320 = add nuw nsw i64 %315, 1
-  %321 = icmp eq i64 %320, %114
-  br i1 %321, label %322, label %314, !llvm.loop !16
+320:                                              ; preds = %318, %320
+  %321 = phi i64 [ %326, %320 ], [ 0, %318 ]
+  %322 = getelementptr inbounds double, ptr %106, i64 %321
+  %323 = load double, ptr %322, align 8
+  %324 = fneg double %323
+  %325 = getelementptr inbounds double, ptr %319, i64 %321
+  store double %324, ptr %325, align 8
+  %326 = add nuw nsw i64 %321, 1
+  %327 = icmp eq i64 %326, %120
+  br i1 %327, label %328, label %320, !llvm.loop !16
 
-322:                                              ; preds = %314, %312
+328:                                              ; preds = %320, %318
   call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %2) #7
-  br label %323
+  br label %329
 
-323:                                              ; preds = %322, %260
-  %324 = phi double [ %169, %322 ], [ %162, %260 ]
-  %325 = phi i64 [ %160, %322 ], [ %275, %260 ]
-  br i1 %276, label %326, label %147
+329:                                              ; preds = %328, %266
+  %330 = phi double [ %175, %328 ], [ %168, %266 ]
+  %331 = phi i64 [ %166, %328 ], [ %281, %266 ]
+  br i1 %282, label %332, label %153
 
-326:                                              ; preds = %323, %147, %96
-  %327 = phi double [ 0.000000e+00, %96 ], [ %261, %147 ], [ %261, %323 ]
-  %328 = phi i64 [ %90, %96 ], [ %325, %323 ], [ %90, %147 ]
-  %329 = load i64, ptr %19, align 8
-  %330 = icmp eq i64 %329, 0
-  %331 = icmp eq i64 %328, 1
-  %332 = select i1 %330, i1 true, i1 %331
-  br i1 %332, label %339, label %333
+332:                                              ; preds = %329, %153, %102
+  %333 = phi double [ 0.000000e+00, %102 ], [ %267, %153 ], [ %267, %329 ]
+  %334 = phi i64 [ %96, %102 ], [ %331, %329 ], [ %96, %153 ]
+  %335 = load i64, ptr %19, align 8
+  %336 = icmp eq i64 %335, 0
+  %337 = icmp eq i64 %334, 1
+  %338 = select i1 %336, i1 true, i1 %337
+  br i1 %338, label %345, label %339
 
-333:                                              ; preds = %326
-  %334 = icmp sgt i64 %329, 0
-  br i1 %334, label %335, label %343
+339:                                              ; preds = %332
+  %340 = icmp sgt i64 %335, 0
+  br i1 %340, label %341, label %349
 
-335:                                              ; preds = %333
-  %336 = load ptr, ptr %38, align 8
-  %337 = load i64, ptr %16, align 8
-  %338 = getelementptr double, ptr %336, i64 %337
-  br label %350
+341:                                              ; preds = %339
+  %342 = load ptr, ptr %38, align 8
+  %343 = load i64, ptr %16, align 8
+  %344 = getelementptr double, ptr %342, i64 %343
+  br label %356
 
-339:                                              ; preds = %326
-  %340 = fcmp ogt double %327, 1.000000e+00
-  %341 = zext i1 %340 to i64
-  %342 = or i64 %328, %341
-  br label %591
+345:                                              ; preds = %332
+  %346 = fcmp ogt double %333, 1.000000e+00
+  %347 = zext i1 %346 to i64
+  %348 = or i64 %334, %347
+  br label %597
 
-343:                                              ; preds = %350, %333
-  %344 = phi double [ 0.000000e+00, %333 ], [ %356, %350 ]
-  %345 = load i64, ptr %25, align 8
-  %346 = mul nsw i64 %345, %329
-  %347 = icmp sgt i64 %346, 0
-  br i1 %347, label %348, label %359
+349:                                              ; preds = %356, %339
+  %350 = phi double [ 0.000000e+00, %339 ], [ %362, %356 ]
+  %351 = load i64, ptr %25, align 8
+  %352 = mul nsw i64 %351, %335
+  %353 = icmp sgt i64 %352, 0
+  br i1 %353, label %354, label %365
 
-348:                                              ; preds = %343
-  %349 = load ptr, ptr %43, align 8
-  br label %367
+354:                                              ; preds = %349
+  %355 = load ptr, ptr %43, align 8
+  br label %373
 
-350:                                              ; preds = %335, %350
-  %351 = phi i64 [ 0, %335 ], [ %357, %350 ]
-  %352 = phi double [ 0.000000e+00, %335 ], [ %356, %350 ]
-  %353 = getelementptr double, ptr %338, i64 %351
-  %354 = load double, ptr %353, align 8
-  %355 = fmul double %354, 0.000000e+00
-  %356 = fadd double %352, %355
-  %357 = add nuw nsw i64 %351, 1
-  %358 = icmp eq i64 %357, %329
-  br i1 %358, label %343, label %350, !llvm.loop !17
+356:                                              ; preds = %341, %356
+  %357 = phi i64 [ 0, %341 ], [ %363, %356 ]
+  %358 = phi double [ 0.000000e+00, %341 ], [ %362, %356 ]
+  %359 = getelementptr double, ptr %344, i64 %357
+  %360 = load double, ptr %359, align 8
+  %361 = fmul double %360, 0.000000e+00
+  %362 = fadd double %358, %361
+  %363 = add nuw nsw i64 %357, 1
+  %364 = icmp eq i64 %363, %335
+  br i1 %364, label %349, label %356, !llvm.loop !17
 
-359:                                              ; preds = %367, %343
-  %360 = phi double [ %344, %343 ], [ %373, %367 ]
-  %361 = fcmp une double %360, 0.000000e+00
-  %362 = zext i1 %361 to i64
-  %363 = or i64 %328, %362
-  %364 = and i64 %363, 1
-  %365 = xor i64 %364, 1
-  store i64 %365, ptr %37, align 8
-  %366 = icmp eq ptr %62, null
-  br i1 %366, label %451, label %376
+365:                                              ; preds = %373, %349
+  %366 = phi double [ %350, %349 ], [ %379, %373 ]
+  %367 = fcmp une double %366, 0.000000e+00
+  %368 = zext i1 %367 to i64
+  %369 = or i64 %334, %368
+  %370 = and i64 %369, 1
+  %371 = xor i64 %370, 1
+  store i64 %371, ptr %37, align 8
+  %372 = icmp eq ptr %62, null
+  br i1 %372, label %457, label %382
 
-367:                                              ; preds = %348, %367
-  %368 = phi i64 [ 0, %348 ], [ %374, %367 ]
-  %369 = phi double [ %344, %348 ], [ %373, %367 ]
-  %370 = getelementptr inbounds double, ptr %349, i64 %368
-  %371 = load double, ptr %370, align 8
-  %372 = fmul double %371, 0.000000e+00
-  %373 = fadd double %369, %372
-  %374 = add nuw nsw i64 %368, 1
-  %375 = icmp eq i64 %374, %346
-  br i1 %375, label %359, label %367, !llvm.loop !18
+373:                                              ; preds = %354, %373
+  %374 = phi i64 [ 0, %354 ], [ %380, %373 ]
+  %375 = phi double [ %350, %354 ], [ %379, %373 ]
+  %376 = getelementptr inbounds double, ptr %355, i64 %374
+  %377 = load double, ptr %376, align 8
+  %378 = fmul double %377, 0.000000e+00
+  %379 = fadd double %375, %378
+  %380 = add nuw nsw i64 %374, 1
+  %381 = icmp eq i64 %380, %352
+  br i1 %381, label %365, label %373, !llvm.loop !18
 
-376:                                              ; preds = %359
-  %377 = load i64, ptr %22, align 8
-  %378 = load ptr, ptr %38, align 8
-  %379 = load i64, ptr %16, align 8
-  %380 = getelementptr inbounds double, ptr %378, i64 %379
-  %381 = load ptr, ptr %43, align 8
-  %382 = icmp sgt i64 %329, 0
-  br i1 %382, label %383, label %447
+382:                                              ; preds = %365
+  %383 = load i64, ptr %22, align 8
+  %384 = load ptr, ptr %38, align 8
+  %385 = load i64, ptr %16, align 8
+  %386 = getelementptr inbounds double, ptr %384, i64 %385
+  %387 = load ptr, ptr %43, align 8
+  %388 = icmp sgt i64 %335, 0
+  br i1 %388, label %389, label %453
 
-383:                                              ; preds = %376
-  %384 = load i64, ptr %34, align 8
-  %385 = icmp slt i64 %384, %329
-  %386 = icmp sgt i64 %345, 0
-  %387 = getelementptr inbounds i8, ptr %0, i64 600
-  %388 = getelementptr inbounds i8, ptr %0, i64 576
-  %389 = select i1 %385, double 1.000000e-05, double 0x3CE0000000000000
-  %390 = add nsw i64 %377, %345
-  %391 = sitofp i64 %390 to double
-  br label %392
+389:                                              ; preds = %382
+  %390 = load i64, ptr %34, align 8
+  %391 = icmp slt i64 %390, %335
+  %392 = icmp sgt i64 %351, 0
+  %393 = getelementptr inbounds i8, ptr %0, i64 600
+  %394 = getelementptr inbounds i8, ptr %0, i64 576
+  %395 = select i1 %391, double 1.000000e-05, double 0x3CE0000000000000
+  %396 = add nsw i64 %383, %351
+  %397 = sitofp i64 %396 to double
+  br label %398
 
-392:                                              ; preds = %383, %400
-  %393 = phi double [ 0.000000e+00, %383 ], [ %415, %400 ]
-  %394 = phi i64 [ 0, %383 ], [ %416, %400 ]
-  br i1 %386, label %395, label %400
+398:                                              ; preds = %389, %406
+  %399 = phi double [ 0.000000e+00, %389 ], [ %421, %406 ]
+  %400 = phi i64 [ 0, %389 ], [ %422, %406 ]
+  br i1 %392, label %401, label %406
 
-395:                                              ; preds = %392
-  %396 = mul nuw nsw i64 %394, %345
-  %397 = getelementptr double, ptr %381, i64 %396
-  %398 = load ptr, ptr %387, align 8
-  %399 = load ptr, ptr %388, align 8
-  br label %418
+401:                                              ; preds = %398
+  %402 = mul nuw nsw i64 %400, %351
+  %403 = getelementptr double, ptr %387, i64 %402
+  %404 = load ptr, ptr %393, align 8
+  %405 = load ptr, ptr %394, align 8
+  br label %424
 
-400:                                              ; preds = %418, %392
-  %401 = phi double [ 0.000000e+00, %392 ], [ %444, %418 ]
-  %402 = phi double [ 0.000000e+00, %392 ], [ %441, %418 ]
-  %403 = fmul double %389, %401
-  %404 = fmul double %402, %391
-  %405 = tail call double @llvm.sqrt.f64(double %404)
-  %406 = fmul double %405, 3.000000e+00
-  %407 = fadd double %403, %406
-  %408 = fcmp ule double %402, 0.000000e+00
-  %409 = getelementptr inbounds double, ptr %380, i64 %394
-  %410 = load double, ptr %409, align 8
-  %411 = tail call double @llvm.fabs.f64(double %410)
-  %412 = fdiv double %411, %407
-  %413 = fcmp ogt double %412, %393
-  %414 = select i1 %413, double %412, double %393
-  %415 = select i1 %408, double %393, double %414
-  %416 = add nuw nsw i64 %394, 1
-  %417 = icmp eq i64 %416, %329
-  br i1 %417, label %447, label %392, !llvm.loop !13
+406:                                              ; preds = %424, %398
+  %407 = phi double [ 0.000000e+00, %398 ], [ %450, %424 ]
+  %408 = phi double [ 0.000000e+00, %398 ], [ %447, %424 ]
+  %409 = fmul double %395, %407
+  %410 = fmul double %408, %397
+  %411 = tail call double @llvm.sqrt.f64(double %410)
+  %412 = fmul double %411, 3.000000e+00
+  %413 = fadd double %409, %412
+  %414 = fcmp ule double %408, 0.000000e+00
+  %415 = getelementptr inbounds double, ptr %386, i64 %400
+  %416 = load double, ptr %415, align 8
+  %417 = tail call double @llvm.fabs.f64(double %416)
+  %418 = fdiv double %417, %413
+  %419 = fcmp ogt double %418, %399
+  %420 = select i1 %419, double %418, double %399
+  %421 = select i1 %414, double %399, double %420
+  %422 = add nuw nsw i64 %400, 1
+  %423 = icmp eq i64 %422, %335
+  br i1 %423, label %453, label %398, !llvm.loop !13
 
-418:                                              ; preds = %395, %418
-  %419 = phi double [ 0.000000e+00, %395 ], [ %441, %418 ]
-  %420 = phi i64 [ 0, %395 ], [ %445, %418 ]
-  %421 = phi double [ 0.000000e+00, %395 ], [ %444, %418 ]
-  %422 = getelementptr double, ptr %397, i64 %420
-  %423 = load double, ptr %422, align 8
-  %424 = add nsw i64 %420, %377
-  %425 = getelementptr inbounds double, ptr %2, i64 %424
-  %426 = load double, ptr %425, align 8
-  %427 = getelementptr inbounds double, ptr %62, i64 %424
-  %428 = load double, ptr %427, align 8
-  %429 = getelementptr inbounds double, ptr %398, i64 %424
-  %430 = load double, ptr %429, align 8
-  %431 = getelementptr inbounds double, ptr %399, i64 %424
+424:                                              ; preds = %401, %424
+  %425 = phi double [ 0.000000e+00, %401 ], [ %447, %424 ]
+  %426 = phi i64 [ 0, %401 ], [ %451, %424 ]
+  %427 = phi double [ 0.000000e+00, %401 ], [ %450, %424 ]
+  %428 = getelementptr double, ptr %403, i64 %426
+  %429 = load double, ptr %428, align 8
+  %430 = add nsw i64 %426, %383
+  %431 = getelementptr inbounds double, ptr %2, i64 %430
   %432 = load double, ptr %431, align 8
-  %433 = tail call double @llvm.fabs.f64(double %428)
-  %434 = tail call double @llvm.fabs.f64(double %426)
-  %435 = fcmp ogt double %433, %434
-  %436 = select i1 %435, double %433, double %434
-  %437 = fmul double %436, %432
-  %438 = fadd double %430, %437
-  %439 = fmul double %423, %438
-  %440 = fmul double %439, %439
-  %441 = fadd double %419, %440
-  %442 = fmul double %423, %426
-  %443 = tail call double @llvm.fabs.f64(double %442)
-  %444 = fadd double %421, %443
-  %445 = add nuw nsw i64 %420, 1
-  %446 = icmp eq i64 %445, %345
-  br i1 %446, label %400, label %418, !llvm.loop !14
+  %433 = getelementptr inbounds double, ptr %62, i64 %430
+  %434 = load double, ptr %433, align 8
+  %435 = getelementptr inbounds double, ptr %404, i64 %430
+  %436 = load double, ptr %435, align 8
+  %437 = getelementptr inbounds double, ptr %405, i64 %430
+  %438 = load double, ptr %437, align 8
+  %439 = tail call double @llvm.fabs.f64(double %434)
+  %440 = tail call double @llvm.fabs.f64(double %432)
+  %441 = fcmp ogt double %439, %440
+  %442 = select i1 %441, double %439, double %440
+  %443 = fmul double %442, %438
+  %444 = fadd double %436, %443
+  %445 = fmul double %429, %444
+  %446 = fmul double %445, %445
+  %447 = fadd double %425, %446
+  %448 = fmul double %429, %432
+  %449 = tail call double @llvm.fabs.f64(double %448)
+  %450 = fadd double %427, %449
+  %451 = add nuw nsw i64 %426, 1
+  %452 = icmp eq i64 %451, %351
+  br i1 %452, label %406, label %424, !llvm.loop !14
 
-447:                                              ; preds = %400, %376
-  %448 = phi double [ 0.000000e+00, %376 ], [ %415, %400 ]
-  %449 = fcmp ogt double %448, %327
-  %450 = select i1 %449, double %448, double %327
-  br label %451
+453:                                              ; preds = %406, %382
+  %454 = phi double [ 0.000000e+00, %382 ], [ %421, %406 ]
+  %455 = fcmp ogt double %454, %333
+  %456 = select i1 %455, double %454, double %333
+  br label %457
 
-451:                                              ; preds = %447, %359
-  %452 = phi double [ %327, %359 ], [ %450, %447 ]
-  %453 = load i64, ptr %28, align 8
-  %454 = icmp eq i64 %453, 1
-  br i1 %454, label %455, label %479
+457:                                              ; preds = %453, %365
+  %458 = phi double [ %333, %365 ], [ %456, %453 ]
+  %459 = load i64, ptr %28, align 8
+  %460 = icmp eq i64 %459, 1
+  br i1 %460, label %461, label %485
 
-455:                                              ; preds = %451
-  %456 = load ptr, ptr %44, align 8
-  %457 = load ptr, ptr %5, align 8
-  %458 = getelementptr inbounds i8, ptr %457, i64 8
-  %459 = getelementptr inbounds i8, ptr %457, i64 16
-  %460 = load i64, ptr %458, align 8
-  %461 = load i64, ptr %459, align 8
-  %462 = mul nsw i64 %461, %460
-  %463 = icmp sgt i64 %462, 0
-  br i1 %463, label %464, label %475
+461:                                              ; preds = %457
+  %462 = load ptr, ptr %44, align 8
+  %463 = load ptr, ptr %5, align 8
+  %464 = getelementptr inbounds i8, ptr %463, i64 8
+  %465 = getelementptr inbounds i8, ptr %463, i64 16
+  %466 = load i64, ptr %464, align 8
+  %467 = load i64, ptr %465, align 8
+  %468 = mul nsw i64 %467, %466
+  %469 = icmp sgt i64 %468, 0
+  br i1 %469, label %470, label %481
 
-464:                                              ; preds = %455, %464
-  %465 = phi i64 [ %470, %464 ], [ 0, %455 ]
-  %466 = getelementptr inbounds double, ptr %456, i64 %465
-  %467 = load double, ptr %466, align 8
-  %468 = load ptr, ptr %457, align 8
-  %469 = getelementptr inbounds double, ptr %468, i64 %465
-  store double %467, ptr %469, align 8
-  %470 = add nuw nsw i64 %465, 1
-  %471 = load i64, ptr %458, align 8
-  %472 = load i64, ptr %459, align 8
-  %473 = mul nsw i64 %472, %471
-  %474 = icmp slt i64 %470, %473
-  br i1 %474, label %464, label %475, !llvm.loop !15
+470:                                              ; preds = %461, %470
+  %471 = phi i64 [ %476, %470 ], [ 0, %461 ]
+  %472 = getelementptr inbounds double, ptr %462, i64 %471
+  %473 = load double, ptr %472, align 8
+  %474 = load ptr, ptr %463, align 8
+  %475 = getelementptr inbounds double, ptr %474, i64 %471
+  store double %473, ptr %475, align 8
+  %476 = add nuw nsw i64 %471, 1
+  %477 = load i64, ptr %464, align 8
+  %478 = load i64, ptr %465, align 8
+  %479 = mul nsw i64 %478, %477
+  %480 = icmp slt i64 %476, %479
+  br i1 %480, label %470, label %481, !llvm.loop !15
 
-475:                                              ; preds = %464, %455
-  %476 = load ptr, ptr %5, align 8
-  %477 = load ptr, ptr %476, align 8
-  %478 = load i64, ptr %25, align 8
-  tail call fastcc void @factorise(ptr noundef %477, i64 noundef %478) #7
-  br label %479
+481:                                              ; preds = %470, %461
+  %482 = load ptr, ptr %5, align 8
+  %483 = load ptr, ptr %482, align 8
+  %484 = load i64, ptr %25, align 8
+  tail call fastcc void @factorise(ptr noundef %483, i64 noundef %484) #7
+  br label %485
 
-479:                                              ; preds = %451, %475
-  %480 = load ptr, ptr %38, align 8
-  %481 = load i64, ptr %16, align 8
-  %482 = getelementptr inbounds double, ptr %480, i64 %481
-  %483 = load i64, ptr %19, align 8
-  %484 = load ptr, ptr %5, align 8
-  %485 = getelementptr inbounds i8, ptr %484, i64 144
-  %486 = load ptr, ptr %485, align 8
-  %487 = icmp sgt i64 %483, 0
-  br i1 %487, label %488, label %496
+485:                                              ; preds = %457, %481
+  %486 = load ptr, ptr %38, align 8
+  %487 = load i64, ptr %16, align 8
+  %488 = getelementptr inbounds double, ptr %486, i64 %487
+  %489 = load i64, ptr %19, align 8
+  %490 = load ptr, ptr %5, align 8
+  %491 = getelementptr inbounds i8, ptr %490, i64 144
+  %492 = load ptr, ptr %491, align 8
+  %493 = icmp sgt i64 %489, 0
+  br i1 %493, label %494, label %502
 
-488:                                              ; preds = %479, %488
-  %489 = phi i64 [ %494, %488 ], [ 0, %479 ]
-  %490 = getelementptr inbounds double, ptr %482, i64 %489
-  %491 = load double, ptr %490, align 8
-  %492 = fneg double %491
-  %493 = getelementptr inbounds double, ptr %486, i64 %489
-  store double %492, ptr %493, align 8
-  %494 = add nuw nsw i64 %489, 1
-  %495 = icmp eq i64 %494, %483
-  br i1 %495, label %496, label %488, !llvm.loop !16
+494:                                              ; preds = %485, %494
+  %495 = phi i64 [ %500, %494 ], [ 0, %485 ]
+  %496 = getelementptr inbounds double, ptr %488, i64 %495
+  %497 = load double, ptr %496, align 8
+  %498 = fneg double %497
+  %499 = getelementptr inbounds double, ptr %492, i64 %495
+  store double %498, ptr %499, align 8
+  %500 = add nuw nsw i64 %495, 1
+  %501 = icmp eq i64 %500, %489
+  br i1 %501, label %502, label %494, !llvm.loop !16
 
-496:                                              ; preds = %488, %479
+502:                                              ; preds = %494, %485
   call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %2) #7
-  %497 = load ptr, ptr %63, align 8
-  %498 = getelementptr inbounds i8, ptr %497, i64 8
-  %499 = load i64, ptr %498, align 8
-  %500 = load ptr, ptr %46, align 8
-  %501 = load i64, ptr %37, align 8
-  %502 = trunc i64 %501 to i32
-  %503 = load i64, ptr %19, align 8
-  %504 = icmp sgt i64 %503, 0
-  br i1 %504, label %505, label %512
+  %503 = load ptr, ptr %63, align 8
+  %504 = getelementptr inbounds i8, ptr %503, i64 8
+  %505 = load i64, ptr %504, align 8
+  %506 = load ptr, ptr %46, align 8
+  %507 = load i64, ptr %37, align 8
+  %508 = trunc i64 %507 to i32
+  %509 = load i64, ptr %19, align 8
+  %510 = icmp sgt i64 %509, 0
+  br i1 %510, label %511, label %518
 
-505:                                              ; preds = %496
-  %506 = load ptr, ptr %5, align 8
-  %507 = getelementptr inbounds i8, ptr %506, i64 216
-  %508 = getelementptr double, ptr %500, i64 %499
-  %509 = getelementptr i8, ptr %508, i64 32
-  %510 = getelementptr inbounds i8, ptr %506, i64 192
-  %511 = icmp eq i32 %502, 0
-  br label %552
+511:                                              ; preds = %502
+  %512 = load ptr, ptr %5, align 8
+  %513 = getelementptr inbounds i8, ptr %512, i64 216
+  %514 = getelementptr double, ptr %506, i64 %505
+  %515 = getelementptr i8, ptr %514, i64 32
+  %516 = getelementptr inbounds i8, ptr %512, i64 192
+  %517 = icmp eq i32 %508, 0
+  br label %558
 
-512:                                              ; preds = %552, %496
-  %513 = phi double [ 0.000000e+00, %496 ], [ %569, %552 ]
-  %514 = phi double [ 1.000000e+00, %496 ], [ %573, %552 ]
-  %515 = load double, ptr %500, align 8
-  %516 = getelementptr inbounds i8, ptr %500, i64 16
-  %517 = load double, ptr %516, align 8
-  %518 = fcmp ule double %513, %515
-  %519 = and i32 %502, 1
-  %520 = icmp eq i32 %519, 0
-  %521 = select i1 %518, i1 true, i1 %520
-  %522 = select i1 %521, double %515, double %513
-  store double %522, ptr %500, align 8
-  %523 = getelementptr inbounds i8, ptr %500, i64 8
-  %524 = load double, ptr %523, align 8
-  %525 = select i1 %521, double %524, double 1.000000e+00
-  %526 = fcmp uge double %513, %515
-  %527 = select i1 %526, double %514, double 0.000000e+00
-  %528 = fcmp olt double %527, %517
-  %529 = select i1 %528, double %527, double %517
-  %530 = icmp eq i32 %502, 0
-  %531 = select i1 %530, double %517, double %527
-  store double %531, ptr %516, align 8
-  %532 = fcmp oge double %529, 5.000000e-02
-  %533 = fmul double %452, %529
-  %534 = fmul double %533, 5.000000e-02
-  %535 = fcmp ogt double %534, 1.000000e+00
-  %536 = or i1 %532, %535
-  %537 = load i64, ptr %37, align 8
-  %538 = fcmp ogt double %452, 1.000000e+00
-  %539 = and i1 %538, %536
-  %540 = and i64 %537, 1
-  %541 = select i1 %539, i64 %540, i64 0
-  %542 = xor i64 %541, %537
-  %543 = trunc i64 %542 to i32
-  %544 = fcmp olt double %527, %525
-  %545 = and i32 %543, 1
-  %546 = fcmp ogt double %525, 1.000000e-05
-  %547 = and i1 %546, %544
-  %548 = select i1 %547, i32 %545, i32 0
-  %549 = icmp eq i32 %548, 0
-  %550 = select i1 %549, double %525, double %527
-  store double %550, ptr %523, align 8
-  %551 = icmp eq i32 %548, 0
-  br i1 %551, label %589, label %576
+518:                                              ; preds = %558, %502
+  %519 = phi double [ 0.000000e+00, %502 ], [ %575, %558 ]
+  %520 = phi double [ 1.000000e+00, %502 ], [ %579, %558 ]
+  %521 = load double, ptr %506, align 8
+  %522 = getelementptr inbounds i8, ptr %506, i64 16
+  %523 = load double, ptr %522, align 8
+  %524 = fcmp ule double %519, %521
+  %525 = and i32 %508, 1
+  %526 = icmp eq i32 %525, 0
+  %527 = select i1 %524, i1 true, i1 %526
+  %528 = select i1 %527, double %521, double %519
+  store double %528, ptr %506, align 8
+  %529 = getelementptr inbounds i8, ptr %506, i64 8
+  %530 = load double, ptr %529, align 8
+  %531 = select i1 %527, double %530, double 1.000000e+00
+  %532 = fcmp uge double %519, %521
+  %533 = select i1 %532, double %520, double 0.000000e+00
+  %534 = fcmp olt double %533, %523
+  %535 = select i1 %534, double %533, double %523
+  %536 = icmp eq i32 %508, 0
+  %537 = select i1 %536, double %523, double %533
+  store double %537, ptr %522, align 8
+  %538 = fcmp oge double %535, 5.000000e-02
+  %539 = fmul double %458, %535
+  %540 = fmul double %539, 5.000000e-02
+  %541 = fcmp ogt double %540, 1.000000e+00
+  %542 = or i1 %538, %541
+  %543 = load i64, ptr %37, align 8
+  %544 = fcmp ogt double %458, 1.000000e+00
+  %545 = and i1 %544, %542
+  %546 = and i64 %543, 1
+  %547 = select i1 %545, i64 %546, i64 0
+  %548 = xor i64 %547, %543
+  %549 = trunc i64 %548 to i32
+  %550 = fcmp olt double %533, %531
+  %551 = and i32 %549, 1
+  %552 = fcmp ogt double %531, 1.000000e-05
+  %553 = and i1 %552, %550
+  %554 = select i1 %553, i32 %551, i32 0
+  %555 = icmp eq i32 %554, 0
+  %556 = select i1 %555, double %531, double %533
+  store double %556, ptr %529, align 8
+  %557 = icmp eq i32 %554, 0
+  br i1 %557, label %595, label %582
 
-552:                                              ; preds = %505, %552
-  %553 = phi double [ 1.000000e+00, %505 ], [ %573, %552 ]
-  %554 = phi double [ 0.000000e+00, %505 ], [ %569, %552 ]
-  %555 = phi i64 [ 0, %505 ], [ %574, %552 ]
-  %556 = load ptr, ptr %507, align 8
-  %557 = getelementptr inbounds double, ptr %556, i64 %555
-  %558 = load double, ptr %557, align 8
-  %559 = getelementptr double, ptr %509, i64 %555
-  %560 = load double, ptr %559, align 8
-  %561 = load ptr, ptr %510, align 8
-  %562 = getelementptr inbounds double, ptr %561, i64 %555
-  %563 = load double, ptr %562, align 8
-  %564 = fcmp ogt double %563, %560
-  %565 = select i1 %564, double %563, double %560
-  %566 = select i1 %511, double %560, double %565
-  store double %566, ptr %559, align 8
-  %567 = fcmp ule double %558, 0.000000e+00
-  %568 = fadd double %554, 1.000000e+00
-  %569 = select i1 %567, double %554, double %568
-  %570 = fdiv double %558, %565
-  %571 = fcmp olt double %570, %553
-  %572 = select i1 %571, double %570, double %553
-  %573 = select i1 %567, double %553, double %572
-  %574 = add nuw nsw i64 %555, 1
-  %575 = icmp eq i64 %574, %503
-  br i1 %575, label %512, label %552, !llvm.loop !19
+558:                                              ; preds = %511, %558
+  %559 = phi double [ 1.000000e+00, %511 ], [ %579, %558 ]
+  %560 = phi double [ 0.000000e+00, %511 ], [ %575, %558 ]
+  %561 = phi i64 [ 0, %511 ], [ %580, %558 ]
+  %562 = load ptr, ptr %513, align 8
+  %563 = getelementptr inbounds double, ptr %562, i64 %561
+  %564 = load double, ptr %563, align 8
+  %565 = getelementptr double, ptr %515, i64 %561
+  %566 = load double, ptr %565, align 8
+  %567 = load ptr, ptr %516, align 8
+  %568 = getelementptr inbounds double, ptr %567, i64 %561
+  %569 = load double, ptr %568, align 8
+  %570 = fcmp ogt double %569, %566
+  %571 = select i1 %570, double %569, double %566
+  %572 = select i1 %517, double %566, double %571
+  store double %572, ptr %565, align 8
+  %573 = fcmp ule double %564, 0.000000e+00
+  %574 = fadd double %560, 1.000000e+00
+  %575 = select i1 %573, double %560, double %574
+  %576 = fdiv double %564, %571
+  %577 = fcmp olt double %576, %559
+  %578 = select i1 %577, double %576, double %559
+  %579 = select i1 %573, double %559, double %578
+  %580 = add nuw nsw i64 %561, 1
+  %581 = icmp eq i64 %580, %509
+  br i1 %581, label %518, label %558, !llvm.loop !19
 
-576:                                              ; preds = %512
-  %577 = getelementptr inbounds i8, ptr %500, i64 24
-  store double %1, ptr %577, align 8
-  %578 = getelementptr inbounds i8, ptr %500, i64 32
-  %579 = icmp sgt i64 %499, 0
-  br i1 %579, label %580, label %589
+582:                                              ; preds = %518
+  %583 = getelementptr inbounds i8, ptr %506, i64 24
+  store double %1, ptr %583, align 8
+  %584 = getelementptr inbounds i8, ptr %506, i64 32
+  %585 = icmp sgt i64 %505, 0
+  br i1 %585, label %586, label %595
 
-580:                                              ; preds = %576, %580
-  %581 = phi i64 [ %587, %580 ], [ 0, %576 ]
-  %582 = getelementptr inbounds double, ptr %2, i64 %581
-  %583 = load double, ptr %582, align 8
-  %584 = getelementptr inbounds double, ptr %578, i64 %581
-  %585 = load double, ptr %584, align 8
-  %586 = select i1 %549, double %585, double %583
-  store double %586, ptr %584, align 8
-  %587 = add nuw nsw i64 %581, 1
-  %588 = icmp eq i64 %587, %499
-  br i1 %588, label %589, label %580, !llvm.loop !20
+586:                                              ; preds = %582, %586
+  %587 = phi i64 [ %593, %586 ], [ 0, %582 ]
+  %588 = getelementptr inbounds double, ptr %2, i64 %587
+  %589 = load double, ptr %588, align 8
+  %590 = getelementptr inbounds double, ptr %584, i64 %587
+  %591 = load double, ptr %590, align 8
+  %592 = select i1 %555, double %591, double %589
+  store double %592, ptr %590, align 8
+  %593 = add nuw nsw i64 %587, 1
+  %594 = icmp eq i64 %593, %505
+  br i1 %594, label %595, label %586, !llvm.loop !20
 
-589:                                              ; preds = %580, %576, %512
-  %590 = or i64 %541, %363
-  br label %591
+595:                                              ; preds = %586, %582, %518
+  %596 = or i64 %547, %369
+  br label %597
 
-591:                                              ; preds = %339, %589
-  %592 = phi i64 [ %342, %339 ], [ %590, %589 ]
-  %593 = icmp eq i64 %592, 0
-  %594 = select i1 %593, i64 0, i64 6
-  ret i64 %594
+597:                                              ; preds = %345, %595
+  %598 = phi i64 [ %348, %345 ], [ %596, %595 ]
+  %599 = icmp eq i64 %598, 0
+  %600 = select i1 %599, i64 0, i64 6
+  ret i64 %600
 }
 
 
@@ -841,6 +852,73 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   br i1 %60, label %44, label %43, !llvm.loop !21
 }
 
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !22
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
+}
+
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
@@ -915,7 +993,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !22
+  br i1 %60, label %49, label %61, !llvm.loop !23
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -947,7 +1025,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !23
+  br i1 %88, label %14, label %13, !llvm.loop !24
 }
 
 declare double @llvm.fabs.f64(double) #3
@@ -1009,7 +1087,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %46 = fadd double %42, %45
   %47 = add nuw nsw i64 %41, 1
   %48 = icmp eq i64 %47, %38
-  br i1 %48, label %49, label %40, !llvm.loop !24
+  br i1 %48, label %49, label %40, !llvm.loop !25
 
 49:                                               ; preds = %40, %26
   %50 = phi double [ 0.000000e+00, %26 ], [ %46, %40 ]
@@ -1052,7 +1130,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %77 = add nuw nsw i64 %67, 1
   %78 = load i64, ptr %29, align 8
   %79 = icmp slt i64 %77, %78
-  br i1 %79, label %66, label %57, !llvm.loop !25
+  br i1 %79, label %66, label %57, !llvm.loop !26
 
 80:                                               ; preds = %97, %57
   %81 = getelementptr inbounds i8, ptr %0, i64 24
@@ -1089,7 +1167,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %103 = add nuw nsw i64 %88, 1
   %104 = load i64, ptr %61, align 8
   %105 = icmp slt i64 %103, %104
-  br i1 %105, label %87, label %80, !llvm.loop !26
+  br i1 %105, label %87, label %80, !llvm.loop !27
 
 106:                                              ; preds = %93, %106
   %107 = phi i64 [ 0, %93 ], [ %115, %106 ]
@@ -1102,7 +1180,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %114 = fadd double %108, %113
   %115 = add nuw nsw i64 %107, 1
   %116 = icmp eq i64 %115, %91
-  br i1 %116, label %97, label %106, !llvm.loop !27
+  br i1 %116, label %97, label %106, !llvm.loop !28
 
 117:                                              ; preds = %125
   %118 = fcmp ule double %132, 0.000000e+00
@@ -1126,7 +1204,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %132 = select i1 %131, double %130, double %127
   %133 = add nuw nsw i64 %126, 1
   %134 = icmp eq i64 %133, %82
-  br i1 %134, label %117, label %125, !llvm.loop !28
+  br i1 %134, label %117, label %125, !llvm.loop !29
 
 135:                                              ; preds = %119
   %136 = load i64, ptr %34, align 8
@@ -1146,7 +1224,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %146 = add nuw nsw i64 %140, 1
   %147 = load i64, ptr %81, align 8
   %148 = icmp slt i64 %146, %147
-  br i1 %148, label %139, label %149, !llvm.loop !29
+  br i1 %148, label %139, label %149, !llvm.loop !30
 
 149:                                              ; preds = %139, %135, %119
   ret void
@@ -1195,7 +1273,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %29 = add nuw nsw i64 %13, 1
   %30 = load i64, ptr %2, align 8
   %31 = icmp slt i64 %29, %30
-  br i1 %31, label %12, label %16, !llvm.loop !30
+  br i1 %31, label %12, label %16, !llvm.loop !31
 
 32:                                               ; preds = %49, %17
   %33 = phi double [ 0.000000e+00, %17 ], [ %59, %49 ]
@@ -1215,7 +1293,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %46 = add nuw nsw i64 %19, 1
   %47 = load i64, ptr %7, align 8
   %48 = icmp slt i64 %46, %47
-  br i1 %48, label %17, label %28, !llvm.loop !31
+  br i1 %48, label %17, label %28, !llvm.loop !32
 
 49:                                               ; preds = %22, %49
   %50 = phi i64 [ 0, %22 ], [ %62, %49 ]
@@ -1232,7 +1310,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %61 = fadd double %51, %60
   %62 = add nuw nsw i64 %50, 1
   %63 = icmp eq i64 %62, %20
-  br i1 %63, label %32, label %49, !llvm.loop !32
+  br i1 %63, label %32, label %49, !llvm.loop !33
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #4 {
@@ -1260,7 +1338,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
 16:                                               ; preds = %27, %9
   %17 = add nuw nsw i64 %10, 1
   %18 = icmp eq i64 %17, %1
-  br i1 %18, label %15, label %9, !llvm.loop !33
+  br i1 %18, label %15, label %9, !llvm.loop !34
 
 19:                                               ; preds = %11, %27
   %20 = phi i64 [ 0, %11 ], [ %33, %27 ]
@@ -1283,7 +1361,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   store double %32, ptr %21, align 8
   %33 = add nuw nsw i64 %20, 1
   %34 = icmp eq i64 %33, %3
-  br i1 %34, label %16, label %19, !llvm.loop !34
+  br i1 %34, label %16, label %19, !llvm.loop !35
 
 35:                                               ; preds = %24, %35
   %36 = phi i64 [ 0, %24 ], [ %44, %35 ]
@@ -1296,7 +1374,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   %43 = fsub double %37, %42
   %44 = add nuw nsw i64 %36, 1
   %45 = icmp eq i64 %44, %20
-  br i1 %45, label %27, label %35, !llvm.loop !35
+  br i1 %45, label %27, label %35, !llvm.loop !36
 }
 
 define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #2 {
@@ -1337,7 +1415,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double 0.000000e+00, ptr %32, align 8
   %33 = add nuw nsw i64 %31, 1
   %34 = icmp eq i64 %33, %8
-  br i1 %34, label %24, label %30, !llvm.loop !36
+  br i1 %34, label %24, label %30, !llvm.loop !37
 
 35:                                               ; preds = %74, %24
   %36 = icmp sgt i64 %2, 0
@@ -1369,7 +1447,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %56 = fadd double %52, %55
   %57 = add nuw nsw i64 %51, 1
   %58 = icmp eq i64 %57, %8
-  br i1 %58, label %59, label %50, !llvm.loop !24
+  br i1 %58, label %59, label %50, !llvm.loop !25
 
 59:                                               ; preds = %50, %46
   %60 = phi double [ 0.000000e+00, %46 ], [ %56, %50 ]
@@ -1395,7 +1473,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
 74:                                               ; preds = %77, %59
   %75 = add nuw nsw i64 %47, 1
   %76 = icmp eq i64 %75, %6
-  br i1 %76, label %35, label %46, !llvm.loop !37
+  br i1 %76, label %35, label %46, !llvm.loop !38
 
 77:                                               ; preds = %59, %77
   %78 = phi i64 [ %82, %77 ], [ 0, %59 ]
@@ -1405,7 +1483,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %81, ptr %79, align 8
   %82 = add nuw nsw i64 %78, 1
   %83 = icmp eq i64 %82, %8
-  br i1 %83, label %74, label %77, !llvm.loop !38
+  br i1 %83, label %74, label %77, !llvm.loop !39
 
 84:                                               ; preds = %215, %37
   %85 = phi i32 [ %22, %37 ], [ %93, %215 ]
@@ -1453,7 +1531,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %119 = fadd double %115, %118
   %120 = add nuw nsw i64 %114, 1
   %121 = icmp eq i64 %120, %8
-  br i1 %121, label %122, label %113, !llvm.loop !24
+  br i1 %121, label %122, label %113, !llvm.loop !25
 
 122:                                              ; preds = %113, %110
   %123 = phi double [ 0.000000e+00, %110 ], [ %119, %113 ]
@@ -1468,7 +1546,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %130 = phi double [ %126, %122 ], [ %96, %95 ]
   %131 = add nuw nsw i64 %98, 1
   %132 = icmp eq i64 %131, %6
-  br i1 %132, label %88, label %95, !llvm.loop !39
+  br i1 %132, label %88, label %95, !llvm.loop !40
 
 133:                                              ; preds = %88
   %134 = fadd double %86, 1.000000e+00
@@ -1512,13 +1590,13 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %158, ptr %159, align 8
   %160 = add nuw nsw i64 %155, 1
   %161 = icmp eq i64 %160, %8
-  br i1 %161, label %162, label %154, !llvm.loop !40
+  br i1 %161, label %162, label %154, !llvm.loop !41
 
 162:                                              ; preds = %154, %143, %138
   %163 = phi double [ %140, %138 ], [ %146, %143 ], [ %146, %154 ]
   %164 = add nuw nsw i64 %139, 1
   %165 = icmp eq i64 %164, %6
-  br i1 %165, label %136, label %138, !llvm.loop !41
+  br i1 %165, label %136, label %138, !llvm.loop !42
 
 166:                                              ; preds = %167, %136
   br i1 %43, label %177, label %215
@@ -1534,7 +1612,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %174, ptr %169, align 8
   %175 = add nuw nsw i64 %168, 1
   %176 = icmp eq i64 %175, %8
-  br i1 %176, label %166, label %167, !llvm.loop !42
+  br i1 %176, label %166, label %167, !llvm.loop !43
 
 177:                                              ; preds = %166, %212
   %178 = phi i64 [ %213, %212 ], [ 0, %166 ]
@@ -1559,7 +1637,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %193 = fadd double %187, %192
   %194 = add nuw nsw i64 %186, 1
   %195 = icmp eq i64 %194, %8
-  br i1 %195, label %196, label %185, !llvm.loop !24
+  br i1 %195, label %196, label %185, !llvm.loop !25
 
 196:                                              ; preds = %185, %184
   %197 = phi double [ 0.000000e+00, %184 ], [ %193, %185 ]
@@ -1581,19 +1659,19 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %209, ptr %204, align 8
   %210 = add nuw nsw i64 %203, 1
   %211 = icmp eq i64 %210, %8
-  br i1 %211, label %212, label %202, !llvm.loop !43
+  br i1 %211, label %212, label %202, !llvm.loop !44
 
 212:                                              ; preds = %202, %196, %177
   %213 = add nuw nsw i64 %178, 1
   %214 = icmp eq i64 %213, %6
-  br i1 %214, label %215, label %177, !llvm.loop !44
+  br i1 %214, label %215, label %177, !llvm.loop !45
 
 215:                                              ; preds = %212, %166, %88
   %216 = phi double [ %86, %88 ], [ %134, %166 ], [ %134, %212 ]
   %217 = add nuw nsw i64 %87, 1
   %218 = icmp eq i64 %217, %2
   %219 = select i1 %94, i1 true, i1 %218
-  br i1 %219, label %220, label %84, !llvm.loop !45
+  br i1 %219, label %220, label %84, !llvm.loop !46
 
 220:                                              ; preds = %215, %35
   %221 = phi double [ 0.000000e+00, %35 ], [ %216, %215 ]
@@ -1618,7 +1696,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %235, ptr %230, align 8
   %236 = add nuw nsw i64 %229, 1
   %237 = icmp eq i64 %236, %6
-  br i1 %237, label %227, label %228, !llvm.loop !46
+  br i1 %237, label %227, label %228, !llvm.loop !47
 }
 
 declare double @llvm.sqrt.f64(double) #3
@@ -1651,7 +1729,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %20 = fdiv double %16, %19
   store double %20, ptr %11, align 8
   %21 = icmp sgt i64 %9, 1
-  br i1 %21, label %8, label %7, !llvm.loop !47
+  br i1 %21, label %8, label %7, !llvm.loop !48
 
 22:                                               ; preds = %8, %22
   %23 = phi i64 [ %32, %22 ], [ %9, %8 ]
@@ -1665,7 +1743,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %31 = fsub double %24, %30
   %32 = add nuw nsw i64 %23, 1
   %33 = icmp eq i64 %32, %1
-  br i1 %33, label %15, label %22, !llvm.loop !48
+  br i1 %33, label %15, label %22, !llvm.loop !49
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
@@ -1681,7 +1759,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
 8:                                                ; preds = %53, %26
   %9 = icmp slt i64 %31, %1
   %10 = select i1 %9, i1 %29, i1 false
-  br i1 %10, label %17, label %11, !llvm.loop !49
+  br i1 %10, label %17, label %11, !llvm.loop !50
 
 11:                                               ; preds = %8
   %12 = xor i1 %29, true
@@ -1731,7 +1809,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %43 = fsub double %39, %42
   %44 = add nuw nsw i64 %38, 1
   %45 = icmp eq i64 %44, %18
-  br i1 %45, label %26, label %37, !llvm.loop !50
+  br i1 %45, label %26, label %37, !llvm.loop !51
 
 46:                                               ; preds = %34, %53
   %47 = phi i64 [ %31, %34 ], [ %56, %53 ]
@@ -1750,7 +1828,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   store double %55, ptr %49, align 8
   %56 = add nuw nsw i64 %47, 1
   %57 = icmp slt i64 %56, %1
-  br i1 %57, label %46, label %8, !llvm.loop !51
+  br i1 %57, label %46, label %8, !llvm.loop !52
 
 58:                                               ; preds = %51, %58
   %59 = phi i64 [ 0, %51 ], [ %67, %58 ]
@@ -1763,7 +1841,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %66 = fsub double %60, %65
   %67 = add nuw nsw i64 %59, 1
   %68 = icmp eq i64 %67, %18
-  br i1 %68, label %53, label %58, !llvm.loop !52
+  br i1 %68, label %53, label %58, !llvm.loop !53
 
 69:                                               ; preds = %13, %73
   %70 = phi i64 [ %74, %73 ], [ 0, %13 ]
@@ -1856,3 +1934,4 @@ attributes #8 = { nounwind }
 !50 = distinct !{!50, !7, !8}
 !51 = distinct !{!51, !7, !8}
 !52 = distinct !{!52, !7, !8}
+!53 = distinct !{!53, !7, !8}

@@ -1,4 +1,4 @@
-; sources 11b49d58143b378aed3a010002d754afd7aa1aa11a9fd9f180f6136b3f90f977
+; sources 994b32237018b626b1d999e8beac59013b5c893c0e58a9c98f4fbc5c1e3854e4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

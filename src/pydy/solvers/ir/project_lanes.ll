@@ -1,4 +1,4 @@
-; sources be3b467160f45cf8666a74c3f308bda46ec376ab16c4d1a59327d42d620ffbf4
+; sources 33a370a17eeac9feaa78d90549b9877ee50dcbc333c466a703af43cb8e7ca19a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -91,727 +91,738 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %67 = getelementptr inbounds i8, ptr %0, i64 168
   %68 = load ptr, ptr %67, align 8
   store <8 x double> %7, ptr %68, align 8
-  %69 = getelementptr inbounds i8, ptr %0, i64 296
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp sgt i64 %70, 0
-  br i1 %71, label %72, label %73
+  %69 = load ptr, ptr %66, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 40
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp eq i64 %71, 0
+  br i1 %72, label %74, label %73
 
-72:                                               ; preds = %5
-  tail call fastcc void @sample(ptr noundef nonnull %66) #8
-  br label %73
+73:                                               ; preds = %5
+  tail call fastcc void @settle(ptr noundef nonnull %66) #8
+  br label %74
 
-73:                                               ; preds = %5, %72
-  %74 = load ptr, ptr %6, align 8
-  %75 = load ptr, ptr %74, align 8
-  %76 = load i64, ptr %22, align 8
+74:                                               ; preds = %73, %5
+  %75 = getelementptr inbounds i8, ptr %0, i64 296
+  %76 = load i64, ptr %75, align 8
   %77 = icmp sgt i64 %76, 0
-  br i1 %77, label %78, label %95
+  br i1 %77, label %78, label %79
 
-78:                                               ; preds = %73, %81
-  %79 = phi i64 [ %82, %81 ], [ 0, %73 ]
-  %80 = mul nuw nsw i64 %79, %76
-  br label %84
+78:                                               ; preds = %74
+  tail call fastcc void @sample(ptr noundef nonnull %66) #8
+  br label %79
 
-81:                                               ; preds = %84
-  %82 = add nuw nsw i64 %79, 1
-  %83 = icmp eq i64 %82, %76
-  br i1 %83, label %95, label %78, !llvm.loop !6
+79:                                               ; preds = %74, %78
+  %80 = load ptr, ptr %6, align 8
+  %81 = load ptr, ptr %80, align 8
+  %82 = load i64, ptr %22, align 8
+  %83 = icmp sgt i64 %82, 0
+  br i1 %83, label %84, label %101
 
-84:                                               ; preds = %78, %84
-  %85 = phi i64 [ 0, %78 ], [ %93, %84 ]
-  %86 = add nuw nsw i64 %85, %80
-  %87 = icmp eq i64 %79, %85
-  %88 = select i1 %87, double 1.000000e+00, double 0.000000e+00
-  %89 = insertelement <8 x double> poison, double %88, i64 0
-  %90 = shufflevector <8 x double> %89, <8 x double> poison, <8 x i32> zeroinitializer
-  %91 = shl nsw i64 %86, 6
-  %92 = getelementptr inbounds i8, ptr %75, i64 %91
-  store <8 x double> %90, ptr %92, align 8
-  %93 = add nuw nsw i64 %85, 1
-  %94 = icmp eq i64 %93, %76
-  br i1 %94, label %81, label %84, !llvm.loop !9
+84:                                               ; preds = %79, %87
+  %85 = phi i64 [ %88, %87 ], [ 0, %79 ]
+  %86 = mul nuw nsw i64 %85, %82
+  br label %90
 
-95:                                               ; preds = %81, %73
-  %96 = load i64, ptr %34, align 8
-  %97 = load ptr, ptr %6, align 8
-  %98 = getelementptr inbounds i8, ptr %97, i64 240
-  %99 = load ptr, ptr %98, align 8
-  %100 = load i64, ptr %13, align 8
-  %101 = icmp sgt i64 %100, 0
-  br i1 %101, label %152, label %102
+87:                                               ; preds = %90
+  %88 = add nuw nsw i64 %85, 1
+  %89 = icmp eq i64 %88, %82
+  br i1 %89, label %101, label %84, !llvm.loop !6
 
-102:                                              ; preds = %152, %95
-  %103 = getelementptr inbounds i8, ptr %0, i64 168
-  %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 1680
-  %106 = load ptr, ptr %35, align 8
-  %107 = load i64, ptr %34, align 8
-  %108 = load ptr, ptr %8, align 8
-  %109 = getelementptr inbounds i8, ptr %108, i64 8
-  %110 = load i64, ptr %109, align 8
-  %111 = load ptr, ptr %103, align 8
-  %112 = load ptr, ptr %104, align 8
-  %113 = load ptr, ptr %105, align 8
-  %114 = inttoptr i64 %110 to ptr
-  %115 = load ptr, ptr %114, align 8
-  %116 = tail call i32 %115(ptr noundef %111, ptr noundef %2, ptr noundef %112, ptr noundef %113, ptr noundef %106) #9
-  %117 = icmp slt i32 %116, 0
-  br i1 %117, label %349, label %118
+90:                                               ; preds = %84, %90
+  %91 = phi i64 [ 0, %84 ], [ %99, %90 ]
+  %92 = add nuw nsw i64 %91, %86
+  %93 = icmp eq i64 %85, %91
+  %94 = select i1 %93, double 1.000000e+00, double 0.000000e+00
+  %95 = insertelement <8 x double> poison, double %94, i64 0
+  %96 = shufflevector <8 x double> %95, <8 x double> poison, <8 x i32> zeroinitializer
+  %97 = shl nsw i64 %92, 6
+  %98 = getelementptr inbounds i8, ptr %81, i64 %97
+  store <8 x double> %96, ptr %98, align 8
+  %99 = add nuw nsw i64 %91, 1
+  %100 = icmp eq i64 %99, %82
+  br i1 %100, label %87, label %90, !llvm.loop !9
 
-118:                                              ; preds = %102
-  %119 = icmp eq i64 %30, %100
-  %120 = load i64, ptr %13, align 8
-  %121 = icmp sgt i64 %120, 0
-  %122 = load ptr, ptr %35, align 8
-  %123 = load ptr, ptr %42, align 8
-  %124 = load ptr, ptr %6, align 8
-  %125 = getelementptr inbounds i8, ptr %124, i64 216
-  %126 = icmp ne ptr %65, null
-  %127 = load i64, ptr %19, align 8
-  %128 = load ptr, ptr %38, align 8
-  %129 = load i64, ptr %28, align 8
-  %130 = icmp slt i64 %129, %120
-  %131 = icmp sgt i64 %120, 0
-  %132 = icmp sgt i64 %127, 0
-  %133 = getelementptr inbounds i8, ptr %0, i64 672
-  %134 = getelementptr inbounds i8, ptr %0, i64 648
-  %135 = select i1 %130, double 1.000000e-05, double 0x3CE0000000000000
-  %136 = insertelement <8 x double> poison, double %135, i64 0
-  %137 = shufflevector <8 x double> %136, <8 x double> poison, <8 x i32> zeroinitializer
-  %138 = load ptr, ptr %42, align 8
-  %139 = load i64, ptr %22, align 8
-  %140 = add nsw i64 %139, %127
-  %141 = sitofp i64 %140 to double
+101:                                              ; preds = %87, %79
+  %102 = load i64, ptr %34, align 8
+  %103 = load ptr, ptr %6, align 8
+  %104 = getelementptr inbounds i8, ptr %103, i64 240
+  %105 = load ptr, ptr %104, align 8
+  %106 = load i64, ptr %13, align 8
+  %107 = icmp sgt i64 %106, 0
+  br i1 %107, label %158, label %108
+
+108:                                              ; preds = %158, %101
+  %109 = getelementptr inbounds i8, ptr %0, i64 168
+  %110 = getelementptr inbounds i8, ptr %0, i64 192
+  %111 = getelementptr inbounds i8, ptr %0, i64 1680
+  %112 = load ptr, ptr %35, align 8
+  %113 = load i64, ptr %34, align 8
+  %114 = load ptr, ptr %8, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 8
+  %116 = load i64, ptr %115, align 8
+  %117 = load ptr, ptr %109, align 8
+  %118 = load ptr, ptr %110, align 8
+  %119 = load ptr, ptr %111, align 8
+  %120 = inttoptr i64 %116 to ptr
+  %121 = load ptr, ptr %120, align 8
+  %122 = tail call i32 %121(ptr noundef %117, ptr noundef %2, ptr noundef %118, ptr noundef %119, ptr noundef %112) #9
+  %123 = icmp slt i32 %122, 0
+  br i1 %123, label %355, label %124
+
+124:                                              ; preds = %108
+  %125 = icmp eq i64 %30, %106
+  %126 = load i64, ptr %13, align 8
+  %127 = icmp sgt i64 %126, 0
+  %128 = load ptr, ptr %35, align 8
+  %129 = load ptr, ptr %42, align 8
+  %130 = load ptr, ptr %6, align 8
+  %131 = getelementptr inbounds i8, ptr %130, i64 216
+  %132 = icmp ne ptr %65, null
+  %133 = load i64, ptr %19, align 8
+  %134 = load ptr, ptr %38, align 8
+  %135 = load i64, ptr %28, align 8
+  %136 = icmp slt i64 %135, %126
+  %137 = icmp sgt i64 %126, 0
+  %138 = icmp sgt i64 %133, 0
+  %139 = getelementptr inbounds i8, ptr %0, i64 672
+  %140 = getelementptr inbounds i8, ptr %0, i64 648
+  %141 = select i1 %136, double 1.000000e-05, double 0x3CE0000000000000
   %142 = insertelement <8 x double> poison, double %141, i64 0
   %143 = shufflevector <8 x double> %142, <8 x double> poison, <8 x i32> zeroinitializer
-  %144 = icmp eq i64 %27, 1
-  %145 = getelementptr inbounds i8, ptr %97, i64 8
-  %146 = getelementptr inbounds i8, ptr %97, i64 16
-  %147 = getelementptr inbounds i8, ptr %97, i64 24
-  %148 = getelementptr inbounds i8, ptr %97, i64 32
-  %149 = getelementptr inbounds i8, ptr %97, i64 40
-  %150 = getelementptr inbounds i8, ptr %97, i64 144
-  %151 = icmp sgt i64 %120, 0
-  br label %170
+  %144 = load ptr, ptr %42, align 8
+  %145 = load i64, ptr %22, align 8
+  %146 = add nsw i64 %145, %133
+  %147 = sitofp i64 %146 to double
+  %148 = insertelement <8 x double> poison, double %147, i64 0
+  %149 = shufflevector <8 x double> %148, <8 x double> poison, <8 x i32> zeroinitializer
+  %150 = icmp eq i64 %27, 1
+  %151 = getelementptr inbounds i8, ptr %103, i64 8
+  %152 = getelementptr inbounds i8, ptr %103, i64 16
+  %153 = getelementptr inbounds i8, ptr %103, i64 24
+  %154 = getelementptr inbounds i8, ptr %103, i64 32
+  %155 = getelementptr inbounds i8, ptr %103, i64 40
+  %156 = getelementptr inbounds i8, ptr %103, i64 144
+  %157 = icmp sgt i64 %126, 0
+  br label %176
 
-152:                                              ; preds = %95, %152
-  %153 = phi i64 [ %156, %152 ], [ 0, %95 ]
-  %154 = shl nsw i64 %153, 6
-  %155 = getelementptr inbounds i8, ptr %99, i64 %154
-  store <8 x double> zeroinitializer, ptr %155, align 8
-  %156 = add nuw nsw i64 %153, 1
-  %157 = icmp eq i64 %156, %100
-  br i1 %157, label %102, label %152, !llvm.loop !10
+158:                                              ; preds = %101, %158
+  %159 = phi i64 [ %162, %158 ], [ 0, %101 ]
+  %160 = shl nsw i64 %159, 6
+  %161 = getelementptr inbounds i8, ptr %105, i64 %160
+  store <8 x double> zeroinitializer, ptr %161, align 8
+  %162 = add nuw nsw i64 %159, 1
+  %163 = icmp eq i64 %162, %106
+  br i1 %163, label %108, label %158, !llvm.loop !10
 
-158:                                              ; preds = %346
-  %159 = add nuw nsw i32 %174, 1
-  %160 = load ptr, ptr %8, align 8
-  %161 = getelementptr inbounds i8, ptr %160, i64 8
-  %162 = load i64, ptr %161, align 8
-  %163 = load ptr, ptr %103, align 8
-  %164 = load ptr, ptr %104, align 8
-  %165 = load ptr, ptr %105, align 8
-  %166 = inttoptr i64 %162 to ptr
-  %167 = load ptr, ptr %166, align 8
-  %168 = tail call i32 %167(ptr noundef %163, ptr noundef %2, ptr noundef %164, ptr noundef %165, ptr noundef %106) #9
-  %169 = icmp slt i32 %168, 0
-  br i1 %169, label %349, label %170, !llvm.loop !11
+164:                                              ; preds = %352
+  %165 = add nuw nsw i32 %180, 1
+  %166 = load ptr, ptr %8, align 8
+  %167 = getelementptr inbounds i8, ptr %166, i64 8
+  %168 = load i64, ptr %167, align 8
+  %169 = load ptr, ptr %109, align 8
+  %170 = load ptr, ptr %110, align 8
+  %171 = load ptr, ptr %111, align 8
+  %172 = inttoptr i64 %168 to ptr
+  %173 = load ptr, ptr %172, align 8
+  %174 = tail call i32 %173(ptr noundef %169, ptr noundef %2, ptr noundef %170, ptr noundef %171, ptr noundef %112) #9
+  %175 = icmp slt i32 %174, 0
+  br i1 %175, label %355, label %176, !llvm.loop !11
 
-170:                                              ; preds = %118, %158
-  %171 = phi i64 [ undef, %118 ], [ %348, %158 ]
-  %172 = phi i64 [ 0, %118 ], [ %297, %158 ]
-  %173 = phi <8 x double> [ <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, %118 ], [ %347, %158 ]
-  %174 = phi i32 [ 0, %118 ], [ %159, %158 ]
-  %175 = phi <8 x double> [ zeroinitializer, %118 ], [ %282, %158 ]
-  %176 = phi i64 [ %107, %118 ], [ %295, %158 ]
-  %177 = icmp eq i32 %174, 0
-  %178 = select i1 %177, i1 true, i1 %119
-  br i1 %121, label %191, label %179
+176:                                              ; preds = %124, %164
+  %177 = phi i64 [ undef, %124 ], [ %354, %164 ]
+  %178 = phi i64 [ 0, %124 ], [ %303, %164 ]
+  %179 = phi <8 x double> [ <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, %124 ], [ %353, %164 ]
+  %180 = phi i32 [ 0, %124 ], [ %165, %164 ]
+  %181 = phi <8 x double> [ zeroinitializer, %124 ], [ %288, %164 ]
+  %182 = phi i64 [ %113, %124 ], [ %301, %164 ]
+  %183 = icmp eq i32 %180, 0
+  %184 = select i1 %183, i1 true, i1 %125
+  br i1 %127, label %197, label %185
 
-179:                                              ; preds = %213, %170
-  %180 = phi <8 x double> [ zeroinitializer, %170 ], [ %218, %213 ]
-  %181 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %170 ], [ %220, %213 ]
-  %182 = icmp ne <8 x i64> %181, zeroinitializer
-  %183 = bitcast <8 x i1> %182 to i8
-  %184 = zext i8 %183 to i64
-  %185 = xor i64 %184, -1
-  %186 = and i64 %176, %185
-  %187 = or i64 %186, %172
-  %188 = and i1 %126, %177
-  %189 = select i1 %188, i1 %131, i1 false
-  %190 = select i1 %188, <8 x double> zeroinitializer, <8 x double> %175
-  br i1 %189, label %223, label %281
+185:                                              ; preds = %219, %176
+  %186 = phi <8 x double> [ zeroinitializer, %176 ], [ %224, %219 ]
+  %187 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %176 ], [ %226, %219 ]
+  %188 = icmp ne <8 x i64> %187, zeroinitializer
+  %189 = bitcast <8 x i1> %188 to i8
+  %190 = zext i8 %189 to i64
+  %191 = xor i64 %190, -1
+  %192 = and i64 %182, %191
+  %193 = or i64 %192, %178
+  %194 = and i1 %132, %183
+  %195 = select i1 %194, i1 %137, i1 false
+  %196 = select i1 %194, <8 x double> zeroinitializer, <8 x double> %181
+  br i1 %195, label %229, label %287
 
-191:                                              ; preds = %170, %213
-  %192 = phi i64 [ %221, %213 ], [ 0, %170 ]
-  %193 = phi <8 x i64> [ %220, %213 ], [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %170 ]
-  %194 = phi <8 x double> [ %218, %213 ], [ zeroinitializer, %170 ]
-  %195 = shl nsw i64 %192, 6
-  %196 = getelementptr inbounds i8, ptr %122, i64 %195
-  %197 = load <8 x double>, ptr %196, align 8
-  %198 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %197)
-  %199 = getelementptr inbounds i8, ptr %123, i64 %195
-  %200 = load <8 x double>, ptr %199, align 8
-  %201 = getelementptr inbounds i8, ptr %99, i64 %195
-  %202 = load <8 x double>, ptr %201, align 8
-  %203 = fcmp ogt <8 x double> %200, %202
-  %204 = select <8 x i1> %203, <8 x double> %200, <8 x double> %202
-  %205 = fmul <8 x double> %204, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
-  %206 = fcmp une <8 x double> %197, zeroinitializer
-  br i1 %178, label %213, label %207
+197:                                              ; preds = %176, %219
+  %198 = phi i64 [ %227, %219 ], [ 0, %176 ]
+  %199 = phi <8 x i64> [ %226, %219 ], [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %176 ]
+  %200 = phi <8 x double> [ %224, %219 ], [ zeroinitializer, %176 ]
+  %201 = shl nsw i64 %198, 6
+  %202 = getelementptr inbounds i8, ptr %128, i64 %201
+  %203 = load <8 x double>, ptr %202, align 8
+  %204 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %203)
+  %205 = getelementptr inbounds i8, ptr %129, i64 %201
+  %206 = load <8 x double>, ptr %205, align 8
+  %207 = getelementptr inbounds i8, ptr %105, i64 %201
+  %208 = load <8 x double>, ptr %207, align 8
+  %209 = fcmp ogt <8 x double> %206, %208
+  %210 = select <8 x i1> %209, <8 x double> %206, <8 x double> %208
+  %211 = fmul <8 x double> %210, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
+  %212 = fcmp une <8 x double> %203, zeroinitializer
+  br i1 %184, label %219, label %213
 
-207:                                              ; preds = %191
-  %208 = load ptr, ptr %125, align 8
-  %209 = getelementptr inbounds i8, ptr %208, i64 %195
-  %210 = load <8 x double>, ptr %209, align 8
-  %211 = fcmp ogt <8 x double> %210, zeroinitializer
-  %212 = and <8 x i1> %211, %206
-  br label %213
+213:                                              ; preds = %197
+  %214 = load ptr, ptr %131, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 %201
+  %216 = load <8 x double>, ptr %215, align 8
+  %217 = fcmp ogt <8 x double> %216, zeroinitializer
+  %218 = and <8 x i1> %217, %212
+  br label %219
 
-213:                                              ; preds = %207, %191
-  %214 = phi <8 x i1> [ %206, %191 ], [ %212, %207 ]
-  %215 = fdiv <8 x double> %198, %205
-  %216 = fcmp ogt <8 x double> %215, %194
-  %217 = select <8 x i1> %214, <8 x i1> %216, <8 x i1> zeroinitializer
-  %218 = select <8 x i1> %217, <8 x double> %215, <8 x double> %194
-  %219 = fcmp one <8 x double> %198, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %220 = select <8 x i1> %219, <8 x i64> %193, <8 x i64> zeroinitializer
-  %221 = add nuw nsw i64 %192, 1
-  %222 = icmp eq i64 %221, %120
-  br i1 %222, label %179, label %191, !llvm.loop !12
+219:                                              ; preds = %213, %197
+  %220 = phi <8 x i1> [ %212, %197 ], [ %218, %213 ]
+  %221 = fdiv <8 x double> %204, %211
+  %222 = fcmp ogt <8 x double> %221, %200
+  %223 = select <8 x i1> %220, <8 x i1> %222, <8 x i1> zeroinitializer
+  %224 = select <8 x i1> %223, <8 x double> %221, <8 x double> %200
+  %225 = fcmp one <8 x double> %204, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %226 = select <8 x i1> %225, <8 x i64> %199, <8 x i64> zeroinitializer
+  %227 = add nuw nsw i64 %198, 1
+  %228 = icmp eq i64 %227, %126
+  br i1 %228, label %185, label %197, !llvm.loop !12
 
-223:                                              ; preds = %179, %230
-  %224 = phi <8 x double> [ %247, %230 ], [ zeroinitializer, %179 ]
-  %225 = phi i64 [ %248, %230 ], [ 0, %179 ]
-  br i1 %132, label %226, label %230
+229:                                              ; preds = %185, %236
+  %230 = phi <8 x double> [ %253, %236 ], [ zeroinitializer, %185 ]
+  %231 = phi i64 [ %254, %236 ], [ 0, %185 ]
+  br i1 %138, label %232, label %236
 
-226:                                              ; preds = %223
-  %227 = mul nuw nsw i64 %225, %127
-  %228 = load ptr, ptr %133, align 8
-  %229 = load ptr, ptr %134, align 8
-  br label %250
+232:                                              ; preds = %229
+  %233 = mul nuw nsw i64 %231, %133
+  %234 = load ptr, ptr %139, align 8
+  %235 = load ptr, ptr %140, align 8
+  br label %256
 
-230:                                              ; preds = %250, %223
-  %231 = phi <8 x double> [ zeroinitializer, %223 ], [ %278, %250 ]
-  %232 = shl nsw i64 %225, 6
-  %233 = getelementptr inbounds i8, ptr %138, i64 %232
-  %234 = load <8 x double>, ptr %233, align 8
-  %235 = fmul <8 x double> %137, %234
-  %236 = fmul <8 x double> %231, %143
-  %237 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %236)
-  %238 = fmul <8 x double> %237, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
-  %239 = fadd <8 x double> %235, %238
-  %240 = fcmp ogt <8 x double> %231, zeroinitializer
-  %241 = getelementptr inbounds i8, ptr %122, i64 %232
-  %242 = load <8 x double>, ptr %241, align 8
-  %243 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %242)
-  %244 = fdiv <8 x double> %243, %239
-  %245 = fcmp ogt <8 x double> %244, %224
-  %246 = select <8 x i1> %240, <8 x i1> %245, <8 x i1> zeroinitializer
-  %247 = select <8 x i1> %246, <8 x double> %244, <8 x double> %224
-  %248 = add nuw nsw i64 %225, 1
-  %249 = icmp eq i64 %248, %120
-  br i1 %249, label %281, label %223, !llvm.loop !13
+236:                                              ; preds = %256, %229
+  %237 = phi <8 x double> [ zeroinitializer, %229 ], [ %284, %256 ]
+  %238 = shl nsw i64 %231, 6
+  %239 = getelementptr inbounds i8, ptr %144, i64 %238
+  %240 = load <8 x double>, ptr %239, align 8
+  %241 = fmul <8 x double> %143, %240
+  %242 = fmul <8 x double> %237, %149
+  %243 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %242)
+  %244 = fmul <8 x double> %243, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
+  %245 = fadd <8 x double> %241, %244
+  %246 = fcmp ogt <8 x double> %237, zeroinitializer
+  %247 = getelementptr inbounds i8, ptr %128, i64 %238
+  %248 = load <8 x double>, ptr %247, align 8
+  %249 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %248)
+  %250 = fdiv <8 x double> %249, %245
+  %251 = fcmp ogt <8 x double> %250, %230
+  %252 = select <8 x i1> %246, <8 x i1> %251, <8 x i1> zeroinitializer
+  %253 = select <8 x i1> %252, <8 x double> %250, <8 x double> %230
+  %254 = add nuw nsw i64 %231, 1
+  %255 = icmp eq i64 %254, %126
+  br i1 %255, label %287, label %229, !llvm.loop !13
 
-250:                                              ; preds = %226, %250
-  %251 = phi <8 x double> [ zeroinitializer, %226 ], [ %278, %250 ]
-  %252 = phi i64 [ 0, %226 ], [ %279, %250 ]
-  %253 = add nuw nsw i64 %252, %227
-  %254 = shl nsw i64 %253, 6
-  %255 = getelementptr inbounds i8, ptr %128, i64 %254
-  %256 = load <8 x double>, ptr %255, align 8
-  %257 = shl nsw i64 %252, 6
-  %258 = getelementptr inbounds i8, ptr %2, i64 %257
-  %259 = load <8 x double>, ptr %258, align 8
-  %260 = getelementptr inbounds i8, ptr %65, i64 %257
-  %261 = load <8 x double>, ptr %260, align 8
-  %262 = getelementptr inbounds double, ptr %228, i64 %252
-  %263 = load double, ptr %262, align 8
-  %264 = insertelement <8 x double> poison, double %263, i64 0
-  %265 = shufflevector <8 x double> %264, <8 x double> poison, <8 x i32> zeroinitializer
-  %266 = getelementptr inbounds double, ptr %229, i64 %252
-  %267 = load double, ptr %266, align 8
-  %268 = insertelement <8 x double> poison, double %267, i64 0
-  %269 = shufflevector <8 x double> %268, <8 x double> poison, <8 x i32> zeroinitializer
-  %270 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %261)
-  %271 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %259)
-  %272 = fcmp ogt <8 x double> %270, %271
-  %273 = select <8 x i1> %272, <8 x double> %270, <8 x double> %271
-  %274 = fmul <8 x double> %273, %269
-  %275 = fadd <8 x double> %265, %274
-  %276 = fmul <8 x double> %256, %275
-  %277 = fmul <8 x double> %276, %276
-  %278 = fadd <8 x double> %251, %277
-  %279 = add nuw nsw i64 %252, 1
-  %280 = icmp eq i64 %279, %127
-  br i1 %280, label %230, label %250, !llvm.loop !14
+256:                                              ; preds = %232, %256
+  %257 = phi <8 x double> [ zeroinitializer, %232 ], [ %284, %256 ]
+  %258 = phi i64 [ 0, %232 ], [ %285, %256 ]
+  %259 = add nuw nsw i64 %258, %233
+  %260 = shl nsw i64 %259, 6
+  %261 = getelementptr inbounds i8, ptr %134, i64 %260
+  %262 = load <8 x double>, ptr %261, align 8
+  %263 = shl nsw i64 %258, 6
+  %264 = getelementptr inbounds i8, ptr %2, i64 %263
+  %265 = load <8 x double>, ptr %264, align 8
+  %266 = getelementptr inbounds i8, ptr %65, i64 %263
+  %267 = load <8 x double>, ptr %266, align 8
+  %268 = getelementptr inbounds double, ptr %234, i64 %258
+  %269 = load double, ptr %268, align 8
+  %270 = insertelement <8 x double> poison, double %269, i64 0
+  %271 = shufflevector <8 x double> %270, <8 x double> poison, <8 x i32> zeroinitializer
+  %272 = getelementptr inbounds double, ptr %235, i64 %258
+  %273 = load double, ptr %272, align 8
+  %274 = insertelement <8 x double> poison, double %273, i64 0
+  %275 = shufflevector <8 x double> %274, <8 x double> poison, <8 x i32> zeroinitializer
+  %276 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %267)
+  %277 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %265)
+  %278 = fcmp ogt <8 x double> %276, %277
+  %279 = select <8 x i1> %278, <8 x double> %276, <8 x double> %277
+  %280 = fmul <8 x double> %279, %275
+  %281 = fadd <8 x double> %271, %280
+  %282 = fmul <8 x double> %262, %281
+  %283 = fmul <8 x double> %282, %282
+  %284 = fadd <8 x double> %257, %283
+  %285 = add nuw nsw i64 %258, 1
+  %286 = icmp eq i64 %285, %133
+  br i1 %286, label %236, label %256, !llvm.loop !14
 
-281:                                              ; preds = %230, %179
-  %282 = phi <8 x double> [ %190, %179 ], [ %247, %230 ]
-  %283 = fcmp ole <8 x double> %180, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %284 = fmul <8 x double> %173, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %285 = fcmp oge <8 x double> %180, %284
-  %286 = fcmp ole <8 x double> %180, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  %287 = and <8 x i1> %285, %286
-  %288 = or <8 x i1> %287, %283
-  %289 = bitcast <8 x i1> %288 to i8
-  %290 = zext i8 %289 to i64
-  %291 = or i64 %187, %290
-  %292 = xor i64 %291, -1
-  %293 = and i64 %176, %292
-  %294 = icmp eq i32 %174, 9
-  %295 = select i1 %294, i64 0, i64 %293
-  %296 = select i1 %294, i64 %293, i64 0
-  %297 = or i64 %296, %187
-  store i64 %295, ptr %34, align 8
-  %298 = icmp eq i64 %295, 0
-  br i1 %298, label %346, label %299
+287:                                              ; preds = %236, %185
+  %288 = phi <8 x double> [ %196, %185 ], [ %253, %236 ]
+  %289 = fcmp ole <8 x double> %186, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %290 = fmul <8 x double> %179, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %291 = fcmp oge <8 x double> %186, %290
+  %292 = fcmp ole <8 x double> %186, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  %293 = and <8 x i1> %291, %292
+  %294 = or <8 x i1> %293, %289
+  %295 = bitcast <8 x i1> %294 to i8
+  %296 = zext i8 %295 to i64
+  %297 = or i64 %193, %296
+  %298 = xor i64 %297, -1
+  %299 = and i64 %182, %298
+  %300 = icmp eq i32 %180, 9
+  %301 = select i1 %300, i64 0, i64 %299
+  %302 = select i1 %300, i64 %299, i64 0
+  %303 = or i64 %302, %193
+  store i64 %301, ptr %34, align 8
+  %304 = icmp eq i64 %301, 0
+  br i1 %304, label %352, label %305
 
-299:                                              ; preds = %281
-  br i1 %144, label %300, label %318
+305:                                              ; preds = %287
+  br i1 %150, label %306, label %324
 
-300:                                              ; preds = %299
-  %301 = load i64, ptr %145, align 8
-  %302 = load i64, ptr %146, align 8
-  %303 = mul nsw i64 %302, %301
-  %304 = icmp sgt i64 %303, 0
-  br i1 %304, label %305, label %316
+306:                                              ; preds = %305
+  %307 = load i64, ptr %151, align 8
+  %308 = load i64, ptr %152, align 8
+  %309 = mul nsw i64 %308, %307
+  %310 = icmp sgt i64 %309, 0
+  br i1 %310, label %311, label %322
 
-305:                                              ; preds = %300, %305
-  %306 = phi i64 [ %311, %305 ], [ 0, %300 ]
-  %307 = getelementptr inbounds double, ptr %55, i64 %306
-  %308 = load double, ptr %307, align 8
-  %309 = load ptr, ptr %97, align 8
-  %310 = getelementptr inbounds double, ptr %309, i64 %306
-  store double %308, ptr %310, align 8
-  %311 = add nuw nsw i64 %306, 1
-  %312 = load i64, ptr %145, align 8
-  %313 = load i64, ptr %146, align 8
-  %314 = mul nsw i64 %313, %312
-  %315 = icmp slt i64 %311, %314
-  br i1 %315, label %305, label %316, !llvm.loop !15
+311:                                              ; preds = %306, %311
+  %312 = phi i64 [ %317, %311 ], [ 0, %306 ]
+  %313 = getelementptr inbounds double, ptr %55, i64 %312
+  %314 = load double, ptr %313, align 8
+  %315 = load ptr, ptr %103, align 8
+  %316 = getelementptr inbounds double, ptr %315, i64 %312
+  store double %314, ptr %316, align 8
+  %317 = add nuw nsw i64 %312, 1
+  %318 = load i64, ptr %151, align 8
+  %319 = load i64, ptr %152, align 8
+  %320 = mul nsw i64 %319, %318
+  %321 = icmp slt i64 %317, %320
+  br i1 %321, label %311, label %322, !llvm.loop !15
 
-316:                                              ; preds = %305, %300
-  %317 = load ptr, ptr %97, align 8
-  tail call fastcc void @factorise(ptr noundef %317, i64 noundef %76) #8
-  br label %318
+322:                                              ; preds = %311, %306
+  %323 = load ptr, ptr %103, align 8
+  tail call fastcc void @factorise(ptr noundef %323, i64 noundef %82) #8
+  br label %324
 
-318:                                              ; preds = %299, %316
-  %319 = load i64, ptr %148, align 8
-  %320 = load i64, ptr %149, align 8
-  %321 = mul nsw i64 %320, %319
-  %322 = icmp sgt i64 %321, 0
-  br i1 %322, label %323, label %334
+324:                                              ; preds = %305, %322
+  %325 = load i64, ptr %154, align 8
+  %326 = load i64, ptr %155, align 8
+  %327 = mul nsw i64 %326, %325
+  %328 = icmp sgt i64 %327, 0
+  br i1 %328, label %329, label %340
 
-323:                                              ; preds = %318, %323
-  %324 = phi i64 [ %329, %323 ], [ 0, %318 ]
-  %325 = getelementptr inbounds double, ptr %49, i64 %324
-  %326 = load double, ptr %325, align 8
-  %327 = load ptr, ptr %147, align 8
-  %328 = getelementptr inbounds double, ptr %327, i64 %324
-  store double %326, ptr %328, align 8
-  %329 = add nuw nsw i64 %324, 1
-  %330 = load i64, ptr %148, align 8
-  %331 = load i64, ptr %149, align 8
-  %332 = mul nsw i64 %331, %330
-  %333 = icmp slt i64 %329, %332
-  br i1 %333, label %323, label %334, !llvm.loop !15
+329:                                              ; preds = %324, %329
+  %330 = phi i64 [ %335, %329 ], [ 0, %324 ]
+  %331 = getelementptr inbounds double, ptr %49, i64 %330
+  %332 = load double, ptr %331, align 8
+  %333 = load ptr, ptr %153, align 8
+  %334 = getelementptr inbounds double, ptr %333, i64 %330
+  store double %332, ptr %334, align 8
+  %335 = add nuw nsw i64 %330, 1
+  %336 = load i64, ptr %154, align 8
+  %337 = load i64, ptr %155, align 8
+  %338 = mul nsw i64 %337, %336
+  %339 = icmp slt i64 %335, %338
+  br i1 %339, label %329, label %340, !llvm.loop !15
 
-334:                                              ; preds = %323, %318
-  %335 = load ptr, ptr %150, align 8
-  br i1 %151, label %336, label %345
+340:                                              ; preds = %329, %324
+  %341 = load ptr, ptr %156, align 8
+  br i1 %157, label %342, label %351
 
-336:                                              ; preds = %334, %336
-  %337 = phi i64 [ %343, %336 ], [ 0, %334 ]
-  %338 = shl nsw i64 %337, 6
-  %339 = getelementptr inbounds i8, ptr %106, i64 %338
-  %340 = load <8 x double>, ptr %339, align 8
-  %341 = fneg <8 x double> %340
-  %342 = getelementptr inbounds i8, ptr %335, i64 %338
-  store <8 x double> %341, ptr %342, align 8
-  %343 = add nuw nsw i64 %337, 1
-  %344 = icmp eq i64 %343, %120
-  br i1 %344, label %345, label %336, !llvm.loop !16
+342:                                              ; preds = %340, %342
+  %343 = phi i64 [ %349, %342 ], [ 0, %340 ]
+  %344 = shl nsw i64 %343, 6
+  %345 = getelementptr inbounds i8, ptr %112, i64 %344
+  %346 = load <8 x double>, ptr %345, align 8
+  %347 = fneg <8 x double> %346
+  %348 = getelementptr inbounds i8, ptr %341, i64 %344
+  store <8 x double> %347, ptr %348, align 8
+  %349 = add nuw nsw i64 %343, 1
+  %350 = icmp eq i64 %349, %126
+  br i1 %350, label %351, label %342, !llvm.loop !16
 
-345:                                              ; preds = %336, %334
+351:                                              ; preds = %342, %340
   call fastcc void @move_positions(ptr noundef nonnull %6, ptr noundef %2) #8
-  br label %346
+  br label %352
 
-346:                                              ; preds = %345, %281
-  %347 = phi <8 x double> [ %180, %345 ], [ %173, %281 ]
-  %348 = phi i64 [ %171, %345 ], [ %297, %281 ]
-  br i1 %298, label %349, label %158
+352:                                              ; preds = %351, %287
+  %353 = phi <8 x double> [ %186, %351 ], [ %179, %287 ]
+  %354 = phi i64 [ %177, %351 ], [ %303, %287 ]
+  br i1 %304, label %355, label %164
 
-349:                                              ; preds = %346, %158, %102
-  %350 = phi <8 x double> [ zeroinitializer, %102 ], [ %282, %158 ], [ %282, %346 ]
-  %351 = phi i64 [ %96, %102 ], [ %348, %346 ], [ %96, %158 ]
-  %352 = load i64, ptr %16, align 8
-  %353 = icmp eq i64 %352, 0
-  %354 = icmp eq i64 %351, %4
-  %355 = select i1 %353, i1 true, i1 %354
-  br i1 %355, label %361, label %356
+355:                                              ; preds = %352, %164, %108
+  %356 = phi <8 x double> [ zeroinitializer, %108 ], [ %288, %164 ], [ %288, %352 ]
+  %357 = phi i64 [ %102, %108 ], [ %354, %352 ], [ %102, %164 ]
+  %358 = load i64, ptr %16, align 8
+  %359 = icmp eq i64 %358, 0
+  %360 = icmp eq i64 %357, %4
+  %361 = select i1 %359, i1 true, i1 %360
+  br i1 %361, label %367, label %362
 
-356:                                              ; preds = %349
-  %357 = icmp sgt i64 %352, 0
-  br i1 %357, label %358, label %367
+362:                                              ; preds = %355
+  %363 = icmp sgt i64 %358, 0
+  br i1 %363, label %364, label %373
 
-358:                                              ; preds = %356
-  %359 = load ptr, ptr %35, align 8
-  %360 = load i64, ptr %13, align 8
-  br label %374
+364:                                              ; preds = %362
+  %365 = load ptr, ptr %35, align 8
+  %366 = load i64, ptr %13, align 8
+  br label %380
 
-361:                                              ; preds = %349
-  %362 = fcmp ogt <8 x double> %350, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %363 = bitcast <8 x i1> %362 to i8
-  %364 = zext i8 %363 to i64
-  %365 = and i64 %364, %4
-  %366 = or i64 %365, %351
-  br label %645
+367:                                              ; preds = %355
+  %368 = fcmp ogt <8 x double> %356, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %369 = bitcast <8 x i1> %368 to i8
+  %370 = zext i8 %369 to i64
+  %371 = and i64 %370, %4
+  %372 = or i64 %371, %357
+  br label %651
 
-367:                                              ; preds = %374, %356
-  %368 = phi <8 x double> [ zeroinitializer, %356 ], [ %382, %374 ]
-  %369 = load i64, ptr %22, align 8
-  %370 = mul nsw i64 %369, %352
-  %371 = icmp sgt i64 %370, 0
-  br i1 %371, label %372, label %385
+373:                                              ; preds = %380, %362
+  %374 = phi <8 x double> [ zeroinitializer, %362 ], [ %388, %380 ]
+  %375 = load i64, ptr %22, align 8
+  %376 = mul nsw i64 %375, %358
+  %377 = icmp sgt i64 %376, 0
+  br i1 %377, label %378, label %391
 
-372:                                              ; preds = %367
-  %373 = load ptr, ptr %40, align 8
-  br label %396
+378:                                              ; preds = %373
+  %379 = load ptr, ptr %40, align 8
+  br label %402
 
-374:                                              ; preds = %358, %374
-  %375 = phi i64 [ 0, %358 ], [ %383, %374 ]
-  %376 = phi <8 x double> [ zeroinitializer, %358 ], [ %382, %374 ]
-  %377 = add nsw i64 %360, %375
-  %378 = shl nsw i64 %377, 6
-  %379 = getelementptr inbounds i8, ptr %359, i64 %378
-  %380 = load <8 x double>, ptr %379, align 8
-  %381 = fmul <8 x double> %380, zeroinitializer
-  %382 = fadd <8 x double> %376, %381
-  %383 = add nuw nsw i64 %375, 1
-  %384 = icmp eq i64 %383, %352
-  br i1 %384, label %367, label %374, !llvm.loop !17
+380:                                              ; preds = %364, %380
+  %381 = phi i64 [ 0, %364 ], [ %389, %380 ]
+  %382 = phi <8 x double> [ zeroinitializer, %364 ], [ %388, %380 ]
+  %383 = add nsw i64 %366, %381
+  %384 = shl nsw i64 %383, 6
+  %385 = getelementptr inbounds i8, ptr %365, i64 %384
+  %386 = load <8 x double>, ptr %385, align 8
+  %387 = fmul <8 x double> %386, zeroinitializer
+  %388 = fadd <8 x double> %382, %387
+  %389 = add nuw nsw i64 %381, 1
+  %390 = icmp eq i64 %389, %358
+  br i1 %390, label %373, label %380, !llvm.loop !17
 
-385:                                              ; preds = %396, %367
-  %386 = phi <8 x double> [ %368, %367 ], [ %403, %396 ]
-  %387 = fcmp oeq <8 x double> %386, zeroinitializer
-  %388 = bitcast <8 x i1> %387 to i8
-  %389 = zext i8 %388 to i64
-  %390 = xor i64 %389, -1
-  %391 = and i64 %390, %4
-  %392 = or i64 %391, %351
-  %393 = xor i64 %392, -1
-  %394 = and i64 %393, %4
-  store i64 %394, ptr %34, align 8
-  %395 = icmp eq ptr %65, null
-  br i1 %395, label %493, label %406
+391:                                              ; preds = %402, %373
+  %392 = phi <8 x double> [ %374, %373 ], [ %409, %402 ]
+  %393 = fcmp oeq <8 x double> %392, zeroinitializer
+  %394 = bitcast <8 x i1> %393 to i8
+  %395 = zext i8 %394 to i64
+  %396 = xor i64 %395, -1
+  %397 = and i64 %396, %4
+  %398 = or i64 %397, %357
+  %399 = xor i64 %398, -1
+  %400 = and i64 %399, %4
+  store i64 %400, ptr %34, align 8
+  %401 = icmp eq ptr %65, null
+  br i1 %401, label %499, label %412
 
-396:                                              ; preds = %372, %396
-  %397 = phi i64 [ 0, %372 ], [ %404, %396 ]
-  %398 = phi <8 x double> [ %368, %372 ], [ %403, %396 ]
-  %399 = shl nsw i64 %397, 6
-  %400 = getelementptr inbounds i8, ptr %373, i64 %399
-  %401 = load <8 x double>, ptr %400, align 8
-  %402 = fmul <8 x double> %401, zeroinitializer
-  %403 = fadd <8 x double> %398, %402
-  %404 = add nuw nsw i64 %397, 1
-  %405 = icmp eq i64 %404, %370
-  br i1 %405, label %385, label %396, !llvm.loop !18
+402:                                              ; preds = %378, %402
+  %403 = phi i64 [ 0, %378 ], [ %410, %402 ]
+  %404 = phi <8 x double> [ %374, %378 ], [ %409, %402 ]
+  %405 = shl nsw i64 %403, 6
+  %406 = getelementptr inbounds i8, ptr %379, i64 %405
+  %407 = load <8 x double>, ptr %406, align 8
+  %408 = fmul <8 x double> %407, zeroinitializer
+  %409 = fadd <8 x double> %404, %408
+  %410 = add nuw nsw i64 %403, 1
+  %411 = icmp eq i64 %410, %376
+  br i1 %411, label %391, label %402, !llvm.loop !18
 
-406:                                              ; preds = %385
-  %407 = load i64, ptr %19, align 8
-  %408 = load ptr, ptr %35, align 8
-  %409 = load i64, ptr %13, align 8
-  %410 = shl nsw i64 %409, 6
-  %411 = getelementptr inbounds i8, ptr %408, i64 %410
-  %412 = load ptr, ptr %40, align 8
-  %413 = icmp sgt i64 %352, 0
-  br i1 %413, label %414, label %489
+412:                                              ; preds = %391
+  %413 = load i64, ptr %19, align 8
+  %414 = load ptr, ptr %35, align 8
+  %415 = load i64, ptr %13, align 8
+  %416 = shl nsw i64 %415, 6
+  %417 = getelementptr inbounds i8, ptr %414, i64 %416
+  %418 = load ptr, ptr %40, align 8
+  %419 = icmp sgt i64 %358, 0
+  br i1 %419, label %420, label %495
 
-414:                                              ; preds = %406
-  %415 = load i64, ptr %31, align 8
-  %416 = icmp slt i64 %415, %352
-  %417 = icmp sgt i64 %369, 0
-  %418 = getelementptr inbounds i8, ptr %0, i64 672
-  %419 = getelementptr inbounds i8, ptr %0, i64 648
-  %420 = select i1 %416, double 1.000000e-05, double 0x3CE0000000000000
-  %421 = insertelement <8 x double> poison, double %420, i64 0
-  %422 = shufflevector <8 x double> %421, <8 x double> poison, <8 x i32> zeroinitializer
-  %423 = add nsw i64 %407, %369
-  %424 = sitofp i64 %423 to double
-  %425 = insertelement <8 x double> poison, double %424, i64 0
-  %426 = shufflevector <8 x double> %425, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %427
+420:                                              ; preds = %412
+  %421 = load i64, ptr %31, align 8
+  %422 = icmp slt i64 %421, %358
+  %423 = icmp sgt i64 %375, 0
+  %424 = getelementptr inbounds i8, ptr %0, i64 672
+  %425 = getelementptr inbounds i8, ptr %0, i64 648
+  %426 = select i1 %422, double 1.000000e-05, double 0x3CE0000000000000
+  %427 = insertelement <8 x double> poison, double %426, i64 0
+  %428 = shufflevector <8 x double> %427, <8 x double> poison, <8 x i32> zeroinitializer
+  %429 = add nsw i64 %413, %375
+  %430 = sitofp i64 %429 to double
+  %431 = insertelement <8 x double> poison, double %430, i64 0
+  %432 = shufflevector <8 x double> %431, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %433
 
-427:                                              ; preds = %414, %434
-  %428 = phi <8 x double> [ zeroinitializer, %414 ], [ %450, %434 ]
-  %429 = phi i64 [ 0, %414 ], [ %451, %434 ]
-  br i1 %417, label %430, label %434
+433:                                              ; preds = %420, %440
+  %434 = phi <8 x double> [ zeroinitializer, %420 ], [ %456, %440 ]
+  %435 = phi i64 [ 0, %420 ], [ %457, %440 ]
+  br i1 %423, label %436, label %440
 
-430:                                              ; preds = %427
-  %431 = mul nuw nsw i64 %429, %369
-  %432 = load ptr, ptr %418, align 8
-  %433 = load ptr, ptr %419, align 8
-  br label %453
+436:                                              ; preds = %433
+  %437 = mul nuw nsw i64 %435, %375
+  %438 = load ptr, ptr %424, align 8
+  %439 = load ptr, ptr %425, align 8
+  br label %459
 
-434:                                              ; preds = %453, %427
-  %435 = phi <8 x double> [ zeroinitializer, %427 ], [ %486, %453 ]
-  %436 = phi <8 x double> [ zeroinitializer, %427 ], [ %483, %453 ]
-  %437 = fmul <8 x double> %422, %435
-  %438 = fmul <8 x double> %426, %436
-  %439 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %438)
-  %440 = fmul <8 x double> %439, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
-  %441 = fadd <8 x double> %437, %440
-  %442 = fcmp ogt <8 x double> %436, zeroinitializer
-  %443 = shl nsw i64 %429, 6
-  %444 = getelementptr inbounds i8, ptr %411, i64 %443
-  %445 = load <8 x double>, ptr %444, align 8
-  %446 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %445)
-  %447 = fdiv <8 x double> %446, %441
-  %448 = fcmp ogt <8 x double> %447, %428
-  %449 = select <8 x i1> %442, <8 x i1> %448, <8 x i1> zeroinitializer
-  %450 = select <8 x i1> %449, <8 x double> %447, <8 x double> %428
-  %451 = add nuw nsw i64 %429, 1
-  %452 = icmp eq i64 %451, %352
-  br i1 %452, label %489, label %427, !llvm.loop !13
+440:                                              ; preds = %459, %433
+  %441 = phi <8 x double> [ zeroinitializer, %433 ], [ %492, %459 ]
+  %442 = phi <8 x double> [ zeroinitializer, %433 ], [ %489, %459 ]
+  %443 = fmul <8 x double> %428, %441
+  %444 = fmul <8 x double> %432, %442
+  %445 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %444)
+  %446 = fmul <8 x double> %445, <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>
+  %447 = fadd <8 x double> %443, %446
+  %448 = fcmp ogt <8 x double> %442, zeroinitializer
+  %449 = shl nsw i64 %435, 6
+  %450 = getelementptr inbounds i8, ptr %417, i64 %449
+  %451 = load <8 x double>, ptr %450, align 8
+  %452 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %451)
+  %453 = fdiv <8 x double> %452, %447
+  %454 = fcmp ogt <8 x double> %453, %434
+  %455 = select <8 x i1> %448, <8 x i1> %454, <8 x i1> zeroinitializer
+  %456 = select <8 x i1> %455, <8 x double> %453, <8 x double> %434
+  %457 = add nuw nsw i64 %435, 1
+  %458 = icmp eq i64 %457, %358
+  br i1 %458, label %495, label %433, !llvm.loop !13
 
-453:                                              ; preds = %430, %453
-  %454 = phi <8 x double> [ zeroinitializer, %430 ], [ %483, %453 ]
-  %455 = phi i64 [ 0, %430 ], [ %487, %453 ]
-  %456 = phi <8 x double> [ zeroinitializer, %430 ], [ %486, %453 ]
-  %457 = add nuw nsw i64 %455, %431
-  %458 = shl nsw i64 %457, 6
-  %459 = getelementptr inbounds i8, ptr %412, i64 %458
-  %460 = load <8 x double>, ptr %459, align 8
-  %461 = add nsw i64 %455, %407
-  %462 = shl nsw i64 %461, 6
-  %463 = getelementptr inbounds i8, ptr %2, i64 %462
-  %464 = load <8 x double>, ptr %463, align 8
-  %465 = getelementptr inbounds i8, ptr %65, i64 %462
+459:                                              ; preds = %436, %459
+  %460 = phi <8 x double> [ zeroinitializer, %436 ], [ %489, %459 ]
+  %461 = phi i64 [ 0, %436 ], [ %493, %459 ]
+  %462 = phi <8 x double> [ zeroinitializer, %436 ], [ %492, %459 ]
+  %463 = add nuw nsw i64 %461, %437
+  %464 = shl nsw i64 %463, 6
+  %465 = getelementptr inbounds i8, ptr %418, i64 %464
   %466 = load <8 x double>, ptr %465, align 8
-  %467 = getelementptr inbounds double, ptr %432, i64 %461
-  %468 = load double, ptr %467, align 8
-  %469 = insertelement <8 x double> poison, double %468, i64 0
-  %470 = shufflevector <8 x double> %469, <8 x double> poison, <8 x i32> zeroinitializer
-  %471 = getelementptr inbounds double, ptr %433, i64 %461
-  %472 = load double, ptr %471, align 8
-  %473 = insertelement <8 x double> poison, double %472, i64 0
-  %474 = shufflevector <8 x double> %473, <8 x double> poison, <8 x i32> zeroinitializer
-  %475 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %466)
-  %476 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %464)
-  %477 = fcmp ogt <8 x double> %475, %476
-  %478 = select <8 x i1> %477, <8 x double> %475, <8 x double> %476
-  %479 = fmul <8 x double> %478, %474
-  %480 = fadd <8 x double> %470, %479
-  %481 = fmul <8 x double> %460, %480
-  %482 = fmul <8 x double> %481, %481
-  %483 = fadd <8 x double> %454, %482
-  %484 = fmul <8 x double> %460, %464
-  %485 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %484)
-  %486 = fadd <8 x double> %456, %485
-  %487 = add nuw nsw i64 %455, 1
-  %488 = icmp eq i64 %487, %369
-  br i1 %488, label %434, label %453, !llvm.loop !14
+  %467 = add nsw i64 %461, %413
+  %468 = shl nsw i64 %467, 6
+  %469 = getelementptr inbounds i8, ptr %2, i64 %468
+  %470 = load <8 x double>, ptr %469, align 8
+  %471 = getelementptr inbounds i8, ptr %65, i64 %468
+  %472 = load <8 x double>, ptr %471, align 8
+  %473 = getelementptr inbounds double, ptr %438, i64 %467
+  %474 = load double, ptr %473, align 8
+  %475 = insertelement <8 x double> poison, double %474, i64 0
+  %476 = shufflevector <8 x double> %475, <8 x double> poison, <8 x i32> zeroinitializer
+  %477 = getelementptr inbounds double, ptr %439, i64 %467
+  %478 = load double, ptr %477, align 8
+  %479 = insertelement <8 x double> poison, double %478, i64 0
+  %480 = shufflevector <8 x double> %479, <8 x double> poison, <8 x i32> zeroinitializer
+  %481 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %472)
+  %482 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %470)
+  %483 = fcmp ogt <8 x double> %481, %482
+  %484 = select <8 x i1> %483, <8 x double> %481, <8 x double> %482
+  %485 = fmul <8 x double> %484, %480
+  %486 = fadd <8 x double> %476, %485
+  %487 = fmul <8 x double> %466, %486
+  %488 = fmul <8 x double> %487, %487
+  %489 = fadd <8 x double> %460, %488
+  %490 = fmul <8 x double> %466, %470
+  %491 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %490)
+  %492 = fadd <8 x double> %462, %491
+  %493 = add nuw nsw i64 %461, 1
+  %494 = icmp eq i64 %493, %375
+  br i1 %494, label %440, label %459, !llvm.loop !14
 
-489:                                              ; preds = %434, %406
-  %490 = phi <8 x double> [ zeroinitializer, %406 ], [ %450, %434 ]
-  %491 = fcmp ogt <8 x double> %490, %350
-  %492 = select <8 x i1> %491, <8 x double> %490, <8 x double> %350
-  br label %493
+495:                                              ; preds = %440, %412
+  %496 = phi <8 x double> [ zeroinitializer, %412 ], [ %456, %440 ]
+  %497 = fcmp ogt <8 x double> %496, %356
+  %498 = select <8 x i1> %497, <8 x double> %496, <8 x double> %356
+  br label %499
 
-493:                                              ; preds = %489, %385
-  %494 = phi <8 x double> [ %350, %385 ], [ %492, %489 ]
-  %495 = load i64, ptr %25, align 8
-  %496 = icmp eq i64 %495, 1
-  br i1 %496, label %497, label %521
+499:                                              ; preds = %495, %391
+  %500 = phi <8 x double> [ %356, %391 ], [ %498, %495 ]
+  %501 = load i64, ptr %25, align 8
+  %502 = icmp eq i64 %501, 1
+  br i1 %502, label %503, label %527
 
-497:                                              ; preds = %493
-  %498 = load ptr, ptr %41, align 8
-  %499 = load ptr, ptr %6, align 8
-  %500 = getelementptr inbounds i8, ptr %499, i64 8
-  %501 = getelementptr inbounds i8, ptr %499, i64 16
-  %502 = load i64, ptr %500, align 8
-  %503 = load i64, ptr %501, align 8
-  %504 = mul nsw i64 %503, %502
-  %505 = icmp sgt i64 %504, 0
-  br i1 %505, label %506, label %517
+503:                                              ; preds = %499
+  %504 = load ptr, ptr %41, align 8
+  %505 = load ptr, ptr %6, align 8
+  %506 = getelementptr inbounds i8, ptr %505, i64 8
+  %507 = getelementptr inbounds i8, ptr %505, i64 16
+  %508 = load i64, ptr %506, align 8
+  %509 = load i64, ptr %507, align 8
+  %510 = mul nsw i64 %509, %508
+  %511 = icmp sgt i64 %510, 0
+  br i1 %511, label %512, label %523
 
-506:                                              ; preds = %497, %506
-  %507 = phi i64 [ %512, %506 ], [ 0, %497 ]
-  %508 = getelementptr inbounds double, ptr %498, i64 %507
-  %509 = load double, ptr %508, align 8
-  %510 = load ptr, ptr %499, align 8
-  %511 = getelementptr inbounds double, ptr %510, i64 %507
-  store double %509, ptr %511, align 8
-  %512 = add nuw nsw i64 %507, 1
-  %513 = load i64, ptr %500, align 8
-  %514 = load i64, ptr %501, align 8
-  %515 = mul nsw i64 %514, %513
-  %516 = icmp slt i64 %512, %515
-  br i1 %516, label %506, label %517, !llvm.loop !15
+512:                                              ; preds = %503, %512
+  %513 = phi i64 [ %518, %512 ], [ 0, %503 ]
+  %514 = getelementptr inbounds double, ptr %504, i64 %513
+  %515 = load double, ptr %514, align 8
+  %516 = load ptr, ptr %505, align 8
+  %517 = getelementptr inbounds double, ptr %516, i64 %513
+  store double %515, ptr %517, align 8
+  %518 = add nuw nsw i64 %513, 1
+  %519 = load i64, ptr %506, align 8
+  %520 = load i64, ptr %507, align 8
+  %521 = mul nsw i64 %520, %519
+  %522 = icmp slt i64 %518, %521
+  br i1 %522, label %512, label %523, !llvm.loop !15
 
-517:                                              ; preds = %506, %497
-  %518 = load ptr, ptr %6, align 8
-  %519 = load ptr, ptr %518, align 8
-  %520 = load i64, ptr %22, align 8
-  tail call fastcc void @factorise(ptr noundef %519, i64 noundef %520) #8
-  br label %521
+523:                                              ; preds = %512, %503
+  %524 = load ptr, ptr %6, align 8
+  %525 = load ptr, ptr %524, align 8
+  %526 = load i64, ptr %22, align 8
+  tail call fastcc void @factorise(ptr noundef %525, i64 noundef %526) #8
+  br label %527
 
-521:                                              ; preds = %493, %517
-  %522 = load ptr, ptr %35, align 8
-  %523 = load i64, ptr %13, align 8
-  %524 = shl nsw i64 %523, 6
-  %525 = getelementptr inbounds i8, ptr %522, i64 %524
-  %526 = load i64, ptr %16, align 8
-  %527 = load ptr, ptr %6, align 8
-  %528 = getelementptr inbounds i8, ptr %527, i64 144
-  %529 = load ptr, ptr %528, align 8
-  %530 = icmp sgt i64 %526, 0
-  br i1 %530, label %531, label %540
+527:                                              ; preds = %499, %523
+  %528 = load ptr, ptr %35, align 8
+  %529 = load i64, ptr %13, align 8
+  %530 = shl nsw i64 %529, 6
+  %531 = getelementptr inbounds i8, ptr %528, i64 %530
+  %532 = load i64, ptr %16, align 8
+  %533 = load ptr, ptr %6, align 8
+  %534 = getelementptr inbounds i8, ptr %533, i64 144
+  %535 = load ptr, ptr %534, align 8
+  %536 = icmp sgt i64 %532, 0
+  br i1 %536, label %537, label %546
 
-531:                                              ; preds = %521, %531
-  %532 = phi i64 [ %538, %531 ], [ 0, %521 ]
-  %533 = shl nsw i64 %532, 6
-  %534 = getelementptr inbounds i8, ptr %525, i64 %533
-  %535 = load <8 x double>, ptr %534, align 8
-  %536 = fneg <8 x double> %535
-  %537 = getelementptr inbounds i8, ptr %529, i64 %533
-  store <8 x double> %536, ptr %537, align 8
-  %538 = add nuw nsw i64 %532, 1
-  %539 = icmp eq i64 %538, %526
-  br i1 %539, label %540, label %531, !llvm.loop !16
+537:                                              ; preds = %527, %537
+  %538 = phi i64 [ %544, %537 ], [ 0, %527 ]
+  %539 = shl nsw i64 %538, 6
+  %540 = getelementptr inbounds i8, ptr %531, i64 %539
+  %541 = load <8 x double>, ptr %540, align 8
+  %542 = fneg <8 x double> %541
+  %543 = getelementptr inbounds i8, ptr %535, i64 %539
+  store <8 x double> %542, ptr %543, align 8
+  %544 = add nuw nsw i64 %538, 1
+  %545 = icmp eq i64 %544, %532
+  br i1 %545, label %546, label %537, !llvm.loop !16
 
-540:                                              ; preds = %531, %521
+546:                                              ; preds = %537, %527
   call fastcc void @move_speeds(ptr noundef nonnull %6, ptr noundef %2) #8
-  %541 = load ptr, ptr %66, align 8
-  %542 = getelementptr inbounds i8, ptr %541, i64 8
-  %543 = load i64, ptr %542, align 8
-  %544 = load ptr, ptr %43, align 8
-  %545 = load i64, ptr %34, align 8
-  %546 = trunc i64 %545 to i8
-  %547 = bitcast i8 %546 to <8 x i1>
-  %548 = load i64, ptr %16, align 8
-  %549 = icmp sgt i64 %548, 0
-  br i1 %549, label %550, label %557
+  %547 = load ptr, ptr %66, align 8
+  %548 = getelementptr inbounds i8, ptr %547, i64 8
+  %549 = load i64, ptr %548, align 8
+  %550 = load ptr, ptr %43, align 8
+  %551 = load i64, ptr %34, align 8
+  %552 = trunc i64 %551 to i8
+  %553 = bitcast i8 %552 to <8 x i1>
+  %554 = load i64, ptr %16, align 8
+  %555 = icmp sgt i64 %554, 0
+  br i1 %555, label %556, label %563
 
-550:                                              ; preds = %540
-  %551 = load ptr, ptr %6, align 8
-  %552 = getelementptr inbounds i8, ptr %551, i64 216
-  %553 = add nsw i64 %543, 4
-  %554 = getelementptr inbounds i8, ptr %551, i64 192
-  br label %599
+556:                                              ; preds = %546
+  %557 = load ptr, ptr %6, align 8
+  %558 = getelementptr inbounds i8, ptr %557, i64 216
+  %559 = add nsw i64 %549, 4
+  %560 = getelementptr inbounds i8, ptr %557, i64 192
+  br label %605
 
-555:                                              ; preds = %599
-  %556 = bitcast <8 x double> %623 to <8 x i64>
-  br label %557
+561:                                              ; preds = %605
+  %562 = bitcast <8 x double> %629 to <8 x i64>
+  br label %563
 
-557:                                              ; preds = %555, %540
-  %558 = phi <8 x double> [ zeroinitializer, %540 ], [ %619, %555 ]
-  %559 = phi <8 x i64> [ <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, %540 ], [ %556, %555 ]
-  %560 = load <8 x double>, ptr %544, align 8
-  %561 = getelementptr inbounds i8, ptr %544, i64 128
-  %562 = load <8 x double>, ptr %561, align 8
-  %563 = fcmp ogt <8 x double> %558, %560
-  %564 = select <8 x i1> %563, <8 x i1> %547, <8 x i1> zeroinitializer
-  %565 = select <8 x i1> %564, <8 x double> %558, <8 x double> %560
-  store <8 x double> %565, ptr %544, align 8
-  %566 = getelementptr inbounds i8, ptr %544, i64 64
-  %567 = load <8 x i64>, ptr %566, align 8
-  %568 = select <8 x i1> %564, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %567
-  %569 = bitcast <8 x i64> %568 to <8 x double>
-  %570 = fcmp olt <8 x double> %558, %560
-  %571 = select <8 x i1> %570, <8 x i64> zeroinitializer, <8 x i64> %559
-  %572 = bitcast <8 x i64> %571 to <8 x double>
-  %573 = fcmp ogt <8 x double> %562, %572
-  %574 = bitcast <8 x double> %562 to <8 x i64>
-  %575 = select <8 x i1> %573, <8 x i64> %571, <8 x i64> %574
-  %576 = bitcast <8 x i64> %575 to <8 x double>
-  %577 = select <8 x i1> %547, <8 x i64> %571, <8 x i64> %574
-  store <8 x i64> %577, ptr %561, align 8
-  %578 = fcmp oge <8 x double> %576, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
-  %579 = fmul <8 x double> %494, %576
-  %580 = fmul <8 x double> %579, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
-  %581 = fcmp ogt <8 x double> %580, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %582 = or <8 x i1> %581, %578
-  %583 = load i64, ptr %34, align 8
-  %584 = fcmp ogt <8 x double> %494, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %585 = and <8 x i1> %582, %584
-  %586 = bitcast <8 x i1> %585 to i8
-  %587 = zext i8 %586 to i64
-  %588 = and i64 %583, %587
-  %589 = xor i64 %588, %583
-  %590 = trunc i64 %589 to i8
-  %591 = bitcast i8 %590 to <8 x i1>
-  %592 = fcmp olt <8 x double> %572, %569
-  %593 = fcmp ogt <8 x double> %569, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %594 = select <8 x i1> %593, <8 x i1> %592, <8 x i1> zeroinitializer
-  %595 = select <8 x i1> %594, <8 x i1> %591, <8 x i1> zeroinitializer
-  %596 = select <8 x i1> %595, <8 x i64> %571, <8 x i64> %568
-  store <8 x i64> %596, ptr %566, align 8
-  %597 = bitcast <8 x i1> %595 to i8
-  %598 = icmp eq i8 %597, 0
-  br i1 %598, label %643, label %626
+563:                                              ; preds = %561, %546
+  %564 = phi <8 x double> [ zeroinitializer, %546 ], [ %625, %561 ]
+  %565 = phi <8 x i64> [ <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, %546 ], [ %562, %561 ]
+  %566 = load <8 x double>, ptr %550, align 8
+  %567 = getelementptr inbounds i8, ptr %550, i64 128
+  %568 = load <8 x double>, ptr %567, align 8
+  %569 = fcmp ogt <8 x double> %564, %566
+  %570 = select <8 x i1> %569, <8 x i1> %553, <8 x i1> zeroinitializer
+  %571 = select <8 x i1> %570, <8 x double> %564, <8 x double> %566
+  store <8 x double> %571, ptr %550, align 8
+  %572 = getelementptr inbounds i8, ptr %550, i64 64
+  %573 = load <8 x i64>, ptr %572, align 8
+  %574 = select <8 x i1> %570, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %573
+  %575 = bitcast <8 x i64> %574 to <8 x double>
+  %576 = fcmp olt <8 x double> %564, %566
+  %577 = select <8 x i1> %576, <8 x i64> zeroinitializer, <8 x i64> %565
+  %578 = bitcast <8 x i64> %577 to <8 x double>
+  %579 = fcmp ogt <8 x double> %568, %578
+  %580 = bitcast <8 x double> %568 to <8 x i64>
+  %581 = select <8 x i1> %579, <8 x i64> %577, <8 x i64> %580
+  %582 = bitcast <8 x i64> %581 to <8 x double>
+  %583 = select <8 x i1> %553, <8 x i64> %577, <8 x i64> %580
+  store <8 x i64> %583, ptr %567, align 8
+  %584 = fcmp oge <8 x double> %582, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
+  %585 = fmul <8 x double> %500, %582
+  %586 = fmul <8 x double> %585, <double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02, double 5.000000e-02>
+  %587 = fcmp ogt <8 x double> %586, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %588 = or <8 x i1> %587, %584
+  %589 = load i64, ptr %34, align 8
+  %590 = fcmp ogt <8 x double> %500, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %591 = and <8 x i1> %588, %590
+  %592 = bitcast <8 x i1> %591 to i8
+  %593 = zext i8 %592 to i64
+  %594 = and i64 %589, %593
+  %595 = xor i64 %594, %589
+  %596 = trunc i64 %595 to i8
+  %597 = bitcast i8 %596 to <8 x i1>
+  %598 = fcmp olt <8 x double> %578, %575
+  %599 = fcmp ogt <8 x double> %575, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %600 = select <8 x i1> %599, <8 x i1> %598, <8 x i1> zeroinitializer
+  %601 = select <8 x i1> %600, <8 x i1> %597, <8 x i1> zeroinitializer
+  %602 = select <8 x i1> %601, <8 x i64> %577, <8 x i64> %574
+  store <8 x i64> %602, ptr %572, align 8
+  %603 = bitcast <8 x i1> %601 to i8
+  %604 = icmp eq i8 %603, 0
+  br i1 %604, label %649, label %632
 
-599:                                              ; preds = %550, %599
-  %600 = phi <8 x double> [ <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %550 ], [ %623, %599 ]
-  %601 = phi <8 x double> [ zeroinitializer, %550 ], [ %619, %599 ]
-  %602 = phi i64 [ 0, %550 ], [ %624, %599 ]
-  %603 = load ptr, ptr %552, align 8
-  %604 = shl nsw i64 %602, 6
-  %605 = getelementptr inbounds i8, ptr %603, i64 %604
-  %606 = load <8 x double>, ptr %605, align 8
-  %607 = add nsw i64 %553, %602
-  %608 = shl nsw i64 %607, 6
-  %609 = getelementptr inbounds i8, ptr %544, i64 %608
-  %610 = load <8 x double>, ptr %609, align 8
-  %611 = load ptr, ptr %554, align 8
-  %612 = getelementptr inbounds i8, ptr %611, i64 %604
-  %613 = load <8 x double>, ptr %612, align 8
-  %614 = fcmp ogt <8 x double> %613, %610
-  %615 = select <8 x i1> %614, <8 x double> %613, <8 x double> %610
-  %616 = select <8 x i1> %547, <8 x double> %615, <8 x double> %610
-  store <8 x double> %616, ptr %609, align 8
-  %617 = fcmp ogt <8 x double> %606, zeroinitializer
-  %618 = fadd <8 x double> %601, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %619 = select <8 x i1> %617, <8 x double> %618, <8 x double> %601
-  %620 = fdiv <8 x double> %606, %615
-  %621 = fcmp olt <8 x double> %620, %600
-  %622 = select <8 x i1> %617, <8 x i1> %621, <8 x i1> zeroinitializer
-  %623 = select <8 x i1> %622, <8 x double> %620, <8 x double> %600
-  %624 = add nuw nsw i64 %602, 1
-  %625 = icmp eq i64 %624, %548
-  br i1 %625, label %555, label %599, !llvm.loop !19
+605:                                              ; preds = %556, %605
+  %606 = phi <8 x double> [ <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %556 ], [ %629, %605 ]
+  %607 = phi <8 x double> [ zeroinitializer, %556 ], [ %625, %605 ]
+  %608 = phi i64 [ 0, %556 ], [ %630, %605 ]
+  %609 = load ptr, ptr %558, align 8
+  %610 = shl nsw i64 %608, 6
+  %611 = getelementptr inbounds i8, ptr %609, i64 %610
+  %612 = load <8 x double>, ptr %611, align 8
+  %613 = add nsw i64 %559, %608
+  %614 = shl nsw i64 %613, 6
+  %615 = getelementptr inbounds i8, ptr %550, i64 %614
+  %616 = load <8 x double>, ptr %615, align 8
+  %617 = load ptr, ptr %560, align 8
+  %618 = getelementptr inbounds i8, ptr %617, i64 %610
+  %619 = load <8 x double>, ptr %618, align 8
+  %620 = fcmp ogt <8 x double> %619, %616
+  %621 = select <8 x i1> %620, <8 x double> %619, <8 x double> %616
+  %622 = select <8 x i1> %553, <8 x double> %621, <8 x double> %616
+  store <8 x double> %622, ptr %615, align 8
+  %623 = fcmp ogt <8 x double> %612, zeroinitializer
+  %624 = fadd <8 x double> %607, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %625 = select <8 x i1> %623, <8 x double> %624, <8 x double> %607
+  %626 = fdiv <8 x double> %612, %621
+  %627 = fcmp olt <8 x double> %626, %606
+  %628 = select <8 x i1> %623, <8 x i1> %627, <8 x i1> zeroinitializer
+  %629 = select <8 x i1> %628, <8 x double> %626, <8 x double> %606
+  %630 = add nuw nsw i64 %608, 1
+  %631 = icmp eq i64 %630, %554
+  br i1 %631, label %561, label %605, !llvm.loop !19
 
-626:                                              ; preds = %557
-  %627 = getelementptr inbounds i8, ptr %544, i64 192
-  %628 = load <8 x double>, ptr %627, align 8
-  %629 = select <8 x i1> %595, <8 x double> %7, <8 x double> %628
-  store <8 x double> %629, ptr %627, align 8
-  %630 = getelementptr i8, ptr %544, i64 256
-  %631 = icmp sgt i64 %543, 0
-  br i1 %631, label %632, label %643
+632:                                              ; preds = %563
+  %633 = getelementptr inbounds i8, ptr %550, i64 192
+  %634 = load <8 x double>, ptr %633, align 8
+  %635 = select <8 x i1> %601, <8 x double> %7, <8 x double> %634
+  store <8 x double> %635, ptr %633, align 8
+  %636 = getelementptr i8, ptr %550, i64 256
+  %637 = icmp sgt i64 %549, 0
+  br i1 %637, label %638, label %649
 
-632:                                              ; preds = %626, %632
-  %633 = phi i64 [ %641, %632 ], [ 0, %626 ]
-  %634 = shl nsw i64 %633, 6
-  %635 = getelementptr inbounds i8, ptr %2, i64 %634
-  %636 = load <8 x i64>, ptr %635, align 8
-  %637 = shl i64 %633, 6
-  %638 = getelementptr i8, ptr %630, i64 %637
-  %639 = load <8 x i64>, ptr %638, align 8
-  %640 = select <8 x i1> %595, <8 x i64> %636, <8 x i64> %639
-  store <8 x i64> %640, ptr %638, align 8
-  %641 = add nuw nsw i64 %633, 1
-  %642 = icmp eq i64 %641, %543
-  br i1 %642, label %643, label %632, !llvm.loop !20
+638:                                              ; preds = %632, %638
+  %639 = phi i64 [ %647, %638 ], [ 0, %632 ]
+  %640 = shl nsw i64 %639, 6
+  %641 = getelementptr inbounds i8, ptr %2, i64 %640
+  %642 = load <8 x i64>, ptr %641, align 8
+  %643 = shl i64 %639, 6
+  %644 = getelementptr i8, ptr %636, i64 %643
+  %645 = load <8 x i64>, ptr %644, align 8
+  %646 = select <8 x i1> %601, <8 x i64> %642, <8 x i64> %645
+  store <8 x i64> %646, ptr %644, align 8
+  %647 = add nuw nsw i64 %639, 1
+  %648 = icmp eq i64 %647, %549
+  br i1 %648, label %649, label %638, !llvm.loop !20
 
-643:                                              ; preds = %632, %626, %557
-  %644 = or i64 %588, %392
-  br label %645
+649:                                              ; preds = %638, %632, %563
+  %650 = or i64 %594, %398
+  br label %651
 
-645:                                              ; preds = %361, %643
-  %646 = phi i64 [ %366, %361 ], [ %644, %643 ]
-  ret i64 %646
+651:                                              ; preds = %367, %649
+  %652 = phi i64 [ %372, %367 ], [ %650, %649 ]
+  ret i64 %652
 }
 
 
@@ -895,6 +906,84 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   br i1 %62, label %44, label %43, !llvm.loop !21
 }
 
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #3 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 264
+  %3 = getelementptr inbounds i8, ptr %0, i64 24
+  %4 = getelementptr inbounds i8, ptr %0, i64 240
+  %5 = getelementptr inbounds i8, ptr %0, i64 248
+  br label %7
+
+6:                                                ; preds = %51
+  ret void
+
+7:                                                ; preds = %1, %51
+  %8 = phi i64 [ 0, %1 ], [ %53, %51 ]
+  %9 = load ptr, ptr %2, align 8
+  %10 = getelementptr inbounds double, ptr %9, i64 %8
+  %11 = load double, ptr %10, align 8
+  %12 = load ptr, ptr %3, align 8
+  %13 = getelementptr inbounds double, ptr %12, i64 %8
+  %14 = load double, ptr %13, align 8
+  %15 = fcmp olt double %14, %11
+  %16 = select i1 %15, double %14, double %11
+  %17 = load i64, ptr %5, align 8
+  %18 = icmp sgt i64 %17, 0
+  br i1 %18, label %19, label %34
+
+19:                                               ; preds = %7
+  %20 = load ptr, ptr %4, align 8
+  br label %21
+
+21:                                               ; preds = %19, %21
+  %22 = phi i64 [ 0, %19 ], [ %32, %21 ]
+  %23 = phi i64 [ %17, %19 ], [ %31, %21 ]
+  %24 = add nuw nsw i64 %22, %23
+  %25 = lshr i64 %24, 1
+  %26 = mul i64 %25, 24
+  %27 = getelementptr inbounds i8, ptr %20, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = fcmp ogt double %28, %16
+  %30 = add nuw nsw i64 %25, 1
+  %31 = select i1 %29, i64 %25, i64 %23
+  %32 = select i1 %29, i64 %22, i64 %30
+  %33 = icmp slt i64 %32, %31
+  br i1 %33, label %21, label %34, !llvm.loop !22
+
+34:                                               ; preds = %21, %7
+  %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
+  %36 = load ptr, ptr %4, align 8
+  %37 = mul i64 %35, 24
+  %38 = getelementptr inbounds i8, ptr %36, i64 %37
+  %39 = icmp eq i64 %35, 0
+  br i1 %39, label %44, label %40
+
+40:                                               ; preds = %34
+  %41 = getelementptr inbounds i8, ptr %38, i64 -8
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp olt double %16, %42
+  br i1 %43, label %51, label %44
+
+44:                                               ; preds = %40, %34
+  %45 = icmp slt i64 %35, %17
+  br i1 %45, label %46, label %50
+
+46:                                               ; preds = %44
+  %47 = getelementptr inbounds i8, ptr %38, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %16, %48
+  br i1 %49, label %51, label %50
+
+50:                                               ; preds = %46, %44
+  br label %51
+
+51:                                               ; preds = %50, %46, %40
+  %52 = phi double [ %42, %40 ], [ %16, %50 ], [ %48, %46 ]
+  store double %52, ptr %13, align 8
+  %53 = add nuw nsw i64 %8, 1
+  %54 = icmp eq i64 %53, 8
+  br i1 %54, label %6, label %7, !llvm.loop !23
+}
+
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 152
   %3 = load i64, ptr %2, align 8
@@ -928,7 +1017,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !22
+  br i1 %25, label %15, label %14, !llvm.loop !24
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -989,7 +1078,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !23
+  br i1 %76, label %65, label %77, !llvm.loop !25
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -1022,7 +1111,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !24
+  br i1 %105, label %22, label %26, !llvm.loop !26
 }
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #4
@@ -1085,7 +1174,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %47 = fadd <8 x double> %42, %46
   %48 = add nuw nsw i64 %41, 1
   %49 = icmp eq i64 %48, %38
-  br i1 %49, label %50, label %40, !llvm.loop !25
+  br i1 %49, label %50, label %40, !llvm.loop !27
 
 50:                                               ; preds = %40, %26
   %51 = phi <8 x double> [ zeroinitializer, %26 ], [ %47, %40 ]
@@ -1129,7 +1218,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %79 = add nuw nsw i64 %68, 1
   %80 = load i64, ptr %29, align 8
   %81 = icmp slt i64 %79, %80
-  br i1 %81, label %67, label %58, !llvm.loop !26
+  br i1 %81, label %67, label %58, !llvm.loop !28
 
 82:                                               ; preds = %99, %58
   %83 = getelementptr inbounds i8, ptr %0, i64 24
@@ -1166,7 +1255,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %105 = add nuw nsw i64 %90, 1
   %106 = load i64, ptr %62, align 8
   %107 = icmp slt i64 %105, %106
-  br i1 %107, label %89, label %82, !llvm.loop !27
+  br i1 %107, label %89, label %82, !llvm.loop !29
 
 108:                                              ; preds = %96, %108
   %109 = phi i64 [ 0, %96 ], [ %120, %108 ]
@@ -1182,7 +1271,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %119 = fadd <8 x double> %110, %118
   %120 = add nuw nsw i64 %109, 1
   %121 = icmp eq i64 %120, %94
-  br i1 %121, label %99, label %108, !llvm.loop !28
+  br i1 %121, label %99, label %108, !llvm.loop !30
 
 122:                                              ; preds = %131
   %123 = fcmp ogt <8 x double> %139, zeroinitializer
@@ -1208,7 +1297,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %139 = select <8 x i1> %138, <8 x double> %137, <8 x double> %133
   %140 = add nuw nsw i64 %132, 1
   %141 = icmp eq i64 %140, %84
-  br i1 %141, label %122, label %131, !llvm.loop !29
+  br i1 %141, label %122, label %131, !llvm.loop !31
 
 142:                                              ; preds = %126
   %143 = load i64, ptr %34, align 8
@@ -1235,7 +1324,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %158 = add nuw nsw i64 %150, 1
   %159 = load i64, ptr %83, align 8
   %160 = icmp slt i64 %158, %159
-  br i1 %160, label %149, label %161, !llvm.loop !30
+  br i1 %160, label %149, label %161, !llvm.loop !32
 
 161:                                              ; preds = %149, %142, %126
   ret void
@@ -1282,7 +1371,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %27 = add nuw nsw i64 %13, 1
   %28 = load i64, ptr %2, align 8
   %29 = icmp slt i64 %27, %28
-  br i1 %29, label %12, label %16, !llvm.loop !31
+  br i1 %29, label %12, label %16, !llvm.loop !33
 
 30:                                               ; preds = %50, %17
   %31 = phi <8 x double> [ zeroinitializer, %17 ], [ %64, %50 ]
@@ -1305,7 +1394,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %47 = add nuw nsw i64 %19, 1
   %48 = load i64, ptr %7, align 8
   %49 = icmp slt i64 %47, %48
-  br i1 %49, label %17, label %26, !llvm.loop !32
+  br i1 %49, label %17, label %26, !llvm.loop !34
 
 50:                                               ; preds = %22, %50
   %51 = phi i64 [ 0, %22 ], [ %67, %50 ]
@@ -1326,7 +1415,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0) unnamed_addr #2 {
   %66 = fadd <8 x double> %52, %65
   %67 = add nuw nsw i64 %51, 1
   %68 = icmp eq i64 %67, %20
-  br i1 %68, label %30, label %50, !llvm.loop !33
+  br i1 %68, label %30, label %50, !llvm.loop !35
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #5 {
@@ -1353,7 +1442,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
 15:                                               ; preds = %27, %10
   %16 = add nuw nsw i64 %11, 1
   %17 = icmp eq i64 %16, %1
-  br i1 %17, label %14, label %10, !llvm.loop !34
+  br i1 %17, label %14, label %10, !llvm.loop !36
 
 18:                                               ; preds = %12, %27
   %19 = phi i64 [ 0, %12 ], [ %33, %27 ]
@@ -1377,7 +1466,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   store <8 x double> %32, ptr %22, align 8
   %33 = add nuw nsw i64 %19, 1
   %34 = icmp eq i64 %33, %3
-  br i1 %34, label %15, label %18, !llvm.loop !35
+  br i1 %34, label %15, label %18, !llvm.loop !37
 
 35:                                               ; preds = %25, %35
   %36 = phi i64 [ 0, %25 ], [ %48, %35 ]
@@ -1394,7 +1483,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   %47 = fsub <8 x double> %37, %46
   %48 = add nuw nsw i64 %36, 1
   %49 = icmp eq i64 %48, %19
-  br i1 %49, label %27, label %35, !llvm.loop !36
+  br i1 %49, label %27, label %35, !llvm.loop !38
 }
 
 define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #2 {
@@ -1439,7 +1528,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x double> zeroinitializer, ptr %36, align 8
   %37 = add nuw nsw i64 %34, 1
   %38 = icmp eq i64 %37, %9
-  br i1 %38, label %27, label %33, !llvm.loop !37
+  br i1 %38, label %27, label %33, !llvm.loop !39
 
 39:                                               ; preds = %82, %27
   %40 = icmp sgt i64 %2, 0
@@ -1474,7 +1563,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %63 = fadd <8 x double> %58, %62
   %64 = add nuw nsw i64 %57, 1
   %65 = icmp eq i64 %64, %9
-  br i1 %65, label %66, label %56, !llvm.loop !25
+  br i1 %65, label %66, label %56, !llvm.loop !27
 
 66:                                               ; preds = %56, %52
   %67 = phi <8 x double> [ zeroinitializer, %52 ], [ %63, %56 ]
@@ -1501,7 +1590,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
 82:                                               ; preds = %85, %66
   %83 = add nuw nsw i64 %53, 1
   %84 = icmp eq i64 %83, %6
-  br i1 %84, label %39, label %52, !llvm.loop !38
+  br i1 %84, label %39, label %52, !llvm.loop !40
 
 85:                                               ; preds = %66, %85
   %86 = phi i64 [ %91, %85 ], [ 0, %66 ]
@@ -1512,7 +1601,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x double> %90, ptr %88, align 8
   %91 = add nuw nsw i64 %86, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %82, label %85, !llvm.loop !39
+  br i1 %92, label %82, label %85, !llvm.loop !41
 
 93:                                               ; preds = %267, %41
   %94 = phi <8 x i64> [ %25, %41 ], [ %101, %267 ]
@@ -1570,7 +1659,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %134 = fadd <8 x double> %129, %133
   %135 = add nuw nsw i64 %128, 1
   %136 = icmp eq i64 %135, %9
-  br i1 %136, label %137, label %127, !llvm.loop !25
+  br i1 %136, label %137, label %127, !llvm.loop !27
 
 137:                                              ; preds = %127, %124
   %138 = phi <8 x double> [ zeroinitializer, %124 ], [ %134, %127 ]
@@ -1589,7 +1678,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %149 = phi <8 x double> [ %106, %114 ], [ %145, %137 ]
   %150 = add nuw nsw i64 %108, 1
   %151 = icmp eq i64 %150, %6
-  br i1 %151, label %97, label %105, !llvm.loop !40
+  br i1 %151, label %97, label %105, !llvm.loop !42
 
 152:                                              ; preds = %97
   %153 = fadd <8 x double> %95, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
@@ -1654,13 +1743,13 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x i64> %199, ptr %196, align 8
   %200 = add nuw nsw i64 %189, 1
   %201 = icmp eq i64 %200, %9
-  br i1 %201, label %202, label %188, !llvm.loop !41
+  br i1 %201, label %202, label %188, !llvm.loop !43
 
 202:                                              ; preds = %188, %170, %159
   %203 = phi <8 x double> [ %161, %159 ], [ %176, %170 ], [ %176, %188 ]
   %204 = add nuw nsw i64 %160, 1
   %205 = icmp eq i64 %204, %6
-  br i1 %205, label %157, label %159, !llvm.loop !42
+  br i1 %205, label %157, label %159, !llvm.loop !44
 
 206:                                              ; preds = %207, %157
   br i1 %48, label %219, label %267
@@ -1678,7 +1767,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x double> %216, ptr %210, align 8
   %217 = add nuw nsw i64 %208, 1
   %218 = icmp eq i64 %217, %9
-  br i1 %218, label %206, label %207, !llvm.loop !43
+  br i1 %218, label %206, label %207, !llvm.loop !45
 
 219:                                              ; preds = %206, %264
   %220 = phi i64 [ %265, %264 ], [ 0, %206 ]
@@ -1709,7 +1798,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %241 = fadd <8 x double> %234, %240
   %242 = add nuw nsw i64 %233, 1
   %243 = icmp eq i64 %242, %9
-  br i1 %243, label %244, label %232, !llvm.loop !25
+  br i1 %243, label %244, label %232, !llvm.loop !27
 
 244:                                              ; preds = %232, %231
   %245 = phi <8 x double> [ zeroinitializer, %231 ], [ %241, %232 ]
@@ -1735,19 +1824,19 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x double> %261, ptr %255, align 8
   %262 = add nuw nsw i64 %253, 1
   %263 = icmp eq i64 %262, %9
-  br i1 %263, label %264, label %252, !llvm.loop !44
+  br i1 %263, label %264, label %252, !llvm.loop !46
 
 264:                                              ; preds = %252, %244, %219
   %265 = add nuw nsw i64 %220, 1
   %266 = icmp eq i64 %265, %6
-  br i1 %266, label %267, label %219, !llvm.loop !45
+  br i1 %266, label %267, label %219, !llvm.loop !47
 
 267:                                              ; preds = %264, %206, %97
   %268 = phi <8 x double> [ %95, %97 ], [ %155, %206 ], [ %155, %264 ]
   %269 = add nuw nsw i64 %96, 1
   %270 = icmp eq i64 %269, %2
   %271 = select i1 %104, i1 true, i1 %270
-  br i1 %271, label %272, label %93, !llvm.loop !46
+  br i1 %271, label %272, label %93, !llvm.loop !48
 
 272:                                              ; preds = %267, %39
   %273 = phi <8 x double> [ zeroinitializer, %39 ], [ %268, %267 ]
@@ -1775,7 +1864,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store <8 x double> %290, ptr %285, align 8
   %291 = add nuw nsw i64 %283, 1
   %292 = icmp eq i64 %291, %6
-  br i1 %292, label %281, label %282, !llvm.loop !47
+  br i1 %292, label %281, label %282, !llvm.loop !49
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #4
@@ -1809,7 +1898,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %21 = fdiv <8 x double> %17, %20
   store <8 x double> %21, ptr %13, align 8
   %22 = icmp sgt i64 %10, 1
-  br i1 %22, label %9, label %8, !llvm.loop !48
+  br i1 %22, label %9, label %8, !llvm.loop !50
 
 23:                                               ; preds = %9, %23
   %24 = phi i64 [ %36, %23 ], [ %10, %9 ]
@@ -1826,7 +1915,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %35 = fsub <8 x double> %25, %34
   %36 = add nuw nsw i64 %24, 1
   %37 = icmp eq i64 %36, %1
-  br i1 %37, label %16, label %23, !llvm.loop !49
+  br i1 %37, label %16, label %23, !llvm.loop !51
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #5 {
@@ -1845,7 +1934,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %11 = icmp slt i64 %40, %1
   %12 = icmp ne i64 %38, 0
   %13 = select i1 %11, i1 %12, i1 false
-  br i1 %13, label %23, label %14, !llvm.loop !50
+  br i1 %13, label %23, label %14, !llvm.loop !52
 
 14:                                               ; preds = %10, %2
   %15 = phi i64 [ 255, %2 ], [ %38, %10 ]
@@ -1899,7 +1988,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %52 = fsub <8 x double> %46, %51
   %53 = add nuw nsw i64 %45, 1
   %54 = icmp eq i64 %53, %24
-  br i1 %54, label %32, label %44, !llvm.loop !51
+  br i1 %54, label %32, label %44, !llvm.loop !53
 
 55:                                               ; preds = %42, %62
   %56 = phi i64 [ %40, %42 ], [ %65, %62 ]
@@ -1916,7 +2005,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   store <8 x double> %64, ptr %60, align 8
   %65 = add nuw nsw i64 %56, 1
   %66 = icmp slt i64 %65, %1
-  br i1 %66, label %55, label %10, !llvm.loop !52
+  br i1 %66, label %55, label %10, !llvm.loop !54
 
 67:                                               ; preds = %55, %67
   %68 = phi i64 [ %80, %67 ], [ 0, %55 ]
@@ -1933,7 +2022,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %79 = fsub <8 x double> %69, %78
   %80 = add nuw nsw i64 %68, 1
   %81 = icmp eq i64 %80, %24
-  br i1 %81, label %62, label %67, !llvm.loop !53
+  br i1 %81, label %62, label %67, !llvm.loop !55
 
 82:                                               ; preds = %19, %85
   %83 = phi i64 [ 0, %19 ], [ %86, %85 ]
@@ -2034,3 +2123,5 @@ attributes #9 = { nounwind }
 !51 = distinct !{!51, !7, !8}
 !52 = distinct !{!52, !7, !8}
 !53 = distinct !{!53, !7, !8}
+!54 = distinct !{!54, !7, !8}
+!55 = distinct !{!55, !7, !8}

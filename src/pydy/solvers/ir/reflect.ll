@@ -1,4 +1,4 @@
-; sources 731bbcc16eeccdeb352f433287596b1e01e4746ee11bc233d8901cf90db59a47
+; sources 75b3e56085048d75b69f594d339a121b77597a9bc25e1018adc5ba2f5fa74276
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @reflect(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4) #0 {

@@ -1,4 +1,4 @@
-; sources dfd8f314568b824e08181b1389aed84da3e82d5413107bed81f64cc6d9363030
+; sources 302ba6857d2d82a93d693b85b60b801aa8116a3eec4e12a9e20688ca67c25ad3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -51,18 +51,18 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %43 = zext i1 %33 to i64
   br label %51
 
-44:                                               ; preds = %76
+44:                                               ; preds = %82
   %45 = add nuw nsw i64 %52, 1
   %46 = icmp eq i64 %45, 5
   br i1 %46, label %47, label %51, !llvm.loop !3
 
 47:                                               ; preds = %44
   %48 = icmp sgt i64 %12, 0
-  br i1 %48, label %49, label %100
+  br i1 %48, label %49, label %106
 
 49:                                               ; preds = %47
   %50 = getelementptr inbounds i8, ptr %0, i64 864
-  br label %96
+  br label %102
 
 51:                                               ; preds = %3, %44
   %52 = phi i64 [ %43, %3 ], [ %45, %44 ]
@@ -89,1391 +89,1468 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %71 = fadd double %70, %1
   %72 = load ptr, ptr %38, align 8
   store double %71, ptr %72, align 8
-  %73 = load i64, ptr %39, align 8
-  %74 = icmp sgt i64 %73, 0
-  br i1 %74, label %75, label %76
+  %73 = load ptr, ptr %6, align 8
+  %74 = getelementptr inbounds i8, ptr %73, i64 40
+  %75 = load i64, ptr %74, align 8
+  %76 = icmp eq i64 %75, 0
+  br i1 %76, label %78, label %77
 
-75:                                               ; preds = %51
+77:                                               ; preds = %51
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %78
+
+78:                                               ; preds = %77, %51
+  %79 = load i64, ptr %39, align 8
+  %80 = icmp sgt i64 %79, 0
+  br i1 %80, label %81, label %82
+
+81:                                               ; preds = %78
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %76
+  br label %82
 
-76:                                               ; preds = %51, %75
-  %77 = load ptr, ptr %9, align 8
-  %78 = load i64, ptr %77, align 8
-  %79 = load ptr, ptr %40, align 8
-  %80 = load ptr, ptr %34, align 8
-  %81 = load ptr, ptr %41, align 8
-  %82 = load ptr, ptr %42, align 8
-  %83 = load ptr, ptr %25, align 8
-  %84 = getelementptr inbounds i8, ptr %77, i64 8
-  %85 = load i64, ptr %84, align 8
-  %86 = mul nsw i64 %85, %55
-  %87 = getelementptr inbounds double, ptr %83, i64 %86
-  %88 = inttoptr i64 %78 to ptr
-  %89 = load ptr, ptr %88, align 8
-  %90 = tail call i32 %89(ptr noundef %79, ptr noundef %80, ptr noundef %81, ptr noundef %82, ptr noundef %87) #9
-  %91 = icmp slt i32 %90, 0
-  br i1 %91, label %92, label %44
+82:                                               ; preds = %78, %81
+  %83 = load ptr, ptr %9, align 8
+  %84 = load i64, ptr %83, align 8
+  %85 = load ptr, ptr %40, align 8
+  %86 = load ptr, ptr %34, align 8
+  %87 = load ptr, ptr %41, align 8
+  %88 = load ptr, ptr %42, align 8
+  %89 = load ptr, ptr %25, align 8
+  %90 = getelementptr inbounds i8, ptr %83, i64 8
+  %91 = load i64, ptr %90, align 8
+  %92 = mul nsw i64 %91, %55
+  %93 = getelementptr inbounds double, ptr %89, i64 %92
+  %94 = inttoptr i64 %84 to ptr
+  %95 = load ptr, ptr %94, align 8
+  %96 = tail call i32 %95(ptr noundef %85, ptr noundef %86, ptr noundef %87, ptr noundef %88, ptr noundef %93) #9
+  %97 = icmp slt i32 %96, 0
+  br i1 %97, label %98, label %44
 
-92:                                               ; preds = %76
-  %93 = load ptr, ptr %20, align 8
-  %94 = getelementptr inbounds i8, ptr %93, i64 80
-  store i64 %23, ptr %94, align 8
-  %95 = load ptr, ptr %19, align 8
-  br label %1029
+98:                                               ; preds = %82
+  %99 = load ptr, ptr %20, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 80
+  store i64 %23, ptr %100, align 8
+  %101 = load ptr, ptr %19, align 8
+  br label %1071
 
-96:                                               ; preds = %49, %116
-  %97 = phi i64 [ 0, %49 ], [ %117, %116 ]
-  %98 = load double, ptr %30, align 8
-  %99 = fcmp une double %98, %1
-  br i1 %99, label %102, label %100
+102:                                              ; preds = %49, %122
+  %103 = phi i64 [ 0, %49 ], [ %123, %122 ]
+  %104 = load double, ptr %30, align 8
+  %105 = fcmp une double %104, %1
+  br i1 %105, label %108, label %106
 
-100:                                              ; preds = %96, %116, %47
-  %101 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %101, label %1033 [
-    i64 0, label %123
-    i64 -4, label %119
+106:                                              ; preds = %102, %122, %47
+  %107 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %107, label %1075 [
+    i64 0, label %129
+    i64 -4, label %125
   ]
 
-102:                                              ; preds = %96
-  %103 = load ptr, ptr %50, align 8
-  %104 = getelementptr inbounds i64, ptr %103, i64 %97
-  %105 = load i64, ptr %104, align 8
-  %106 = and i64 %105, 2
-  %107 = icmp eq i64 %106, 0
-  br i1 %107, label %116, label %108
-
 108:                                              ; preds = %102
-  %109 = getelementptr inbounds double, ptr %28, i64 %97
-  %110 = load double, ptr %109, align 8
-  %111 = fcmp une double %110, 0.000000e+00
-  br i1 %111, label %112, label %116
+  %109 = load ptr, ptr %50, align 8
+  %110 = getelementptr inbounds i64, ptr %109, i64 %103
+  %111 = load i64, ptr %110, align 8
+  %112 = and i64 %111, 2
+  %113 = icmp eq i64 %112, 0
+  br i1 %113, label %122, label %114
 
-112:                                              ; preds = %108
-  %113 = fcmp ogt double %110, 0.000000e+00
-  %114 = select i1 %113, i64 1, i64 -1
-  %115 = getelementptr inbounds i64, ptr %16, i64 %97
-  store i64 %114, ptr %115, align 8
-  br label %116
+114:                                              ; preds = %108
+  %115 = getelementptr inbounds double, ptr %28, i64 %103
+  %116 = load double, ptr %115, align 8
+  %117 = fcmp une double %116, 0.000000e+00
+  br i1 %117, label %118, label %122
 
-116:                                              ; preds = %102, %108, %112
-  %117 = add nuw nsw i64 %97, 1
-  %118 = icmp eq i64 %117, %12
-  br i1 %118, label %100, label %96, !llvm.loop !6
+118:                                              ; preds = %114
+  %119 = fcmp ogt double %116, 0.000000e+00
+  %120 = select i1 %119, i64 1, i64 -1
+  %121 = getelementptr inbounds i64, ptr %16, i64 %103
+  store i64 %120, ptr %121, align 8
+  br label %122
 
-119:                                              ; preds = %100
-  %120 = load ptr, ptr %20, align 8
-  %121 = getelementptr inbounds i8, ptr %120, i64 80
-  store i64 %23, ptr %121, align 8
-  %122 = load ptr, ptr %19, align 8
-  br label %1029
+122:                                              ; preds = %108, %114, %118
+  %123 = add nuw nsw i64 %103, 1
+  %124 = icmp eq i64 %123, %12
+  br i1 %124, label %106, label %102, !llvm.loop !6
 
-123:                                              ; preds = %100
-  %124 = getelementptr inbounds i8, ptr %0, i64 320
-  %125 = load i64, ptr %124, align 8
-  %126 = icmp sgt i64 %125, 0
-  br i1 %126, label %127, label %181
+125:                                              ; preds = %106
+  %126 = load ptr, ptr %20, align 8
+  %127 = getelementptr inbounds i8, ptr %126, i64 80
+  store i64 %23, ptr %127, align 8
+  %128 = load ptr, ptr %19, align 8
+  br label %1071
 
-127:                                              ; preds = %123
-  %128 = getelementptr inbounds i8, ptr %0, i64 320
-  %129 = load i64, ptr %128, align 8
-  %130 = icmp sgt i64 %129, 0
-  br i1 %130, label %131, label %134
+129:                                              ; preds = %106
+  %130 = getelementptr inbounds i8, ptr %0, i64 320
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp sgt i64 %131, 0
+  br i1 %132, label %133, label %193
 
-131:                                              ; preds = %127
-  %132 = getelementptr inbounds i8, ptr %0, i64 336
-  %133 = load ptr, ptr %132, align 8
-  store double 0x7FF0000000000000, ptr %133, align 8
-  br label %134
+133:                                              ; preds = %129
+  %134 = getelementptr inbounds i8, ptr %0, i64 320
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp sgt i64 %135, 0
+  br i1 %136, label %137, label %140
 
-134:                                              ; preds = %127, %131
-  %135 = getelementptr inbounds i8, ptr %0, i64 1032
-  %136 = load ptr, ptr %135, align 8
-  %137 = getelementptr inbounds i8, ptr %0, i64 456
-  %138 = load ptr, ptr %137, align 8
-  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %138, align 8
-  %139 = load ptr, ptr %8, align 8
-  %140 = getelementptr inbounds i8, ptr %0, i64 552
-  %141 = load ptr, ptr %140, align 8
-  %142 = getelementptr inbounds i8, ptr %0, i64 368
-  %143 = load i64, ptr %142, align 8
-  %144 = load ptr, ptr %0, align 8
-  %145 = getelementptr inbounds i8, ptr %144, i64 24
-  %146 = load i64, ptr %145, align 8
-  %147 = load ptr, ptr %137, align 8
-  %148 = load ptr, ptr %6, align 8
-  %149 = getelementptr inbounds i8, ptr %148, i64 16
-  %150 = load i64, ptr %149, align 8
-  tail call fastcc void @nested(ptr noundef %136, ptr noundef %139, ptr noundef %141, i64 noundef %143, i64 noundef %146, ptr noundef %147, i64 noundef %150) #8
-  %151 = fadd double %1, %2
-  %152 = getelementptr inbounds i8, ptr %0, i64 168
-  %153 = load ptr, ptr %152, align 8
-  store double %151, ptr %153, align 8
-  %154 = getelementptr inbounds i8, ptr %0, i64 248
-  %155 = load i64, ptr %154, align 8
-  %156 = icmp sgt i64 %155, 0
-  br i1 %156, label %157, label %158
+137:                                              ; preds = %133
+  %138 = getelementptr inbounds i8, ptr %0, i64 336
+  %139 = load ptr, ptr %138, align 8
+  store double 0x7FF0000000000000, ptr %139, align 8
+  br label %140
 
-157:                                              ; preds = %134
+140:                                              ; preds = %133, %137
+  %141 = getelementptr inbounds i8, ptr %0, i64 1032
+  %142 = load ptr, ptr %141, align 8
+  %143 = getelementptr inbounds i8, ptr %0, i64 456
+  %144 = load ptr, ptr %143, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %144, align 8
+  %145 = load ptr, ptr %8, align 8
+  %146 = getelementptr inbounds i8, ptr %0, i64 552
+  %147 = load ptr, ptr %146, align 8
+  %148 = getelementptr inbounds i8, ptr %0, i64 368
+  %149 = load i64, ptr %148, align 8
+  %150 = load ptr, ptr %0, align 8
+  %151 = getelementptr inbounds i8, ptr %150, i64 24
+  %152 = load i64, ptr %151, align 8
+  %153 = load ptr, ptr %143, align 8
+  %154 = load ptr, ptr %6, align 8
+  %155 = getelementptr inbounds i8, ptr %154, i64 16
+  %156 = load i64, ptr %155, align 8
+  tail call fastcc void @nested(ptr noundef %142, ptr noundef %145, ptr noundef %147, i64 noundef %149, i64 noundef %152, ptr noundef %153, i64 noundef %156) #8
+  %157 = fadd double %1, %2
+  %158 = getelementptr inbounds i8, ptr %0, i64 168
+  %159 = load ptr, ptr %158, align 8
+  store double %157, ptr %159, align 8
+  %160 = load ptr, ptr %6, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 40
+  %162 = load i64, ptr %161, align 8
+  %163 = icmp eq i64 %162, 0
+  br i1 %163, label %165, label %164
+
+164:                                              ; preds = %140
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %165
+
+165:                                              ; preds = %164, %140
+  %166 = getelementptr inbounds i8, ptr %0, i64 248
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %169, label %170
+
+169:                                              ; preds = %165
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %158
+  br label %170
 
-158:                                              ; preds = %134, %157
-  %159 = load ptr, ptr %9, align 8
-  %160 = load i64, ptr %159, align 8
-  %161 = getelementptr inbounds i8, ptr %0, i64 168
-  %162 = load ptr, ptr %161, align 8
-  %163 = load ptr, ptr %135, align 8
-  %164 = getelementptr inbounds i8, ptr %0, i64 192
-  %165 = load ptr, ptr %164, align 8
-  %166 = getelementptr inbounds i8, ptr %0, i64 792
-  %167 = load ptr, ptr %166, align 8
-  %168 = load ptr, ptr %25, align 8
-  %169 = getelementptr inbounds i8, ptr %159, i64 8
-  %170 = load i64, ptr %169, align 8
-  %171 = mul i64 %170, 48
-  %172 = getelementptr inbounds i8, ptr %168, i64 %171
-  %173 = inttoptr i64 %160 to ptr
+170:                                              ; preds = %165, %169
+  %171 = load ptr, ptr %9, align 8
+  %172 = load i64, ptr %171, align 8
+  %173 = getelementptr inbounds i8, ptr %0, i64 168
   %174 = load ptr, ptr %173, align 8
-  %175 = tail call i32 %174(ptr noundef %162, ptr noundef %163, ptr noundef %165, ptr noundef %167, ptr noundef %172) #9
-  %176 = icmp slt i32 %175, 0
-  br i1 %176, label %177, label %181
+  %175 = load ptr, ptr %141, align 8
+  %176 = getelementptr inbounds i8, ptr %0, i64 192
+  %177 = load ptr, ptr %176, align 8
+  %178 = getelementptr inbounds i8, ptr %0, i64 792
+  %179 = load ptr, ptr %178, align 8
+  %180 = load ptr, ptr %25, align 8
+  %181 = getelementptr inbounds i8, ptr %171, i64 8
+  %182 = load i64, ptr %181, align 8
+  %183 = mul i64 %182, 48
+  %184 = getelementptr inbounds i8, ptr %180, i64 %183
+  %185 = inttoptr i64 %172 to ptr
+  %186 = load ptr, ptr %185, align 8
+  %187 = tail call i32 %186(ptr noundef %174, ptr noundef %175, ptr noundef %177, ptr noundef %179, ptr noundef %184) #9
+  %188 = icmp slt i32 %187, 0
+  br i1 %188, label %189, label %193
 
-177:                                              ; preds = %158
-  %178 = load ptr, ptr %20, align 8
-  %179 = getelementptr inbounds i8, ptr %178, i64 80
-  store i64 %23, ptr %179, align 8
-  %180 = load ptr, ptr %19, align 8
-  br label %1029
+189:                                              ; preds = %170
+  %190 = load ptr, ptr %20, align 8
+  %191 = getelementptr inbounds i8, ptr %190, i64 80
+  store i64 %23, ptr %191, align 8
+  %192 = load ptr, ptr %19, align 8
+  br label %1071
 
-181:                                              ; preds = %158, %123
+193:                                              ; preds = %170, %129
   store double 0x7FF8000000000000, ptr %30, align 8
-  %182 = getelementptr inbounds i8, ptr %0, i64 1032
-  %183 = load ptr, ptr %7, align 8
-  %184 = getelementptr inbounds i8, ptr %183, i64 96
-  %185 = getelementptr inbounds i8, ptr %183, i64 192
-  %186 = getelementptr inbounds i8, ptr %183, i64 8
-  %187 = load ptr, ptr %4, align 8
-  %188 = load ptr, ptr %5, align 8
-  %189 = getelementptr inbounds i8, ptr %0, i64 168
-  %190 = getelementptr inbounds i8, ptr %0, i64 248
-  %191 = getelementptr inbounds i8, ptr %0, i64 168
-  %192 = getelementptr inbounds i8, ptr %0, i64 192
-  %193 = getelementptr inbounds i8, ptr %0, i64 792
-  %194 = icmp sgt i64 %12, 0
-  %195 = getelementptr inbounds i8, ptr %0, i64 1032
-  %196 = load ptr, ptr %7, align 8
-  %197 = getelementptr inbounds i8, ptr %196, i64 96
-  %198 = getelementptr inbounds i8, ptr %196, i64 192
-  %199 = getelementptr inbounds i8, ptr %196, i64 8
-  %200 = load ptr, ptr %4, align 8
-  %201 = load ptr, ptr %5, align 8
-  %202 = getelementptr inbounds i8, ptr %0, i64 168
-  %203 = getelementptr inbounds i8, ptr %0, i64 248
-  %204 = getelementptr inbounds i8, ptr %0, i64 168
-  %205 = getelementptr inbounds i8, ptr %0, i64 192
-  %206 = getelementptr inbounds i8, ptr %0, i64 792
-  %207 = icmp sgt i64 %12, 0
-  %208 = icmp sgt i64 %12, 0
-  %209 = getelementptr inbounds i8, ptr %0, i64 840
-  %210 = getelementptr inbounds i8, ptr %24, i64 48
-  %211 = getelementptr inbounds i8, ptr %0, i64 672
-  %212 = getelementptr inbounds i8, ptr %0, i64 680
-  %213 = fadd double %1, %2
-  %214 = tail call double @llvm.fabs.f64(double %213)
-  %215 = getelementptr inbounds i8, ptr %0, i64 1016
-  %216 = getelementptr inbounds i8, ptr %0, i64 1008
-  %217 = icmp sgt i64 %12, 0
-  %218 = getelementptr inbounds i8, ptr %0, i64 1064
-  %219 = getelementptr inbounds i8, ptr %0, i64 1056
-  %220 = getelementptr inbounds i8, ptr %0, i64 1080
-  %221 = getelementptr inbounds i8, ptr %0, i64 1128
-  %222 = getelementptr inbounds i8, ptr %0, i64 1104
+  %194 = getelementptr inbounds i8, ptr %0, i64 1032
+  %195 = load ptr, ptr %7, align 8
+  %196 = getelementptr inbounds i8, ptr %195, i64 96
+  %197 = getelementptr inbounds i8, ptr %195, i64 192
+  %198 = getelementptr inbounds i8, ptr %195, i64 8
+  %199 = load ptr, ptr %4, align 8
+  %200 = load ptr, ptr %5, align 8
+  %201 = getelementptr inbounds i8, ptr %0, i64 168
+  %202 = getelementptr inbounds i8, ptr %0, i64 248
+  %203 = getelementptr inbounds i8, ptr %0, i64 168
+  %204 = getelementptr inbounds i8, ptr %0, i64 192
+  %205 = getelementptr inbounds i8, ptr %0, i64 792
+  %206 = icmp sgt i64 %12, 0
+  %207 = getelementptr inbounds i8, ptr %0, i64 1032
+  %208 = load ptr, ptr %7, align 8
+  %209 = getelementptr inbounds i8, ptr %208, i64 96
+  %210 = getelementptr inbounds i8, ptr %208, i64 192
+  %211 = getelementptr inbounds i8, ptr %208, i64 8
+  %212 = load ptr, ptr %4, align 8
+  %213 = load ptr, ptr %5, align 8
+  %214 = getelementptr inbounds i8, ptr %0, i64 168
+  %215 = getelementptr inbounds i8, ptr %0, i64 248
+  %216 = getelementptr inbounds i8, ptr %0, i64 168
+  %217 = getelementptr inbounds i8, ptr %0, i64 192
+  %218 = getelementptr inbounds i8, ptr %0, i64 792
+  %219 = icmp sgt i64 %12, 0
+  %220 = icmp sgt i64 %12, 0
+  %221 = getelementptr inbounds i8, ptr %0, i64 840
+  %222 = getelementptr inbounds i8, ptr %24, i64 48
   %223 = getelementptr inbounds i8, ptr %0, i64 672
   %224 = getelementptr inbounds i8, ptr %0, i64 680
   %225 = fadd double %1, %2
   %226 = tail call double @llvm.fabs.f64(double %225)
   %227 = getelementptr inbounds i8, ptr %0, i64 1016
   %228 = getelementptr inbounds i8, ptr %0, i64 1008
-  %229 = getelementptr inbounds i8, ptr %0, i64 1064
-  %230 = getelementptr inbounds i8, ptr %24, i64 48
-  %231 = icmp sgt i64 %12, 0
-  %232 = getelementptr inbounds i8, ptr %24, i64 48
-  %233 = icmp sgt i64 %12, 0
-  %234 = getelementptr inbounds i8, ptr %0, i64 1016
-  %235 = getelementptr inbounds i8, ptr %0, i64 1008
-  br label %236
+  %229 = icmp sgt i64 %12, 0
+  %230 = getelementptr inbounds i8, ptr %0, i64 1064
+  %231 = getelementptr inbounds i8, ptr %0, i64 1056
+  %232 = getelementptr inbounds i8, ptr %0, i64 1080
+  %233 = getelementptr inbounds i8, ptr %0, i64 1128
+  %234 = getelementptr inbounds i8, ptr %0, i64 1104
+  %235 = getelementptr inbounds i8, ptr %0, i64 672
+  %236 = getelementptr inbounds i8, ptr %0, i64 680
+  %237 = fadd double %1, %2
+  %238 = tail call double @llvm.fabs.f64(double %237)
+  %239 = getelementptr inbounds i8, ptr %0, i64 1016
+  %240 = getelementptr inbounds i8, ptr %0, i64 1008
+  %241 = getelementptr inbounds i8, ptr %0, i64 1064
+  %242 = getelementptr inbounds i8, ptr %24, i64 48
+  %243 = icmp sgt i64 %12, 0
+  %244 = getelementptr inbounds i8, ptr %24, i64 48
+  %245 = icmp sgt i64 %12, 0
+  %246 = getelementptr inbounds i8, ptr %0, i64 1016
+  %247 = getelementptr inbounds i8, ptr %0, i64 1008
+  br label %248
 
-236:                                              ; preds = %181, %1008
-  %237 = phi i1 [ false, %181 ], [ %1012, %1008 ]
-  %238 = phi i64 [ -4, %181 ], [ %1006, %1008 ]
-  %239 = phi double [ 0.000000e+00, %181 ], [ %1005, %1008 ]
-  %240 = phi i32 [ 1, %181 ], [ %1011, %1008 ]
-  %241 = zext nneg i32 %240 to i64
-  %242 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %241
-  %243 = load double, ptr %242, align 8
-  %244 = mul nsw i64 %12, %241
-  %245 = load ptr, ptr %9, align 8
-  %246 = getelementptr inbounds i8, ptr %245, i64 8
-  %247 = load i64, ptr %246, align 8
-  %248 = icmp sgt i64 %247, 0
-  br i1 %248, label %249, label %290
+248:                                              ; preds = %193, %1050
+  %249 = phi i1 [ false, %193 ], [ %1054, %1050 ]
+  %250 = phi i64 [ -4, %193 ], [ %1048, %1050 ]
+  %251 = phi double [ 0.000000e+00, %193 ], [ %1047, %1050 ]
+  %252 = phi i32 [ 1, %193 ], [ %1053, %1050 ]
+  %253 = zext nneg i32 %252 to i64
+  %254 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %253
+  %255 = load double, ptr %254, align 8
+  %256 = mul nsw i64 %12, %253
+  %257 = load ptr, ptr %9, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 8
+  %259 = load i64, ptr %258, align 8
+  %260 = icmp sgt i64 %259, 0
+  br i1 %260, label %261, label %302
 
-249:                                              ; preds = %236
-  %250 = add nsw i32 %240, -1
-  %251 = icmp ugt i32 %240, 1
-  %252 = select i1 %251, i32 %250, i32 1
-  %253 = tail call i32 @llvm.smin.i32(i32 %240, i32 3)
-  %254 = icmp sgt i32 %252, %253
-  %255 = zext nneg i32 %240 to i64
-  %256 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %255
-  br label %260
+261:                                              ; preds = %248
+  %262 = add nsw i32 %252, -1
+  %263 = icmp ugt i32 %252, 1
+  %264 = select i1 %263, i32 %262, i32 1
+  %265 = tail call i32 @llvm.smin.i32(i32 %252, i32 3)
+  %266 = icmp sgt i32 %264, %265
+  %267 = zext nneg i32 %252 to i64
+  %268 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %267
+  br label %272
 
-257:                                              ; preds = %287
-  %258 = add nuw nsw i64 %262, 1
-  %259 = icmp eq i64 %258, %247
-  br i1 %259, label %290, label %260, !llvm.loop !7
+269:                                              ; preds = %299
+  %270 = add nuw nsw i64 %274, 1
+  %271 = icmp eq i64 %270, %259
+  br i1 %271, label %302, label %272, !llvm.loop !7
 
-260:                                              ; preds = %249, %257
-  %261 = phi double [ 2.000000e+00, %249 ], [ %289, %257 ]
-  %262 = phi i64 [ 0, %249 ], [ %258, %257 ]
-  %263 = load ptr, ptr %15, align 8
-  %264 = getelementptr inbounds i64, ptr %263, i64 %262
-  %265 = load i64, ptr %264, align 8
-  %266 = sitofp i64 %265 to double
-  br i1 %254, label %287, label %271
+272:                                              ; preds = %261, %269
+  %273 = phi double [ 2.000000e+00, %261 ], [ %301, %269 ]
+  %274 = phi i64 [ 0, %261 ], [ %270, %269 ]
+  %275 = load ptr, ptr %15, align 8
+  %276 = getelementptr inbounds i64, ptr %275, i64 %274
+  %277 = load i64, ptr %276, align 8
+  %278 = sitofp i64 %277 to double
+  br i1 %266, label %299, label %283
 
-267:                                              ; preds = %285
-  %268 = add i32 %273, 1
-  %269 = icmp sge i32 %273, %253
-  %270 = icmp eq i32 %273, %253
-  br i1 %270, label %287, label %271, !llvm.loop !8
+279:                                              ; preds = %297
+  %280 = add i32 %285, 1
+  %281 = icmp sge i32 %285, %265
+  %282 = icmp eq i32 %285, %265
+  br i1 %282, label %299, label %283, !llvm.loop !8
 
-271:                                              ; preds = %260, %267
-  %272 = phi i1 [ %269, %267 ], [ %254, %260 ]
-  %273 = phi i32 [ %268, %267 ], [ %252, %260 ]
-  %274 = phi double [ %286, %267 ], [ %261, %260 ]
-  %275 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %262, double noundef %266, i32 noundef %273, i32 noundef %240) #8
-  %276 = fcmp une double %275, -4.000000e+00
-  %277 = fcmp ogt double %275, %239
-  %278 = and i1 %276, %277
-  br i1 %278, label %279, label %285
+283:                                              ; preds = %272, %279
+  %284 = phi i1 [ %281, %279 ], [ %266, %272 ]
+  %285 = phi i32 [ %280, %279 ], [ %264, %272 ]
+  %286 = phi double [ %298, %279 ], [ %273, %272 ]
+  %287 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %274, double noundef %278, i32 noundef %285, i32 noundef %252) #8
+  %288 = fcmp une double %287, -4.000000e+00
+  %289 = fcmp ogt double %287, %251
+  %290 = and i1 %288, %289
+  br i1 %290, label %291, label %297
 
-279:                                              ; preds = %271
-  %280 = load double, ptr %256, align 8
-  %281 = fcmp olt double %274, %280
-  %282 = select i1 %281, double %274, double %280
-  %283 = fcmp olt double %275, %282
-  br i1 %283, label %284, label %285
+291:                                              ; preds = %283
+  %292 = load double, ptr %268, align 8
+  %293 = fcmp olt double %286, %292
+  %294 = select i1 %293, double %286, double %292
+  %295 = fcmp olt double %287, %294
+  br i1 %295, label %296, label %297
 
-284:                                              ; preds = %279
-  br label %285
+296:                                              ; preds = %291
+  br label %297
 
-285:                                              ; preds = %284, %279, %271
-  %286 = phi double [ %274, %271 ], [ %275, %284 ], [ %274, %279 ]
-  br i1 %276, label %267, label %287
+297:                                              ; preds = %296, %291, %283
+  %298 = phi double [ %286, %283 ], [ %287, %296 ], [ %286, %291 ]
+  br i1 %288, label %279, label %299
 
-287:                                              ; preds = %267, %285, %260
-  %288 = phi i1 [ %254, %260 ], [ %269, %267 ], [ %272, %285 ]
-  %289 = phi double [ %261, %260 ], [ %286, %285 ], [ %286, %267 ]
-  br i1 %288, label %257, label %290
+299:                                              ; preds = %279, %297, %272
+  %300 = phi i1 [ %266, %272 ], [ %281, %279 ], [ %284, %297 ]
+  %301 = phi double [ %273, %272 ], [ %298, %297 ], [ %298, %279 ]
+  br i1 %300, label %269, label %302
 
-290:                                              ; preds = %287, %257, %236
-  %291 = phi double [ 2.000000e+00, %236 ], [ -4.000000e+00, %287 ], [ %289, %257 ]
-  %292 = fcmp olt double %291, 0.000000e+00
-  br i1 %292, label %998, label %293
+302:                                              ; preds = %299, %269, %248
+  %303 = phi double [ 2.000000e+00, %248 ], [ -4.000000e+00, %299 ], [ %301, %269 ]
+  %304 = fcmp olt double %303, 0.000000e+00
+  br i1 %304, label %1040, label %305
 
-293:                                              ; preds = %290
-  %294 = getelementptr double, ptr %28, i64 %244
-  %295 = fcmp olt double %291, %243
-  br i1 %295, label %296, label %330
+305:                                              ; preds = %302
+  %306 = getelementptr double, ptr %28, i64 %256
+  %307 = fcmp olt double %303, %255
+  br i1 %307, label %308, label %348
 
-296:                                              ; preds = %293
-  %297 = load ptr, ptr %25, align 8
-  %298 = load ptr, ptr %182, align 8
-  %299 = load ptr, ptr %184, align 8
-  %300 = insertelement <8 x double> poison, double %291, i64 0
-  %301 = shufflevector <8 x double> %300, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %301, ptr %299, align 8
-  %302 = load ptr, ptr %183, align 8
-  %303 = load ptr, ptr %185, align 8
-  %304 = load i64, ptr %186, align 8
-  %305 = load ptr, ptr %187, align 8
-  %306 = getelementptr inbounds i8, ptr %305, i64 24
-  %307 = load i64, ptr %306, align 8
-  %308 = load ptr, ptr %184, align 8
-  %309 = load ptr, ptr %188, align 8
-  %310 = getelementptr inbounds i8, ptr %309, i64 16
-  %311 = load i64, ptr %310, align 8
-  tail call fastcc void @nested(ptr noundef %298, ptr noundef %302, ptr noundef %303, i64 noundef %304, i64 noundef %307, ptr noundef %308, i64 noundef %311) #8
-  %312 = fmul double %291, %2
-  %313 = fadd double %312, %1
-  %314 = load ptr, ptr %189, align 8
-  store double %313, ptr %314, align 8
-  %315 = load i64, ptr %190, align 8
-  %316 = icmp sgt i64 %315, 0
-  br i1 %316, label %317, label %318
+308:                                              ; preds = %305
+  %309 = load ptr, ptr %25, align 8
+  %310 = load ptr, ptr %194, align 8
+  %311 = load ptr, ptr %196, align 8
+  %312 = insertelement <8 x double> poison, double %303, i64 0
+  %313 = shufflevector <8 x double> %312, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %313, ptr %311, align 8
+  %314 = load ptr, ptr %195, align 8
+  %315 = load ptr, ptr %197, align 8
+  %316 = load i64, ptr %198, align 8
+  %317 = load ptr, ptr %199, align 8
+  %318 = getelementptr inbounds i8, ptr %317, i64 24
+  %319 = load i64, ptr %318, align 8
+  %320 = load ptr, ptr %196, align 8
+  %321 = load ptr, ptr %200, align 8
+  %322 = getelementptr inbounds i8, ptr %321, i64 16
+  %323 = load i64, ptr %322, align 8
+  tail call fastcc void @nested(ptr noundef %310, ptr noundef %314, ptr noundef %315, i64 noundef %316, i64 noundef %319, ptr noundef %320, i64 noundef %323) #8
+  %324 = fmul double %303, %2
+  %325 = fadd double %324, %1
+  %326 = load ptr, ptr %201, align 8
+  store double %325, ptr %326, align 8
+  %327 = load ptr, ptr %6, align 8
+  %328 = getelementptr inbounds i8, ptr %327, i64 40
+  %329 = load i64, ptr %328, align 8
+  %330 = icmp eq i64 %329, 0
+  br i1 %330, label %332, label %331
 
-317:                                              ; preds = %296
+331:                                              ; preds = %308
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %332
+
+332:                                              ; preds = %331, %308
+  %333 = load i64, ptr %202, align 8
+  %334 = icmp sgt i64 %333, 0
+  br i1 %334, label %335, label %336
+
+335:                                              ; preds = %332
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %318
+  br label %336
 
-318:                                              ; preds = %296, %317
-  %319 = load ptr, ptr %9, align 8
-  %320 = load i64, ptr %319, align 8
-  %321 = load ptr, ptr %191, align 8
-  %322 = load ptr, ptr %182, align 8
-  %323 = load ptr, ptr %192, align 8
-  %324 = load ptr, ptr %193, align 8
-  %325 = load ptr, ptr %25, align 8
-  %326 = inttoptr i64 %320 to ptr
-  %327 = load ptr, ptr %326, align 8
-  %328 = tail call i32 %327(ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %324, ptr noundef %325) #9
-  %329 = icmp slt i32 %328, 0
-  br i1 %329, label %998, label %330
+336:                                              ; preds = %332, %335
+  %337 = load ptr, ptr %9, align 8
+  %338 = load i64, ptr %337, align 8
+  %339 = load ptr, ptr %203, align 8
+  %340 = load ptr, ptr %194, align 8
+  %341 = load ptr, ptr %204, align 8
+  %342 = load ptr, ptr %205, align 8
+  %343 = load ptr, ptr %25, align 8
+  %344 = inttoptr i64 %338 to ptr
+  %345 = load ptr, ptr %344, align 8
+  %346 = tail call i32 %345(ptr noundef %339, ptr noundef %340, ptr noundef %341, ptr noundef %342, ptr noundef %343) #9
+  %347 = icmp slt i32 %346, 0
+  br i1 %347, label %1040, label %348
 
-330:                                              ; preds = %318, %293
-  %331 = phi double [ %291, %318 ], [ %243, %293 ]
-  %332 = phi ptr [ %297, %318 ], [ %294, %293 ]
-  br label %333
+348:                                              ; preds = %336, %305
+  %349 = phi double [ %303, %336 ], [ %255, %305 ]
+  %350 = phi ptr [ %309, %336 ], [ %306, %305 ]
+  br label %351
 
-333:                                              ; preds = %942, %330
-  %334 = phi double [ %239, %330 ], [ %944, %942 ]
-  %335 = phi i64 [ %238, %330 ], [ %945, %942 ]
-  br i1 %194, label %339, label %336
+351:                                              ; preds = %984, %348
+  %352 = phi double [ %251, %348 ], [ %986, %984 ]
+  %353 = phi i64 [ %250, %348 ], [ %987, %984 ]
+  br i1 %206, label %357, label %354
 
-336:                                              ; preds = %374, %333
-  %337 = phi double [ 2.000000e+00, %333 ], [ %375, %374 ]
-  %338 = fcmp ogt double %337, 1.000000e+00
-  br i1 %338, label %942, label %378
+354:                                              ; preds = %392, %351
+  %355 = phi double [ 2.000000e+00, %351 ], [ %393, %392 ]
+  %356 = fcmp ogt double %355, 1.000000e+00
+  br i1 %356, label %984, label %396
 
-339:                                              ; preds = %333, %374
-  %340 = phi i64 [ %376, %374 ], [ 0, %333 ]
-  %341 = phi double [ %375, %374 ], [ 2.000000e+00, %333 ]
-  %342 = getelementptr inbounds i64, ptr %18, i64 %340
-  store i64 0, ptr %342, align 8
-  %343 = getelementptr inbounds i64, ptr %16, i64 %340
-  %344 = load i64, ptr %343, align 8
-  %345 = getelementptr inbounds double, ptr %332, i64 %340
-  %346 = load double, ptr %345, align 8
-  %347 = getelementptr inbounds i64, ptr %14, i64 %340
-  %348 = load i64, ptr %347, align 8
-  %349 = icmp slt i64 %344, 0
-  %350 = fcmp ogt double %346, 0.000000e+00
-  %351 = and i1 %349, %350
-  %352 = icmp sgt i64 %348, -1
-  %353 = and i1 %351, %352
-  br i1 %353, label %361, label %354
+357:                                              ; preds = %351, %392
+  %358 = phi i64 [ %394, %392 ], [ 0, %351 ]
+  %359 = phi double [ %393, %392 ], [ 2.000000e+00, %351 ]
+  %360 = getelementptr inbounds i64, ptr %18, i64 %358
+  store i64 0, ptr %360, align 8
+  %361 = getelementptr inbounds i64, ptr %16, i64 %358
+  %362 = load i64, ptr %361, align 8
+  %363 = getelementptr inbounds double, ptr %350, i64 %358
+  %364 = load double, ptr %363, align 8
+  %365 = getelementptr inbounds i64, ptr %14, i64 %358
+  %366 = load i64, ptr %365, align 8
+  %367 = icmp slt i64 %362, 0
+  %368 = fcmp ogt double %364, 0.000000e+00
+  %369 = and i1 %367, %368
+  %370 = icmp sgt i64 %366, -1
+  %371 = and i1 %369, %370
+  br i1 %371, label %379, label %372
 
-354:                                              ; preds = %339
-  %355 = icmp sgt i64 %344, 0
-  %356 = fcmp olt double %346, 0.000000e+00
-  %357 = and i1 %355, %356
-  br i1 %357, label %358, label %361
+372:                                              ; preds = %357
+  %373 = icmp sgt i64 %362, 0
+  %374 = fcmp olt double %364, 0.000000e+00
+  %375 = and i1 %373, %374
+  br i1 %375, label %376, label %379
 
-358:                                              ; preds = %354
-  %359 = icmp slt i64 %348, 1
-  %360 = zext i1 %359 to i32
-  br label %361
+376:                                              ; preds = %372
+  %377 = icmp slt i64 %366, 1
+  %378 = zext i1 %377 to i32
+  br label %379
 
-361:                                              ; preds = %339, %354, %358
-  %362 = phi i32 [ 1, %339 ], [ 0, %354 ], [ %360, %358 ]
-  %363 = icmp eq i32 %362, 0
-  br i1 %363, label %364, label %368
+379:                                              ; preds = %357, %372, %376
+  %380 = phi i32 [ 1, %357 ], [ 0, %372 ], [ %378, %376 ]
+  %381 = icmp eq i32 %380, 0
+  br i1 %381, label %382, label %386
 
-364:                                              ; preds = %361
-  %365 = icmp eq i64 %344, 0
-  %366 = fcmp ord double %346, 0.000000e+00
-  %367 = or i1 %365, %366
-  br i1 %367, label %374, label %368
+382:                                              ; preds = %379
+  %383 = icmp eq i64 %362, 0
+  %384 = fcmp ord double %364, 0.000000e+00
+  %385 = or i1 %383, %384
+  br i1 %385, label %392, label %386
 
-368:                                              ; preds = %364, %361
-  %369 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %334, double noundef %331, i64 noundef %340) #8
-  %370 = fcmp ole double %369, %334
-  %371 = zext i1 %370 to i64
-  store i64 %371, ptr %342, align 8
-  %372 = fcmp olt double %369, %341
-  %373 = select i1 %372, double %369, double %341
-  br label %374
+386:                                              ; preds = %382, %379
+  %387 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %349, i64 noundef %358) #8
+  %388 = fcmp ole double %387, %352
+  %389 = zext i1 %388 to i64
+  store i64 %389, ptr %360, align 8
+  %390 = fcmp olt double %387, %359
+  %391 = select i1 %390, double %387, double %359
+  br label %392
 
-374:                                              ; preds = %364, %368
-  %375 = phi double [ %373, %368 ], [ %341, %364 ]
-  %376 = add nuw nsw i64 %340, 1
-  %377 = icmp eq i64 %376, %12
-  br i1 %377, label %336, label %339, !llvm.loop !9
+392:                                              ; preds = %382, %386
+  %393 = phi double [ %391, %386 ], [ %359, %382 ]
+  %394 = add nuw nsw i64 %358, 1
+  %395 = icmp eq i64 %394, %12
+  br i1 %395, label %354, label %357, !llvm.loop !9
 
-378:                                              ; preds = %336
-  %379 = load ptr, ptr %195, align 8
-  %380 = load ptr, ptr %197, align 8
-  %381 = insertelement <8 x double> poison, double %337, i64 0
-  %382 = shufflevector <8 x double> %381, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %382, ptr %380, align 8
-  %383 = load ptr, ptr %196, align 8
-  %384 = load ptr, ptr %198, align 8
-  %385 = load i64, ptr %199, align 8
-  %386 = load ptr, ptr %200, align 8
-  %387 = getelementptr inbounds i8, ptr %386, i64 24
-  %388 = load i64, ptr %387, align 8
-  %389 = load ptr, ptr %197, align 8
-  %390 = load ptr, ptr %201, align 8
-  %391 = getelementptr inbounds i8, ptr %390, i64 16
-  %392 = load i64, ptr %391, align 8
-  tail call fastcc void @nested(ptr noundef %379, ptr noundef %383, ptr noundef %384, i64 noundef %385, i64 noundef %388, ptr noundef %389, i64 noundef %392) #8
-  %393 = fmul double %337, %2
-  %394 = fadd double %393, %1
-  %395 = load ptr, ptr %202, align 8
-  store double %394, ptr %395, align 8
-  %396 = load i64, ptr %203, align 8
-  %397 = icmp sgt i64 %396, 0
-  br i1 %397, label %398, label %399
+396:                                              ; preds = %354
+  %397 = load ptr, ptr %207, align 8
+  %398 = load ptr, ptr %209, align 8
+  %399 = insertelement <8 x double> poison, double %355, i64 0
+  %400 = shufflevector <8 x double> %399, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %400, ptr %398, align 8
+  %401 = load ptr, ptr %208, align 8
+  %402 = load ptr, ptr %210, align 8
+  %403 = load i64, ptr %211, align 8
+  %404 = load ptr, ptr %212, align 8
+  %405 = getelementptr inbounds i8, ptr %404, i64 24
+  %406 = load i64, ptr %405, align 8
+  %407 = load ptr, ptr %209, align 8
+  %408 = load ptr, ptr %213, align 8
+  %409 = getelementptr inbounds i8, ptr %408, i64 16
+  %410 = load i64, ptr %409, align 8
+  tail call fastcc void @nested(ptr noundef %397, ptr noundef %401, ptr noundef %402, i64 noundef %403, i64 noundef %406, ptr noundef %407, i64 noundef %410) #8
+  %411 = fmul double %355, %2
+  %412 = fadd double %411, %1
+  %413 = load ptr, ptr %214, align 8
+  store double %412, ptr %413, align 8
+  %414 = load ptr, ptr %6, align 8
+  %415 = getelementptr inbounds i8, ptr %414, i64 40
+  %416 = load i64, ptr %415, align 8
+  %417 = icmp eq i64 %416, 0
+  br i1 %417, label %419, label %418
 
-398:                                              ; preds = %378
+418:                                              ; preds = %396
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %419
+
+419:                                              ; preds = %418, %396
+  %420 = load i64, ptr %215, align 8
+  %421 = icmp sgt i64 %420, 0
+  br i1 %421, label %422, label %423
+
+422:                                              ; preds = %419
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %399
+  br label %423
 
-399:                                              ; preds = %378, %398
-  %400 = load ptr, ptr %9, align 8
-  %401 = load i64, ptr %400, align 8
-  %402 = load ptr, ptr %204, align 8
-  %403 = load ptr, ptr %195, align 8
-  %404 = load ptr, ptr %205, align 8
-  %405 = load ptr, ptr %206, align 8
-  %406 = load ptr, ptr %25, align 8
-  %407 = getelementptr inbounds i8, ptr %400, i64 8
-  %408 = load i64, ptr %407, align 8
-  %409 = getelementptr inbounds double, ptr %406, i64 %408
-  %410 = inttoptr i64 %401 to ptr
-  %411 = load ptr, ptr %410, align 8
-  %412 = tail call i32 %411(ptr noundef %402, ptr noundef %403, ptr noundef %404, ptr noundef %405, ptr noundef %409) #9
-  %413 = icmp slt i32 %412, 0
-  br i1 %413, label %415, label %414
+423:                                              ; preds = %419, %422
+  %424 = load ptr, ptr %9, align 8
+  %425 = load i64, ptr %424, align 8
+  %426 = load ptr, ptr %216, align 8
+  %427 = load ptr, ptr %207, align 8
+  %428 = load ptr, ptr %217, align 8
+  %429 = load ptr, ptr %218, align 8
+  %430 = load ptr, ptr %25, align 8
+  %431 = getelementptr inbounds i8, ptr %424, i64 8
+  %432 = load i64, ptr %431, align 8
+  %433 = getelementptr inbounds double, ptr %430, i64 %432
+  %434 = inttoptr i64 %425 to ptr
+  %435 = load ptr, ptr %434, align 8
+  %436 = tail call i32 %435(ptr noundef %426, ptr noundef %427, ptr noundef %428, ptr noundef %429, ptr noundef %433) #9
+  %437 = icmp slt i32 %436, 0
+  br i1 %437, label %439, label %438
 
-414:                                              ; preds = %399
-  br i1 %207, label %420, label %517
+438:                                              ; preds = %423
+  br i1 %219, label %444, label %547
 
-415:                                              ; preds = %399
-  %416 = load ptr, ptr %20, align 8
-  %417 = getelementptr inbounds i8, ptr %416, i64 80
-  store i64 %23, ptr %417, align 8
-  %418 = load ptr, ptr %19, align 8
-  %419 = getelementptr inbounds i8, ptr %418, i64 48
-  store double 1.000000e+00, ptr %419, align 8
-  br label %942
+439:                                              ; preds = %423
+  %440 = load ptr, ptr %20, align 8
+  %441 = getelementptr inbounds i8, ptr %440, i64 80
+  store i64 %23, ptr %441, align 8
+  %442 = load ptr, ptr %19, align 8
+  %443 = getelementptr inbounds i8, ptr %442, i64 48
+  store double 1.000000e+00, ptr %443, align 8
+  br label %984
 
-420:                                              ; preds = %414, %511
-  %421 = phi i1 [ %515, %511 ], [ %207, %414 ]
-  %422 = phi i64 [ %513, %511 ], [ %335, %414 ]
-  %423 = phi i64 [ %514, %511 ], [ 0, %414 ]
-  %424 = phi double [ %512, %511 ], [ %337, %414 ]
-  %425 = getelementptr inbounds i64, ptr %16, i64 %423
-  %426 = load i64, ptr %425, align 8
-  %427 = getelementptr inbounds double, ptr %31, i64 %423
-  %428 = load double, ptr %427, align 8
-  %429 = getelementptr inbounds i64, ptr %14, i64 %423
-  %430 = load i64, ptr %429, align 8
-  %431 = icmp slt i64 %426, 0
-  %432 = fcmp ogt double %428, 0.000000e+00
-  %433 = and i1 %431, %432
-  %434 = icmp sgt i64 %430, -1
-  %435 = and i1 %433, %434
-  br i1 %435, label %443, label %436
+444:                                              ; preds = %438, %541
+  %445 = phi i1 [ %545, %541 ], [ %219, %438 ]
+  %446 = phi i64 [ %543, %541 ], [ %353, %438 ]
+  %447 = phi i64 [ %544, %541 ], [ 0, %438 ]
+  %448 = phi double [ %542, %541 ], [ %355, %438 ]
+  %449 = getelementptr inbounds i64, ptr %16, i64 %447
+  %450 = load i64, ptr %449, align 8
+  %451 = getelementptr inbounds double, ptr %31, i64 %447
+  %452 = load double, ptr %451, align 8
+  %453 = getelementptr inbounds i64, ptr %14, i64 %447
+  %454 = load i64, ptr %453, align 8
+  %455 = icmp slt i64 %450, 0
+  %456 = fcmp ogt double %452, 0.000000e+00
+  %457 = and i1 %455, %456
+  %458 = icmp sgt i64 %454, -1
+  %459 = and i1 %457, %458
+  br i1 %459, label %467, label %460
 
-436:                                              ; preds = %420
-  %437 = icmp sgt i64 %426, 0
-  %438 = fcmp olt double %428, 0.000000e+00
-  %439 = and i1 %437, %438
-  br i1 %439, label %440, label %443
+460:                                              ; preds = %444
+  %461 = icmp sgt i64 %450, 0
+  %462 = fcmp olt double %452, 0.000000e+00
+  %463 = and i1 %461, %462
+  br i1 %463, label %464, label %467
 
-440:                                              ; preds = %436
-  %441 = icmp slt i64 %430, 1
-  %442 = zext i1 %441 to i32
-  br label %443
-
-443:                                              ; preds = %420, %436, %440
-  %444 = phi i32 [ 1, %420 ], [ 0, %436 ], [ %442, %440 ]
-  %445 = icmp eq i32 %444, 0
-  br i1 %445, label %511, label %446
-
-446:                                              ; preds = %443
-  %447 = getelementptr inbounds double, ptr %332, i64 %423
-  %448 = load double, ptr %447, align 8
-  %449 = fcmp ogt double %448, 0.000000e+00
-  %450 = and i1 %431, %449
-  %451 = and i1 %434, %450
-  br i1 %451, label %459, label %452
-
-452:                                              ; preds = %446
-  %453 = icmp sgt i64 %426, 0
-  %454 = fcmp olt double %448, 0.000000e+00
-  %455 = and i1 %453, %454
-  br i1 %455, label %456, label %459
-
-456:                                              ; preds = %452
-  %457 = icmp slt i64 %430, 1
-  %458 = zext i1 %457 to i32
-  br label %459
-
-459:                                              ; preds = %446, %452, %456
-  %460 = phi i32 [ 1, %446 ], [ 0, %452 ], [ %458, %456 ]
-  %461 = icmp eq i32 %460, 0
-  br i1 %461, label %462, label %511
-
-462:                                              ; preds = %459
-  %463 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %334, double noundef %424, i64 noundef %423) #8
-  %464 = fcmp ogt double %463, %334
-  br i1 %464, label %465, label %467
-
-465:                                              ; preds = %462
-  %466 = getelementptr inbounds i64, ptr %18, i64 %423
-  store i64 2, ptr %466, align 8
+464:                                              ; preds = %460
+  %465 = icmp slt i64 %454, 1
+  %466 = zext i1 %465 to i32
   br label %467
 
-467:                                              ; preds = %465, %462
-  %468 = phi double [ %463, %465 ], [ %424, %462 ]
-  %469 = load ptr, ptr %195, align 8
-  %470 = load ptr, ptr %197, align 8
-  %471 = insertelement <8 x double> poison, double %468, i64 0
-  %472 = shufflevector <8 x double> %471, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %472, ptr %470, align 8
-  %473 = load ptr, ptr %196, align 8
-  %474 = load ptr, ptr %198, align 8
-  %475 = load i64, ptr %199, align 8
-  %476 = load ptr, ptr %200, align 8
-  %477 = getelementptr inbounds i8, ptr %476, i64 24
-  %478 = load i64, ptr %477, align 8
-  %479 = load ptr, ptr %197, align 8
-  %480 = load ptr, ptr %201, align 8
-  %481 = getelementptr inbounds i8, ptr %480, i64 16
-  %482 = load i64, ptr %481, align 8
-  tail call fastcc void @nested(ptr noundef %469, ptr noundef %473, ptr noundef %474, i64 noundef %475, i64 noundef %478, ptr noundef %479, i64 noundef %482) #8
-  %483 = fmul double %468, %2
-  %484 = fadd double %483, %1
-  %485 = load ptr, ptr %202, align 8
-  store double %484, ptr %485, align 8
-  %486 = load i64, ptr %203, align 8
-  %487 = icmp sgt i64 %486, 0
-  br i1 %487, label %488, label %489
+467:                                              ; preds = %444, %460, %464
+  %468 = phi i32 [ 1, %444 ], [ 0, %460 ], [ %466, %464 ]
+  %469 = icmp eq i32 %468, 0
+  br i1 %469, label %541, label %470
 
-488:                                              ; preds = %467
+470:                                              ; preds = %467
+  %471 = getelementptr inbounds double, ptr %350, i64 %447
+  %472 = load double, ptr %471, align 8
+  %473 = fcmp ogt double %472, 0.000000e+00
+  %474 = and i1 %455, %473
+  %475 = and i1 %458, %474
+  br i1 %475, label %483, label %476
+
+476:                                              ; preds = %470
+  %477 = icmp sgt i64 %450, 0
+  %478 = fcmp olt double %472, 0.000000e+00
+  %479 = and i1 %477, %478
+  br i1 %479, label %480, label %483
+
+480:                                              ; preds = %476
+  %481 = icmp slt i64 %454, 1
+  %482 = zext i1 %481 to i32
+  br label %483
+
+483:                                              ; preds = %470, %476, %480
+  %484 = phi i32 [ 1, %470 ], [ 0, %476 ], [ %482, %480 ]
+  %485 = icmp eq i32 %484, 0
+  br i1 %485, label %486, label %541
+
+486:                                              ; preds = %483
+  %487 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %448, i64 noundef %447) #8
+  %488 = fcmp ogt double %487, %352
+  br i1 %488, label %489, label %491
+
+489:                                              ; preds = %486
+  %490 = getelementptr inbounds i64, ptr %18, i64 %447
+  store i64 2, ptr %490, align 8
+  br label %491
+
+491:                                              ; preds = %489, %486
+  %492 = phi double [ %487, %489 ], [ %448, %486 ]
+  %493 = load ptr, ptr %207, align 8
+  %494 = load ptr, ptr %209, align 8
+  %495 = insertelement <8 x double> poison, double %492, i64 0
+  %496 = shufflevector <8 x double> %495, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %496, ptr %494, align 8
+  %497 = load ptr, ptr %208, align 8
+  %498 = load ptr, ptr %210, align 8
+  %499 = load i64, ptr %211, align 8
+  %500 = load ptr, ptr %212, align 8
+  %501 = getelementptr inbounds i8, ptr %500, i64 24
+  %502 = load i64, ptr %501, align 8
+  %503 = load ptr, ptr %209, align 8
+  %504 = load ptr, ptr %213, align 8
+  %505 = getelementptr inbounds i8, ptr %504, i64 16
+  %506 = load i64, ptr %505, align 8
+  tail call fastcc void @nested(ptr noundef %493, ptr noundef %497, ptr noundef %498, i64 noundef %499, i64 noundef %502, ptr noundef %503, i64 noundef %506) #8
+  %507 = fmul double %492, %2
+  %508 = fadd double %507, %1
+  %509 = load ptr, ptr %214, align 8
+  store double %508, ptr %509, align 8
+  %510 = load ptr, ptr %6, align 8
+  %511 = getelementptr inbounds i8, ptr %510, i64 40
+  %512 = load i64, ptr %511, align 8
+  %513 = icmp eq i64 %512, 0
+  br i1 %513, label %515, label %514
+
+514:                                              ; preds = %491
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %515
+
+515:                                              ; preds = %514, %491
+  %516 = load i64, ptr %215, align 8
+  %517 = icmp sgt i64 %516, 0
+  br i1 %517, label %518, label %519
+
+518:                                              ; preds = %515
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %489
+  br label %519
 
-489:                                              ; preds = %467, %488
-  %490 = load ptr, ptr %9, align 8
-  %491 = load i64, ptr %490, align 8
-  %492 = load ptr, ptr %204, align 8
-  %493 = load ptr, ptr %195, align 8
-  %494 = load ptr, ptr %205, align 8
-  %495 = load ptr, ptr %206, align 8
-  %496 = load ptr, ptr %25, align 8
-  %497 = getelementptr inbounds i8, ptr %490, i64 8
-  %498 = load i64, ptr %497, align 8
-  %499 = getelementptr inbounds double, ptr %496, i64 %498
-  %500 = inttoptr i64 %491 to ptr
-  %501 = load ptr, ptr %500, align 8
-  %502 = tail call i32 %501(ptr noundef %492, ptr noundef %493, ptr noundef %494, ptr noundef %495, ptr noundef %499) #9
-  %503 = icmp sgt i32 %502, -1
-  br i1 %503, label %509, label %504
+519:                                              ; preds = %515, %518
+  %520 = load ptr, ptr %9, align 8
+  %521 = load i64, ptr %520, align 8
+  %522 = load ptr, ptr %216, align 8
+  %523 = load ptr, ptr %207, align 8
+  %524 = load ptr, ptr %217, align 8
+  %525 = load ptr, ptr %218, align 8
+  %526 = load ptr, ptr %25, align 8
+  %527 = getelementptr inbounds i8, ptr %520, i64 8
+  %528 = load i64, ptr %527, align 8
+  %529 = getelementptr inbounds double, ptr %526, i64 %528
+  %530 = inttoptr i64 %521 to ptr
+  %531 = load ptr, ptr %530, align 8
+  %532 = tail call i32 %531(ptr noundef %522, ptr noundef %523, ptr noundef %524, ptr noundef %525, ptr noundef %529) #9
+  %533 = icmp sgt i32 %532, -1
+  br i1 %533, label %539, label %534
 
-504:                                              ; preds = %489
-  %505 = load ptr, ptr %20, align 8
-  %506 = getelementptr inbounds i8, ptr %505, i64 80
-  store i64 %23, ptr %506, align 8
-  %507 = load ptr, ptr %19, align 8
-  %508 = getelementptr inbounds i8, ptr %507, i64 48
-  store double 1.000000e+00, ptr %508, align 8
-  br label %509
+534:                                              ; preds = %519
+  %535 = load ptr, ptr %20, align 8
+  %536 = getelementptr inbounds i8, ptr %535, i64 80
+  store i64 %23, ptr %536, align 8
+  %537 = load ptr, ptr %19, align 8
+  %538 = getelementptr inbounds i8, ptr %537, i64 48
+  store double 1.000000e+00, ptr %538, align 8
+  br label %539
 
-509:                                              ; preds = %489, %504
-  %510 = phi i64 [ -4, %504 ], [ %422, %489 ]
-  br i1 %503, label %511, label %517
+539:                                              ; preds = %519, %534
+  %540 = phi i64 [ -4, %534 ], [ %446, %519 ]
+  br i1 %533, label %541, label %547
 
-511:                                              ; preds = %443, %459, %509
-  %512 = phi double [ %424, %459 ], [ %468, %509 ], [ %424, %443 ]
-  %513 = phi i64 [ %422, %459 ], [ %510, %509 ], [ %422, %443 ]
-  %514 = add nuw nsw i64 %423, 1
-  %515 = icmp slt i64 %514, %12
-  %516 = icmp eq i64 %514, %12
-  br i1 %516, label %517, label %420, !llvm.loop !10
+541:                                              ; preds = %467, %483, %539
+  %542 = phi double [ %448, %483 ], [ %492, %539 ], [ %448, %467 ]
+  %543 = phi i64 [ %446, %483 ], [ %540, %539 ], [ %446, %467 ]
+  %544 = add nuw nsw i64 %447, 1
+  %545 = icmp slt i64 %544, %12
+  %546 = icmp eq i64 %544, %12
+  br i1 %546, label %547, label %444, !llvm.loop !10
 
-517:                                              ; preds = %509, %511, %414
-  %518 = phi i1 [ %207, %414 ], [ %421, %509 ], [ %515, %511 ]
-  %519 = phi i32 [ 16, %414 ], [ 1, %509 ], [ 16, %511 ]
-  %520 = phi double [ %337, %414 ], [ %468, %509 ], [ %512, %511 ]
-  %521 = phi i64 [ %335, %414 ], [ %510, %509 ], [ %513, %511 ]
-  br i1 %518, label %942, label %522
+547:                                              ; preds = %539, %541, %438
+  %548 = phi i1 [ %219, %438 ], [ %445, %539 ], [ %545, %541 ]
+  %549 = phi i32 [ 16, %438 ], [ 1, %539 ], [ 16, %541 ]
+  %550 = phi double [ %355, %438 ], [ %492, %539 ], [ %542, %541 ]
+  %551 = phi i64 [ %353, %438 ], [ %540, %539 ], [ %543, %541 ]
+  br i1 %548, label %984, label %552
 
-522:                                              ; preds = %517
-  br i1 %208, label %533, label %525
+552:                                              ; preds = %547
+  br i1 %220, label %563, label %555
 
-523:                                              ; preds = %620
-  %524 = zext i1 %621 to i32
-  br label %525
-
-525:                                              ; preds = %523, %522
-  %526 = phi i32 [ 0, %522 ], [ %524, %523 ]
-  %527 = phi i64 [ -1, %522 ], [ %610, %523 ]
-  %528 = icmp eq i32 %526, 0
-  br i1 %528, label %529, label %624
-
-529:                                              ; preds = %525
-  br i1 %217, label %530, label %751
-
-530:                                              ; preds = %529
-  %531 = fmul double %520, %2
-  %532 = fadd double %531, %1
-  br label %873
-
-533:                                              ; preds = %522, %620
-  %534 = phi i64 [ %622, %620 ], [ 0, %522 ]
-  %535 = phi i64 [ %610, %620 ], [ -1, %522 ]
-  %536 = phi i1 [ %621, %620 ], [ false, %522 ]
-  %537 = getelementptr inbounds double, ptr %31, i64 %534
-  %538 = load double, ptr %537, align 8
-  %539 = getelementptr inbounds i64, ptr %16, i64 %534
-  %540 = load i64, ptr %539, align 8
-  %541 = getelementptr inbounds i64, ptr %14, i64 %534
-  %542 = load i64, ptr %541, align 8
-  %543 = icmp slt i64 %540, 0
-  %544 = fcmp ogt double %538, 0.000000e+00
-  %545 = and i1 %544, %543
-  %546 = icmp sgt i64 %542, -1
-  %547 = and i1 %545, %546
-  br i1 %547, label %555, label %548
-
-548:                                              ; preds = %533
-  %549 = icmp sgt i64 %540, 0
-  %550 = fcmp olt double %538, 0.000000e+00
-  %551 = and i1 %550, %549
-  br i1 %551, label %552, label %555
-
-552:                                              ; preds = %548
-  %553 = icmp slt i64 %542, 1
-  %554 = zext i1 %553 to i32
+553:                                              ; preds = %650
+  %554 = zext i1 %651 to i32
   br label %555
 
-555:                                              ; preds = %533, %548, %552
-  %556 = phi i32 [ 1, %533 ], [ 0, %548 ], [ %554, %552 ]
-  %557 = icmp eq i32 %556, 0
-  br i1 %557, label %558, label %583
-
-558:                                              ; preds = %555
-  %559 = getelementptr inbounds double, ptr %332, i64 %534
-  %560 = load double, ptr %559, align 8
-  %561 = fcmp ogt double %560, 0.000000e+00
-  %562 = and i1 %543, %561
-  %563 = and i1 %546, %562
-  br i1 %563, label %571, label %564
-
-564:                                              ; preds = %558
-  %565 = icmp sgt i64 %540, 0
-  %566 = fcmp olt double %560, 0.000000e+00
-  %567 = and i1 %565, %566
-  br i1 %567, label %568, label %571
-
-568:                                              ; preds = %564
-  %569 = icmp slt i64 %542, 1
-  %570 = zext i1 %569 to i32
-  br label %571
-
-571:                                              ; preds = %558, %564, %568
-  %572 = phi i32 [ 1, %558 ], [ 0, %564 ], [ %570, %568 ]
-  %573 = icmp eq i32 %572, 0
-  br i1 %573, label %583, label %574
-
-574:                                              ; preds = %571
-  %575 = fcmp oeq double %538, 0.000000e+00
-  br i1 %575, label %580, label %576
-
-576:                                              ; preds = %574
-  %577 = getelementptr inbounds i64, ptr %18, i64 %534
-  %578 = load i64, ptr %577, align 8
-  %579 = icmp eq i64 %578, 1
-  br label %580
-
-580:                                              ; preds = %576, %574
-  %581 = phi i1 [ true, %574 ], [ %579, %576 ]
-  %582 = zext i1 %581 to i32
-  br label %583
-
-583:                                              ; preds = %580, %571, %555
-  %584 = phi i32 [ 1, %555 ], [ %582, %580 ], [ 0, %571 ]
-  %585 = icmp eq i32 %584, 0
-  br i1 %585, label %586, label %592
-
-586:                                              ; preds = %583
-  %587 = getelementptr inbounds i64, ptr %18, i64 %534
-  %588 = load i64, ptr %587, align 8
-  %589 = icmp eq i64 %588, 2
-  %590 = fcmp oeq double %538, 0.000000e+00
-  %591 = and i1 %590, %589
-  br label %592
-
-592:                                              ; preds = %586, %583
-  %593 = phi i1 [ true, %583 ], [ %591, %586 ]
-  br i1 %593, label %609, label %594
-
-594:                                              ; preds = %592
-  %595 = getelementptr inbounds double, ptr %332, i64 %534
-  %596 = load double, ptr %595, align 8
-  %597 = icmp eq i64 %540, 0
-  %598 = fcmp ord double %596, 0.000000e+00
-  %599 = or i1 %597, %598
-  br i1 %599, label %609, label %600
-
-600:                                              ; preds = %594
-  %601 = sitofp i64 %540 to double
-  %602 = fmul double %538, %601
-  %603 = fcmp olt double %602, 0.000000e+00
-  br i1 %603, label %604, label %606
-
-604:                                              ; preds = %600
-  %605 = sub nsw i64 0, %540
-  store i64 %605, ptr %539, align 8
-  br label %609
-
-606:                                              ; preds = %600
-  %607 = fcmp ueq double %538, 0.000000e+00
-  %608 = select i1 %607, i64 %534, i64 %535
-  br label %609
-
-609:                                              ; preds = %606, %604, %594, %592
-  %610 = phi i64 [ %535, %592 ], [ %535, %604 ], [ %535, %594 ], [ %608, %606 ]
-  %611 = zext i1 %593 to i64
-  %612 = getelementptr inbounds i64, ptr %18, i64 %534
-  store i64 %611, ptr %612, align 8
-  %613 = xor i1 %593, true
-  %614 = or i1 %536, %613
-  br i1 %614, label %620, label %615
-
-615:                                              ; preds = %609
-  %616 = load ptr, ptr %209, align 8
-  %617 = getelementptr inbounds i64, ptr %616, i64 %534
-  %618 = load i64, ptr %617, align 8
-  %619 = icmp eq i64 %618, 1
-  br label %620
-
-620:                                              ; preds = %609, %615
-  %621 = phi i1 [ %536, %609 ], [ %619, %615 ]
-  %622 = add nuw nsw i64 %534, 1
-  %623 = icmp eq i64 %622, %12
-  br i1 %623, label %523, label %533, !llvm.loop !11
-
-624:                                              ; preds = %525
-  store double %520, ptr %210, align 8
-  %625 = load ptr, ptr %9, align 8
-  %626 = getelementptr inbounds i8, ptr %625, i64 8
-  %627 = load i64, ptr %626, align 8
-  %628 = load ptr, ptr %25, align 8
-  %629 = getelementptr inbounds double, ptr %628, i64 %627
-  %630 = mul i64 %627, 56
-  %631 = getelementptr inbounds i8, ptr %628, i64 %630
-  %632 = load ptr, ptr %211, align 8
-  %633 = load i64, ptr %212, align 8
-  %634 = getelementptr double, ptr %632, i64 %633
-  %635 = getelementptr i8, ptr %634, i64 -8
-  %636 = load double, ptr %635, align 8
-  %637 = load double, ptr %632, align 8
-  %638 = fsub double %636, %637
-  %639 = icmp sgt i64 %627, 0
-  br i1 %639, label %643, label %640
-
-640:                                              ; preds = %656, %624
-  %641 = phi i32 [ 0, %624 ], [ %658, %656 ]
-  %642 = icmp eq i32 %641, 0
-  br i1 %642, label %942, label %661
-
-643:                                              ; preds = %624, %656
-  %644 = phi i64 [ %659, %656 ], [ 0, %624 ]
-  %645 = phi i32 [ %658, %656 ], [ 0, %624 ]
-  %646 = icmp eq i32 %645, 0
-  br i1 %646, label %647, label %656
-
-647:                                              ; preds = %643
-  %648 = load ptr, ptr %17, align 8
-  %649 = getelementptr inbounds i64, ptr %648, i64 %644
-  %650 = load i64, ptr %649, align 8
-  %651 = icmp eq i64 %650, 0
-  br i1 %651, label %656, label %652
-
-652:                                              ; preds = %647
-  %653 = getelementptr inbounds double, ptr %629, i64 %644
-  %654 = load double, ptr %653, align 8
-  %655 = fcmp oeq double %654, 0.000000e+00
-  br label %656
-
-656:                                              ; preds = %652, %647, %643
-  %657 = phi i1 [ true, %643 ], [ false, %647 ], [ %655, %652 ]
-  %658 = zext i1 %657 to i32
-  %659 = add nuw nsw i64 %644, 1
-  %660 = icmp eq i64 %659, %627
-  br i1 %660, label %640, label %643, !llvm.loop !12
-
-661:                                              ; preds = %640
-  %662 = fsub double %331, %520
-  %663 = fmul double %662, %2
-  %664 = fcmp ogt double %214, %638
-  %665 = select i1 %664, double %214, double %638
-  %666 = fmul double %665, 0x3F50000000000000
-  %667 = fcmp ugt double %663, %666
-  br i1 %667, label %668, label %942
-
-668:                                              ; preds = %661
-  %669 = fmul double %662, 0x3F50000000000000
-  %670 = fadd double %520, %669
-  %671 = load ptr, ptr %195, align 8
-  %672 = load ptr, ptr %197, align 8
-  %673 = insertelement <8 x double> poison, double %670, i64 0
-  %674 = shufflevector <8 x double> %673, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %674, ptr %672, align 8
-  %675 = load ptr, ptr %196, align 8
-  %676 = load ptr, ptr %198, align 8
-  %677 = load i64, ptr %199, align 8
-  %678 = load ptr, ptr %200, align 8
-  %679 = getelementptr inbounds i8, ptr %678, i64 24
-  %680 = load i64, ptr %679, align 8
-  %681 = load ptr, ptr %197, align 8
-  %682 = load ptr, ptr %201, align 8
-  %683 = getelementptr inbounds i8, ptr %682, i64 16
-  %684 = load i64, ptr %683, align 8
-  tail call fastcc void @nested(ptr noundef %671, ptr noundef %675, ptr noundef %676, i64 noundef %677, i64 noundef %680, ptr noundef %681, i64 noundef %684) #8
-  %685 = fmul double %670, %2
-  %686 = fadd double %685, %1
-  %687 = load ptr, ptr %202, align 8
-  store double %686, ptr %687, align 8
-  %688 = load i64, ptr %203, align 8
-  %689 = icmp sgt i64 %688, 0
-  br i1 %689, label %690, label %691
-
-690:                                              ; preds = %668
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %691
-
-691:                                              ; preds = %668, %690
-  %692 = load ptr, ptr %9, align 8
-  %693 = load i64, ptr %692, align 8
-  %694 = load ptr, ptr %204, align 8
-  %695 = load ptr, ptr %195, align 8
-  %696 = load ptr, ptr %205, align 8
-  %697 = load ptr, ptr %206, align 8
-  %698 = load ptr, ptr %25, align 8
-  %699 = getelementptr inbounds i8, ptr %692, i64 8
-  %700 = load i64, ptr %699, align 8
-  %701 = mul i64 %700, 56
-  %702 = getelementptr inbounds i8, ptr %698, i64 %701
-  %703 = inttoptr i64 %693 to ptr
-  %704 = load ptr, ptr %703, align 8
-  %705 = tail call i32 %704(ptr noundef %694, ptr noundef %695, ptr noundef %696, ptr noundef %697, ptr noundef %702) #9
-  %706 = icmp slt i32 %705, 0
-  br i1 %706, label %746, label %707
-
-707:                                              ; preds = %691
-  %708 = icmp sgt i64 %627, 0
-  br i1 %708, label %709, label %942
-
-709:                                              ; preds = %707
-  %710 = fmul double %520, %2
-  %711 = fadd double %710, %1
-  %712 = fsub double %711, %711
-  br label %713
-
-713:                                              ; preds = %709, %743
-  %714 = phi i64 [ 0, %709 ], [ %744, %743 ]
-  %715 = load ptr, ptr %17, align 8
-  %716 = getelementptr inbounds i64, ptr %715, i64 %714
-  %717 = load i64, ptr %716, align 8
-  %718 = icmp eq i64 %717, 0
-  br i1 %718, label %743, label %719
-
-719:                                              ; preds = %713
-  %720 = getelementptr inbounds double, ptr %629, i64 %714
-  %721 = load double, ptr %720, align 8
-  %722 = fcmp oeq double %721, 0.000000e+00
-  br i1 %722, label %723, label %743
-
-723:                                              ; preds = %719
-  %724 = getelementptr inbounds double, ptr %631, i64 %714
-  %725 = load double, ptr %724, align 8
-  %726 = fcmp oeq double %725, 0.000000e+00
-  br i1 %726, label %727, label %743
-
-727:                                              ; preds = %723
-  %728 = load i64, ptr %215, align 8
-  %729 = icmp eq i64 %728, 0
-  br i1 %729, label %743, label %730
-
-730:                                              ; preds = %727
-  %731 = load ptr, ptr %216, align 8
-  %732 = shl nsw i64 %714, 4
-  %733 = getelementptr inbounds i8, ptr %731, i64 %732
-  %734 = getelementptr inbounds i8, ptr %733, i64 8
-  %735 = load double, ptr %734, align 8
-  %736 = fcmp oeq double %735, %711
-  br i1 %736, label %742, label %737
-
-737:                                              ; preds = %730
-  %738 = load double, ptr %733, align 8
-  %739 = fsub double %735, %738
-  %740 = fcmp ult double %739, %712
-  br i1 %740, label %741, label %743
-
-741:                                              ; preds = %737
-  store double %711, ptr %733, align 8
-  br label %742
-
-742:                                              ; preds = %730, %741
-  store double %711, ptr %734, align 8
-  br label %743
-
-743:                                              ; preds = %742, %737, %727, %723, %719, %713
-  %744 = add nuw nsw i64 %714, 1
-  %745 = icmp eq i64 %744, %627
-  br i1 %745, label %942, label %713, !llvm.loop !13
-
-746:                                              ; preds = %691
-  %747 = load ptr, ptr %20, align 8
-  %748 = getelementptr inbounds i8, ptr %747, i64 80
-  store i64 %23, ptr %748, align 8
-  %749 = load ptr, ptr %19, align 8
-  %750 = getelementptr inbounds i8, ptr %749, i64 48
-  store double 1.000000e+00, ptr %750, align 8
-  br label %942
-
-751:                                              ; preds = %915, %529
-  %752 = load ptr, ptr %9, align 8
-  %753 = getelementptr inbounds i8, ptr %752, i64 8
-  %754 = load i64, ptr %753, align 8
-  %755 = load ptr, ptr %25, align 8
-  %756 = getelementptr inbounds double, ptr %755, i64 %754
-  %757 = mul i64 %754, 56
-  %758 = getelementptr inbounds i8, ptr %755, i64 %757
-  %759 = load ptr, ptr %223, align 8
-  %760 = load i64, ptr %224, align 8
-  %761 = getelementptr double, ptr %759, i64 %760
-  %762 = getelementptr i8, ptr %761, i64 -8
-  %763 = load double, ptr %762, align 8
-  %764 = load double, ptr %759, align 8
-  %765 = fsub double %763, %764
-  %766 = icmp sgt i64 %754, 0
-  br i1 %766, label %770, label %767
-
-767:                                              ; preds = %783, %751
-  %768 = phi i32 [ 0, %751 ], [ %785, %783 ]
-  %769 = icmp eq i32 %768, 0
-  br i1 %769, label %923, label %788
-
-770:                                              ; preds = %751, %783
-  %771 = phi i64 [ %786, %783 ], [ 0, %751 ]
-  %772 = phi i32 [ %785, %783 ], [ 0, %751 ]
-  %773 = icmp eq i32 %772, 0
-  br i1 %773, label %774, label %783
-
-774:                                              ; preds = %770
-  %775 = load ptr, ptr %17, align 8
-  %776 = getelementptr inbounds i64, ptr %775, i64 %771
-  %777 = load i64, ptr %776, align 8
-  %778 = icmp eq i64 %777, 0
-  br i1 %778, label %783, label %779
-
-779:                                              ; preds = %774
-  %780 = getelementptr inbounds double, ptr %756, i64 %771
-  %781 = load double, ptr %780, align 8
-  %782 = fcmp oeq double %781, 0.000000e+00
-  br label %783
-
-783:                                              ; preds = %779, %774, %770
-  %784 = phi i1 [ true, %770 ], [ false, %774 ], [ %782, %779 ]
-  %785 = zext i1 %784 to i32
-  %786 = add nuw nsw i64 %771, 1
-  %787 = icmp eq i64 %786, %754
-  br i1 %787, label %767, label %770, !llvm.loop !12
-
-788:                                              ; preds = %767
-  %789 = fsub double %331, %520
-  %790 = fmul double %789, %2
-  %791 = fcmp ogt double %226, %765
-  %792 = select i1 %791, double %226, double %765
-  %793 = fmul double %792, 0x3F50000000000000
-  %794 = fcmp ugt double %790, %793
-  br i1 %794, label %795, label %923
-
-795:                                              ; preds = %788
-  %796 = fmul double %789, 0x3F50000000000000
-  %797 = fadd double %520, %796
-  %798 = load ptr, ptr %195, align 8
-  %799 = load ptr, ptr %197, align 8
-  %800 = insertelement <8 x double> poison, double %797, i64 0
-  %801 = shufflevector <8 x double> %800, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %801, ptr %799, align 8
-  %802 = load ptr, ptr %196, align 8
-  %803 = load ptr, ptr %198, align 8
-  %804 = load i64, ptr %199, align 8
-  %805 = load ptr, ptr %200, align 8
-  %806 = getelementptr inbounds i8, ptr %805, i64 24
-  %807 = load i64, ptr %806, align 8
-  %808 = load ptr, ptr %197, align 8
-  %809 = load ptr, ptr %201, align 8
-  %810 = getelementptr inbounds i8, ptr %809, i64 16
-  %811 = load i64, ptr %810, align 8
-  tail call fastcc void @nested(ptr noundef %798, ptr noundef %802, ptr noundef %803, i64 noundef %804, i64 noundef %807, ptr noundef %808, i64 noundef %811) #8
-  %812 = fmul double %797, %2
-  %813 = fadd double %812, %1
-  %814 = load ptr, ptr %202, align 8
-  store double %813, ptr %814, align 8
-  %815 = load i64, ptr %203, align 8
-  %816 = icmp sgt i64 %815, 0
-  br i1 %816, label %817, label %818
-
-817:                                              ; preds = %795
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %818
-
-818:                                              ; preds = %795, %817
-  %819 = load ptr, ptr %9, align 8
-  %820 = load i64, ptr %819, align 8
-  %821 = load ptr, ptr %204, align 8
-  %822 = load ptr, ptr %195, align 8
-  %823 = load ptr, ptr %205, align 8
-  %824 = load ptr, ptr %206, align 8
-  %825 = load ptr, ptr %25, align 8
-  %826 = getelementptr inbounds i8, ptr %819, i64 8
-  %827 = load i64, ptr %826, align 8
-  %828 = mul i64 %827, 56
-  %829 = getelementptr inbounds i8, ptr %825, i64 %828
-  %830 = inttoptr i64 %820 to ptr
-  %831 = load ptr, ptr %830, align 8
-  %832 = tail call i32 %831(ptr noundef %821, ptr noundef %822, ptr noundef %823, ptr noundef %824, ptr noundef %829) #9
-  %833 = icmp slt i32 %832, 0
-  br i1 %833, label %918, label %834
-
-834:                                              ; preds = %818
-  %835 = icmp sgt i64 %754, 0
-  br i1 %835, label %836, label %923
-
-836:                                              ; preds = %834
-  %837 = fmul double %520, %2
-  %838 = fadd double %837, %1
-  %839 = fsub double %838, %838
-  br label %840
-
-840:                                              ; preds = %836, %870
-  %841 = phi i64 [ 0, %836 ], [ %871, %870 ]
-  %842 = load ptr, ptr %17, align 8
-  %843 = getelementptr inbounds i64, ptr %842, i64 %841
-  %844 = load i64, ptr %843, align 8
-  %845 = icmp eq i64 %844, 0
-  br i1 %845, label %870, label %846
-
-846:                                              ; preds = %840
-  %847 = getelementptr inbounds double, ptr %756, i64 %841
-  %848 = load double, ptr %847, align 8
-  %849 = fcmp oeq double %848, 0.000000e+00
-  br i1 %849, label %850, label %870
-
-850:                                              ; preds = %846
-  %851 = getelementptr inbounds double, ptr %758, i64 %841
-  %852 = load double, ptr %851, align 8
-  %853 = fcmp oeq double %852, 0.000000e+00
-  br i1 %853, label %854, label %870
-
-854:                                              ; preds = %850
-  %855 = load i64, ptr %227, align 8
-  %856 = icmp eq i64 %855, 0
-  br i1 %856, label %870, label %857
-
-857:                                              ; preds = %854
-  %858 = load ptr, ptr %228, align 8
-  %859 = shl nsw i64 %841, 4
-  %860 = getelementptr inbounds i8, ptr %858, i64 %859
-  %861 = getelementptr inbounds i8, ptr %860, i64 8
-  %862 = load double, ptr %861, align 8
-  %863 = fcmp oeq double %862, %838
-  br i1 %863, label %869, label %864
-
-864:                                              ; preds = %857
-  %865 = load double, ptr %860, align 8
-  %866 = fsub double %862, %865
-  %867 = fcmp ult double %866, %839
-  br i1 %867, label %868, label %870
-
-868:                                              ; preds = %864
-  store double %838, ptr %860, align 8
-  br label %869
-
-869:                                              ; preds = %857, %868
-  store double %838, ptr %861, align 8
-  br label %870
-
-870:                                              ; preds = %869, %864, %854, %850, %846, %840
-  %871 = add nuw nsw i64 %841, 1
-  %872 = icmp eq i64 %871, %754
-  br i1 %872, label %923, label %840, !llvm.loop !13
-
-873:                                              ; preds = %530, %915
-  %874 = phi i64 [ 0, %530 ], [ %916, %915 ]
-  %875 = getelementptr inbounds i64, ptr %18, i64 %874
-  %876 = load i64, ptr %875, align 8
-  %877 = icmp eq i64 %876, 0
-  br i1 %877, label %915, label %878
-
-878:                                              ; preds = %873
-  %879 = load ptr, ptr %20, align 8
-  %880 = getelementptr inbounds i8, ptr %879, i64 80
-  %881 = load i64, ptr %880, align 8
-  %882 = load ptr, ptr %6, align 8
-  %883 = getelementptr inbounds i8, ptr %882, i64 8
-  %884 = load i64, ptr %883, align 8
-  %885 = load i64, ptr %218, align 8
-  %886 = icmp eq i64 %885, 0
-  br i1 %886, label %911, label %887
-
-887:                                              ; preds = %878
-  %888 = load ptr, ptr %219, align 8
-  %889 = getelementptr inbounds double, ptr %888, i64 %881
-  store double %532, ptr %889, align 8
-  %890 = load ptr, ptr %220, align 8
-  %891 = getelementptr inbounds i64, ptr %890, i64 %881
-  store i64 %874, ptr %891, align 8
-  %892 = icmp sgt i64 %884, 0
-  br i1 %892, label %893, label %895
-
-893:                                              ; preds = %887
-  %894 = mul nsw i64 %884, %881
-  br label %899
-
-895:                                              ; preds = %899, %887
-  %896 = add nsw i64 %881, 1
-  %897 = load ptr, ptr %20, align 8
-  %898 = getelementptr inbounds i8, ptr %897, i64 80
-  store i64 %896, ptr %898, align 8
-  br label %911
-
-899:                                              ; preds = %893, %899
-  %900 = phi i64 [ 0, %893 ], [ %909, %899 ]
-  %901 = load ptr, ptr %195, align 8
-  %902 = getelementptr inbounds double, ptr %901, i64 %900
-  %903 = load double, ptr %902, align 8
-  %904 = load ptr, ptr %221, align 8
-  %905 = add nsw i64 %900, %894
-  %906 = getelementptr inbounds double, ptr %904, i64 %905
-  store double %903, ptr %906, align 8
-  %907 = load ptr, ptr %222, align 8
-  %908 = getelementptr inbounds double, ptr %907, i64 %905
-  store double %903, ptr %908, align 8
-  %909 = add nuw nsw i64 %900, 1
-  %910 = icmp eq i64 %909, %884
-  br i1 %910, label %895, label %899, !llvm.loop !14
-
-911:                                              ; preds = %878, %895
-  %912 = getelementptr inbounds i64, ptr %16, i64 %874
-  %913 = load i64, ptr %912, align 8
-  %914 = sub nsw i64 0, %913
-  store i64 %914, ptr %912, align 8
+555:                                              ; preds = %553, %552
+  %556 = phi i32 [ 0, %552 ], [ %554, %553 ]
+  %557 = phi i64 [ -1, %552 ], [ %640, %553 ]
+  %558 = icmp eq i32 %556, 0
+  br i1 %558, label %559, label %654
+
+559:                                              ; preds = %555
+  br i1 %229, label %560, label %787
+
+560:                                              ; preds = %559
+  %561 = fmul double %550, %2
+  %562 = fadd double %561, %1
   br label %915
 
-915:                                              ; preds = %873, %911
-  %916 = add nuw nsw i64 %874, 1
-  %917 = icmp eq i64 %916, %12
-  br i1 %917, label %751, label %873, !llvm.loop !15
+563:                                              ; preds = %552, %650
+  %564 = phi i64 [ %652, %650 ], [ 0, %552 ]
+  %565 = phi i64 [ %640, %650 ], [ -1, %552 ]
+  %566 = phi i1 [ %651, %650 ], [ false, %552 ]
+  %567 = getelementptr inbounds double, ptr %31, i64 %564
+  %568 = load double, ptr %567, align 8
+  %569 = getelementptr inbounds i64, ptr %16, i64 %564
+  %570 = load i64, ptr %569, align 8
+  %571 = getelementptr inbounds i64, ptr %14, i64 %564
+  %572 = load i64, ptr %571, align 8
+  %573 = icmp slt i64 %570, 0
+  %574 = fcmp ogt double %568, 0.000000e+00
+  %575 = and i1 %574, %573
+  %576 = icmp sgt i64 %572, -1
+  %577 = and i1 %575, %576
+  br i1 %577, label %585, label %578
 
-918:                                              ; preds = %818
-  %919 = load ptr, ptr %20, align 8
-  %920 = getelementptr inbounds i8, ptr %919, i64 80
-  store i64 %23, ptr %920, align 8
-  %921 = load ptr, ptr %19, align 8
-  %922 = getelementptr inbounds i8, ptr %921, i64 48
-  store double 1.000000e+00, ptr %922, align 8
-  br label %942
+578:                                              ; preds = %563
+  %579 = icmp sgt i64 %570, 0
+  %580 = fcmp olt double %568, 0.000000e+00
+  %581 = and i1 %580, %579
+  br i1 %581, label %582, label %585
 
-923:                                              ; preds = %870, %834, %788, %767
-  %924 = icmp sgt i64 %527, -1
-  br i1 %924, label %925, label %934
+582:                                              ; preds = %578
+  %583 = icmp slt i64 %572, 1
+  %584 = zext i1 %583 to i32
+  br label %585
 
-925:                                              ; preds = %923
-  br i1 %231, label %927, label %926
+585:                                              ; preds = %563, %578, %582
+  %586 = phi i32 [ 1, %563 ], [ 0, %578 ], [ %584, %582 ]
+  %587 = icmp eq i32 %586, 0
+  br i1 %587, label %588, label %613
 
-926:                                              ; preds = %927, %925
-  store double %520, ptr %232, align 8
-  br label %942
+588:                                              ; preds = %585
+  %589 = getelementptr inbounds double, ptr %350, i64 %564
+  %590 = load double, ptr %589, align 8
+  %591 = fcmp ogt double %590, 0.000000e+00
+  %592 = and i1 %573, %591
+  %593 = and i1 %576, %592
+  br i1 %593, label %601, label %594
 
-927:                                              ; preds = %925, %927
-  %928 = phi i64 [ %932, %927 ], [ 0, %925 ]
-  %929 = icmp eq i64 %928, %527
-  %930 = zext i1 %929 to i64
-  %931 = getelementptr inbounds i64, ptr %18, i64 %928
-  store i64 %930, ptr %931, align 8
-  %932 = add nuw nsw i64 %928, 1
-  %933 = icmp eq i64 %932, %12
-  br i1 %933, label %926, label %927, !llvm.loop !16
+594:                                              ; preds = %588
+  %595 = icmp sgt i64 %570, 0
+  %596 = fcmp olt double %590, 0.000000e+00
+  %597 = and i1 %595, %596
+  br i1 %597, label %598, label %601
 
-934:                                              ; preds = %923
-  %935 = load i64, ptr %229, align 8
-  %936 = icmp sgt i64 %935, 0
-  br i1 %936, label %937, label %942
+598:                                              ; preds = %594
+  %599 = icmp slt i64 %572, 1
+  %600 = zext i1 %599 to i32
+  br label %601
 
-937:                                              ; preds = %934
-  %938 = load i64, ptr %22, align 8
-  %939 = add nsw i64 %938, %12
-  %940 = icmp sgt i64 %939, %935
-  br i1 %940, label %941, label %942
+601:                                              ; preds = %588, %594, %598
+  %602 = phi i32 [ 1, %588 ], [ 0, %594 ], [ %600, %598 ]
+  %603 = icmp eq i32 %602, 0
+  br i1 %603, label %613, label %604
 
-941:                                              ; preds = %937
-  store double %520, ptr %230, align 8
-  br label %942
+604:                                              ; preds = %601
+  %605 = fcmp oeq double %568, 0.000000e+00
+  br i1 %605, label %610, label %606
 
-942:                                              ; preds = %743, %707, %661, %640, %918, %926, %941, %746, %937, %934, %336, %517, %415
-  %943 = phi i32 [ 1, %415 ], [ %519, %517 ], [ 11, %336 ], [ 1, %918 ], [ 1, %926 ], [ 1, %941 ], [ 1, %746 ], [ 0, %937 ], [ 0, %934 ], [ 1, %640 ], [ 1, %661 ], [ 1, %707 ], [ 1, %743 ]
-  %944 = phi double [ %334, %415 ], [ %334, %517 ], [ %334, %336 ], [ %334, %918 ], [ %334, %926 ], [ %334, %941 ], [ %334, %746 ], [ %520, %937 ], [ %520, %934 ], [ %334, %640 ], [ %334, %661 ], [ %334, %707 ], [ %334, %743 ]
-  %945 = phi i64 [ -4, %415 ], [ %521, %517 ], [ %335, %336 ], [ -4, %918 ], [ 21, %926 ], [ -3, %941 ], [ -4, %746 ], [ %521, %937 ], [ %521, %934 ], [ -2, %640 ], [ -2, %661 ], [ -2, %707 ], [ -2, %743 ]
-  switch i32 %943, label %1003 [
-    i32 0, label %333
-    i32 11, label %946
+606:                                              ; preds = %604
+  %607 = getelementptr inbounds i64, ptr %18, i64 %564
+  %608 = load i64, ptr %607, align 8
+  %609 = icmp eq i64 %608, 1
+  br label %610
+
+610:                                              ; preds = %606, %604
+  %611 = phi i1 [ true, %604 ], [ %609, %606 ]
+  %612 = zext i1 %611 to i32
+  br label %613
+
+613:                                              ; preds = %610, %601, %585
+  %614 = phi i32 [ 1, %585 ], [ %612, %610 ], [ 0, %601 ]
+  %615 = icmp eq i32 %614, 0
+  br i1 %615, label %616, label %622
+
+616:                                              ; preds = %613
+  %617 = getelementptr inbounds i64, ptr %18, i64 %564
+  %618 = load i64, ptr %617, align 8
+  %619 = icmp eq i64 %618, 2
+  %620 = fcmp oeq double %568, 0.000000e+00
+  %621 = and i1 %620, %619
+  br label %622
+
+622:                                              ; preds = %616, %613
+  %623 = phi i1 [ true, %613 ], [ %621, %616 ]
+  br i1 %623, label %639, label %624
+
+624:                                              ; preds = %622
+  %625 = getelementptr inbounds double, ptr %350, i64 %564
+  %626 = load double, ptr %625, align 8
+  %627 = icmp eq i64 %570, 0
+  %628 = fcmp ord double %626, 0.000000e+00
+  %629 = or i1 %627, %628
+  br i1 %629, label %639, label %630
+
+630:                                              ; preds = %624
+  %631 = sitofp i64 %570 to double
+  %632 = fmul double %568, %631
+  %633 = fcmp olt double %632, 0.000000e+00
+  br i1 %633, label %634, label %636
+
+634:                                              ; preds = %630
+  %635 = sub nsw i64 0, %570
+  store i64 %635, ptr %569, align 8
+  br label %639
+
+636:                                              ; preds = %630
+  %637 = fcmp ueq double %568, 0.000000e+00
+  %638 = select i1 %637, i64 %564, i64 %565
+  br label %639
+
+639:                                              ; preds = %636, %634, %624, %622
+  %640 = phi i64 [ %565, %622 ], [ %565, %634 ], [ %565, %624 ], [ %638, %636 ]
+  %641 = zext i1 %623 to i64
+  %642 = getelementptr inbounds i64, ptr %18, i64 %564
+  store i64 %641, ptr %642, align 8
+  %643 = xor i1 %623, true
+  %644 = or i1 %566, %643
+  br i1 %644, label %650, label %645
+
+645:                                              ; preds = %639
+  %646 = load ptr, ptr %221, align 8
+  %647 = getelementptr inbounds i64, ptr %646, i64 %564
+  %648 = load i64, ptr %647, align 8
+  %649 = icmp eq i64 %648, 1
+  br label %650
+
+650:                                              ; preds = %639, %645
+  %651 = phi i1 [ %566, %639 ], [ %649, %645 ]
+  %652 = add nuw nsw i64 %564, 1
+  %653 = icmp eq i64 %652, %12
+  br i1 %653, label %553, label %563, !llvm.loop !11
+
+654:                                              ; preds = %555
+  store double %550, ptr %222, align 8
+  %655 = load ptr, ptr %9, align 8
+  %656 = getelementptr inbounds i8, ptr %655, i64 8
+  %657 = load i64, ptr %656, align 8
+  %658 = load ptr, ptr %25, align 8
+  %659 = getelementptr inbounds double, ptr %658, i64 %657
+  %660 = mul i64 %657, 56
+  %661 = getelementptr inbounds i8, ptr %658, i64 %660
+  %662 = load ptr, ptr %223, align 8
+  %663 = load i64, ptr %224, align 8
+  %664 = getelementptr double, ptr %662, i64 %663
+  %665 = getelementptr i8, ptr %664, i64 -8
+  %666 = load double, ptr %665, align 8
+  %667 = load double, ptr %662, align 8
+  %668 = fsub double %666, %667
+  %669 = icmp sgt i64 %657, 0
+  br i1 %669, label %673, label %670
+
+670:                                              ; preds = %686, %654
+  %671 = phi i32 [ 0, %654 ], [ %688, %686 ]
+  %672 = icmp eq i32 %671, 0
+  br i1 %672, label %984, label %691
+
+673:                                              ; preds = %654, %686
+  %674 = phi i64 [ %689, %686 ], [ 0, %654 ]
+  %675 = phi i32 [ %688, %686 ], [ 0, %654 ]
+  %676 = icmp eq i32 %675, 0
+  br i1 %676, label %677, label %686
+
+677:                                              ; preds = %673
+  %678 = load ptr, ptr %17, align 8
+  %679 = getelementptr inbounds i64, ptr %678, i64 %674
+  %680 = load i64, ptr %679, align 8
+  %681 = icmp eq i64 %680, 0
+  br i1 %681, label %686, label %682
+
+682:                                              ; preds = %677
+  %683 = getelementptr inbounds double, ptr %659, i64 %674
+  %684 = load double, ptr %683, align 8
+  %685 = fcmp oeq double %684, 0.000000e+00
+  br label %686
+
+686:                                              ; preds = %682, %677, %673
+  %687 = phi i1 [ true, %673 ], [ false, %677 ], [ %685, %682 ]
+  %688 = zext i1 %687 to i32
+  %689 = add nuw nsw i64 %674, 1
+  %690 = icmp eq i64 %689, %657
+  br i1 %690, label %670, label %673, !llvm.loop !12
+
+691:                                              ; preds = %670
+  %692 = fsub double %349, %550
+  %693 = fmul double %692, %2
+  %694 = fcmp ogt double %226, %668
+  %695 = select i1 %694, double %226, double %668
+  %696 = fmul double %695, 0x3F50000000000000
+  %697 = fcmp ugt double %693, %696
+  br i1 %697, label %698, label %984
+
+698:                                              ; preds = %691
+  %699 = fmul double %692, 0x3F50000000000000
+  %700 = fadd double %550, %699
+  %701 = load ptr, ptr %207, align 8
+  %702 = load ptr, ptr %209, align 8
+  %703 = insertelement <8 x double> poison, double %700, i64 0
+  %704 = shufflevector <8 x double> %703, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %704, ptr %702, align 8
+  %705 = load ptr, ptr %208, align 8
+  %706 = load ptr, ptr %210, align 8
+  %707 = load i64, ptr %211, align 8
+  %708 = load ptr, ptr %212, align 8
+  %709 = getelementptr inbounds i8, ptr %708, i64 24
+  %710 = load i64, ptr %709, align 8
+  %711 = load ptr, ptr %209, align 8
+  %712 = load ptr, ptr %213, align 8
+  %713 = getelementptr inbounds i8, ptr %712, i64 16
+  %714 = load i64, ptr %713, align 8
+  tail call fastcc void @nested(ptr noundef %701, ptr noundef %705, ptr noundef %706, i64 noundef %707, i64 noundef %710, ptr noundef %711, i64 noundef %714) #8
+  %715 = fmul double %700, %2
+  %716 = fadd double %715, %1
+  %717 = load ptr, ptr %214, align 8
+  store double %716, ptr %717, align 8
+  %718 = load ptr, ptr %6, align 8
+  %719 = getelementptr inbounds i8, ptr %718, i64 40
+  %720 = load i64, ptr %719, align 8
+  %721 = icmp eq i64 %720, 0
+  br i1 %721, label %723, label %722
+
+722:                                              ; preds = %698
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %723
+
+723:                                              ; preds = %722, %698
+  %724 = load i64, ptr %215, align 8
+  %725 = icmp sgt i64 %724, 0
+  br i1 %725, label %726, label %727
+
+726:                                              ; preds = %723
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %727
+
+727:                                              ; preds = %723, %726
+  %728 = load ptr, ptr %9, align 8
+  %729 = load i64, ptr %728, align 8
+  %730 = load ptr, ptr %216, align 8
+  %731 = load ptr, ptr %207, align 8
+  %732 = load ptr, ptr %217, align 8
+  %733 = load ptr, ptr %218, align 8
+  %734 = load ptr, ptr %25, align 8
+  %735 = getelementptr inbounds i8, ptr %728, i64 8
+  %736 = load i64, ptr %735, align 8
+  %737 = mul i64 %736, 56
+  %738 = getelementptr inbounds i8, ptr %734, i64 %737
+  %739 = inttoptr i64 %729 to ptr
+  %740 = load ptr, ptr %739, align 8
+  %741 = tail call i32 %740(ptr noundef %730, ptr noundef %731, ptr noundef %732, ptr noundef %733, ptr noundef %738) #9
+  %742 = icmp slt i32 %741, 0
+  br i1 %742, label %782, label %743
+
+743:                                              ; preds = %727
+  %744 = icmp sgt i64 %657, 0
+  br i1 %744, label %745, label %984
+
+745:                                              ; preds = %743
+  %746 = fmul double %550, %2
+  %747 = fadd double %746, %1
+  %748 = fsub double %747, %747
+  br label %749
+
+749:                                              ; preds = %745, %779
+  %750 = phi i64 [ 0, %745 ], [ %780, %779 ]
+  %751 = load ptr, ptr %17, align 8
+  %752 = getelementptr inbounds i64, ptr %751, i64 %750
+  %753 = load i64, ptr %752, align 8
+  %754 = icmp eq i64 %753, 0
+  br i1 %754, label %779, label %755
+
+755:                                              ; preds = %749
+  %756 = getelementptr inbounds double, ptr %659, i64 %750
+  %757 = load double, ptr %756, align 8
+  %758 = fcmp oeq double %757, 0.000000e+00
+  br i1 %758, label %759, label %779
+
+759:                                              ; preds = %755
+  %760 = getelementptr inbounds double, ptr %661, i64 %750
+  %761 = load double, ptr %760, align 8
+  %762 = fcmp oeq double %761, 0.000000e+00
+  br i1 %762, label %763, label %779
+
+763:                                              ; preds = %759
+  %764 = load i64, ptr %227, align 8
+  %765 = icmp eq i64 %764, 0
+  br i1 %765, label %779, label %766
+
+766:                                              ; preds = %763
+  %767 = load ptr, ptr %228, align 8
+  %768 = shl nsw i64 %750, 4
+  %769 = getelementptr inbounds i8, ptr %767, i64 %768
+  %770 = getelementptr inbounds i8, ptr %769, i64 8
+  %771 = load double, ptr %770, align 8
+  %772 = fcmp oeq double %771, %747
+  br i1 %772, label %778, label %773
+
+773:                                              ; preds = %766
+  %774 = load double, ptr %769, align 8
+  %775 = fsub double %771, %774
+  %776 = fcmp ult double %775, %748
+  br i1 %776, label %777, label %779
+
+777:                                              ; preds = %773
+  store double %747, ptr %769, align 8
+  br label %778
+
+778:                                              ; preds = %766, %777
+  store double %747, ptr %770, align 8
+  br label %779
+
+779:                                              ; preds = %778, %773, %763, %759, %755, %749
+  %780 = add nuw nsw i64 %750, 1
+  %781 = icmp eq i64 %780, %657
+  br i1 %781, label %984, label %749, !llvm.loop !13
+
+782:                                              ; preds = %727
+  %783 = load ptr, ptr %20, align 8
+  %784 = getelementptr inbounds i8, ptr %783, i64 80
+  store i64 %23, ptr %784, align 8
+  %785 = load ptr, ptr %19, align 8
+  %786 = getelementptr inbounds i8, ptr %785, i64 48
+  store double 1.000000e+00, ptr %786, align 8
+  br label %984
+
+787:                                              ; preds = %957, %559
+  %788 = load ptr, ptr %9, align 8
+  %789 = getelementptr inbounds i8, ptr %788, i64 8
+  %790 = load i64, ptr %789, align 8
+  %791 = load ptr, ptr %25, align 8
+  %792 = getelementptr inbounds double, ptr %791, i64 %790
+  %793 = mul i64 %790, 56
+  %794 = getelementptr inbounds i8, ptr %791, i64 %793
+  %795 = load ptr, ptr %235, align 8
+  %796 = load i64, ptr %236, align 8
+  %797 = getelementptr double, ptr %795, i64 %796
+  %798 = getelementptr i8, ptr %797, i64 -8
+  %799 = load double, ptr %798, align 8
+  %800 = load double, ptr %795, align 8
+  %801 = fsub double %799, %800
+  %802 = icmp sgt i64 %790, 0
+  br i1 %802, label %806, label %803
+
+803:                                              ; preds = %819, %787
+  %804 = phi i32 [ 0, %787 ], [ %821, %819 ]
+  %805 = icmp eq i32 %804, 0
+  br i1 %805, label %965, label %824
+
+806:                                              ; preds = %787, %819
+  %807 = phi i64 [ %822, %819 ], [ 0, %787 ]
+  %808 = phi i32 [ %821, %819 ], [ 0, %787 ]
+  %809 = icmp eq i32 %808, 0
+  br i1 %809, label %810, label %819
+
+810:                                              ; preds = %806
+  %811 = load ptr, ptr %17, align 8
+  %812 = getelementptr inbounds i64, ptr %811, i64 %807
+  %813 = load i64, ptr %812, align 8
+  %814 = icmp eq i64 %813, 0
+  br i1 %814, label %819, label %815
+
+815:                                              ; preds = %810
+  %816 = getelementptr inbounds double, ptr %792, i64 %807
+  %817 = load double, ptr %816, align 8
+  %818 = fcmp oeq double %817, 0.000000e+00
+  br label %819
+
+819:                                              ; preds = %815, %810, %806
+  %820 = phi i1 [ true, %806 ], [ false, %810 ], [ %818, %815 ]
+  %821 = zext i1 %820 to i32
+  %822 = add nuw nsw i64 %807, 1
+  %823 = icmp eq i64 %822, %790
+  br i1 %823, label %803, label %806, !llvm.loop !12
+
+824:                                              ; preds = %803
+  %825 = fsub double %349, %550
+  %826 = fmul double %825, %2
+  %827 = fcmp ogt double %238, %801
+  %828 = select i1 %827, double %238, double %801
+  %829 = fmul double %828, 0x3F50000000000000
+  %830 = fcmp ugt double %826, %829
+  br i1 %830, label %831, label %965
+
+831:                                              ; preds = %824
+  %832 = fmul double %825, 0x3F50000000000000
+  %833 = fadd double %550, %832
+  %834 = load ptr, ptr %207, align 8
+  %835 = load ptr, ptr %209, align 8
+  %836 = insertelement <8 x double> poison, double %833, i64 0
+  %837 = shufflevector <8 x double> %836, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %837, ptr %835, align 8
+  %838 = load ptr, ptr %208, align 8
+  %839 = load ptr, ptr %210, align 8
+  %840 = load i64, ptr %211, align 8
+  %841 = load ptr, ptr %212, align 8
+  %842 = getelementptr inbounds i8, ptr %841, i64 24
+  %843 = load i64, ptr %842, align 8
+  %844 = load ptr, ptr %209, align 8
+  %845 = load ptr, ptr %213, align 8
+  %846 = getelementptr inbounds i8, ptr %845, i64 16
+  %847 = load i64, ptr %846, align 8
+  tail call fastcc void @nested(ptr noundef %834, ptr noundef %838, ptr noundef %839, i64 noundef %840, i64 noundef %843, ptr noundef %844, i64 noundef %847) #8
+  %848 = fmul double %833, %2
+  %849 = fadd double %848, %1
+  %850 = load ptr, ptr %214, align 8
+  store double %849, ptr %850, align 8
+  %851 = load ptr, ptr %6, align 8
+  %852 = getelementptr inbounds i8, ptr %851, i64 40
+  %853 = load i64, ptr %852, align 8
+  %854 = icmp eq i64 %853, 0
+  br i1 %854, label %856, label %855
+
+855:                                              ; preds = %831
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %856
+
+856:                                              ; preds = %855, %831
+  %857 = load i64, ptr %215, align 8
+  %858 = icmp sgt i64 %857, 0
+  br i1 %858, label %859, label %860
+
+859:                                              ; preds = %856
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %860
+
+860:                                              ; preds = %856, %859
+  %861 = load ptr, ptr %9, align 8
+  %862 = load i64, ptr %861, align 8
+  %863 = load ptr, ptr %216, align 8
+  %864 = load ptr, ptr %207, align 8
+  %865 = load ptr, ptr %217, align 8
+  %866 = load ptr, ptr %218, align 8
+  %867 = load ptr, ptr %25, align 8
+  %868 = getelementptr inbounds i8, ptr %861, i64 8
+  %869 = load i64, ptr %868, align 8
+  %870 = mul i64 %869, 56
+  %871 = getelementptr inbounds i8, ptr %867, i64 %870
+  %872 = inttoptr i64 %862 to ptr
+  %873 = load ptr, ptr %872, align 8
+  %874 = tail call i32 %873(ptr noundef %863, ptr noundef %864, ptr noundef %865, ptr noundef %866, ptr noundef %871) #9
+  %875 = icmp slt i32 %874, 0
+  br i1 %875, label %960, label %876
+
+876:                                              ; preds = %860
+  %877 = icmp sgt i64 %790, 0
+  br i1 %877, label %878, label %965
+
+878:                                              ; preds = %876
+  %879 = fmul double %550, %2
+  %880 = fadd double %879, %1
+  %881 = fsub double %880, %880
+  br label %882
+
+882:                                              ; preds = %878, %912
+  %883 = phi i64 [ 0, %878 ], [ %913, %912 ]
+  %884 = load ptr, ptr %17, align 8
+  %885 = getelementptr inbounds i64, ptr %884, i64 %883
+  %886 = load i64, ptr %885, align 8
+  %887 = icmp eq i64 %886, 0
+  br i1 %887, label %912, label %888
+
+888:                                              ; preds = %882
+  %889 = getelementptr inbounds double, ptr %792, i64 %883
+  %890 = load double, ptr %889, align 8
+  %891 = fcmp oeq double %890, 0.000000e+00
+  br i1 %891, label %892, label %912
+
+892:                                              ; preds = %888
+  %893 = getelementptr inbounds double, ptr %794, i64 %883
+  %894 = load double, ptr %893, align 8
+  %895 = fcmp oeq double %894, 0.000000e+00
+  br i1 %895, label %896, label %912
+
+896:                                              ; preds = %892
+  %897 = load i64, ptr %239, align 8
+  %898 = icmp eq i64 %897, 0
+  br i1 %898, label %912, label %899
+
+899:                                              ; preds = %896
+  %900 = load ptr, ptr %240, align 8
+  %901 = shl nsw i64 %883, 4
+  %902 = getelementptr inbounds i8, ptr %900, i64 %901
+  %903 = getelementptr inbounds i8, ptr %902, i64 8
+  %904 = load double, ptr %903, align 8
+  %905 = fcmp oeq double %904, %880
+  br i1 %905, label %911, label %906
+
+906:                                              ; preds = %899
+  %907 = load double, ptr %902, align 8
+  %908 = fsub double %904, %907
+  %909 = fcmp ult double %908, %881
+  br i1 %909, label %910, label %912
+
+910:                                              ; preds = %906
+  store double %880, ptr %902, align 8
+  br label %911
+
+911:                                              ; preds = %899, %910
+  store double %880, ptr %903, align 8
+  br label %912
+
+912:                                              ; preds = %911, %906, %896, %892, %888, %882
+  %913 = add nuw nsw i64 %883, 1
+  %914 = icmp eq i64 %913, %790
+  br i1 %914, label %965, label %882, !llvm.loop !13
+
+915:                                              ; preds = %560, %957
+  %916 = phi i64 [ 0, %560 ], [ %958, %957 ]
+  %917 = getelementptr inbounds i64, ptr %18, i64 %916
+  %918 = load i64, ptr %917, align 8
+  %919 = icmp eq i64 %918, 0
+  br i1 %919, label %957, label %920
+
+920:                                              ; preds = %915
+  %921 = load ptr, ptr %20, align 8
+  %922 = getelementptr inbounds i8, ptr %921, i64 80
+  %923 = load i64, ptr %922, align 8
+  %924 = load ptr, ptr %6, align 8
+  %925 = getelementptr inbounds i8, ptr %924, i64 8
+  %926 = load i64, ptr %925, align 8
+  %927 = load i64, ptr %230, align 8
+  %928 = icmp eq i64 %927, 0
+  br i1 %928, label %953, label %929
+
+929:                                              ; preds = %920
+  %930 = load ptr, ptr %231, align 8
+  %931 = getelementptr inbounds double, ptr %930, i64 %923
+  store double %562, ptr %931, align 8
+  %932 = load ptr, ptr %232, align 8
+  %933 = getelementptr inbounds i64, ptr %932, i64 %923
+  store i64 %916, ptr %933, align 8
+  %934 = icmp sgt i64 %926, 0
+  br i1 %934, label %935, label %937
+
+935:                                              ; preds = %929
+  %936 = mul nsw i64 %926, %923
+  br label %941
+
+937:                                              ; preds = %941, %929
+  %938 = add nsw i64 %923, 1
+  %939 = load ptr, ptr %20, align 8
+  %940 = getelementptr inbounds i8, ptr %939, i64 80
+  store i64 %938, ptr %940, align 8
+  br label %953
+
+941:                                              ; preds = %935, %941
+  %942 = phi i64 [ 0, %935 ], [ %951, %941 ]
+  %943 = load ptr, ptr %207, align 8
+  %944 = getelementptr inbounds double, ptr %943, i64 %942
+  %945 = load double, ptr %944, align 8
+  %946 = load ptr, ptr %233, align 8
+  %947 = add nsw i64 %942, %936
+  %948 = getelementptr inbounds double, ptr %946, i64 %947
+  store double %945, ptr %948, align 8
+  %949 = load ptr, ptr %234, align 8
+  %950 = getelementptr inbounds double, ptr %949, i64 %947
+  store double %945, ptr %950, align 8
+  %951 = add nuw nsw i64 %942, 1
+  %952 = icmp eq i64 %951, %926
+  br i1 %952, label %937, label %941, !llvm.loop !14
+
+953:                                              ; preds = %920, %937
+  %954 = getelementptr inbounds i64, ptr %16, i64 %916
+  %955 = load i64, ptr %954, align 8
+  %956 = sub nsw i64 0, %955
+  store i64 %956, ptr %954, align 8
+  br label %957
+
+957:                                              ; preds = %915, %953
+  %958 = add nuw nsw i64 %916, 1
+  %959 = icmp eq i64 %958, %12
+  br i1 %959, label %787, label %915, !llvm.loop !15
+
+960:                                              ; preds = %860
+  %961 = load ptr, ptr %20, align 8
+  %962 = getelementptr inbounds i8, ptr %961, i64 80
+  store i64 %23, ptr %962, align 8
+  %963 = load ptr, ptr %19, align 8
+  %964 = getelementptr inbounds i8, ptr %963, i64 48
+  store double 1.000000e+00, ptr %964, align 8
+  br label %984
+
+965:                                              ; preds = %912, %876, %824, %803
+  %966 = icmp sgt i64 %557, -1
+  br i1 %966, label %967, label %976
+
+967:                                              ; preds = %965
+  br i1 %243, label %969, label %968
+
+968:                                              ; preds = %969, %967
+  store double %550, ptr %244, align 8
+  br label %984
+
+969:                                              ; preds = %967, %969
+  %970 = phi i64 [ %974, %969 ], [ 0, %967 ]
+  %971 = icmp eq i64 %970, %557
+  %972 = zext i1 %971 to i64
+  %973 = getelementptr inbounds i64, ptr %18, i64 %970
+  store i64 %972, ptr %973, align 8
+  %974 = add nuw nsw i64 %970, 1
+  %975 = icmp eq i64 %974, %12
+  br i1 %975, label %968, label %969, !llvm.loop !16
+
+976:                                              ; preds = %965
+  %977 = load i64, ptr %241, align 8
+  %978 = icmp sgt i64 %977, 0
+  br i1 %978, label %979, label %984
+
+979:                                              ; preds = %976
+  %980 = load i64, ptr %22, align 8
+  %981 = add nsw i64 %980, %12
+  %982 = icmp sgt i64 %981, %977
+  br i1 %982, label %983, label %984
+
+983:                                              ; preds = %979
+  store double %550, ptr %242, align 8
+  br label %984
+
+984:                                              ; preds = %779, %743, %691, %670, %960, %968, %983, %782, %979, %976, %354, %547, %439
+  %985 = phi i32 [ 1, %439 ], [ %549, %547 ], [ 11, %354 ], [ 1, %960 ], [ 1, %968 ], [ 1, %983 ], [ 1, %782 ], [ 0, %979 ], [ 0, %976 ], [ 1, %670 ], [ 1, %691 ], [ 1, %743 ], [ 1, %779 ]
+  %986 = phi double [ %352, %439 ], [ %352, %547 ], [ %352, %354 ], [ %352, %960 ], [ %352, %968 ], [ %352, %983 ], [ %352, %782 ], [ %550, %979 ], [ %550, %976 ], [ %352, %670 ], [ %352, %691 ], [ %352, %743 ], [ %352, %779 ]
+  %987 = phi i64 [ -4, %439 ], [ %551, %547 ], [ %353, %354 ], [ -4, %960 ], [ 21, %968 ], [ -3, %983 ], [ -4, %782 ], [ %551, %979 ], [ %551, %976 ], [ -2, %670 ], [ -2, %691 ], [ -2, %743 ], [ -2, %779 ]
+  switch i32 %985, label %1045 [
+    i32 0, label %351
+    i32 11, label %988
   ], !llvm.loop !17
 
-946:                                              ; preds = %942
-  br i1 %233, label %947, label %1003
+988:                                              ; preds = %984
+  br i1 %245, label %989, label %1045
 
-947:                                              ; preds = %946
-  %948 = fcmp oeq double %331, %243
-  %949 = add nsw i32 %240, -1
-  %950 = sext i32 %949 to i64
-  %951 = mul nsw i64 %12, %950
-  %952 = getelementptr double, ptr %28, i64 %951
-  %953 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %950
-  %954 = fmul double %331, %2
-  %955 = fadd double %954, %1
-  br label %956
+989:                                              ; preds = %988
+  %990 = fcmp oeq double %349, %255
+  %991 = add nsw i32 %252, -1
+  %992 = sext i32 %991 to i64
+  %993 = mul nsw i64 %12, %992
+  %994 = getelementptr double, ptr %28, i64 %993
+  %995 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %992
+  %996 = fmul double %349, %2
+  %997 = fadd double %996, %1
+  br label %998
 
-956:                                              ; preds = %947, %995
-  %957 = phi i64 [ 0, %947 ], [ %996, %995 ]
-  %958 = getelementptr inbounds double, ptr %332, i64 %957
-  %959 = load double, ptr %958, align 8
-  %960 = fcmp ogt double %959, 0.000000e+00
-  br i1 %960, label %963, label %961
+998:                                              ; preds = %989, %1037
+  %999 = phi i64 [ 0, %989 ], [ %1038, %1037 ]
+  %1000 = getelementptr inbounds double, ptr %350, i64 %999
+  %1001 = load double, ptr %1000, align 8
+  %1002 = fcmp ogt double %1001, 0.000000e+00
+  br i1 %1002, label %1005, label %1003
 
-961:                                              ; preds = %956
-  %962 = fcmp olt double %959, 0.000000e+00
-  br i1 %962, label %963, label %966
+1003:                                             ; preds = %998
+  %1004 = fcmp olt double %1001, 0.000000e+00
+  br i1 %1004, label %1005, label %1008
 
-963:                                              ; preds = %961, %956
-  %964 = phi i64 [ 1, %956 ], [ -1, %961 ]
-  %965 = getelementptr inbounds i64, ptr %16, i64 %957
-  store i64 %964, ptr %965, align 8
-  br label %966
+1005:                                             ; preds = %1003, %998
+  %1006 = phi i64 [ 1, %998 ], [ -1, %1003 ]
+  %1007 = getelementptr inbounds i64, ptr %16, i64 %999
+  store i64 %1006, ptr %1007, align 8
+  br label %1008
 
-966:                                              ; preds = %963, %961
-  br i1 %948, label %967, label %995
+1008:                                             ; preds = %1005, %1003
+  br i1 %990, label %1009, label %1037
 
-967:                                              ; preds = %966
-  %968 = getelementptr double, ptr %952, i64 %957
-  %969 = load double, ptr %968, align 8
-  %970 = fcmp oeq double %969, 0.000000e+00
-  br i1 %970, label %971, label %995
+1009:                                             ; preds = %1008
+  %1010 = getelementptr double, ptr %994, i64 %999
+  %1011 = load double, ptr %1010, align 8
+  %1012 = fcmp oeq double %1011, 0.000000e+00
+  br i1 %1012, label %1013, label %1037
 
-971:                                              ; preds = %967
-  %972 = getelementptr double, ptr %294, i64 %957
-  %973 = load double, ptr %972, align 8
-  %974 = fcmp oeq double %973, 0.000000e+00
-  br i1 %974, label %975, label %995
+1013:                                             ; preds = %1009
+  %1014 = getelementptr double, ptr %306, i64 %999
+  %1015 = load double, ptr %1014, align 8
+  %1016 = fcmp oeq double %1015, 0.000000e+00
+  br i1 %1016, label %1017, label %1037
 
-975:                                              ; preds = %971
-  %976 = load double, ptr %953, align 8
-  %977 = fmul double %976, %2
-  %978 = fadd double %977, %1
-  %979 = load i64, ptr %234, align 8
-  %980 = icmp eq i64 %979, 0
-  br i1 %980, label %995, label %981
+1017:                                             ; preds = %1013
+  %1018 = load double, ptr %995, align 8
+  %1019 = fmul double %1018, %2
+  %1020 = fadd double %1019, %1
+  %1021 = load i64, ptr %246, align 8
+  %1022 = icmp eq i64 %1021, 0
+  br i1 %1022, label %1037, label %1023
 
-981:                                              ; preds = %975
-  %982 = load ptr, ptr %235, align 8
-  %983 = shl nsw i64 %957, 4
-  %984 = getelementptr inbounds i8, ptr %982, i64 %983
-  %985 = getelementptr inbounds i8, ptr %984, i64 8
-  %986 = load double, ptr %985, align 8
-  %987 = fcmp oeq double %986, %978
-  br i1 %987, label %994, label %988
+1023:                                             ; preds = %1017
+  %1024 = load ptr, ptr %247, align 8
+  %1025 = shl nsw i64 %999, 4
+  %1026 = getelementptr inbounds i8, ptr %1024, i64 %1025
+  %1027 = getelementptr inbounds i8, ptr %1026, i64 8
+  %1028 = load double, ptr %1027, align 8
+  %1029 = fcmp oeq double %1028, %1020
+  br i1 %1029, label %1036, label %1030
 
-988:                                              ; preds = %981
-  %989 = load double, ptr %984, align 8
-  %990 = fsub double %986, %989
-  %991 = fsub double %955, %978
-  %992 = fcmp ult double %990, %991
-  br i1 %992, label %993, label %995
+1030:                                             ; preds = %1023
+  %1031 = load double, ptr %1026, align 8
+  %1032 = fsub double %1028, %1031
+  %1033 = fsub double %997, %1020
+  %1034 = fcmp ult double %1032, %1033
+  br i1 %1034, label %1035, label %1037
 
-993:                                              ; preds = %988
-  store double %978, ptr %984, align 8
-  br label %994
+1035:                                             ; preds = %1030
+  store double %1020, ptr %1026, align 8
+  br label %1036
 
-994:                                              ; preds = %981, %993
-  store double %955, ptr %985, align 8
-  br label %995
+1036:                                             ; preds = %1023, %1035
+  store double %997, ptr %1027, align 8
+  br label %1037
 
-995:                                              ; preds = %994, %988, %975, %966, %967, %971
-  %996 = add nuw nsw i64 %957, 1
-  %997 = icmp eq i64 %996, %12
-  br i1 %997, label %1003, label %956, !llvm.loop !18
+1037:                                             ; preds = %1036, %1030, %1017, %1008, %1009, %1013
+  %1038 = add nuw nsw i64 %999, 1
+  %1039 = icmp eq i64 %1038, %12
+  br i1 %1039, label %1045, label %998, !llvm.loop !18
 
-998:                                              ; preds = %318, %290
-  %999 = load ptr, ptr %20, align 8
-  %1000 = getelementptr inbounds i8, ptr %999, i64 80
-  store i64 %23, ptr %1000, align 8
-  %1001 = load ptr, ptr %19, align 8
-  %1002 = getelementptr inbounds i8, ptr %1001, i64 48
-  store double 1.000000e+00, ptr %1002, align 8
-  br label %1003
+1040:                                             ; preds = %336, %302
+  %1041 = load ptr, ptr %20, align 8
+  %1042 = getelementptr inbounds i8, ptr %1041, i64 80
+  store i64 %23, ptr %1042, align 8
+  %1043 = load ptr, ptr %19, align 8
+  %1044 = getelementptr inbounds i8, ptr %1043, i64 48
+  store double 1.000000e+00, ptr %1044, align 8
+  br label %1045
 
-1003:                                             ; preds = %942, %995, %998, %946
-  %1004 = phi i32 [ 0, %946 ], [ 1, %998 ], [ 0, %995 ], [ %943, %942 ]
-  %1005 = phi double [ %331, %946 ], [ %239, %998 ], [ %331, %995 ], [ %944, %942 ]
-  %1006 = phi i64 [ %945, %946 ], [ -4, %998 ], [ %945, %995 ], [ %945, %942 ]
-  %1007 = icmp eq i32 %1004, 0
-  br i1 %1007, label %1008, label %1013
+1045:                                             ; preds = %984, %1037, %1040, %988
+  %1046 = phi i32 [ 0, %988 ], [ 1, %1040 ], [ 0, %1037 ], [ %985, %984 ]
+  %1047 = phi double [ %349, %988 ], [ %251, %1040 ], [ %349, %1037 ], [ %986, %984 ]
+  %1048 = phi i64 [ %987, %988 ], [ -4, %1040 ], [ %987, %1037 ], [ %987, %984 ]
+  %1049 = icmp eq i32 %1046, 0
+  br i1 %1049, label %1050, label %1055
 
-1008:                                             ; preds = %1003
-  %1009 = fcmp oeq double %1005, %243
-  %1010 = zext i1 %1009 to i32
-  %1011 = add nuw nsw i32 %240, %1010
-  %1012 = icmp ugt i32 %1011, 4
-  br i1 %1012, label %1013, label %236, !llvm.loop !19
+1050:                                             ; preds = %1045
+  %1051 = fcmp oeq double %1047, %255
+  %1052 = zext i1 %1051 to i32
+  %1053 = add nuw nsw i32 %252, %1052
+  %1054 = icmp ugt i32 %1053, 4
+  br i1 %1054, label %1055, label %248, !llvm.loop !19
 
-1013:                                             ; preds = %1008, %1003
-  %1014 = phi i1 [ %1012, %1008 ], [ %237, %1003 ]
-  br i1 %1014, label %1015, label %1033
+1055:                                             ; preds = %1050, %1045
+  %1056 = phi i1 [ %1054, %1050 ], [ %249, %1045 ]
+  br i1 %1056, label %1057, label %1075
 
-1015:                                             ; preds = %1013
-  %1016 = icmp sgt i64 %12, 0
-  br i1 %1016, label %1017, label %1020
+1057:                                             ; preds = %1055
+  %1058 = icmp sgt i64 %12, 0
+  br i1 %1058, label %1059, label %1062
 
-1017:                                             ; preds = %1015
-  %1018 = shl i64 %12, 5
-  %1019 = getelementptr i8, ptr %28, i64 %1018
-  br label %1022
+1059:                                             ; preds = %1057
+  %1060 = shl i64 %12, 5
+  %1061 = getelementptr i8, ptr %28, i64 %1060
+  br label %1064
 
-1020:                                             ; preds = %1022, %1015
-  %1021 = load double, ptr %24, align 8
-  store double %1021, ptr %30, align 8
-  br label %1029
+1062:                                             ; preds = %1064, %1057
+  %1063 = load double, ptr %24, align 8
+  store double %1063, ptr %30, align 8
+  br label %1071
 
-1022:                                             ; preds = %1017, %1022
-  %1023 = phi i64 [ 0, %1017 ], [ %1027, %1022 ]
-  %1024 = getelementptr double, ptr %1019, i64 %1023
-  %1025 = load double, ptr %1024, align 8
-  %1026 = getelementptr inbounds double, ptr %28, i64 %1023
-  store double %1025, ptr %1026, align 8
-  %1027 = add nuw nsw i64 %1023, 1
-  %1028 = icmp eq i64 %1027, %12
-  br i1 %1028, label %1020, label %1022, !llvm.loop !20
+1064:                                             ; preds = %1059, %1064
+  %1065 = phi i64 [ 0, %1059 ], [ %1069, %1064 ]
+  %1066 = getelementptr double, ptr %1061, i64 %1065
+  %1067 = load double, ptr %1066, align 8
+  %1068 = getelementptr inbounds double, ptr %28, i64 %1065
+  store double %1067, ptr %1068, align 8
+  %1069 = add nuw nsw i64 %1065, 1
+  %1070 = icmp eq i64 %1069, %12
+  br i1 %1070, label %1062, label %1064, !llvm.loop !20
 
-1029:                                             ; preds = %119, %1020, %177, %92
-  %1030 = phi ptr [ %95, %92 ], [ %180, %177 ], [ %24, %1020 ], [ %122, %119 ]
-  %1031 = phi i64 [ -4, %92 ], [ -4, %177 ], [ 0, %1020 ], [ -4, %119 ]
-  %1032 = getelementptr inbounds i8, ptr %1030, i64 48
-  store double 1.000000e+00, ptr %1032, align 8
-  br label %1033
+1071:                                             ; preds = %125, %1062, %189, %98
+  %1072 = phi ptr [ %101, %98 ], [ %192, %189 ], [ %24, %1062 ], [ %128, %125 ]
+  %1073 = phi i64 [ -4, %98 ], [ -4, %189 ], [ 0, %1062 ], [ -4, %125 ]
+  %1074 = getelementptr inbounds i8, ptr %1072, i64 48
+  store double 1.000000e+00, ptr %1074, align 8
+  br label %1075
 
-1033:                                             ; preds = %1029, %1013, %100
-  %1034 = phi i64 [ %1006, %1013 ], [ %101, %100 ], [ %1031, %1029 ]
-  ret i64 %1034
+1075:                                             ; preds = %1071, %1055, %106
+  %1076 = phi i64 [ %1048, %1055 ], [ %107, %106 ], [ %1073, %1071 ]
+  ret i64 %1076
 }
 
 
@@ -1501,19 +1578,19 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %24 = fcmp ult double %23, %3
   %25 = icmp sgt i64 %9, 0
   %26 = select i1 %24, i1 %25, i1 false
-  br i1 %26, label %27, label %353
+  br i1 %26, label %27, label %365
 
 27:                                               ; preds = %4
   %28 = getelementptr inbounds i8, ptr %0, i64 984
   %29 = shl nsw i64 %9, 4
   %30 = mul i64 %9, 40
   %31 = getelementptr inbounds i8, ptr %0, i64 864
-  %32 = getelementptr inbounds i8, ptr %0, i64 1032
-  %33 = getelementptr inbounds i8, ptr %1, i64 16
-  %34 = getelementptr inbounds i8, ptr %1, i64 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 168
-  %36 = getelementptr inbounds i8, ptr %0, i64 248
-  %37 = getelementptr inbounds i8, ptr %0, i64 144
+  %32 = getelementptr inbounds i8, ptr %0, i64 144
+  %33 = getelementptr inbounds i8, ptr %0, i64 1032
+  %34 = getelementptr inbounds i8, ptr %1, i64 16
+  %35 = getelementptr inbounds i8, ptr %1, i64 8
+  %36 = getelementptr inbounds i8, ptr %0, i64 168
+  %37 = getelementptr inbounds i8, ptr %0, i64 248
   %38 = getelementptr inbounds i8, ptr %0, i64 168
   %39 = getelementptr inbounds i8, ptr %0, i64 192
   %40 = getelementptr inbounds i8, ptr %0, i64 792
@@ -1531,11 +1608,11 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %52 = shl nsw i64 %9, 5
   br label %53
 
-53:                                               ; preds = %27, %350
-  %54 = phi i64 [ undef, %27 ], [ %349, %350 ]
-  %55 = phi i32 [ 0, %27 ], [ %348, %350 ]
-  %56 = phi i32 [ 0, %27 ], [ %347, %350 ]
-  %57 = phi i64 [ 0, %27 ], [ %351, %350 ]
+53:                                               ; preds = %27, %362
+  %54 = phi i64 [ undef, %27 ], [ %361, %362 ]
+  %55 = phi i32 [ 0, %27 ], [ %360, %362 ]
+  %56 = phi i32 [ 0, %27 ], [ %359, %362 ]
+  %57 = phi i64 [ 0, %27 ], [ %363, %362 ]
   %58 = load ptr, ptr %28, align 8
   %59 = getelementptr inbounds i8, ptr %58, i64 %29
   %60 = getelementptr inbounds double, ptr %59, i64 %57
@@ -1545,7 +1622,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %64 = load i64, ptr %63, align 8
   %65 = and i64 %64, 1
   %66 = icmp eq i64 %65, 0
-  br i1 %66, label %67, label %345
+  br i1 %66, label %67, label %357
 
 67:                                               ; preds = %53
   %68 = load double, ptr %60, align 8
@@ -1585,16 +1662,16 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 94:                                               ; preds = %69, %85
   %95 = phi i32 [ 1, %69 ], [ %93, %85 ]
   %96 = icmp eq i32 %95, 0
-  br i1 %96, label %345, label %97
+  br i1 %96, label %357, label %97
 
 97:                                               ; preds = %94
   %98 = sext i32 %55 to i64
   br label %99
 
-99:                                               ; preds = %97, %137
-  %100 = phi i64 [ %98, %97 ], [ %105, %137 ]
+99:                                               ; preds = %97, %143
+  %100 = phi i64 [ %98, %97 ], [ %105, %143 ]
   %101 = icmp slt i64 %100, 4
-  br i1 %101, label %102, label %153
+  br i1 %101, label %102, label %159
 
 102:                                              ; preds = %99
   %103 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %100
@@ -1605,8 +1682,8 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %108 = fadd double %104, %107
   %109 = fmul double %108, 5.000000e-01
   %110 = add nsw i64 %100, 7
-  %111 = load ptr, ptr %32, align 8
-  %112 = load ptr, ptr %33, align 8
+  %111 = load ptr, ptr %33, align 8
+  %112 = load ptr, ptr %34, align 8
   %113 = getelementptr inbounds i8, ptr %112, i64 96
   %114 = load ptr, ptr %113, align 8
   %115 = insertelement <8 x double> poison, double %109, i64 0
@@ -1622,307 +1699,329 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %124 = getelementptr inbounds i8, ptr %123, i64 24
   %125 = load i64, ptr %124, align 8
   %126 = load ptr, ptr %113, align 8
-  %127 = load ptr, ptr %34, align 8
+  %127 = load ptr, ptr %35, align 8
   %128 = load ptr, ptr %127, align 8
   %129 = getelementptr inbounds i8, ptr %128, i64 16
   %130 = load i64, ptr %129, align 8
   tail call fastcc void @nested(ptr noundef %111, ptr noundef %117, ptr noundef %119, i64 noundef %121, i64 noundef %125, ptr noundef %126, i64 noundef %130) #8
   %131 = fmul double %109, %3
   %132 = fadd double %131, %2
-  %133 = load ptr, ptr %35, align 8
+  %133 = load ptr, ptr %36, align 8
   store double %132, ptr %133, align 8
-  %134 = load i64, ptr %36, align 8
-  %135 = icmp sgt i64 %134, 0
-  br i1 %135, label %136, label %137
+  %134 = load ptr, ptr %32, align 8
+  %135 = getelementptr inbounds i8, ptr %134, i64 40
+  %136 = load i64, ptr %135, align 8
+  %137 = icmp eq i64 %136, 0
+  br i1 %137, label %139, label %138
 
-136:                                              ; preds = %102
-  tail call fastcc void @sample(ptr noundef nonnull %37) #8
-  br label %137
+138:                                              ; preds = %102
+  tail call fastcc void @settle(ptr noundef nonnull %32) #8
+  br label %139
 
-137:                                              ; preds = %102, %136
-  %138 = load ptr, ptr %6, align 8
-  %139 = load i64, ptr %138, align 8
-  %140 = load ptr, ptr %38, align 8
-  %141 = load ptr, ptr %32, align 8
-  %142 = load ptr, ptr %39, align 8
-  %143 = load ptr, ptr %40, align 8
-  %144 = load ptr, ptr %28, align 8
-  %145 = getelementptr inbounds i8, ptr %138, i64 8
-  %146 = load i64, ptr %145, align 8
-  %147 = mul nsw i64 %146, %110
-  %148 = getelementptr inbounds double, ptr %144, i64 %147
-  %149 = inttoptr i64 %139 to ptr
-  %150 = load ptr, ptr %149, align 8
-  %151 = tail call i32 %150(ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %143, ptr noundef %148) #9
-  %152 = icmp slt i32 %151, 0
-  br i1 %152, label %343, label %99, !llvm.loop !22
+139:                                              ; preds = %138, %102
+  %140 = load i64, ptr %37, align 8
+  %141 = icmp sgt i64 %140, 0
+  br i1 %141, label %142, label %143
 
-153:                                              ; preds = %99
-  %154 = load double, ptr %60, align 8
-  %155 = tail call double @llvm.fabs.f64(double %154)
-  store double %154, ptr %5, align 16
-  br label %163
+142:                                              ; preds = %139
+  tail call fastcc void @sample(ptr noundef nonnull %32) #8
+  br label %143
 
-156:                                              ; preds = %213
-  %157 = trunc nsw i64 %100 to i32
-  %158 = fmul double %224, 0x3E50000000000000
-  %159 = fcmp ogt double %218, %158
-  br i1 %159, label %160, label %339
+143:                                              ; preds = %139, %142
+  %144 = load ptr, ptr %6, align 8
+  %145 = load i64, ptr %144, align 8
+  %146 = load ptr, ptr %38, align 8
+  %147 = load ptr, ptr %33, align 8
+  %148 = load ptr, ptr %39, align 8
+  %149 = load ptr, ptr %40, align 8
+  %150 = load ptr, ptr %28, align 8
+  %151 = getelementptr inbounds i8, ptr %144, i64 8
+  %152 = load i64, ptr %151, align 8
+  %153 = mul nsw i64 %152, %110
+  %154 = getelementptr inbounds double, ptr %150, i64 %153
+  %155 = inttoptr i64 %145 to ptr
+  %156 = load ptr, ptr %155, align 8
+  %157 = tail call i32 %156(ptr noundef %146, ptr noundef %147, ptr noundef %148, ptr noundef %149, ptr noundef %154) #9
+  %158 = icmp slt i32 %157, 0
+  br i1 %158, label %355, label %99, !llvm.loop !22
 
-160:                                              ; preds = %156
-  %161 = fmul double %218, 2.000000e+00
-  %162 = fmul double %218, 8.000000e+00
-  br label %226
+159:                                              ; preds = %99
+  %160 = load double, ptr %60, align 8
+  %161 = tail call double @llvm.fabs.f64(double %160)
+  store double %160, ptr %5, align 16
+  br label %169
 
-163:                                              ; preds = %153, %213
-  %164 = phi i64 [ 0, %153 ], [ %173, %213 ]
-  %165 = phi double [ 0.000000e+00, %153 ], [ %218, %213 ]
-  %166 = phi double [ %155, %153 ], [ %224, %213 ]
-  %167 = mul nuw nsw i64 %9, %164
-  %168 = getelementptr inbounds double, ptr %61, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = shl nuw nsw i64 %164, 1
-  %171 = or disjoint i64 %170, 1
-  %172 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %171
-  store double %169, ptr %172, align 8
-  %173 = add nuw nsw i64 %164, 1
-  %174 = mul nuw nsw i64 %9, %173
-  %175 = getelementptr inbounds double, ptr %60, i64 %174
-  %176 = load double, ptr %175, align 8
-  %177 = add nuw nsw i64 %170, 2
+162:                                              ; preds = %219
+  %163 = trunc nsw i64 %100 to i32
+  %164 = fmul double %230, 0x3E50000000000000
+  %165 = fcmp ogt double %224, %164
+  br i1 %165, label %166, label %351
+
+166:                                              ; preds = %162
+  %167 = fmul double %224, 2.000000e+00
+  %168 = fmul double %224, 8.000000e+00
+  br label %232
+
+169:                                              ; preds = %159, %219
+  %170 = phi i64 [ 0, %159 ], [ %179, %219 ]
+  %171 = phi double [ 0.000000e+00, %159 ], [ %224, %219 ]
+  %172 = phi double [ %161, %159 ], [ %230, %219 ]
+  %173 = mul nuw nsw i64 %9, %170
+  %174 = getelementptr inbounds double, ptr %61, i64 %173
+  %175 = load double, ptr %174, align 8
+  %176 = shl nuw nsw i64 %170, 1
+  %177 = or disjoint i64 %176, 1
   %178 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %177
-  store double %176, ptr %178, align 16
-  %179 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %164
-  %180 = load double, ptr %179, align 8
-  %181 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %173
+  store double %175, ptr %178, align 8
+  %179 = add nuw nsw i64 %170, 1
+  %180 = mul nuw nsw i64 %9, %179
+  %181 = getelementptr inbounds double, ptr %60, i64 %180
   %182 = load double, ptr %181, align 8
-  %183 = fadd double %180, %182
-  %184 = fmul double %183, 5.000000e-01
-  br label %185
+  %183 = add nuw nsw i64 %176, 2
+  %184 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %183
+  store double %182, ptr %184, align 16
+  %185 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %170
+  %186 = load double, ptr %185, align 8
+  %187 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %179
+  %188 = load double, ptr %187, align 8
+  %189 = fadd double %186, %188
+  %190 = fmul double %189, 5.000000e-01
+  br label %191
 
-185:                                              ; preds = %163, %189
-  %186 = phi i64 [ 0, %163 ], [ %195, %189 ]
-  %187 = phi double [ 0.000000e+00, %163 ], [ %194, %189 ]
-  %188 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %186
-  br label %197
+191:                                              ; preds = %169, %195
+  %192 = phi i64 [ 0, %169 ], [ %201, %195 ]
+  %193 = phi double [ 0.000000e+00, %169 ], [ %200, %195 ]
+  %194 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %192
+  br label %203
 
-189:                                              ; preds = %208
-  %190 = mul nuw nsw i64 %9, %186
-  %191 = getelementptr inbounds double, ptr %60, i64 %190
-  %192 = load double, ptr %191, align 8
-  %193 = fmul double %210, %192
-  %194 = fadd double %187, %193
-  %195 = add nuw nsw i64 %186, 1
-  %196 = icmp eq i64 %195, 5
-  br i1 %196, label %213, label %185, !llvm.loop !23
+195:                                              ; preds = %214
+  %196 = mul nuw nsw i64 %9, %192
+  %197 = getelementptr inbounds double, ptr %60, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = fmul double %216, %198
+  %200 = fadd double %193, %199
+  %201 = add nuw nsw i64 %192, 1
+  %202 = icmp eq i64 %201, 5
+  br i1 %202, label %219, label %191, !llvm.loop !23
 
-197:                                              ; preds = %185, %208
-  %198 = phi i64 [ 0, %185 ], [ %211, %208 ]
-  %199 = phi double [ 1.000000e+00, %185 ], [ %210, %208 ]
-  %200 = icmp eq i64 %198, %186
-  br i1 %200, label %208, label %201
+203:                                              ; preds = %191, %214
+  %204 = phi i64 [ 0, %191 ], [ %217, %214 ]
+  %205 = phi double [ 1.000000e+00, %191 ], [ %216, %214 ]
+  %206 = icmp eq i64 %204, %192
+  br i1 %206, label %214, label %207
 
-201:                                              ; preds = %197
-  %202 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %198
-  %203 = load double, ptr %202, align 8
-  %204 = fsub double %184, %203
-  %205 = load double, ptr %188, align 8
-  %206 = fsub double %205, %203
-  %207 = fdiv double %204, %206
-  br label %208
+207:                                              ; preds = %203
+  %208 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %204
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %190, %209
+  %211 = load double, ptr %194, align 8
+  %212 = fsub double %211, %209
+  %213 = fdiv double %210, %212
+  br label %214
 
-208:                                              ; preds = %201, %197
-  %209 = phi double [ %207, %201 ], [ 1.000000e+00, %197 ]
-  %210 = fmul double %199, %209
-  %211 = add nuw nsw i64 %198, 1
-  %212 = icmp eq i64 %211, 5
-  br i1 %212, label %189, label %197, !llvm.loop !24
+214:                                              ; preds = %207, %203
+  %215 = phi double [ %213, %207 ], [ 1.000000e+00, %203 ]
+  %216 = fmul double %205, %215
+  %217 = add nuw nsw i64 %204, 1
+  %218 = icmp eq i64 %217, 5
+  br i1 %218, label %195, label %203, !llvm.loop !24
 
-213:                                              ; preds = %189
-  %214 = fsub double %169, %194
-  %215 = tail call double @llvm.fabs.f64(double %214)
-  %216 = fmul double %215, 2.000000e+00
-  %217 = fcmp ogt double %165, %216
-  %218 = select i1 %217, double %165, double %216
-  %219 = tail call double @llvm.fabs.f64(double %169)
-  %220 = tail call double @llvm.fabs.f64(double %176)
-  %221 = fcmp ogt double %219, %220
-  %222 = select i1 %221, double %219, double %220
-  %223 = fcmp ogt double %166, %222
-  %224 = select i1 %223, double %166, double %222
-  %225 = icmp eq i64 %173, 4
-  br i1 %225, label %156, label %163, !llvm.loop !25
+219:                                              ; preds = %195
+  %220 = fsub double %175, %200
+  %221 = tail call double @llvm.fabs.f64(double %220)
+  %222 = fmul double %221, 2.000000e+00
+  %223 = fcmp ogt double %171, %222
+  %224 = select i1 %223, double %171, double %222
+  %225 = tail call double @llvm.fabs.f64(double %175)
+  %226 = tail call double @llvm.fabs.f64(double %182)
+  %227 = fcmp ogt double %225, %226
+  %228 = select i1 %227, double %225, double %226
+  %229 = fcmp ogt double %172, %228
+  %230 = select i1 %229, double %172, double %228
+  %231 = icmp eq i64 %179, 4
+  br i1 %231, label %162, label %169, !llvm.loop !25
 
-226:                                              ; preds = %160, %247
-  %227 = phi i64 [ 1, %160 ], [ %248, %247 ]
-  %228 = phi i1 [ false, %160 ], [ %249, %247 ]
-  %229 = getelementptr double, ptr %5, i64 %227
-  %230 = getelementptr i8, ptr %229, i64 -8
-  %231 = load double, ptr %230, align 8
-  %232 = load double, ptr %229, align 8
-  %233 = fsub double %231, %232
-  %234 = tail call double @llvm.fabs.f64(double %233)
-  %235 = fmul double %231, %232
-  %236 = fcmp olt double %235, 0.000000e+00
-  br i1 %236, label %237, label %239
+232:                                              ; preds = %166, %253
+  %233 = phi i64 [ 1, %166 ], [ %254, %253 ]
+  %234 = phi i1 [ false, %166 ], [ %255, %253 ]
+  %235 = getelementptr double, ptr %5, i64 %233
+  %236 = getelementptr i8, ptr %235, i64 -8
+  %237 = load double, ptr %236, align 8
+  %238 = load double, ptr %235, align 8
+  %239 = fsub double %237, %238
+  %240 = tail call double @llvm.fabs.f64(double %239)
+  %241 = fmul double %237, %238
+  %242 = fcmp olt double %241, 0.000000e+00
+  br i1 %242, label %243, label %245
 
-237:                                              ; preds = %226
-  %238 = fcmp olt double %234, %162
-  br i1 %238, label %251, label %247
+243:                                              ; preds = %232
+  %244 = fcmp olt double %240, %168
+  br i1 %244, label %257, label %253
 
-239:                                              ; preds = %226
-  %240 = tail call double @llvm.fabs.f64(double %232)
-  %241 = tail call double @llvm.fabs.f64(double %231)
-  %242 = fcmp olt double %241, %240
-  %243 = select i1 %242, double %241, double %240
-  %244 = fcmp ugt double %243, %218
-  %245 = fcmp ugt double %234, %161
-  %246 = or i1 %245, %244
-  br i1 %246, label %247, label %251
+245:                                              ; preds = %232
+  %246 = tail call double @llvm.fabs.f64(double %238)
+  %247 = tail call double @llvm.fabs.f64(double %237)
+  %248 = fcmp olt double %247, %246
+  %249 = select i1 %248, double %247, double %246
+  %250 = fcmp ugt double %249, %224
+  %251 = fcmp ugt double %240, %167
+  %252 = or i1 %251, %250
+  br i1 %252, label %253, label %257
 
-247:                                              ; preds = %239, %237
-  %248 = add nuw nsw i64 %227, 1
-  %249 = icmp ugt i64 %227, 7
-  %250 = icmp eq i64 %248, 9
-  br i1 %250, label %339, label %226, !llvm.loop !26
+253:                                              ; preds = %245, %243
+  %254 = add nuw nsw i64 %233, 1
+  %255 = icmp ugt i64 %233, 7
+  %256 = icmp eq i64 %254, 9
+  br i1 %256, label %351, label %232, !llvm.loop !26
 
-251:                                              ; preds = %237, %239
-  br i1 %228, label %339, label %252
+257:                                              ; preds = %243, %245
+  br i1 %234, label %351, label %258
 
-252:                                              ; preds = %251, %312
-  %253 = phi i32 [ 1, %312 ], [ %56, %251 ]
-  %254 = icmp eq i32 %253, 0
-  br i1 %254, label %255, label %327
+258:                                              ; preds = %257, %324
+  %259 = phi i32 [ 1, %324 ], [ %56, %257 ]
+  %260 = icmp eq i32 %259, 0
+  br i1 %260, label %261, label %339
 
-255:                                              ; preds = %252
-  %256 = load ptr, ptr %42, align 8
-  %257 = load ptr, ptr %43, align 8
-  %258 = getelementptr inbounds i8, ptr %257, i64 96
-  %259 = load ptr, ptr %258, align 8
-  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %259, align 8
-  %260 = load ptr, ptr %257, align 8
-  %261 = getelementptr inbounds i8, ptr %257, i64 192
-  %262 = load ptr, ptr %261, align 8
-  %263 = getelementptr inbounds i8, ptr %257, i64 8
-  %264 = load i64, ptr %263, align 8
-  %265 = load ptr, ptr %1, align 8
-  %266 = load ptr, ptr %265, align 8
-  %267 = getelementptr inbounds i8, ptr %266, i64 24
-  %268 = load i64, ptr %267, align 8
-  %269 = load ptr, ptr %258, align 8
-  %270 = load ptr, ptr %44, align 8
-  %271 = load ptr, ptr %270, align 8
-  %272 = getelementptr inbounds i8, ptr %271, i64 16
-  %273 = load i64, ptr %272, align 8
-  tail call fastcc void @nested(ptr noundef %256, ptr noundef %260, ptr noundef %262, i64 noundef %264, i64 noundef %268, ptr noundef %269, i64 noundef %273) #8
-  %274 = load ptr, ptr %41, align 8
-  %275 = getelementptr inbounds i8, ptr %274, i64 8
-  %276 = load i64, ptr %275, align 8
-  %277 = icmp sgt i64 %276, 0
-  br i1 %277, label %283, label %278
+261:                                              ; preds = %258
+  %262 = load ptr, ptr %42, align 8
+  %263 = load ptr, ptr %43, align 8
+  %264 = getelementptr inbounds i8, ptr %263, i64 96
+  %265 = load ptr, ptr %264, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %265, align 8
+  %266 = load ptr, ptr %263, align 8
+  %267 = getelementptr inbounds i8, ptr %263, i64 192
+  %268 = load ptr, ptr %267, align 8
+  %269 = getelementptr inbounds i8, ptr %263, i64 8
+  %270 = load i64, ptr %269, align 8
+  %271 = load ptr, ptr %1, align 8
+  %272 = load ptr, ptr %271, align 8
+  %273 = getelementptr inbounds i8, ptr %272, i64 24
+  %274 = load i64, ptr %273, align 8
+  %275 = load ptr, ptr %264, align 8
+  %276 = load ptr, ptr %44, align 8
+  %277 = load ptr, ptr %276, align 8
+  %278 = getelementptr inbounds i8, ptr %277, i64 16
+  %279 = load i64, ptr %278, align 8
+  tail call fastcc void @nested(ptr noundef %262, ptr noundef %266, ptr noundef %268, i64 noundef %270, i64 noundef %274, ptr noundef %275, i64 noundef %279) #8
+  %280 = load ptr, ptr %41, align 8
+  %281 = getelementptr inbounds i8, ptr %280, i64 8
+  %282 = load i64, ptr %281, align 8
+  %283 = icmp sgt i64 %282, 0
+  br i1 %283, label %295, label %284
 
-278:                                              ; preds = %283, %255
-  %279 = load ptr, ptr %47, align 8
-  store double %19, ptr %279, align 8
-  %280 = load i64, ptr %48, align 8
-  %281 = icmp sgt i64 %280, 0
-  br i1 %281, label %282, label %312
+284:                                              ; preds = %295, %261
+  %285 = load ptr, ptr %47, align 8
+  store double %19, ptr %285, align 8
+  %286 = load ptr, ptr %41, align 8
+  %287 = getelementptr inbounds i8, ptr %286, i64 40
+  %288 = load i64, ptr %287, align 8
+  %289 = icmp eq i64 %288, 0
+  br i1 %289, label %291, label %290
 
-282:                                              ; preds = %278
+290:                                              ; preds = %284
+  tail call fastcc void @settle(ptr noundef nonnull %41) #8
+  br label %291
+
+291:                                              ; preds = %290, %284
+  %292 = load i64, ptr %48, align 8
+  %293 = icmp sgt i64 %292, 0
+  br i1 %293, label %294, label %324
+
+294:                                              ; preds = %291
   tail call fastcc void @sample(ptr noundef nonnull %41) #8
-  br label %312
+  br label %324
 
-283:                                              ; preds = %255, %283
-  %284 = phi i64 [ %307, %283 ], [ 0, %255 ]
-  %285 = load ptr, ptr %45, align 8
-  %286 = getelementptr inbounds double, ptr %285, i64 %284
-  %287 = load double, ptr %286, align 8
-  %288 = load ptr, ptr %46, align 8
-  %289 = getelementptr inbounds double, ptr %288, i64 %284
-  %290 = load double, ptr %289, align 8
-  %291 = load ptr, ptr %42, align 8
-  %292 = getelementptr inbounds double, ptr %291, i64 %284
-  %293 = load double, ptr %292, align 8
-  %294 = tail call double @llvm.fabs.f64(double %293)
-  %295 = fmul double %290, %294
-  %296 = fadd double %287, %295
-  %297 = and i64 %284, 1
-  %298 = icmp eq i64 %297, 0
-  %299 = urem i64 %284, 3
-  %300 = uitofp nneg i64 %299 to double
-  %301 = fmul double %300, 0x3FE3C6EF372FE950
-  %302 = fadd double %301, 1.000000e+00
-  %303 = fneg double %302
-  %304 = select i1 %298, double %302, double %303
-  %305 = fmul double %304, %296
-  %306 = fadd double %293, %305
-  store double %306, ptr %292, align 8
-  %307 = add nuw nsw i64 %284, 1
-  %308 = load ptr, ptr %41, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 8
-  %310 = load i64, ptr %309, align 8
-  %311 = icmp slt i64 %307, %310
-  br i1 %311, label %283, label %278, !llvm.loop !27
+295:                                              ; preds = %261, %295
+  %296 = phi i64 [ %319, %295 ], [ 0, %261 ]
+  %297 = load ptr, ptr %45, align 8
+  %298 = getelementptr inbounds double, ptr %297, i64 %296
+  %299 = load double, ptr %298, align 8
+  %300 = load ptr, ptr %46, align 8
+  %301 = getelementptr inbounds double, ptr %300, i64 %296
+  %302 = load double, ptr %301, align 8
+  %303 = load ptr, ptr %42, align 8
+  %304 = getelementptr inbounds double, ptr %303, i64 %296
+  %305 = load double, ptr %304, align 8
+  %306 = tail call double @llvm.fabs.f64(double %305)
+  %307 = fmul double %302, %306
+  %308 = fadd double %299, %307
+  %309 = and i64 %296, 1
+  %310 = icmp eq i64 %309, 0
+  %311 = urem i64 %296, 3
+  %312 = uitofp nneg i64 %311 to double
+  %313 = fmul double %312, 0x3FE3C6EF372FE950
+  %314 = fadd double %313, 1.000000e+00
+  %315 = fneg double %314
+  %316 = select i1 %310, double %314, double %315
+  %317 = fmul double %316, %308
+  %318 = fadd double %305, %317
+  store double %318, ptr %304, align 8
+  %319 = add nuw nsw i64 %296, 1
+  %320 = load ptr, ptr %41, align 8
+  %321 = getelementptr inbounds i8, ptr %320, i64 8
+  %322 = load i64, ptr %321, align 8
+  %323 = icmp slt i64 %319, %322
+  br i1 %323, label %295, label %284, !llvm.loop !27
 
-312:                                              ; preds = %278, %282
-  %313 = load ptr, ptr %6, align 8
-  %314 = load i64, ptr %313, align 8
-  %315 = load ptr, ptr %49, align 8
-  %316 = load ptr, ptr %42, align 8
-  %317 = load ptr, ptr %50, align 8
-  %318 = load ptr, ptr %51, align 8
-  %319 = load ptr, ptr %28, align 8
-  %320 = getelementptr inbounds i8, ptr %313, i64 8
-  %321 = load i64, ptr %320, align 8
-  %322 = getelementptr inbounds double, ptr %319, i64 %321
-  %323 = inttoptr i64 %314 to ptr
-  %324 = load ptr, ptr %323, align 8
-  %325 = tail call i32 %324(ptr noundef %315, ptr noundef %316, ptr noundef %317, ptr noundef %318, ptr noundef %322) #9
-  %326 = icmp slt i32 %325, 0
-  br i1 %326, label %339, label %252, !llvm.loop !28
+324:                                              ; preds = %291, %294
+  %325 = load ptr, ptr %6, align 8
+  %326 = load i64, ptr %325, align 8
+  %327 = load ptr, ptr %49, align 8
+  %328 = load ptr, ptr %42, align 8
+  %329 = load ptr, ptr %50, align 8
+  %330 = load ptr, ptr %51, align 8
+  %331 = load ptr, ptr %28, align 8
+  %332 = getelementptr inbounds i8, ptr %325, i64 8
+  %333 = load i64, ptr %332, align 8
+  %334 = getelementptr inbounds double, ptr %331, i64 %333
+  %335 = inttoptr i64 %326 to ptr
+  %336 = load ptr, ptr %335, align 8
+  %337 = tail call i32 %336(ptr noundef %327, ptr noundef %328, ptr noundef %329, ptr noundef %330, ptr noundef %334) #9
+  %338 = icmp slt i32 %337, 0
+  br i1 %338, label %351, label %258, !llvm.loop !28
 
-327:                                              ; preds = %252
-  %328 = load ptr, ptr %28, align 8
-  %329 = getelementptr double, ptr %328, i64 %9
-  %330 = getelementptr double, ptr %329, i64 %57
-  %331 = load double, ptr %330, align 8
-  %332 = getelementptr inbounds i8, ptr %60, i64 %52
-  %333 = load double, ptr %332, align 8
-  %334 = fsub double %331, %333
-  %335 = tail call double @llvm.fabs.f64(double %334)
-  %336 = fcmp ogt double %218, %335
-  %337 = zext i1 %336 to i32
-  %338 = select i1 %336, i64 -6, i64 %54
-  br label %339
+339:                                              ; preds = %258
+  %340 = load ptr, ptr %28, align 8
+  %341 = getelementptr double, ptr %340, i64 %9
+  %342 = getelementptr double, ptr %341, i64 %57
+  %343 = load double, ptr %342, align 8
+  %344 = getelementptr inbounds i8, ptr %60, i64 %52
+  %345 = load double, ptr %344, align 8
+  %346 = fsub double %343, %345
+  %347 = tail call double @llvm.fabs.f64(double %346)
+  %348 = fcmp ogt double %224, %347
+  %349 = zext i1 %348 to i32
+  %350 = select i1 %348, i64 -6, i64 %54
+  br label %351
 
-339:                                              ; preds = %247, %312, %327, %156, %251
-  %340 = phi i32 [ 4, %251 ], [ 4, %156 ], [ %337, %327 ], [ 1, %312 ], [ 4, %247 ]
-  %341 = phi i32 [ %56, %251 ], [ %56, %156 ], [ %253, %327 ], [ %253, %312 ], [ %56, %247 ]
-  %342 = phi i64 [ %54, %251 ], [ %54, %156 ], [ %338, %327 ], [ -4, %312 ], [ %54, %247 ]
-  br label %345
+351:                                              ; preds = %253, %324, %339, %162, %257
+  %352 = phi i32 [ 4, %257 ], [ 4, %162 ], [ %349, %339 ], [ 1, %324 ], [ 4, %253 ]
+  %353 = phi i32 [ %56, %257 ], [ %56, %162 ], [ %259, %339 ], [ %259, %324 ], [ %56, %253 ]
+  %354 = phi i64 [ %54, %257 ], [ %54, %162 ], [ %350, %339 ], [ -4, %324 ], [ %54, %253 ]
+  br label %357
 
-343:                                              ; preds = %137
-  %344 = trunc nsw i64 %100 to i32
-  br label %345
+355:                                              ; preds = %143
+  %356 = trunc nsw i64 %100 to i32
+  br label %357
 
-345:                                              ; preds = %343, %53, %94, %339
-  %346 = phi i32 [ %340, %339 ], [ 4, %94 ], [ 4, %53 ], [ 1, %343 ]
-  %347 = phi i32 [ %341, %339 ], [ %56, %94 ], [ %56, %53 ], [ %56, %343 ]
-  %348 = phi i32 [ %157, %339 ], [ %55, %94 ], [ %55, %53 ], [ %344, %343 ]
-  %349 = phi i64 [ %342, %339 ], [ %54, %94 ], [ %54, %53 ], [ -4, %343 ]
-  switch i32 %346, label %353 [
-    i32 0, label %350
-    i32 4, label %350
+357:                                              ; preds = %355, %53, %94, %351
+  %358 = phi i32 [ %352, %351 ], [ 4, %94 ], [ 4, %53 ], [ 1, %355 ]
+  %359 = phi i32 [ %353, %351 ], [ %56, %94 ], [ %56, %53 ], [ %56, %355 ]
+  %360 = phi i32 [ %163, %351 ], [ %55, %94 ], [ %55, %53 ], [ %356, %355 ]
+  %361 = phi i64 [ %354, %351 ], [ %54, %94 ], [ %54, %53 ], [ -4, %355 ]
+  switch i32 %358, label %365 [
+    i32 0, label %362
+    i32 4, label %362
   ]
 
-350:                                              ; preds = %345, %345
-  %351 = add nuw nsw i64 %57, 1
-  %352 = icmp eq i64 %351, %9
-  br i1 %352, label %353, label %53, !llvm.loop !29
+362:                                              ; preds = %357, %357
+  %363 = add nuw nsw i64 %57, 1
+  %364 = icmp eq i64 %363, %9
+  br i1 %364, label %365, label %53, !llvm.loop !29
 
-353:                                              ; preds = %350, %345, %4
-  %354 = phi i64 [ 0, %4 ], [ %349, %345 ], [ 0, %350 ]
-  ret i64 %354
+365:                                              ; preds = %362, %357, %4
+  %366 = phi i64 [ 0, %4 ], [ %361, %357 ], [ 0, %362 ]
+  ret i64 %366
 }
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
@@ -1977,188 +2076,221 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %54 = getelementptr inbounds i8, ptr %0, i64 168
   %55 = load ptr, ptr %54, align 8
   store double %53, ptr %55, align 8
-  %56 = getelementptr inbounds i8, ptr %0, i64 248
-  %57 = load i64, ptr %56, align 8
-  %58 = icmp sgt i64 %57, 0
-  br i1 %58, label %59, label %60
+  %56 = load ptr, ptr %28, align 8
+  %57 = getelementptr inbounds i8, ptr %56, i64 40
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp eq i64 %58, 0
+  br i1 %59, label %61, label %60
 
-59:                                               ; preds = %7
+60:                                               ; preds = %7
+  tail call fastcc void @settle(ptr noundef nonnull %28) #8
+  br label %61
+
+61:                                               ; preds = %60, %7
+  %62 = getelementptr inbounds i8, ptr %0, i64 248
+  %63 = load i64, ptr %62, align 8
+  %64 = icmp sgt i64 %63, 0
+  br i1 %64, label %65, label %66
+
+65:                                               ; preds = %61
   tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %60
+  br label %66
 
-60:                                               ; preds = %7, %59
-  %61 = load ptr, ptr %8, align 8
-  %62 = load i64, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %0, i64 168
-  %64 = load ptr, ptr %63, align 8
-  %65 = load ptr, ptr %29, align 8
-  %66 = getelementptr inbounds i8, ptr %0, i64 192
-  %67 = load ptr, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %0, i64 792
-  %69 = load ptr, ptr %68, align 8
-  %70 = load ptr, ptr %14, align 8
-  %71 = getelementptr inbounds i8, ptr %61, i64 8
-  %72 = load i64, ptr %71, align 8
-  %73 = getelementptr inbounds double, ptr %70, i64 %72
-  %74 = inttoptr i64 %62 to ptr
+66:                                               ; preds = %61, %65
+  %67 = load ptr, ptr %8, align 8
+  %68 = load i64, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %0, i64 168
+  %70 = load ptr, ptr %69, align 8
+  %71 = load ptr, ptr %29, align 8
+  %72 = getelementptr inbounds i8, ptr %0, i64 192
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr inbounds i8, ptr %0, i64 792
   %75 = load ptr, ptr %74, align 8
-  %76 = tail call i32 %75(ptr noundef %64, ptr noundef %65, ptr noundef %67, ptr noundef %69, ptr noundef %73) #9
-  %77 = load double, ptr %20, align 8
-  %78 = fmul double %77, %13
-  %79 = fcmp ugt double %78, 0.000000e+00
-  br i1 %79, label %133, label %80
+  %76 = load ptr, ptr %14, align 8
+  %77 = getelementptr inbounds i8, ptr %67, i64 8
+  %78 = load i64, ptr %77, align 8
+  %79 = getelementptr inbounds double, ptr %76, i64 %78
+  %80 = inttoptr i64 %68 to ptr
+  %81 = load ptr, ptr %80, align 8
+  %82 = tail call i32 %81(ptr noundef %70, ptr noundef %71, ptr noundef %73, ptr noundef %75, ptr noundef %79) #9
+  %83 = load double, ptr %20, align 8
+  %84 = fmul double %83, %13
+  %85 = fcmp ugt double %84, 0.000000e+00
+  br i1 %85, label %145, label %86
 
-80:                                               ; preds = %60, %114
-  %81 = phi double [ %84, %114 ], [ %5, %60 ]
-  %82 = fsub double %81, %4
-  %83 = fmul double %82, 5.000000e-01
-  %84 = fadd double %83, %4
-  %85 = fsub double %84, %4
-  %86 = fcmp uge double %85, %27
-  br i1 %86, label %87, label %131
+86:                                               ; preds = %66, %126
+  %87 = phi double [ %90, %126 ], [ %5, %66 ]
+  %88 = fsub double %87, %4
+  %89 = fmul double %88, 5.000000e-01
+  %90 = fadd double %89, %4
+  %91 = fsub double %90, %4
+  %92 = fcmp uge double %91, %27
+  br i1 %92, label %93, label %143
 
-87:                                               ; preds = %80
-  %88 = load ptr, ptr %29, align 8
-  %89 = load ptr, ptr %31, align 8
-  %90 = getelementptr inbounds i8, ptr %89, i64 96
-  %91 = load ptr, ptr %90, align 8
-  %92 = insertelement <8 x double> poison, double %84, i64 0
-  %93 = shufflevector <8 x double> %92, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %93, ptr %91, align 8
-  %94 = load ptr, ptr %89, align 8
-  %95 = getelementptr inbounds i8, ptr %89, i64 192
-  %96 = load ptr, ptr %95, align 8
-  %97 = getelementptr inbounds i8, ptr %89, i64 8
-  %98 = load i64, ptr %97, align 8
-  %99 = load ptr, ptr %1, align 8
-  %100 = load ptr, ptr %99, align 8
-  %101 = getelementptr inbounds i8, ptr %100, i64 24
-  %102 = load i64, ptr %101, align 8
-  %103 = load ptr, ptr %90, align 8
-  %104 = load ptr, ptr %47, align 8
-  %105 = load ptr, ptr %104, align 8
-  %106 = getelementptr inbounds i8, ptr %105, i64 16
-  %107 = load i64, ptr %106, align 8
-  tail call fastcc void @nested(ptr noundef %88, ptr noundef %94, ptr noundef %96, i64 noundef %98, i64 noundef %102, ptr noundef %103, i64 noundef %107) #8
-  %108 = fmul double %84, %3
-  %109 = fadd double %108, %2
-  %110 = load ptr, ptr %54, align 8
-  store double %109, ptr %110, align 8
-  %111 = load i64, ptr %56, align 8
-  %112 = icmp sgt i64 %111, 0
-  br i1 %112, label %113, label %114
+93:                                               ; preds = %86
+  %94 = load ptr, ptr %29, align 8
+  %95 = load ptr, ptr %31, align 8
+  %96 = getelementptr inbounds i8, ptr %95, i64 96
+  %97 = load ptr, ptr %96, align 8
+  %98 = insertelement <8 x double> poison, double %90, i64 0
+  %99 = shufflevector <8 x double> %98, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %99, ptr %97, align 8
+  %100 = load ptr, ptr %95, align 8
+  %101 = getelementptr inbounds i8, ptr %95, i64 192
+  %102 = load ptr, ptr %101, align 8
+  %103 = getelementptr inbounds i8, ptr %95, i64 8
+  %104 = load i64, ptr %103, align 8
+  %105 = load ptr, ptr %1, align 8
+  %106 = load ptr, ptr %105, align 8
+  %107 = getelementptr inbounds i8, ptr %106, i64 24
+  %108 = load i64, ptr %107, align 8
+  %109 = load ptr, ptr %96, align 8
+  %110 = load ptr, ptr %47, align 8
+  %111 = load ptr, ptr %110, align 8
+  %112 = getelementptr inbounds i8, ptr %111, i64 16
+  %113 = load i64, ptr %112, align 8
+  tail call fastcc void @nested(ptr noundef %94, ptr noundef %100, ptr noundef %102, i64 noundef %104, i64 noundef %108, ptr noundef %109, i64 noundef %113) #8
+  %114 = fmul double %90, %3
+  %115 = fadd double %114, %2
+  %116 = load ptr, ptr %54, align 8
+  store double %115, ptr %116, align 8
+  %117 = load ptr, ptr %28, align 8
+  %118 = getelementptr inbounds i8, ptr %117, i64 40
+  %119 = load i64, ptr %118, align 8
+  %120 = icmp eq i64 %119, 0
+  br i1 %120, label %122, label %121
 
-113:                                              ; preds = %87
+121:                                              ; preds = %93
+  tail call fastcc void @settle(ptr noundef nonnull %28) #8
+  br label %122
+
+122:                                              ; preds = %121, %93
+  %123 = load i64, ptr %62, align 8
+  %124 = icmp sgt i64 %123, 0
+  br i1 %124, label %125, label %126
+
+125:                                              ; preds = %122
   tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %114
+  br label %126
 
-114:                                              ; preds = %87, %113
-  %115 = load ptr, ptr %8, align 8
-  %116 = load i64, ptr %115, align 8
-  %117 = load ptr, ptr %63, align 8
-  %118 = load ptr, ptr %29, align 8
-  %119 = load ptr, ptr %66, align 8
-  %120 = load ptr, ptr %68, align 8
-  %121 = load ptr, ptr %14, align 8
-  %122 = getelementptr inbounds i8, ptr %115, i64 8
-  %123 = load i64, ptr %122, align 8
-  %124 = getelementptr inbounds double, ptr %121, i64 %123
-  %125 = inttoptr i64 %116 to ptr
-  %126 = load ptr, ptr %125, align 8
-  %127 = tail call i32 %126(ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %120, ptr noundef %124) #9
-  %128 = load double, ptr %20, align 8
-  %129 = fmul double %128, %13
-  %130 = fcmp ogt double %129, 0.000000e+00
-  br i1 %130, label %131, label %80, !llvm.loop !30
+126:                                              ; preds = %122, %125
+  %127 = load ptr, ptr %8, align 8
+  %128 = load i64, ptr %127, align 8
+  %129 = load ptr, ptr %69, align 8
+  %130 = load ptr, ptr %29, align 8
+  %131 = load ptr, ptr %72, align 8
+  %132 = load ptr, ptr %74, align 8
+  %133 = load ptr, ptr %14, align 8
+  %134 = getelementptr inbounds i8, ptr %127, i64 8
+  %135 = load i64, ptr %134, align 8
+  %136 = getelementptr inbounds double, ptr %133, i64 %135
+  %137 = inttoptr i64 %128 to ptr
+  %138 = load ptr, ptr %137, align 8
+  %139 = tail call i32 %138(ptr noundef %129, ptr noundef %130, ptr noundef %131, ptr noundef %132, ptr noundef %136) #9
+  %140 = load double, ptr %20, align 8
+  %141 = fmul double %140, %13
+  %142 = fcmp ogt double %141, 0.000000e+00
+  br i1 %142, label %143, label %86, !llvm.loop !30
 
-131:                                              ; preds = %114, %80
-  %132 = phi double [ %4, %80 ], [ %84, %114 ]
-  br i1 %86, label %133, label %196
+143:                                              ; preds = %126, %86
+  %144 = phi double [ %4, %86 ], [ %90, %126 ]
+  br i1 %92, label %145, label %214
 
-133:                                              ; preds = %131, %60
-  %134 = phi double [ %5, %60 ], [ %81, %131 ]
-  %135 = phi double [ %4, %60 ], [ %132, %131 ]
-  br label %136
+145:                                              ; preds = %143, %66
+  %146 = phi double [ %5, %66 ], [ %87, %143 ]
+  %147 = phi double [ %4, %66 ], [ %144, %143 ]
+  br label %148
 
-136:                                              ; preds = %133, %193
-  %137 = phi double [ %194, %193 ], [ %134, %133 ]
-  %138 = phi double [ %195, %193 ], [ %135, %133 ]
-  %139 = fsub double %137, %138
-  %140 = fcmp ogt double %139, %27
-  br i1 %140, label %141, label %196
+148:                                              ; preds = %145, %211
+  %149 = phi double [ %212, %211 ], [ %146, %145 ]
+  %150 = phi double [ %213, %211 ], [ %147, %145 ]
+  %151 = fsub double %149, %150
+  %152 = fcmp ogt double %151, %27
+  br i1 %152, label %153, label %214
 
-141:                                              ; preds = %136
-  %142 = fmul double %139, 5.000000e-01
-  %143 = fadd double %138, %142
-  %144 = fcmp une double %143, %138
-  %145 = fcmp une double %143, %137
-  %146 = and i1 %144, %145
-  br i1 %146, label %147, label %193
+153:                                              ; preds = %148
+  %154 = fmul double %151, 5.000000e-01
+  %155 = fadd double %150, %154
+  %156 = fcmp une double %155, %150
+  %157 = fcmp une double %155, %149
+  %158 = and i1 %156, %157
+  br i1 %158, label %159, label %211
 
-147:                                              ; preds = %141
-  %148 = load ptr, ptr %29, align 8
-  %149 = load ptr, ptr %31, align 8
-  %150 = getelementptr inbounds i8, ptr %149, i64 96
-  %151 = load ptr, ptr %150, align 8
-  %152 = insertelement <8 x double> poison, double %143, i64 0
-  %153 = shufflevector <8 x double> %152, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %153, ptr %151, align 8
-  %154 = load ptr, ptr %149, align 8
-  %155 = getelementptr inbounds i8, ptr %149, i64 192
-  %156 = load ptr, ptr %155, align 8
-  %157 = getelementptr inbounds i8, ptr %149, i64 8
-  %158 = load i64, ptr %157, align 8
-  %159 = load ptr, ptr %1, align 8
-  %160 = load ptr, ptr %159, align 8
-  %161 = getelementptr inbounds i8, ptr %160, i64 24
-  %162 = load i64, ptr %161, align 8
-  %163 = load ptr, ptr %150, align 8
-  %164 = load ptr, ptr %47, align 8
-  %165 = load ptr, ptr %164, align 8
-  %166 = getelementptr inbounds i8, ptr %165, i64 16
-  %167 = load i64, ptr %166, align 8
-  tail call fastcc void @nested(ptr noundef %148, ptr noundef %154, ptr noundef %156, i64 noundef %158, i64 noundef %162, ptr noundef %163, i64 noundef %167) #8
-  %168 = fmul double %143, %3
-  %169 = fadd double %168, %2
-  %170 = load ptr, ptr %54, align 8
-  store double %169, ptr %170, align 8
-  %171 = load i64, ptr %56, align 8
-  %172 = icmp sgt i64 %171, 0
-  br i1 %172, label %173, label %174
+159:                                              ; preds = %153
+  %160 = load ptr, ptr %29, align 8
+  %161 = load ptr, ptr %31, align 8
+  %162 = getelementptr inbounds i8, ptr %161, i64 96
+  %163 = load ptr, ptr %162, align 8
+  %164 = insertelement <8 x double> poison, double %155, i64 0
+  %165 = shufflevector <8 x double> %164, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %165, ptr %163, align 8
+  %166 = load ptr, ptr %161, align 8
+  %167 = getelementptr inbounds i8, ptr %161, i64 192
+  %168 = load ptr, ptr %167, align 8
+  %169 = getelementptr inbounds i8, ptr %161, i64 8
+  %170 = load i64, ptr %169, align 8
+  %171 = load ptr, ptr %1, align 8
+  %172 = load ptr, ptr %171, align 8
+  %173 = getelementptr inbounds i8, ptr %172, i64 24
+  %174 = load i64, ptr %173, align 8
+  %175 = load ptr, ptr %162, align 8
+  %176 = load ptr, ptr %47, align 8
+  %177 = load ptr, ptr %176, align 8
+  %178 = getelementptr inbounds i8, ptr %177, i64 16
+  %179 = load i64, ptr %178, align 8
+  tail call fastcc void @nested(ptr noundef %160, ptr noundef %166, ptr noundef %168, i64 noundef %170, i64 noundef %174, ptr noundef %175, i64 noundef %179) #8
+  %180 = fmul double %155, %3
+  %181 = fadd double %180, %2
+  %182 = load ptr, ptr %54, align 8
+  store double %181, ptr %182, align 8
+  %183 = load ptr, ptr %28, align 8
+  %184 = getelementptr inbounds i8, ptr %183, i64 40
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp eq i64 %185, 0
+  br i1 %186, label %188, label %187
 
-173:                                              ; preds = %147
+187:                                              ; preds = %159
+  tail call fastcc void @settle(ptr noundef nonnull %28) #8
+  br label %188
+
+188:                                              ; preds = %187, %159
+  %189 = load i64, ptr %62, align 8
+  %190 = icmp sgt i64 %189, 0
+  br i1 %190, label %191, label %192
+
+191:                                              ; preds = %188
   tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %174
+  br label %192
 
-174:                                              ; preds = %147, %173
-  %175 = load ptr, ptr %8, align 8
-  %176 = load i64, ptr %175, align 8
-  %177 = load ptr, ptr %63, align 8
-  %178 = load ptr, ptr %29, align 8
-  %179 = load ptr, ptr %66, align 8
-  %180 = load ptr, ptr %68, align 8
-  %181 = load ptr, ptr %14, align 8
-  %182 = getelementptr inbounds i8, ptr %175, i64 8
-  %183 = load i64, ptr %182, align 8
-  %184 = getelementptr inbounds double, ptr %181, i64 %183
-  %185 = inttoptr i64 %176 to ptr
-  %186 = load ptr, ptr %185, align 8
-  %187 = tail call i32 %186(ptr noundef %177, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %184) #9
-  %188 = load double, ptr %20, align 8
-  %189 = fmul double %188, %13
-  %190 = fcmp ogt double %189, 0.000000e+00
-  %191 = select i1 %190, double %137, double %143
-  %192 = select i1 %190, double %143, double %138
-  br label %193
+192:                                              ; preds = %188, %191
+  %193 = load ptr, ptr %8, align 8
+  %194 = load i64, ptr %193, align 8
+  %195 = load ptr, ptr %69, align 8
+  %196 = load ptr, ptr %29, align 8
+  %197 = load ptr, ptr %72, align 8
+  %198 = load ptr, ptr %74, align 8
+  %199 = load ptr, ptr %14, align 8
+  %200 = getelementptr inbounds i8, ptr %193, i64 8
+  %201 = load i64, ptr %200, align 8
+  %202 = getelementptr inbounds double, ptr %199, i64 %201
+  %203 = inttoptr i64 %194 to ptr
+  %204 = load ptr, ptr %203, align 8
+  %205 = tail call i32 %204(ptr noundef %195, ptr noundef %196, ptr noundef %197, ptr noundef %198, ptr noundef %202) #9
+  %206 = load double, ptr %20, align 8
+  %207 = fmul double %206, %13
+  %208 = fcmp ogt double %207, 0.000000e+00
+  %209 = select i1 %208, double %149, double %155
+  %210 = select i1 %208, double %155, double %150
+  br label %211
 
-193:                                              ; preds = %141, %174
-  %194 = phi double [ %191, %174 ], [ %137, %141 ]
-  %195 = phi double [ %192, %174 ], [ %138, %141 ]
-  br i1 %146, label %136, label %196
+211:                                              ; preds = %153, %192
+  %212 = phi double [ %209, %192 ], [ %149, %153 ]
+  %213 = phi double [ %210, %192 ], [ %150, %153 ]
+  br i1 %158, label %148, label %214
 
-196:                                              ; preds = %136, %193, %131
-  %197 = phi double [ %4, %131 ], [ %194, %193 ], [ %137, %136 ]
-  ret double %197
+214:                                              ; preds = %148, %211, %143
+  %215 = phi double [ %4, %143 ], [ %212, %211 ], [ %149, %148 ]
+  ret double %215
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
@@ -2213,6 +2345,73 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #5 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !33
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
+  ret void
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
@@ -2288,7 +2487,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !33
+  br i1 %60, label %49, label %61, !llvm.loop !34
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -2320,7 +2519,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !34
+  br i1 %88, label %14, label %13, !llvm.loop !35
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -2352,7 +2551,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %32 = and i1 %30, %31
   %33 = fcmp ogt double %29, 0.000000e+00
   %34 = and i1 %32, %33
-  br i1 %34, label %35, label %211
+  br i1 %34, label %35, label %217
 
 35:                                               ; preds = %8
   %36 = fcmp ogt double %26, %29
@@ -2377,34 +2576,34 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
   %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
-  %58 = getelementptr inbounds i8, ptr %0, i64 1032
-  %59 = getelementptr inbounds i8, ptr %1, i64 16
-  %60 = getelementptr inbounds i8, ptr %1, i64 8
-  %61 = getelementptr inbounds i8, ptr %0, i64 168
-  %62 = getelementptr inbounds i8, ptr %0, i64 248
-  %63 = getelementptr inbounds i8, ptr %0, i64 144
+  %58 = getelementptr inbounds i8, ptr %0, i64 144
+  %59 = getelementptr inbounds i8, ptr %0, i64 1032
+  %60 = getelementptr inbounds i8, ptr %1, i64 16
+  %61 = getelementptr inbounds i8, ptr %1, i64 8
+  %62 = getelementptr inbounds i8, ptr %0, i64 168
+  %63 = getelementptr inbounds i8, ptr %0, i64 248
   %64 = getelementptr inbounds i8, ptr %0, i64 168
   %65 = getelementptr inbounds i8, ptr %0, i64 192
   %66 = getelementptr inbounds i8, ptr %0, i64 792
   %67 = fmul double %39, 0xBCE0000000000000
   br label %72
 
-68:                                               ; preds = %198
+68:                                               ; preds = %204
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %208, label %72, !llvm.loop !35
+  br i1 %71, label %214, label %72, !llvm.loop !36
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
-  %74 = phi double [ undef, %35 ], [ %207, %68 ]
-  %75 = phi double [ %50, %35 ], [ %206, %68 ]
-  %76 = phi double [ %46, %35 ], [ %205, %68 ]
-  %77 = phi double [ %43, %35 ], [ %204, %68 ]
-  %78 = phi double [ 0x7FF0000000000000, %35 ], [ %203, %68 ]
-  %79 = phi double [ %24, %35 ], [ %202, %68 ]
-  %80 = phi double [ %26, %35 ], [ %201, %68 ]
-  %81 = phi double [ %29, %35 ], [ %200, %68 ]
+  %74 = phi double [ undef, %35 ], [ %213, %68 ]
+  %75 = phi double [ %50, %35 ], [ %212, %68 ]
+  %76 = phi double [ %46, %35 ], [ %211, %68 ]
+  %77 = phi double [ %43, %35 ], [ %210, %68 ]
+  %78 = phi double [ 0x7FF0000000000000, %35 ], [ %209, %68 ]
+  %79 = phi double [ %24, %35 ], [ %208, %68 ]
+  %80 = phi double [ %26, %35 ], [ %207, %68 ]
+  %81 = phi double [ %29, %35 ], [ %206, %68 ]
   %82 = phi i32 [ 0, %35 ], [ %69, %68 ]
   %83 = fsub double %80, %79
   %84 = fsub double %76, %75
@@ -2421,7 +2620,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %95 = fdiv double %94, %91
   %96 = fsub double %76, %95
   %97 = fcmp ogt double %91, 0.000000e+00
-  br i1 %97, label %98, label %198
+  br i1 %97, label %98, label %204
 
 98:                                               ; preds = %72
   %99 = fsub double %96, %76
@@ -2429,7 +2628,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %101 = fadd double %80, %100
   %102 = fmul double %78, 2.000000e+00
   %103 = fcmp ugt double %101, %102
-  br i1 %103, label %198, label %104
+  br i1 %103, label %204, label %104
 
 104:                                              ; preds = %98
   br i1 %51, label %105, label %107
@@ -2455,7 +2654,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %115 = fcmp ult double %96, %108
   %116 = fcmp ugt double %96, %112
   %117 = select i1 %115, i1 true, i1 %116
-  br i1 %117, label %198, label %118
+  br i1 %117, label %204, label %118
 
 118:                                              ; preds = %114, %111
   %119 = fcmp ugt double %96, %75
@@ -2483,11 +2682,11 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %135 = or i1 %133, %134
   %136 = fcmp oeq double %127, %76
   %137 = or i1 %135, %136
-  br i1 %137, label %198, label %138
+  br i1 %137, label %204, label %138
 
 138:                                              ; preds = %126
-  %139 = load ptr, ptr %58, align 8
-  %140 = load ptr, ptr %59, align 8
+  %139 = load ptr, ptr %59, align 8
+  %140 = load ptr, ptr %60, align 8
   %141 = getelementptr inbounds i8, ptr %140, i64 96
   %142 = load ptr, ptr %141, align 8
   %143 = insertelement <8 x double> poison, double %127, i64 0
@@ -2503,90 +2702,101 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %152 = getelementptr inbounds i8, ptr %151, i64 24
   %153 = load i64, ptr %152, align 8
   %154 = load ptr, ptr %141, align 8
-  %155 = load ptr, ptr %60, align 8
+  %155 = load ptr, ptr %61, align 8
   %156 = load ptr, ptr %155, align 8
   %157 = getelementptr inbounds i8, ptr %156, i64 16
   %158 = load i64, ptr %157, align 8
   tail call fastcc void @nested(ptr noundef %139, ptr noundef %145, ptr noundef %147, i64 noundef %149, i64 noundef %153, ptr noundef %154, i64 noundef %158) #8
   %159 = fmul double %127, %3
   %160 = fadd double %159, %2
-  %161 = load ptr, ptr %61, align 8
+  %161 = load ptr, ptr %62, align 8
   store double %160, ptr %161, align 8
-  %162 = load i64, ptr %62, align 8
-  %163 = icmp sgt i64 %162, 0
-  br i1 %163, label %164, label %165
+  %162 = load ptr, ptr %58, align 8
+  %163 = getelementptr inbounds i8, ptr %162, i64 40
+  %164 = load i64, ptr %163, align 8
+  %165 = icmp eq i64 %164, 0
+  br i1 %165, label %167, label %166
 
-164:                                              ; preds = %138
-  tail call fastcc void @sample(ptr noundef nonnull %63) #8
-  br label %165
+166:                                              ; preds = %138
+  tail call fastcc void @settle(ptr noundef nonnull %58) #8
+  br label %167
 
-165:                                              ; preds = %138, %164
-  %166 = load ptr, ptr %9, align 8
-  %167 = load i64, ptr %166, align 8
-  %168 = load ptr, ptr %64, align 8
-  %169 = load ptr, ptr %58, align 8
-  %170 = load ptr, ptr %65, align 8
-  %171 = load ptr, ptr %66, align 8
-  %172 = load ptr, ptr %13, align 8
-  %173 = inttoptr i64 %167 to ptr
-  %174 = load ptr, ptr %173, align 8
-  %175 = tail call i32 %174(ptr noundef %168, ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172) #9
-  %176 = icmp slt i32 %175, 0
-  br i1 %176, label %198, label %177
+167:                                              ; preds = %166, %138
+  %168 = load i64, ptr %63, align 8
+  %169 = icmp sgt i64 %168, 0
+  br i1 %169, label %170, label %171
 
-177:                                              ; preds = %165
-  %178 = load double, ptr %15, align 8
-  %179 = fmul double %178, %5
-  %180 = fcmp olt double %179, 0.000000e+00
-  br i1 %180, label %181, label %184
+170:                                              ; preds = %167
+  tail call fastcc void @sample(ptr noundef nonnull %58) #8
+  br label %171
 
-181:                                              ; preds = %177
-  %182 = fcmp olt double %179, %67
-  %183 = select i1 %182, double %127, double 2.000000e+00
-  br label %198
+171:                                              ; preds = %167, %170
+  %172 = load ptr, ptr %9, align 8
+  %173 = load i64, ptr %172, align 8
+  %174 = load ptr, ptr %64, align 8
+  %175 = load ptr, ptr %59, align 8
+  %176 = load ptr, ptr %65, align 8
+  %177 = load ptr, ptr %66, align 8
+  %178 = load ptr, ptr %13, align 8
+  %179 = inttoptr i64 %173 to ptr
+  %180 = load ptr, ptr %179, align 8
+  %181 = tail call i32 %180(ptr noundef %174, ptr noundef %175, ptr noundef %176, ptr noundef %177, ptr noundef %178) #9
+  %182 = icmp slt i32 %181, 0
+  br i1 %182, label %204, label %183
 
-184:                                              ; preds = %177
-  %185 = fsub double %179, %132
-  %186 = tail call double @llvm.fabs.f64(double %185)
-  %187 = fcmp uge double %127, %76
-  %188 = fcmp ugt double %179, %80
-  %189 = or i1 %187, %188
-  br i1 %189, label %190, label %198
+183:                                              ; preds = %171
+  %184 = load double, ptr %15, align 8
+  %185 = fmul double %184, %5
+  %186 = fcmp olt double %185, 0.000000e+00
+  br i1 %186, label %187, label %190
 
-190:                                              ; preds = %184
-  br i1 %187, label %191, label %198
+187:                                              ; preds = %183
+  %188 = fcmp olt double %185, %67
+  %189 = select i1 %188, double %127, double 2.000000e+00
+  br label %204
 
-191:                                              ; preds = %190
-  %192 = select i1 %188, double %179, double %81
-  %193 = select i1 %188, double %80, double %179
-  %194 = select i1 %188, double %79, double %80
-  %195 = select i1 %188, double %127, double %77
-  %196 = select i1 %188, double %76, double %127
-  %197 = select i1 %188, double %75, double %76
-  br label %198
+190:                                              ; preds = %183
+  %191 = fsub double %185, %132
+  %192 = tail call double @llvm.fabs.f64(double %191)
+  %193 = fcmp uge double %127, %76
+  %194 = fcmp ugt double %185, %80
+  %195 = or i1 %193, %194
+  br i1 %195, label %196, label %204
 
-198:                                              ; preds = %114, %181, %191, %190, %184, %165, %126, %72, %98
-  %199 = phi i1 [ false, %98 ], [ false, %72 ], [ false, %114 ], [ false, %126 ], [ false, %165 ], [ false, %181 ], [ true, %191 ], [ true, %190 ], [ true, %184 ]
-  %200 = phi double [ %81, %98 ], [ %81, %72 ], [ %81, %114 ], [ %81, %126 ], [ %81, %165 ], [ %81, %181 ], [ %192, %191 ], [ %81, %190 ], [ %80, %184 ]
-  %201 = phi double [ %80, %98 ], [ %80, %72 ], [ %80, %114 ], [ %80, %126 ], [ %80, %165 ], [ %80, %181 ], [ %193, %191 ], [ %80, %190 ], [ %179, %184 ]
-  %202 = phi double [ %79, %98 ], [ %79, %72 ], [ %79, %114 ], [ %79, %126 ], [ %79, %165 ], [ %79, %181 ], [ %194, %191 ], [ %179, %190 ], [ %79, %184 ]
-  %203 = phi double [ %78, %98 ], [ %78, %72 ], [ %78, %114 ], [ %78, %126 ], [ %78, %165 ], [ %78, %181 ], [ %186, %191 ], [ %186, %190 ], [ %186, %184 ]
-  %204 = phi double [ %77, %98 ], [ %77, %72 ], [ %77, %114 ], [ %77, %126 ], [ %77, %165 ], [ %77, %181 ], [ %195, %191 ], [ %77, %190 ], [ %76, %184 ]
-  %205 = phi double [ %76, %98 ], [ %76, %72 ], [ %76, %114 ], [ %76, %126 ], [ %76, %165 ], [ %76, %181 ], [ %196, %191 ], [ %76, %190 ], [ %127, %184 ]
-  %206 = phi double [ %75, %98 ], [ %75, %72 ], [ %75, %114 ], [ %75, %126 ], [ %75, %165 ], [ %75, %181 ], [ %197, %191 ], [ %127, %190 ], [ %75, %184 ]
-  %207 = phi double [ 2.000000e+00, %98 ], [ 2.000000e+00, %72 ], [ 2.000000e+00, %114 ], [ 2.000000e+00, %126 ], [ -4.000000e+00, %165 ], [ %183, %181 ], [ %74, %191 ], [ %74, %190 ], [ %74, %184 ]
-  br i1 %199, label %68, label %208
+196:                                              ; preds = %190
+  br i1 %193, label %197, label %204
 
-208:                                              ; preds = %68, %198
-  %209 = phi i1 [ %70, %68 ], [ %73, %198 ]
-  br i1 %209, label %210, label %211
+197:                                              ; preds = %196
+  %198 = select i1 %194, double %185, double %81
+  %199 = select i1 %194, double %80, double %185
+  %200 = select i1 %194, double %79, double %80
+  %201 = select i1 %194, double %127, double %77
+  %202 = select i1 %194, double %76, double %127
+  %203 = select i1 %194, double %75, double %76
+  br label %204
 
-210:                                              ; preds = %208
-  br label %211
+204:                                              ; preds = %114, %187, %197, %196, %190, %171, %126, %72, %98
+  %205 = phi i1 [ false, %98 ], [ false, %72 ], [ false, %114 ], [ false, %126 ], [ false, %171 ], [ false, %187 ], [ true, %197 ], [ true, %196 ], [ true, %190 ]
+  %206 = phi double [ %81, %98 ], [ %81, %72 ], [ %81, %114 ], [ %81, %126 ], [ %81, %171 ], [ %81, %187 ], [ %198, %197 ], [ %81, %196 ], [ %80, %190 ]
+  %207 = phi double [ %80, %98 ], [ %80, %72 ], [ %80, %114 ], [ %80, %126 ], [ %80, %171 ], [ %80, %187 ], [ %199, %197 ], [ %80, %196 ], [ %185, %190 ]
+  %208 = phi double [ %79, %98 ], [ %79, %72 ], [ %79, %114 ], [ %79, %126 ], [ %79, %171 ], [ %79, %187 ], [ %200, %197 ], [ %185, %196 ], [ %79, %190 ]
+  %209 = phi double [ %78, %98 ], [ %78, %72 ], [ %78, %114 ], [ %78, %126 ], [ %78, %171 ], [ %78, %187 ], [ %192, %197 ], [ %192, %196 ], [ %192, %190 ]
+  %210 = phi double [ %77, %98 ], [ %77, %72 ], [ %77, %114 ], [ %77, %126 ], [ %77, %171 ], [ %77, %187 ], [ %201, %197 ], [ %77, %196 ], [ %76, %190 ]
+  %211 = phi double [ %76, %98 ], [ %76, %72 ], [ %76, %114 ], [ %76, %126 ], [ %76, %171 ], [ %76, %187 ], [ %202, %197 ], [ %76, %196 ], [ %127, %190 ]
+  %212 = phi double [ %75, %98 ], [ %75, %72 ], [ %75, %114 ], [ %75, %126 ], [ %75, %171 ], [ %75, %187 ], [ %203, %197 ], [ %127, %196 ], [ %75, %190 ]
+  %213 = phi double [ 2.000000e+00, %98 ], [ 2.000000e+00, %72 ], [ 2.000000e+00, %114 ], [ 2.000000e+00, %126 ], [ -4.000000e+00, %171 ], [ %189, %187 ], [ %74, %197 ], [ %74, %196 ], [ %74, %190 ]
+  br i1 %205, label %68, label %214
 
-211:                                              ; preds = %8, %208, %210
-  %212 = phi double [ 2.000000e+00, %210 ], [ %207, %208 ], [ 2.000000e+00, %8 ]
-  ret double %212
+214:                                              ; preds = %68, %204
+  %215 = phi i1 [ %70, %68 ], [ %73, %204 ]
+  br i1 %215, label %216, label %217
+
+216:                                              ; preds = %214
+  br label %217
+
+217:                                              ; preds = %8, %214, %216
+  %218 = phi double [ 2.000000e+00, %216 ], [ %213, %214 ], [ 2.000000e+00, %8 ]
+  ret double %218
 }
 
 declare i32 @llvm.smin.i32(i32, i32) #6
@@ -2639,3 +2849,4 @@ attributes #9 = { nounwind }
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
+!36 = distinct !{!36, !4, !5}

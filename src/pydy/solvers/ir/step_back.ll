@@ -1,4 +1,4 @@
-; sources be9c341e3431d8515dc9da03167b66113a00d6df6da93ad6f823dc986473a2dc
+; sources 650da6d42191fd4a79e00c177e3ff72485aa79defc689b036112793aae2c5384
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
@@ -41,11 +41,11 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
   %39 = getelementptr inbounds i8, ptr %1, i64 336
   %40 = icmp sgt i64 %8, 0
   %41 = getelementptr inbounds i8, ptr %1, i64 360
-  %42 = getelementptr inbounds i8, ptr %0, i64 312
-  %43 = getelementptr inbounds i8, ptr %0, i64 320
+  %42 = getelementptr inbounds i8, ptr %0, i64 320
+  %43 = getelementptr inbounds i8, ptr %0, i64 312
   %44 = getelementptr inbounds i8, ptr %0, i64 336
-  %45 = getelementptr inbounds i8, ptr %1, i64 168
-  %46 = getelementptr inbounds i8, ptr %1, i64 176
+  %45 = getelementptr inbounds i8, ptr %1, i64 176
+  %46 = getelementptr inbounds i8, ptr %1, i64 168
   %47 = getelementptr inbounds i8, ptr %1, i64 192
   %48 = getelementptr inbounds i8, ptr %0, i64 528
   %49 = getelementptr inbounds i8, ptr %0, i64 168
@@ -94,12 +94,12 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
   %92 = getelementptr double, ptr %31, i64 %91
   br label %93
 
-93:                                               ; preds = %476, %2
-  %94 = phi i64 [ %38, %2 ], [ %96, %476 ]
-  %95 = phi i64 [ undef, %2 ], [ %477, %476 ]
+93:                                               ; preds = %498, %2
+  %94 = phi i64 [ %38, %2 ], [ %96, %498 ]
+  %95 = phi i64 [ undef, %2 ], [ %499, %498 ]
   %96 = add nsw i64 %94, -1
   %97 = icmp slt i64 %94, 1
-  br i1 %97, label %478, label %98
+  br i1 %97, label %500, label %98
 
 98:                                               ; preds = %93
   %99 = load ptr, ptr %36, align 8
@@ -112,509 +112,550 @@ define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
 
 105:                                              ; preds = %98
   %106 = mul nsw i64 %96, %8
-  br label %185
+  br label %195
 
-107:                                              ; preds = %185, %98
-  %108 = load ptr, ptr %42, align 8
-  %109 = load i64, ptr %43, align 8
-  %110 = icmp eq i64 %109, 0
-  br i1 %110, label %137, label %111
+107:                                              ; preds = %195, %98
+  %108 = load i64, ptr %42, align 8
+  %109 = icmp eq i64 %108, 0
+  br i1 %109, label %139, label %110
 
-111:                                              ; preds = %107
-  %112 = icmp sgt i64 %109, 0
-  br i1 %112, label %113, label %126
+110:                                              ; preds = %107
+  %111 = icmp sgt i64 %108, 0
+  br i1 %111, label %112, label %127
 
-113:                                              ; preds = %111, %113
-  %114 = phi i64 [ %124, %113 ], [ %109, %111 ]
-  %115 = phi i64 [ %123, %113 ], [ 0, %111 ]
-  %116 = add nuw nsw i64 %114, %115
-  %117 = lshr i64 %116, 1
-  %118 = and i64 %116, -2
-  %119 = getelementptr inbounds double, ptr %108, i64 %118
-  %120 = load double, ptr %119, align 8
-  %121 = fcmp ogt double %120, %101
-  %122 = add nuw nsw i64 %117, 1
-  %123 = select i1 %121, i64 %115, i64 %122
-  %124 = select i1 %121, i64 %117, i64 %114
-  %125 = icmp slt i64 %123, %124
-  br i1 %125, label %113, label %126, !llvm.loop !3
+112:                                              ; preds = %110
+  %113 = load ptr, ptr %43, align 8
+  br label %114
 
-126:                                              ; preds = %113, %111
-  %127 = phi i64 [ 0, %111 ], [ %123, %113 ]
-  %128 = icmp slt i64 %127, %109
-  br i1 %128, label %129, label %134
+114:                                              ; preds = %112, %114
+  %115 = phi i64 [ 0, %112 ], [ %125, %114 ]
+  %116 = phi i64 [ %108, %112 ], [ %124, %114 ]
+  %117 = add nuw nsw i64 %115, %116
+  %118 = lshr i64 %117, 1
+  %119 = mul i64 %118, 24
+  %120 = getelementptr inbounds i8, ptr %113, i64 %119
+  %121 = load double, ptr %120, align 8
+  %122 = fcmp ogt double %121, %101
+  %123 = add nuw nsw i64 %118, 1
+  %124 = select i1 %122, i64 %118, i64 %116
+  %125 = select i1 %122, i64 %115, i64 %123
+  %126 = icmp slt i64 %125, %124
+  br i1 %126, label %114, label %127, !llvm.loop !3
 
-129:                                              ; preds = %126
-  %130 = shl nuw nsw i64 %127, 1
-  %131 = or disjoint i64 %130, 1
-  %132 = getelementptr inbounds double, ptr %108, i64 %131
-  %133 = load double, ptr %132, align 8
-  br label %134
+127:                                              ; preds = %114, %110
+  %128 = phi i64 [ 0, %110 ], [ %125, %114 ]
+  %129 = icmp slt i64 %128, %108
+  br i1 %129, label %130, label %136
 
-134:                                              ; preds = %129, %126
-  %135 = phi double [ %133, %129 ], [ 0x7FF0000000000000, %126 ]
-  %136 = load ptr, ptr %44, align 8
-  store double %135, ptr %136, align 8
-  br label %137
+130:                                              ; preds = %127
+  %131 = load ptr, ptr %43, align 8
+  %132 = mul i64 %128, 24
+  %133 = getelementptr inbounds i8, ptr %131, i64 %132
+  %134 = getelementptr inbounds i8, ptr %133, i64 8
+  %135 = load double, ptr %134, align 8
+  br label %136
 
-137:                                              ; preds = %134, %107
-  %138 = load ptr, ptr %45, align 8
-  %139 = load i64, ptr %46, align 8
-  %140 = icmp eq i64 %139, 0
-  br i1 %140, label %167, label %141
+136:                                              ; preds = %130, %127
+  %137 = phi double [ %135, %130 ], [ 0x7FF0000000000000, %127 ]
+  %138 = load ptr, ptr %44, align 8
+  store double %137, ptr %138, align 8
+  br label %139
 
-141:                                              ; preds = %137
-  %142 = icmp sgt i64 %139, 0
-  br i1 %142, label %143, label %156
+139:                                              ; preds = %136, %107
+  %140 = load i64, ptr %45, align 8
+  %141 = icmp eq i64 %140, 0
+  br i1 %141, label %171, label %142
 
-143:                                              ; preds = %141, %143
-  %144 = phi i64 [ %154, %143 ], [ %139, %141 ]
-  %145 = phi i64 [ %153, %143 ], [ 0, %141 ]
-  %146 = add nuw nsw i64 %144, %145
-  %147 = lshr i64 %146, 1
-  %148 = and i64 %146, -2
-  %149 = getelementptr inbounds double, ptr %138, i64 %148
-  %150 = load double, ptr %149, align 8
-  %151 = fcmp ogt double %150, %101
-  %152 = add nuw nsw i64 %147, 1
-  %153 = select i1 %151, i64 %145, i64 %152
-  %154 = select i1 %151, i64 %147, i64 %144
-  %155 = icmp slt i64 %153, %154
-  br i1 %155, label %143, label %156, !llvm.loop !3
+142:                                              ; preds = %139
+  %143 = icmp sgt i64 %140, 0
+  br i1 %143, label %144, label %159
 
-156:                                              ; preds = %143, %141
-  %157 = phi i64 [ 0, %141 ], [ %153, %143 ]
-  %158 = icmp slt i64 %157, %139
-  br i1 %158, label %159, label %164
+144:                                              ; preds = %142
+  %145 = load ptr, ptr %46, align 8
+  br label %146
 
-159:                                              ; preds = %156
-  %160 = shl nuw nsw i64 %157, 1
-  %161 = or disjoint i64 %160, 1
-  %162 = getelementptr inbounds double, ptr %138, i64 %161
-  %163 = load double, ptr %162, align 8
-  br label %164
+146:                                              ; preds = %144, %146
+  %147 = phi i64 [ 0, %144 ], [ %157, %146 ]
+  %148 = phi i64 [ %140, %144 ], [ %156, %146 ]
+  %149 = add nuw nsw i64 %147, %148
+  %150 = lshr i64 %149, 1
+  %151 = mul i64 %150, 24
+  %152 = getelementptr inbounds i8, ptr %145, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = fcmp ogt double %153, %101
+  %155 = add nuw nsw i64 %150, 1
+  %156 = select i1 %154, i64 %150, i64 %148
+  %157 = select i1 %154, i64 %147, i64 %155
+  %158 = icmp slt i64 %157, %156
+  br i1 %158, label %146, label %159, !llvm.loop !3
 
-164:                                              ; preds = %159, %156
-  %165 = phi double [ %163, %159 ], [ 0x7FF0000000000000, %156 ]
-  %166 = load ptr, ptr %47, align 8
-  store double %165, ptr %166, align 8
-  br label %167
+159:                                              ; preds = %146, %142
+  %160 = phi i64 [ 0, %142 ], [ %157, %146 ]
+  %161 = icmp slt i64 %160, %140
+  br i1 %161, label %162, label %168
 
-167:                                              ; preds = %164, %137
-  %168 = load ptr, ptr %4, align 8
-  %169 = load ptr, ptr %48, align 8
-  %170 = load ptr, ptr %49, align 8
-  store double %101, ptr %170, align 8
-  %171 = load i64, ptr %50, align 8
-  %172 = icmp sgt i64 %171, 0
-  br i1 %172, label %173, label %174
+162:                                              ; preds = %159
+  %163 = load ptr, ptr %46, align 8
+  %164 = mul i64 %160, 24
+  %165 = getelementptr inbounds i8, ptr %163, i64 %164
+  %166 = getelementptr inbounds i8, ptr %165, i64 8
+  %167 = load double, ptr %166, align 8
+  br label %168
 
-173:                                              ; preds = %167
-  tail call fastcc void @sample(ptr noundef nonnull %5) #4
-  br label %174
+168:                                              ; preds = %162, %159
+  %169 = phi double [ %167, %162 ], [ 0x7FF0000000000000, %159 ]
+  %170 = load ptr, ptr %47, align 8
+  store double %169, ptr %170, align 8
+  br label %171
 
-174:                                              ; preds = %167, %173
+171:                                              ; preds = %168, %139
+  %172 = load ptr, ptr %4, align 8
+  %173 = load ptr, ptr %48, align 8
+  %174 = load ptr, ptr %49, align 8
+  store double %101, ptr %174, align 8
   %175 = load ptr, ptr %5, align 8
-  %176 = load i64, ptr %175, align 8
-  %177 = load ptr, ptr %49, align 8
-  %178 = load ptr, ptr %51, align 8
-  %179 = load ptr, ptr %52, align 8
-  %180 = inttoptr i64 %176 to ptr
-  %181 = load ptr, ptr %180, align 8
-  %182 = tail call i32 %181(ptr noundef %177, ptr noundef %168, ptr noundef %178, ptr noundef %179, ptr noundef %169) #5
-  %183 = sext i32 %182 to i64
-  %184 = icmp eq i32 %182, 0
-  br i1 %184, label %195, label %350
+  %176 = getelementptr inbounds i8, ptr %175, i64 40
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp eq i64 %177, 0
+  br i1 %178, label %180, label %179
 
-185:                                              ; preds = %105, %185
-  %186 = phi i64 [ 0, %105 ], [ %193, %185 ]
-  %187 = load ptr, ptr %41, align 8
-  %188 = getelementptr double, ptr %187, i64 %106
-  %189 = getelementptr double, ptr %188, i64 %186
-  %190 = load double, ptr %189, align 8
-  %191 = load ptr, ptr %4, align 8
-  %192 = getelementptr inbounds double, ptr %191, i64 %186
-  store double %190, ptr %192, align 8
-  %193 = add nuw nsw i64 %186, 1
-  %194 = icmp eq i64 %193, %8
-  br i1 %194, label %107, label %185, !llvm.loop !6
+179:                                              ; preds = %171
+  tail call fastcc void @settle(ptr noundef nonnull %5) #4
+  br label %180
 
-195:                                              ; preds = %174
-  %196 = load ptr, ptr %53, align 8
-  %197 = getelementptr inbounds i8, ptr %196, i64 24
-  %198 = load ptr, ptr %0, align 8
-  %199 = load i64, ptr %198, align 8
-  %200 = load ptr, ptr %54, align 8
-  %201 = insertelement <8 x double> poison, double %104, i64 0
-  %202 = shufflevector <8 x double> %201, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %202, ptr %200, align 8
-  %203 = icmp sgt i64 %199, 1
-  br i1 %203, label %208, label %293
+180:                                              ; preds = %179, %171
+  %181 = load i64, ptr %50, align 8
+  %182 = icmp sgt i64 %181, 0
+  br i1 %182, label %183, label %184
 
-204:                                              ; preds = %281
-  %205 = add nuw nsw i64 %211, 1
-  %206 = icmp slt i64 %205, %199
-  %207 = icmp eq i64 %205, %199
-  br i1 %207, label %293, label %208, !llvm.loop !7
-
-208:                                              ; preds = %195, %204
-  %209 = phi i1 [ %206, %204 ], [ %203, %195 ]
-  %210 = phi i64 [ %292, %204 ], [ undef, %195 ]
-  %211 = phi i64 [ %205, %204 ], [ 1, %195 ]
-  %212 = load ptr, ptr %55, align 8
-  %213 = load ptr, ptr %4, align 8
-  %214 = load ptr, ptr %5, align 8
-  %215 = getelementptr inbounds i8, ptr %214, i64 16
-  %216 = load i64, ptr %215, align 8
-  %217 = icmp sgt i64 %216, 1
-  %218 = zext i1 %217 to i64
-  %219 = load ptr, ptr %56, align 8
-  %220 = getelementptr inbounds i64, ptr %219, i64 %211
-  %221 = load i64, ptr %220, align 8
-  %222 = getelementptr i8, ptr %220, i64 8
-  %223 = load i64, ptr %222, align 8
-  %224 = xor i64 %221, -1
-  %225 = add i64 %223, %224
-  %226 = load ptr, ptr %54, align 8
-  %227 = load ptr, ptr %57, align 8
-  %228 = load ptr, ptr %58, align 8
-  %229 = getelementptr inbounds i64, ptr %228, i64 %221
-  %230 = load ptr, ptr %59, align 8
-  %231 = getelementptr inbounds double, ptr %230, i64 %221
-  tail call fastcc void @combine(ptr noundef %212, ptr noundef %213, ptr noundef %226, ptr noundef %227, ptr noundef %229, ptr noundef %231, i64 noundef %225, i64 noundef %218, i64 noundef %216) #4
-  %232 = icmp eq i64 %216, 1
-  br i1 %232, label %233, label %264
-
-233:                                              ; preds = %208
-  %234 = load ptr, ptr %56, align 8
-  %235 = getelementptr i64, ptr %234, i64 %211
-  %236 = getelementptr i8, ptr %235, i64 8
-  %237 = load i64, ptr %236, align 8
-  %238 = add nsw i64 %237, -1
-  %239 = load ptr, ptr %59, align 8
-  %240 = getelementptr inbounds double, ptr %239, i64 %238
-  %241 = load double, ptr %240, align 8
-  %242 = fmul double %104, %241
-  %243 = load ptr, ptr %57, align 8
-  %244 = load ptr, ptr %58, align 8
-  %245 = getelementptr inbounds i64, ptr %244, i64 %238
-  %246 = load i64, ptr %245, align 8
-  %247 = getelementptr inbounds double, ptr %243, i64 %246
-  %248 = load ptr, ptr %5, align 8
-  %249 = getelementptr inbounds i8, ptr %248, i64 8
-  %250 = load i64, ptr %249, align 8
-  %251 = icmp sgt i64 %250, 0
-  br i1 %251, label %252, label %264
-
-252:                                              ; preds = %233, %252
-  %253 = phi i64 [ %259, %252 ], [ 0, %233 ]
-  %254 = getelementptr inbounds double, ptr %247, i64 %253
-  %255 = load double, ptr %254, align 8
-  %256 = getelementptr inbounds double, ptr %212, i64 %253
-  %257 = load double, ptr %256, align 8
-  %258 = tail call double @llvm.fma.f64(double %242, double %255, double %257)
-  store double %258, ptr %256, align 8
-  %259 = add nuw nsw i64 %253, 1
-  %260 = load ptr, ptr %5, align 8
-  %261 = getelementptr inbounds i8, ptr %260, i64 8
-  %262 = load i64, ptr %261, align 8
-  %263 = icmp slt i64 %259, %262
-  br i1 %263, label %252, label %264, !llvm.loop !8
-
-264:                                              ; preds = %252, %233, %208
-  %265 = load ptr, ptr %57, align 8
-  %266 = load i64, ptr %60, align 8
-  %267 = mul nsw i64 %266, %211
-  %268 = getelementptr inbounds double, ptr %265, i64 %267
-  %269 = load i64, ptr %197, align 8
-  %270 = add nsw i64 %269, 1
-  store i64 %270, ptr %197, align 8
-  %271 = load ptr, ptr %24, align 8
-  %272 = getelementptr inbounds double, ptr %271, i64 %211
-  %273 = load double, ptr %272, align 8
-  %274 = fmul double %104, %273
-  %275 = fadd double %101, %274
-  %276 = load ptr, ptr %55, align 8
-  %277 = load ptr, ptr %49, align 8
-  store double %275, ptr %277, align 8
-  %278 = load i64, ptr %50, align 8
-  %279 = icmp sgt i64 %278, 0
-  br i1 %279, label %280, label %281
-
-280:                                              ; preds = %264
+183:                                              ; preds = %180
   tail call fastcc void @sample(ptr noundef nonnull %5) #4
-  br label %281
+  br label %184
 
-281:                                              ; preds = %264, %280
-  %282 = load ptr, ptr %5, align 8
-  %283 = load i64, ptr %282, align 8
-  %284 = load ptr, ptr %49, align 8
-  %285 = load ptr, ptr %51, align 8
-  %286 = load ptr, ptr %52, align 8
-  %287 = inttoptr i64 %283 to ptr
-  %288 = load ptr, ptr %287, align 8
-  %289 = tail call i32 %288(ptr noundef %284, ptr noundef %276, ptr noundef %285, ptr noundef %286, ptr noundef %268) #5
-  %290 = sext i32 %289 to i64
-  %291 = icmp eq i32 %289, 0
-  %292 = select i1 %291, i64 %210, i64 %290
-  br i1 %291, label %204, label %293
+184:                                              ; preds = %180, %183
+  %185 = load ptr, ptr %5, align 8
+  %186 = load i64, ptr %185, align 8
+  %187 = load ptr, ptr %49, align 8
+  %188 = load ptr, ptr %51, align 8
+  %189 = load ptr, ptr %52, align 8
+  %190 = inttoptr i64 %186 to ptr
+  %191 = load ptr, ptr %190, align 8
+  %192 = tail call i32 %191(ptr noundef %187, ptr noundef %172, ptr noundef %188, ptr noundef %189, ptr noundef %173) #5
+  %193 = sext i32 %192 to i64
+  %194 = icmp eq i32 %192, 0
+  br i1 %194, label %205, label %366
 
-293:                                              ; preds = %204, %281, %195
-  %294 = phi i1 [ %203, %195 ], [ %206, %204 ], [ %209, %281 ]
-  %295 = phi i64 [ 0, %195 ], [ %290, %281 ], [ %290, %204 ]
-  %296 = phi i64 [ undef, %195 ], [ %292, %281 ], [ %292, %204 ]
-  br i1 %294, label %350, label %297
+195:                                              ; preds = %105, %195
+  %196 = phi i64 [ 0, %105 ], [ %203, %195 ]
+  %197 = load ptr, ptr %41, align 8
+  %198 = getelementptr double, ptr %197, i64 %106
+  %199 = getelementptr double, ptr %198, i64 %196
+  %200 = load double, ptr %199, align 8
+  %201 = load ptr, ptr %4, align 8
+  %202 = getelementptr inbounds double, ptr %201, i64 %196
+  store double %200, ptr %202, align 8
+  %203 = add nuw nsw i64 %196, 1
+  %204 = icmp eq i64 %203, %8
+  br i1 %204, label %107, label %195, !llvm.loop !6
 
-297:                                              ; preds = %293
-  %298 = load ptr, ptr %61, align 8
-  %299 = load ptr, ptr %4, align 8
-  %300 = load ptr, ptr %5, align 8
-  %301 = getelementptr inbounds i8, ptr %300, i64 16
-  %302 = load i64, ptr %301, align 8
-  %303 = icmp sgt i64 %302, 1
-  %304 = zext i1 %303 to i64
-  %305 = load ptr, ptr %62, align 8
-  %306 = getelementptr inbounds i64, ptr %305, i64 %199
-  %307 = load i64, ptr %306, align 8
-  %308 = getelementptr i8, ptr %306, i64 8
-  %309 = load i64, ptr %308, align 8
-  %310 = xor i64 %307, -1
-  %311 = add i64 %309, %310
-  %312 = load ptr, ptr %54, align 8
-  %313 = load ptr, ptr %63, align 8
-  %314 = load ptr, ptr %64, align 8
-  %315 = getelementptr inbounds i64, ptr %314, i64 %307
-  %316 = load ptr, ptr %65, align 8
-  %317 = getelementptr inbounds double, ptr %316, i64 %307
-  tail call fastcc void @combine(ptr noundef %298, ptr noundef %299, ptr noundef %312, ptr noundef %313, ptr noundef %315, ptr noundef %317, i64 noundef %311, i64 noundef %304, i64 noundef %302) #4
-  %318 = icmp eq i64 %302, 1
-  br i1 %318, label %319, label %350
+205:                                              ; preds = %184
+  %206 = load ptr, ptr %53, align 8
+  %207 = getelementptr inbounds i8, ptr %206, i64 24
+  %208 = load ptr, ptr %0, align 8
+  %209 = load i64, ptr %208, align 8
+  %210 = load ptr, ptr %54, align 8
+  %211 = insertelement <8 x double> poison, double %104, i64 0
+  %212 = shufflevector <8 x double> %211, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %212, ptr %210, align 8
+  %213 = icmp sgt i64 %209, 1
+  br i1 %213, label %218, label %309
 
-319:                                              ; preds = %297
-  %320 = load ptr, ptr %62, align 8
-  %321 = getelementptr i64, ptr %320, i64 %199
-  %322 = getelementptr i8, ptr %321, i64 8
+214:                                              ; preds = %297
+  %215 = add nuw nsw i64 %221, 1
+  %216 = icmp slt i64 %215, %209
+  %217 = icmp eq i64 %215, %209
+  br i1 %217, label %309, label %218, !llvm.loop !7
+
+218:                                              ; preds = %205, %214
+  %219 = phi i1 [ %216, %214 ], [ %213, %205 ]
+  %220 = phi i64 [ %308, %214 ], [ undef, %205 ]
+  %221 = phi i64 [ %215, %214 ], [ 1, %205 ]
+  %222 = load ptr, ptr %55, align 8
+  %223 = load ptr, ptr %4, align 8
+  %224 = load ptr, ptr %5, align 8
+  %225 = getelementptr inbounds i8, ptr %224, i64 16
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp sgt i64 %226, 1
+  %228 = zext i1 %227 to i64
+  %229 = load ptr, ptr %56, align 8
+  %230 = getelementptr inbounds i64, ptr %229, i64 %221
+  %231 = load i64, ptr %230, align 8
+  %232 = getelementptr i8, ptr %230, i64 8
+  %233 = load i64, ptr %232, align 8
+  %234 = xor i64 %231, -1
+  %235 = add i64 %233, %234
+  %236 = load ptr, ptr %54, align 8
+  %237 = load ptr, ptr %57, align 8
+  %238 = load ptr, ptr %58, align 8
+  %239 = getelementptr inbounds i64, ptr %238, i64 %231
+  %240 = load ptr, ptr %59, align 8
+  %241 = getelementptr inbounds double, ptr %240, i64 %231
+  tail call fastcc void @combine(ptr noundef %222, ptr noundef %223, ptr noundef %236, ptr noundef %237, ptr noundef %239, ptr noundef %241, i64 noundef %235, i64 noundef %228, i64 noundef %226) #4
+  %242 = icmp eq i64 %226, 1
+  br i1 %242, label %243, label %274
+
+243:                                              ; preds = %218
+  %244 = load ptr, ptr %56, align 8
+  %245 = getelementptr i64, ptr %244, i64 %221
+  %246 = getelementptr i8, ptr %245, i64 8
+  %247 = load i64, ptr %246, align 8
+  %248 = add nsw i64 %247, -1
+  %249 = load ptr, ptr %59, align 8
+  %250 = getelementptr inbounds double, ptr %249, i64 %248
+  %251 = load double, ptr %250, align 8
+  %252 = fmul double %104, %251
+  %253 = load ptr, ptr %57, align 8
+  %254 = load ptr, ptr %58, align 8
+  %255 = getelementptr inbounds i64, ptr %254, i64 %248
+  %256 = load i64, ptr %255, align 8
+  %257 = getelementptr inbounds double, ptr %253, i64 %256
+  %258 = load ptr, ptr %5, align 8
+  %259 = getelementptr inbounds i8, ptr %258, i64 8
+  %260 = load i64, ptr %259, align 8
+  %261 = icmp sgt i64 %260, 0
+  br i1 %261, label %262, label %274
+
+262:                                              ; preds = %243, %262
+  %263 = phi i64 [ %269, %262 ], [ 0, %243 ]
+  %264 = getelementptr inbounds double, ptr %257, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds double, ptr %222, i64 %263
+  %267 = load double, ptr %266, align 8
+  %268 = tail call double @llvm.fma.f64(double %252, double %265, double %267)
+  store double %268, ptr %266, align 8
+  %269 = add nuw nsw i64 %263, 1
+  %270 = load ptr, ptr %5, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 8
+  %272 = load i64, ptr %271, align 8
+  %273 = icmp slt i64 %269, %272
+  br i1 %273, label %262, label %274, !llvm.loop !8
+
+274:                                              ; preds = %262, %243, %218
+  %275 = load ptr, ptr %57, align 8
+  %276 = load i64, ptr %60, align 8
+  %277 = mul nsw i64 %276, %221
+  %278 = getelementptr inbounds double, ptr %275, i64 %277
+  %279 = load i64, ptr %207, align 8
+  %280 = add nsw i64 %279, 1
+  store i64 %280, ptr %207, align 8
+  %281 = load ptr, ptr %24, align 8
+  %282 = getelementptr inbounds double, ptr %281, i64 %221
+  %283 = load double, ptr %282, align 8
+  %284 = fmul double %104, %283
+  %285 = fadd double %101, %284
+  %286 = load ptr, ptr %55, align 8
+  %287 = load ptr, ptr %49, align 8
+  store double %285, ptr %287, align 8
+  %288 = load ptr, ptr %5, align 8
+  %289 = getelementptr inbounds i8, ptr %288, i64 40
+  %290 = load i64, ptr %289, align 8
+  %291 = icmp eq i64 %290, 0
+  br i1 %291, label %293, label %292
+
+292:                                              ; preds = %274
+  tail call fastcc void @settle(ptr noundef nonnull %5) #4
+  br label %293
+
+293:                                              ; preds = %292, %274
+  %294 = load i64, ptr %50, align 8
+  %295 = icmp sgt i64 %294, 0
+  br i1 %295, label %296, label %297
+
+296:                                              ; preds = %293
+  tail call fastcc void @sample(ptr noundef nonnull %5) #4
+  br label %297
+
+297:                                              ; preds = %293, %296
+  %298 = load ptr, ptr %5, align 8
+  %299 = load i64, ptr %298, align 8
+  %300 = load ptr, ptr %49, align 8
+  %301 = load ptr, ptr %51, align 8
+  %302 = load ptr, ptr %52, align 8
+  %303 = inttoptr i64 %299 to ptr
+  %304 = load ptr, ptr %303, align 8
+  %305 = tail call i32 %304(ptr noundef %300, ptr noundef %286, ptr noundef %301, ptr noundef %302, ptr noundef %278) #5
+  %306 = sext i32 %305 to i64
+  %307 = icmp eq i32 %305, 0
+  %308 = select i1 %307, i64 %220, i64 %306
+  br i1 %307, label %214, label %309
+
+309:                                              ; preds = %214, %297, %205
+  %310 = phi i1 [ %213, %205 ], [ %216, %214 ], [ %219, %297 ]
+  %311 = phi i64 [ 0, %205 ], [ %306, %297 ], [ %306, %214 ]
+  %312 = phi i64 [ undef, %205 ], [ %308, %297 ], [ %308, %214 ]
+  br i1 %310, label %366, label %313
+
+313:                                              ; preds = %309
+  %314 = load ptr, ptr %61, align 8
+  %315 = load ptr, ptr %4, align 8
+  %316 = load ptr, ptr %5, align 8
+  %317 = getelementptr inbounds i8, ptr %316, i64 16
+  %318 = load i64, ptr %317, align 8
+  %319 = icmp sgt i64 %318, 1
+  %320 = zext i1 %319 to i64
+  %321 = load ptr, ptr %62, align 8
+  %322 = getelementptr inbounds i64, ptr %321, i64 %209
   %323 = load i64, ptr %322, align 8
-  %324 = add nsw i64 %323, -1
-  %325 = load ptr, ptr %65, align 8
-  %326 = getelementptr inbounds double, ptr %325, i64 %324
-  %327 = load double, ptr %326, align 8
-  %328 = fmul double %104, %327
+  %324 = getelementptr i8, ptr %322, i64 8
+  %325 = load i64, ptr %324, align 8
+  %326 = xor i64 %323, -1
+  %327 = add i64 %325, %326
+  %328 = load ptr, ptr %54, align 8
   %329 = load ptr, ptr %63, align 8
   %330 = load ptr, ptr %64, align 8
-  %331 = getelementptr inbounds i64, ptr %330, i64 %324
-  %332 = load i64, ptr %331, align 8
-  %333 = getelementptr inbounds double, ptr %329, i64 %332
-  %334 = load ptr, ptr %5, align 8
-  %335 = getelementptr inbounds i8, ptr %334, i64 8
-  %336 = load i64, ptr %335, align 8
-  %337 = icmp sgt i64 %336, 0
-  br i1 %337, label %338, label %350
+  %331 = getelementptr inbounds i64, ptr %330, i64 %323
+  %332 = load ptr, ptr %65, align 8
+  %333 = getelementptr inbounds double, ptr %332, i64 %323
+  tail call fastcc void @combine(ptr noundef %314, ptr noundef %315, ptr noundef %328, ptr noundef %329, ptr noundef %331, ptr noundef %333, i64 noundef %327, i64 noundef %320, i64 noundef %318) #4
+  %334 = icmp eq i64 %318, 1
+  br i1 %334, label %335, label %366
 
-338:                                              ; preds = %319, %338
-  %339 = phi i64 [ %345, %338 ], [ 0, %319 ]
-  %340 = getelementptr inbounds double, ptr %333, i64 %339
-  %341 = load double, ptr %340, align 8
-  %342 = getelementptr inbounds double, ptr %298, i64 %339
+335:                                              ; preds = %313
+  %336 = load ptr, ptr %62, align 8
+  %337 = getelementptr i64, ptr %336, i64 %209
+  %338 = getelementptr i8, ptr %337, i64 8
+  %339 = load i64, ptr %338, align 8
+  %340 = add nsw i64 %339, -1
+  %341 = load ptr, ptr %65, align 8
+  %342 = getelementptr inbounds double, ptr %341, i64 %340
   %343 = load double, ptr %342, align 8
-  %344 = tail call double @llvm.fma.f64(double %328, double %341, double %343)
-  store double %344, ptr %342, align 8
-  %345 = add nuw nsw i64 %339, 1
-  %346 = load ptr, ptr %5, align 8
-  %347 = getelementptr inbounds i8, ptr %346, i64 8
+  %344 = fmul double %104, %343
+  %345 = load ptr, ptr %63, align 8
+  %346 = load ptr, ptr %64, align 8
+  %347 = getelementptr inbounds i64, ptr %346, i64 %340
   %348 = load i64, ptr %347, align 8
-  %349 = icmp slt i64 %345, %348
-  br i1 %349, label %338, label %350, !llvm.loop !8
+  %349 = getelementptr inbounds double, ptr %345, i64 %348
+  %350 = load ptr, ptr %5, align 8
+  %351 = getelementptr inbounds i8, ptr %350, i64 8
+  %352 = load i64, ptr %351, align 8
+  %353 = icmp sgt i64 %352, 0
+  br i1 %353, label %354, label %366
 
-350:                                              ; preds = %338, %319, %293, %297, %174
-  %351 = phi i64 [ %183, %174 ], [ %296, %293 ], [ %295, %297 ], [ %295, %319 ], [ %295, %338 ]
-  %352 = icmp eq i64 %351, 0
-  %353 = select i1 %66, i1 %352, i1 false
-  br i1 %353, label %354, label %362
+354:                                              ; preds = %335, %354
+  %355 = phi i64 [ %361, %354 ], [ 0, %335 ]
+  %356 = getelementptr inbounds double, ptr %349, i64 %355
+  %357 = load double, ptr %356, align 8
+  %358 = getelementptr inbounds double, ptr %314, i64 %355
+  %359 = load double, ptr %358, align 8
+  %360 = tail call double @llvm.fma.f64(double %344, double %357, double %359)
+  store double %360, ptr %358, align 8
+  %361 = add nuw nsw i64 %355, 1
+  %362 = load ptr, ptr %5, align 8
+  %363 = getelementptr inbounds i8, ptr %362, i64 8
+  %364 = load i64, ptr %363, align 8
+  %365 = icmp slt i64 %361, %364
+  br i1 %365, label %354, label %366, !llvm.loop !8
 
-354:                                              ; preds = %350
-  %355 = mul nsw i64 %96, %14
-  br label %366
+366:                                              ; preds = %354, %335, %309, %313, %184
+  %367 = phi i64 [ %193, %184 ], [ %312, %309 ], [ %311, %313 ], [ %311, %335 ], [ %311, %354 ]
+  %368 = icmp eq i64 %367, 0
+  %369 = select i1 %66, i1 %368, i1 false
+  br i1 %369, label %370, label %378
 
-356:                                              ; preds = %447, %433
-  %357 = icmp sgt i64 %367, 1
-  %358 = icmp eq i32 %413, 0
-  %359 = select i1 %357, i1 %358, i1 false
-  br i1 %359, label %366, label %360, !llvm.loop !9
+370:                                              ; preds = %366
+  %371 = mul nsw i64 %96, %14
+  br label %382
 
-360:                                              ; preds = %356
-  %361 = sext i32 %413 to i64
-  br label %362
+372:                                              ; preds = %469, %455
+  %373 = icmp sgt i64 %383, 1
+  %374 = icmp eq i32 %435, 0
+  %375 = select i1 %373, i1 %374, i1 false
+  br i1 %375, label %382, label %376, !llvm.loop !9
 
-362:                                              ; preds = %360, %350
-  %363 = phi i64 [ %351, %350 ], [ %361, %360 ]
-  %364 = phi i1 [ %352, %350 ], [ %358, %360 ]
-  br i1 %364, label %365, label %456
+376:                                              ; preds = %372
+  %377 = sext i32 %435 to i64
+  br label %378
 
-365:                                              ; preds = %362
-  br i1 %89, label %459, label %476
+378:                                              ; preds = %376, %366
+  %379 = phi i64 [ %367, %366 ], [ %377, %376 ]
+  %380 = phi i1 [ %368, %366 ], [ %374, %376 ]
+  br i1 %380, label %381, label %478
 
-366:                                              ; preds = %354, %356
-  %367 = phi i64 [ %14, %354 ], [ %368, %356 ]
-  %368 = add nsw i64 %367, -1
-  %369 = load ptr, ptr %67, align 8
-  %370 = load ptr, ptr %4, align 8
-  %371 = load ptr, ptr %68, align 8
-  %372 = getelementptr inbounds i64, ptr %371, i64 %368
-  %373 = load i64, ptr %372, align 8
-  %374 = getelementptr i8, ptr %372, i64 8
-  %375 = load i64, ptr %374, align 8
-  %376 = xor i64 %373, -1
-  %377 = add i64 %375, %376
-  %378 = load ptr, ptr %69, align 8
-  %379 = load ptr, ptr %70, align 8
-  %380 = load ptr, ptr %71, align 8
-  %381 = getelementptr inbounds i64, ptr %380, i64 %373
-  %382 = load ptr, ptr %72, align 8
-  %383 = getelementptr inbounds double, ptr %382, i64 %373
-  tail call fastcc void @combine(ptr noundef %369, ptr noundef %370, ptr noundef %378, ptr noundef %379, ptr noundef %381, ptr noundef %383, i64 noundef %377, i64 noundef 1, i64 noundef %10) #4
-  %384 = getelementptr inbounds i64, ptr %21, i64 %368
-  %385 = load i64, ptr %384, align 8
-  %386 = getelementptr inbounds i64, ptr %21, i64 %367
-  %387 = load i64, ptr %386, align 8
-  %388 = sub nsw i64 %387, %385
-  %389 = load ptr, ptr %73, align 8
-  %390 = load ptr, ptr %74, align 8
-  %391 = load ptr, ptr %75, align 8
-  %392 = getelementptr inbounds i64, ptr %23, i64 %385
-  %393 = getelementptr inbounds double, ptr %27, i64 %385
-  tail call fastcc void @combine(ptr noundef %389, ptr noundef %390, ptr noundef %391, ptr noundef %31, ptr noundef %392, ptr noundef %393, i64 noundef %388, i64 noundef 0, i64 noundef %10) #4
-  br i1 %76, label %417, label %394
+381:                                              ; preds = %378
+  br i1 %89, label %481, label %498
 
-394:                                              ; preds = %417, %366
-  %395 = getelementptr inbounds double, ptr %25, i64 %368
-  %396 = load double, ptr %395, align 8
-  %397 = fmul double %104, %396
-  %398 = fadd double %101, %397
-  %399 = load ptr, ptr %67, align 8
-  %400 = load ptr, ptr %28, align 8
-  %401 = load ptr, ptr %77, align 8
-  store double %398, ptr %401, align 8
-  %402 = load i64, ptr %78, align 8
-  %403 = icmp sgt i64 %402, 0
-  br i1 %403, label %404, label %405
+382:                                              ; preds = %370, %372
+  %383 = phi i64 [ %14, %370 ], [ %384, %372 ]
+  %384 = add nsw i64 %383, -1
+  %385 = load ptr, ptr %67, align 8
+  %386 = load ptr, ptr %4, align 8
+  %387 = load ptr, ptr %68, align 8
+  %388 = getelementptr inbounds i64, ptr %387, i64 %384
+  %389 = load i64, ptr %388, align 8
+  %390 = getelementptr i8, ptr %388, i64 8
+  %391 = load i64, ptr %390, align 8
+  %392 = xor i64 %389, -1
+  %393 = add i64 %391, %392
+  %394 = load ptr, ptr %69, align 8
+  %395 = load ptr, ptr %70, align 8
+  %396 = load ptr, ptr %71, align 8
+  %397 = getelementptr inbounds i64, ptr %396, i64 %389
+  %398 = load ptr, ptr %72, align 8
+  %399 = getelementptr inbounds double, ptr %398, i64 %389
+  tail call fastcc void @combine(ptr noundef %385, ptr noundef %386, ptr noundef %394, ptr noundef %395, ptr noundef %397, ptr noundef %399, i64 noundef %393, i64 noundef 1, i64 noundef %10) #4
+  %400 = getelementptr inbounds i64, ptr %21, i64 %384
+  %401 = load i64, ptr %400, align 8
+  %402 = getelementptr inbounds i64, ptr %21, i64 %383
+  %403 = load i64, ptr %402, align 8
+  %404 = sub nsw i64 %403, %401
+  %405 = load ptr, ptr %73, align 8
+  %406 = load ptr, ptr %74, align 8
+  %407 = load ptr, ptr %75, align 8
+  %408 = getelementptr inbounds i64, ptr %23, i64 %401
+  %409 = getelementptr inbounds double, ptr %27, i64 %401
+  tail call fastcc void @combine(ptr noundef %405, ptr noundef %406, ptr noundef %407, ptr noundef %31, ptr noundef %408, ptr noundef %409, i64 noundef %404, i64 noundef 0, i64 noundef %10) #4
+  br i1 %76, label %439, label %410
 
-404:                                              ; preds = %394
-  tail call fastcc void @sample(ptr noundef %1) #4
-  br label %405
+410:                                              ; preds = %439, %382
+  %411 = getelementptr inbounds double, ptr %25, i64 %384
+  %412 = load double, ptr %411, align 8
+  %413 = fmul double %104, %412
+  %414 = fadd double %101, %413
+  %415 = load ptr, ptr %67, align 8
+  %416 = load ptr, ptr %28, align 8
+  %417 = load ptr, ptr %77, align 8
+  store double %414, ptr %417, align 8
+  %418 = load ptr, ptr %1, align 8
+  %419 = getelementptr inbounds i8, ptr %418, i64 40
+  %420 = load i64, ptr %419, align 8
+  %421 = icmp eq i64 %420, 0
+  br i1 %421, label %423, label %422
 
-405:                                              ; preds = %394, %404
-  %406 = load ptr, ptr %1, align 8
-  %407 = load i64, ptr %406, align 8
-  %408 = load ptr, ptr %77, align 8
-  %409 = load ptr, ptr %32, align 8
-  %410 = load ptr, ptr %79, align 8
-  %411 = inttoptr i64 %407 to ptr
-  %412 = load ptr, ptr %411, align 8
-  %413 = tail call i32 %412(ptr noundef %408, ptr noundef %399, ptr noundef %409, ptr noundef %410, ptr noundef %400) #5
-  br i1 %80, label %414, label %425
+422:                                              ; preds = %410
+  tail call fastcc void @settle(ptr noundef nonnull %1) #4
+  br label %423
 
-414:                                              ; preds = %405
-  %415 = mul nsw i64 %368, %12
-  %416 = getelementptr double, ptr %31, i64 %415
-  br label %426
+423:                                              ; preds = %422, %410
+  %424 = load i64, ptr %78, align 8
+  %425 = icmp sgt i64 %424, 0
+  br i1 %425, label %426, label %427
 
-417:                                              ; preds = %366, %417
-  %418 = phi i64 [ %423, %417 ], [ 0, %366 ]
-  %419 = load ptr, ptr %73, align 8
-  %420 = getelementptr inbounds double, ptr %419, i64 %418
-  %421 = load double, ptr %420, align 8
-  %422 = getelementptr inbounds double, ptr %35, i64 %418
-  store double %421, ptr %422, align 8
-  %423 = add nuw nsw i64 %418, 1
-  %424 = icmp eq i64 %423, %8
-  br i1 %424, label %394, label %417, !llvm.loop !10
+426:                                              ; preds = %423
+  tail call fastcc void @sample(ptr noundef nonnull %1) #4
+  br label %427
 
-425:                                              ; preds = %426, %405
-  br i1 %81, label %437, label %433
+427:                                              ; preds = %423, %426
+  %428 = load ptr, ptr %1, align 8
+  %429 = load i64, ptr %428, align 8
+  %430 = load ptr, ptr %77, align 8
+  %431 = load ptr, ptr %32, align 8
+  %432 = load ptr, ptr %79, align 8
+  %433 = inttoptr i64 %429 to ptr
+  %434 = load ptr, ptr %433, align 8
+  %435 = tail call i32 %434(ptr noundef %430, ptr noundef %415, ptr noundef %431, ptr noundef %432, ptr noundef %416) #5
+  br i1 %80, label %436, label %447
 
-426:                                              ; preds = %414, %426
-  %427 = phi i64 [ 0, %414 ], [ %431, %426 ]
-  %428 = getelementptr inbounds double, ptr %29, i64 %427
-  %429 = load double, ptr %428, align 8
-  %430 = getelementptr double, ptr %416, i64 %427
-  store double %429, ptr %430, align 8
-  %431 = add nuw nsw i64 %427, 1
-  %432 = icmp eq i64 %431, %8
-  br i1 %432, label %425, label %426, !llvm.loop !11
+436:                                              ; preds = %427
+  %437 = mul nsw i64 %384, %12
+  %438 = getelementptr double, ptr %31, i64 %437
+  br label %448
 
-433:                                              ; preds = %437, %425
-  br i1 %84, label %434, label %356
-
-434:                                              ; preds = %433
-  %435 = add nsw i64 %368, %355
-  %436 = mul nsw i64 %435, %19
-  br label %447
-
-437:                                              ; preds = %425, %437
-  %438 = phi i64 [ %445, %437 ], [ 0, %425 ]
-  %439 = getelementptr double, ptr %82, i64 %438
-  %440 = load double, ptr %439, align 8
-  %441 = load ptr, ptr %83, align 8
-  %442 = getelementptr inbounds double, ptr %441, i64 %438
+439:                                              ; preds = %382, %439
+  %440 = phi i64 [ %445, %439 ], [ 0, %382 ]
+  %441 = load ptr, ptr %73, align 8
+  %442 = getelementptr inbounds double, ptr %441, i64 %440
   %443 = load double, ptr %442, align 8
-  %444 = fadd double %440, %443
-  store double %444, ptr %442, align 8
-  %445 = add nuw nsw i64 %438, 1
-  %446 = icmp eq i64 %445, %17
-  br i1 %446, label %433, label %437, !llvm.loop !12
+  %444 = getelementptr inbounds double, ptr %35, i64 %440
+  store double %443, ptr %444, align 8
+  %445 = add nuw nsw i64 %440, 1
+  %446 = icmp eq i64 %445, %8
+  br i1 %446, label %410, label %439, !llvm.loop !10
 
-447:                                              ; preds = %434, %447
-  %448 = phi i64 [ 0, %434 ], [ %454, %447 ]
-  %449 = getelementptr double, ptr %87, i64 %448
-  %450 = load double, ptr %449, align 8
-  %451 = load ptr, ptr %88, align 8
-  %452 = getelementptr double, ptr %451, i64 %436
-  %453 = getelementptr double, ptr %452, i64 %448
-  store double %450, ptr %453, align 8
-  %454 = add nuw nsw i64 %448, 1
-  %455 = icmp eq i64 %454, %19
-  br i1 %455, label %356, label %447, !llvm.loop !13
+447:                                              ; preds = %448, %427
+  br i1 %81, label %459, label %455
 
-456:                                              ; preds = %362
-  %457 = load ptr, ptr %3, align 8
-  %458 = getelementptr inbounds i8, ptr %457, i64 24
-  store i64 %96, ptr %458, align 8
-  br label %476
+448:                                              ; preds = %436, %448
+  %449 = phi i64 [ 0, %436 ], [ %453, %448 ]
+  %450 = getelementptr inbounds double, ptr %29, i64 %449
+  %451 = load double, ptr %450, align 8
+  %452 = getelementptr double, ptr %438, i64 %449
+  store double %451, ptr %452, align 8
+  %453 = add nuw nsw i64 %449, 1
+  %454 = icmp eq i64 %453, %8
+  br i1 %454, label %447, label %448, !llvm.loop !11
 
-459:                                              ; preds = %365, %464
-  %460 = phi i64 [ %465, %464 ], [ 0, %365 ]
-  br i1 %90, label %461, label %464
+455:                                              ; preds = %459, %447
+  br i1 %84, label %456, label %372
 
-461:                                              ; preds = %459
-  %462 = mul nsw i64 %460, %12
-  %463 = getelementptr double, ptr %31, i64 %462
-  br label %467
+456:                                              ; preds = %455
+  %457 = add nsw i64 %384, %371
+  %458 = mul nsw i64 %457, %19
+  br label %469
 
-464:                                              ; preds = %467, %459
-  %465 = add nuw nsw i64 %460, 1
-  %466 = icmp eq i64 %465, %14
-  br i1 %466, label %476, label %459, !llvm.loop !14
+459:                                              ; preds = %447, %459
+  %460 = phi i64 [ %467, %459 ], [ 0, %447 ]
+  %461 = getelementptr double, ptr %82, i64 %460
+  %462 = load double, ptr %461, align 8
+  %463 = load ptr, ptr %83, align 8
+  %464 = getelementptr inbounds double, ptr %463, i64 %460
+  %465 = load double, ptr %464, align 8
+  %466 = fadd double %462, %465
+  store double %466, ptr %464, align 8
+  %467 = add nuw nsw i64 %460, 1
+  %468 = icmp eq i64 %467, %17
+  br i1 %468, label %455, label %459, !llvm.loop !12
 
-467:                                              ; preds = %461, %467
-  %468 = phi i64 [ 0, %461 ], [ %474, %467 ]
-  %469 = getelementptr double, ptr %463, i64 %468
-  %470 = load double, ptr %469, align 8
-  %471 = getelementptr double, ptr %92, i64 %468
+469:                                              ; preds = %456, %469
+  %470 = phi i64 [ 0, %456 ], [ %476, %469 ]
+  %471 = getelementptr double, ptr %87, i64 %470
   %472 = load double, ptr %471, align 8
-  %473 = fadd double %470, %472
-  store double %473, ptr %471, align 8
-  %474 = add nuw nsw i64 %468, 1
-  %475 = icmp eq i64 %474, %8
-  br i1 %475, label %464, label %467, !llvm.loop !15
+  %473 = load ptr, ptr %88, align 8
+  %474 = getelementptr double, ptr %473, i64 %458
+  %475 = getelementptr double, ptr %474, i64 %470
+  store double %472, ptr %475, align 8
+  %476 = add nuw nsw i64 %470, 1
+  %477 = icmp eq i64 %476, %19
+  br i1 %477, label %372, label %469, !llvm.loop !13
 
-476:                                              ; preds = %464, %365, %456
-  %477 = phi i64 [ %363, %456 ], [ %95, %365 ], [ %95, %464 ]
-  br i1 %364, label %93, label %478, !llvm.loop !16
+478:                                              ; preds = %378
+  %479 = load ptr, ptr %3, align 8
+  %480 = getelementptr inbounds i8, ptr %479, i64 24
+  store i64 %96, ptr %480, align 8
+  br label %498
 
-478:                                              ; preds = %93, %476
-  %479 = phi i64 [ %477, %476 ], [ 0, %93 ]
-  ret i64 %479
+481:                                              ; preds = %381, %486
+  %482 = phi i64 [ %487, %486 ], [ 0, %381 ]
+  br i1 %90, label %483, label %486
+
+483:                                              ; preds = %481
+  %484 = mul nsw i64 %482, %12
+  %485 = getelementptr double, ptr %31, i64 %484
+  br label %489
+
+486:                                              ; preds = %489, %481
+  %487 = add nuw nsw i64 %482, 1
+  %488 = icmp eq i64 %487, %14
+  br i1 %488, label %498, label %481, !llvm.loop !14
+
+489:                                              ; preds = %483, %489
+  %490 = phi i64 [ 0, %483 ], [ %496, %489 ]
+  %491 = getelementptr double, ptr %485, i64 %490
+  %492 = load double, ptr %491, align 8
+  %493 = getelementptr double, ptr %92, i64 %490
+  %494 = load double, ptr %493, align 8
+  %495 = fadd double %492, %494
+  store double %495, ptr %493, align 8
+  %496 = add nuw nsw i64 %490, 1
+  %497 = icmp eq i64 %496, %8
+  br i1 %497, label %486, label %489, !llvm.loop !15
+
+498:                                              ; preds = %486, %381, %478
+  %499 = phi i64 [ %379, %478 ], [ %95, %381 ], [ %95, %486 ]
+  br i1 %380, label %93, label %500, !llvm.loop !16
+
+500:                                              ; preds = %93, %498
+  %501 = phi i64 [ %499, %498 ], [ 0, %93 ]
+  ret i64 %501
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #1 {
@@ -795,6 +836,73 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   br i1 %152, label %109, label %153, !llvm.loop !20
 
 153:                                              ; preds = %149, %16
+  ret void
+}
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 192
+  %3 = load ptr, ptr %2, align 8
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = load double, ptr %6, align 8
+  %8 = fcmp olt double %7, %4
+  %9 = select i1 %8, double %7, double %4
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 176
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %29
+
+14:                                               ; preds = %1
+  %15 = load ptr, ptr %10, align 8
+  br label %16
+
+16:                                               ; preds = %14, %16
+  %17 = phi i64 [ 0, %14 ], [ %27, %16 ]
+  %18 = phi i64 [ %12, %14 ], [ %26, %16 ]
+  %19 = add nuw nsw i64 %17, %18
+  %20 = lshr i64 %19, 1
+  %21 = mul i64 %20, 24
+  %22 = getelementptr inbounds i8, ptr %15, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %9
+  %25 = add nuw nsw i64 %20, 1
+  %26 = select i1 %24, i64 %20, i64 %18
+  %27 = select i1 %24, i64 %17, i64 %25
+  %28 = icmp slt i64 %27, %26
+  br i1 %28, label %16, label %29, !llvm.loop !3
+
+29:                                               ; preds = %16, %1
+  %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
+  %31 = load ptr, ptr %10, align 8
+  %32 = mul i64 %30, 24
+  %33 = getelementptr inbounds i8, ptr %31, i64 %32
+  %34 = icmp eq i64 %30, 0
+  br i1 %34, label %39, label %35
+
+35:                                               ; preds = %29
+  %36 = getelementptr inbounds i8, ptr %33, i64 -8
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp olt double %9, %37
+  br i1 %38, label %46, label %39
+
+39:                                               ; preds = %35, %29
+  %40 = icmp slt i64 %30, %12
+  br i1 %40, label %41, label %45
+
+41:                                               ; preds = %39
+  %42 = getelementptr inbounds i8, ptr %33, i64 8
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %9, %43
+  br i1 %44, label %46, label %45
+
+45:                                               ; preds = %41, %39
+  br label %46
+
+46:                                               ; preds = %45, %41, %35
+  %47 = phi double [ %37, %35 ], [ %9, %45 ], [ %43, %41 ]
+  store double %47, ptr %6, align 8
   ret void
 }
 

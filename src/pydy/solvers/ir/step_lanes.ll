@@ -1,4 +1,4 @@
-; sources efa8efbb78b5f8c06a1a5f5ed66d389e441ec821d63ca1f2c067bba36cb0d3c5
+; sources 886825ccd8da01ca334b3415f26db2a3f08a518e706bddcc5d7b511f515bfa8d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -198,14 +198,14 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %161 = phi i32 [ 1, %138 ], [ 8, %142 ], [ 0, %155 ]
   %162 = phi i32 [ %130, %138 ], [ 0, %142 ], [ %157, %155 ]
   %163 = phi i64 [ %131, %138 ], [ %131, %142 ], [ 0, %155 ]
-  switch i32 %161, label %1159 [
+  switch i32 %161, label %1183 [
     i32 0, label %164
     i32 8, label %167
   ]
 
-164:                                              ; preds = %160, %1157, %247
-  %165 = phi i32 [ %162, %160 ], [ %1158, %1157 ], [ 1, %247 ]
-  %166 = phi i64 [ %163, %160 ], [ %1135, %1157 ], [ %169, %247 ]
+164:                                              ; preds = %160, %1181, %247
+  %165 = phi i32 [ %162, %160 ], [ %1182, %1181 ], [ 1, %247 ]
+  %166 = phi i64 [ %163, %160 ], [ %1159, %1181 ], [ %169, %247 ]
   br label %129, !llvm.loop !7
 
 167:                                              ; preds = %160, %129
@@ -215,7 +215,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %171 = getelementptr inbounds i8, ptr %170, i64 8
   %172 = load i64, ptr %171, align 8
   %173 = icmp slt i64 %172, 1
-  br i1 %173, label %1159, label %174
+  br i1 %173, label %1183, label %174
 
 174:                                              ; preds = %167
   br i1 %48, label %175, label %195
@@ -244,7 +244,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 192:                                              ; preds = %175, %178
   %193 = phi i32 [ 0, %175 ], [ %191, %178 ]
   %194 = icmp eq i32 %193, 0
-  br i1 %194, label %195, label %1159
+  br i1 %194, label %195, label %1183
 
 195:                                              ; preds = %192, %174
   %196 = add nsw i64 %172, -1
@@ -335,11 +335,11 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %263 = load ptr, ptr %63, align 8, !noalias !8
   store <8 x double> %231, ptr %263, align 8, !noalias !8
   %264 = icmp sgt i64 %262, 1
-  br i1 %264, label %265, label %315
+  br i1 %264, label %265, label %321
 
-265:                                              ; preds = %254, %302
-  %266 = phi i64 [ %312, %302 ], [ 0, %254 ]
-  %267 = phi i64 [ %313, %302 ], [ 1, %254 ]
+265:                                              ; preds = %254, %308
+  %266 = phi i64 [ %318, %308 ], [ 0, %254 ]
+  %267 = phi i64 [ %319, %308 ], [ 1, %254 ]
   %268 = load ptr, ptr %64, align 8, !noalias !8
   %269 = load ptr, ptr %12, align 8, !noalias !8
   %270 = load ptr, ptr %10, align 8, !noalias !8
@@ -373,1053 +373,1097 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %297 = load ptr, ptr %64, align 8, !noalias !8
   %298 = load ptr, ptr %71, align 8, !noalias !8
   store <8 x double> %296, ptr %298, align 8, !noalias !8
-  %299 = load i64, ptr %72, align 8, !noalias !8
-  %300 = icmp sgt i64 %299, 0
-  br i1 %300, label %301, label %302
+  %299 = load ptr, ptr %10, align 8, !noalias !8
+  %300 = getelementptr inbounds i8, ptr %299, i64 40
+  %301 = load i64, ptr %300, align 8, !noalias !8
+  %302 = icmp eq i64 %301, 0
+  br i1 %302, label %304, label %303
 
-301:                                              ; preds = %265
+303:                                              ; preds = %265
+  call fastcc void @settle(ptr noundef nonnull %10) #10, !noalias !8
+  br label %304
+
+304:                                              ; preds = %303, %265
+  %305 = load i64, ptr %72, align 8, !noalias !8
+  %306 = icmp sgt i64 %305, 0
+  br i1 %306, label %307, label %308
+
+307:                                              ; preds = %304
   call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
-  br label %302
+  br label %308
 
-302:                                              ; preds = %301, %265
-  %303 = load ptr, ptr %10, align 8, !noalias !8
-  %304 = load i64, ptr %303, align 8, !noalias !8
-  %305 = load ptr, ptr %71, align 8, !noalias !8
-  %306 = load ptr, ptr %73, align 8, !noalias !8
-  %307 = load ptr, ptr %74, align 8, !noalias !8
-  %308 = inttoptr i64 %304 to ptr
-  %309 = load ptr, ptr %308, align 8, !noalias !8
-  %310 = call i32 %309(ptr noundef %305, ptr noundef %297, ptr noundef %306, ptr noundef %307, ptr noundef %289) #11, !noalias !8
-  %311 = zext i32 %310 to i64
-  %312 = or i64 %266, %311
-  %313 = add nuw nsw i64 %267, 1
-  %314 = icmp eq i64 %313, %262
-  br i1 %314, label %315, label %265, !llvm.loop !11
+308:                                              ; preds = %307, %304
+  %309 = load ptr, ptr %10, align 8, !noalias !8
+  %310 = load i64, ptr %309, align 8, !noalias !8
+  %311 = load ptr, ptr %71, align 8, !noalias !8
+  %312 = load ptr, ptr %73, align 8, !noalias !8
+  %313 = load ptr, ptr %74, align 8, !noalias !8
+  %314 = inttoptr i64 %310 to ptr
+  %315 = load ptr, ptr %314, align 8, !noalias !8
+  %316 = call i32 %315(ptr noundef %311, ptr noundef %297, ptr noundef %312, ptr noundef %313, ptr noundef %289) #11, !noalias !8
+  %317 = zext i32 %316 to i64
+  %318 = or i64 %266, %317
+  %319 = add nuw nsw i64 %267, 1
+  %320 = icmp eq i64 %319, %262
+  br i1 %320, label %321, label %265, !llvm.loop !11
 
-315:                                              ; preds = %302, %254
-  %316 = phi i64 [ 0, %254 ], [ %312, %302 ]
-  %317 = load ptr, ptr %75, align 8, !noalias !8
-  %318 = load ptr, ptr %12, align 8, !noalias !8
-  %319 = load ptr, ptr %10, align 8, !noalias !8
-  %320 = getelementptr inbounds i8, ptr %319, i64 16
-  %321 = load i64, ptr %320, align 8, !noalias !8
-  %322 = load ptr, ptr %76, align 8, !noalias !8
-  %323 = getelementptr inbounds i64, ptr %322, i64 %262
-  %324 = load i64, ptr %323, align 8, !noalias !8
-  %325 = getelementptr i8, ptr %323, i64 8
-  %326 = load i64, ptr %325, align 8, !noalias !8
-  %327 = xor i64 %324, -1
-  %328 = add i64 %326, %327
-  %329 = load ptr, ptr %63, align 8, !noalias !8
-  %330 = load ptr, ptr %77, align 8, !noalias !8
-  %331 = load ptr, ptr %78, align 8, !noalias !8
-  %332 = getelementptr inbounds i64, ptr %331, i64 %324
-  %333 = load ptr, ptr %79, align 8, !noalias !8
-  %334 = getelementptr inbounds double, ptr %333, i64 %324
-  call fastcc void @combine(ptr noundef %317, ptr noundef %318, ptr noundef %329, ptr noundef %330, ptr noundef %332, ptr noundef %334, i64 noundef %328, i64 noundef %321) #10
-  br i1 %261, label %357, label %335
+321:                                              ; preds = %308, %254
+  %322 = phi i64 [ 0, %254 ], [ %318, %308 ]
+  %323 = load ptr, ptr %75, align 8, !noalias !8
+  %324 = load ptr, ptr %12, align 8, !noalias !8
+  %325 = load ptr, ptr %10, align 8, !noalias !8
+  %326 = getelementptr inbounds i8, ptr %325, i64 16
+  %327 = load i64, ptr %326, align 8, !noalias !8
+  %328 = load ptr, ptr %76, align 8, !noalias !8
+  %329 = getelementptr inbounds i64, ptr %328, i64 %262
+  %330 = load i64, ptr %329, align 8, !noalias !8
+  %331 = getelementptr i8, ptr %329, i64 8
+  %332 = load i64, ptr %331, align 8, !noalias !8
+  %333 = xor i64 %330, -1
+  %334 = add i64 %332, %333
+  %335 = load ptr, ptr %63, align 8, !noalias !8
+  %336 = load ptr, ptr %77, align 8, !noalias !8
+  %337 = load ptr, ptr %78, align 8, !noalias !8
+  %338 = getelementptr inbounds i64, ptr %337, i64 %330
+  %339 = load ptr, ptr %79, align 8, !noalias !8
+  %340 = getelementptr inbounds double, ptr %339, i64 %330
+  call fastcc void @combine(ptr noundef %323, ptr noundef %324, ptr noundef %335, ptr noundef %336, ptr noundef %338, ptr noundef %340, i64 noundef %334, i64 noundef %327) #10
+  br i1 %261, label %369, label %341
 
-335:                                              ; preds = %315
-  %336 = load ptr, ptr %75, align 8, !noalias !8
-  %337 = load ptr, ptr %77, align 8, !noalias !8
-  %338 = load i64, ptr %255, align 8, !noalias !8
-  %339 = load i64, ptr %80, align 8, !noalias !8
-  %340 = mul nsw i64 %339, %338
-  %341 = getelementptr inbounds double, ptr %337, i64 %340
-  %342 = load ptr, ptr %81, align 8, !noalias !8
-  store <8 x double> %229, ptr %342, align 8, !noalias !8
-  %343 = load i64, ptr %82, align 8, !noalias !8
-  %344 = icmp sgt i64 %343, 0
-  br i1 %344, label %345, label %346
+341:                                              ; preds = %321
+  %342 = load ptr, ptr %75, align 8, !noalias !8
+  %343 = load ptr, ptr %77, align 8, !noalias !8
+  %344 = load i64, ptr %255, align 8, !noalias !8
+  %345 = load i64, ptr %80, align 8, !noalias !8
+  %346 = mul nsw i64 %345, %344
+  %347 = getelementptr inbounds double, ptr %343, i64 %346
+  %348 = load ptr, ptr %81, align 8, !noalias !8
+  store <8 x double> %229, ptr %348, align 8, !noalias !8
+  %349 = load ptr, ptr %10, align 8, !noalias !8
+  %350 = getelementptr inbounds i8, ptr %349, i64 40
+  %351 = load i64, ptr %350, align 8, !noalias !8
+  %352 = icmp eq i64 %351, 0
+  br i1 %352, label %354, label %353
 
-345:                                              ; preds = %335
+353:                                              ; preds = %341
+  call fastcc void @settle(ptr noundef nonnull %10) #10, !noalias !8
+  br label %354
+
+354:                                              ; preds = %353, %341
+  %355 = load i64, ptr %82, align 8, !noalias !8
+  %356 = icmp sgt i64 %355, 0
+  br i1 %356, label %357, label %358
+
+357:                                              ; preds = %354
   call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
-  br label %346
+  br label %358
 
-346:                                              ; preds = %335, %345
-  %347 = load ptr, ptr %10, align 8, !noalias !8
-  %348 = load i64, ptr %347, align 8, !noalias !8
-  %349 = load ptr, ptr %81, align 8, !noalias !8
-  %350 = load ptr, ptr %83, align 8, !noalias !8
-  %351 = load ptr, ptr %84, align 8, !noalias !8
-  %352 = inttoptr i64 %348 to ptr
-  %353 = load ptr, ptr %352, align 8, !noalias !8
-  %354 = call i32 %353(ptr noundef %349, ptr noundef %336, ptr noundef %350, ptr noundef %351, ptr noundef %341) #11, !noalias !8
-  %355 = zext i32 %354 to i64
-  %356 = or i64 %316, %355
-  br label %357
+358:                                              ; preds = %354, %357
+  %359 = load ptr, ptr %10, align 8, !noalias !8
+  %360 = load i64, ptr %359, align 8, !noalias !8
+  %361 = load ptr, ptr %81, align 8, !noalias !8
+  %362 = load ptr, ptr %83, align 8, !noalias !8
+  %363 = load ptr, ptr %84, align 8, !noalias !8
+  %364 = inttoptr i64 %360 to ptr
+  %365 = load ptr, ptr %364, align 8, !noalias !8
+  %366 = call i32 %365(ptr noundef %361, ptr noundef %342, ptr noundef %362, ptr noundef %363, ptr noundef %347) #11, !noalias !8
+  %367 = zext i32 %366 to i64
+  %368 = or i64 %322, %367
+  br label %369
 
-357:                                              ; preds = %346, %315
-  %358 = phi i64 [ %356, %346 ], [ %316, %315 ]
-  %359 = load ptr, ptr %0, align 8, !noalias !8
-  %360 = getelementptr inbounds i8, ptr %359, i64 8
-  %361 = load i64, ptr %360, align 8, !noalias !8
-  %362 = icmp slt i64 %361, 1
-  br i1 %362, label %363, label %367
+369:                                              ; preds = %358, %321
+  %370 = phi i64 [ %368, %358 ], [ %322, %321 ]
+  %371 = load ptr, ptr %0, align 8, !noalias !8
+  %372 = getelementptr inbounds i8, ptr %371, i64 8
+  %373 = load i64, ptr %372, align 8, !noalias !8
+  %374 = icmp slt i64 %373, 1
+  br i1 %374, label %375, label %379
 
-363:                                              ; preds = %357
-  %364 = icmp sgt i64 %258, 0
-  br i1 %364, label %365, label %535
+375:                                              ; preds = %369
+  %376 = icmp sgt i64 %258, 0
+  br i1 %376, label %377, label %547
 
-365:                                              ; preds = %363
-  %366 = load ptr, ptr %75, align 8, !noalias !8
-  br label %525
+377:                                              ; preds = %375
+  %378 = load ptr, ptr %75, align 8, !noalias !8
+  br label %537
 
-367:                                              ; preds = %357
-  %368 = load ptr, ptr %10, align 8, !noalias !8
-  %369 = getelementptr inbounds i8, ptr %368, i64 24
-  %370 = load i64, ptr %369, align 8, !noalias !8
-  %371 = load ptr, ptr %85, align 8, !noalias !8
-  %372 = load i64, ptr %86, align 8, !noalias !8
-  %373 = getelementptr inbounds i8, ptr %368, i64 32
-  br label %383
+379:                                              ; preds = %369
+  %380 = load ptr, ptr %10, align 8, !noalias !8
+  %381 = getelementptr inbounds i8, ptr %380, i64 24
+  %382 = load i64, ptr %381, align 8, !noalias !8
+  %383 = load ptr, ptr %85, align 8, !noalias !8
+  %384 = load i64, ptr %86, align 8, !noalias !8
+  %385 = getelementptr inbounds i8, ptr %380, i64 32
+  br label %395
 
-374:                                              ; preds = %383
-  %375 = getelementptr inbounds double, ptr %371, i64 %372
-  %376 = icmp sgt i64 %370, 0
-  br i1 %376, label %377, label %409
+386:                                              ; preds = %395
+  %387 = getelementptr inbounds double, ptr %383, i64 %384
+  %388 = icmp sgt i64 %382, 0
+  br i1 %388, label %389, label %421
 
-377:                                              ; preds = %374
-  %378 = load ptr, ptr %12, align 8, !noalias !8
-  %379 = load ptr, ptr %75, align 8, !noalias !8
-  %380 = load ptr, ptr %88, align 8, !noalias !8
-  %381 = load ptr, ptr %89, align 8, !noalias !8
-  %382 = load ptr, ptr %85, align 8, !noalias !8
-  br label %472
+389:                                              ; preds = %386
+  %390 = load ptr, ptr %12, align 8, !noalias !8
+  %391 = load ptr, ptr %75, align 8, !noalias !8
+  %392 = load ptr, ptr %88, align 8, !noalias !8
+  %393 = load ptr, ptr %89, align 8, !noalias !8
+  %394 = load ptr, ptr %85, align 8, !noalias !8
+  br label %484
 
-383:                                              ; preds = %367, %383
-  %384 = phi i64 [ 0, %367 ], [ %407, %383 ]
-  %385 = load i64, ptr %359, align 8, !noalias !8
-  %386 = load i64, ptr %373, align 8, !noalias !8
-  %387 = load ptr, ptr %85, align 8, !noalias !8
-  %388 = load i64, ptr %86, align 8, !noalias !8
-  %389 = mul nsw i64 %388, %384
-  %390 = getelementptr inbounds double, ptr %387, i64 %389
-  %391 = load ptr, ptr %87, align 8, !noalias !8
-  %392 = load ptr, ptr %76, align 8, !noalias !8
-  %393 = getelementptr i64, ptr %392, i64 %385
-  %394 = getelementptr i8, ptr %393, i64 8
-  %395 = getelementptr i64, ptr %394, i64 %384
-  %396 = load i64, ptr %395, align 8, !noalias !8
-  %397 = getelementptr i8, ptr %395, i64 8
-  %398 = load i64, ptr %397, align 8, !noalias !8
-  %399 = xor i64 %396, -1
-  %400 = add i64 %398, %399
-  %401 = load ptr, ptr %63, align 8, !noalias !8
-  %402 = load ptr, ptr %77, align 8, !noalias !8
-  %403 = load ptr, ptr %78, align 8, !noalias !8
-  %404 = getelementptr inbounds i64, ptr %403, i64 %396
-  %405 = load ptr, ptr %79, align 8, !noalias !8
-  %406 = getelementptr inbounds double, ptr %405, i64 %396
-  call fastcc void @combine(ptr noundef %390, ptr noundef %391, ptr noundef %401, ptr noundef %402, ptr noundef %404, ptr noundef %406, i64 noundef %400, i64 noundef %386) #10
-  %407 = add nuw nsw i64 %384, 1
-  %408 = icmp eq i64 %407, %361
-  br i1 %408, label %374, label %383, !llvm.loop !12
+395:                                              ; preds = %379, %395
+  %396 = phi i64 [ 0, %379 ], [ %419, %395 ]
+  %397 = load i64, ptr %371, align 8, !noalias !8
+  %398 = load i64, ptr %385, align 8, !noalias !8
+  %399 = load ptr, ptr %85, align 8, !noalias !8
+  %400 = load i64, ptr %86, align 8, !noalias !8
+  %401 = mul nsw i64 %400, %396
+  %402 = getelementptr inbounds double, ptr %399, i64 %401
+  %403 = load ptr, ptr %87, align 8, !noalias !8
+  %404 = load ptr, ptr %76, align 8, !noalias !8
+  %405 = getelementptr i64, ptr %404, i64 %397
+  %406 = getelementptr i8, ptr %405, i64 8
+  %407 = getelementptr i64, ptr %406, i64 %396
+  %408 = load i64, ptr %407, align 8, !noalias !8
+  %409 = getelementptr i8, ptr %407, i64 8
+  %410 = load i64, ptr %409, align 8, !noalias !8
+  %411 = xor i64 %408, -1
+  %412 = add i64 %410, %411
+  %413 = load ptr, ptr %63, align 8, !noalias !8
+  %414 = load ptr, ptr %77, align 8, !noalias !8
+  %415 = load ptr, ptr %78, align 8, !noalias !8
+  %416 = getelementptr inbounds i64, ptr %415, i64 %408
+  %417 = load ptr, ptr %79, align 8, !noalias !8
+  %418 = getelementptr inbounds double, ptr %417, i64 %408
+  call fastcc void @combine(ptr noundef %402, ptr noundef %403, ptr noundef %413, ptr noundef %414, ptr noundef %416, ptr noundef %418, i64 noundef %412, i64 noundef %398) #10
+  %419 = add nuw nsw i64 %396, 1
+  %420 = icmp eq i64 %419, %373
+  br i1 %420, label %386, label %395, !llvm.loop !12
 
-409:                                              ; preds = %472, %374
-  %410 = phi <8 x double> [ zeroinitializer, %374 ], [ %505, %472 ]
-  %411 = phi <8 x double> [ zeroinitializer, %374 ], [ %503, %472 ]
-  %412 = load ptr, ptr %75, align 8, !noalias !8
-  %413 = getelementptr inbounds i8, ptr %368, i64 8
-  %414 = load i64, ptr %413, align 8, !noalias !8
-  %415 = add nsw i64 %414, -3
-  %416 = getelementptr i8, ptr %412, i64 64
-  %417 = getelementptr i8, ptr %412, i64 128
-  %418 = getelementptr i8, ptr %412, i64 192
-  %419 = icmp slt i64 %370, %415
-  br i1 %419, label %427, label %420
+421:                                              ; preds = %484, %386
+  %422 = phi <8 x double> [ zeroinitializer, %386 ], [ %517, %484 ]
+  %423 = phi <8 x double> [ zeroinitializer, %386 ], [ %515, %484 ]
+  %424 = load ptr, ptr %75, align 8, !noalias !8
+  %425 = getelementptr inbounds i8, ptr %380, i64 8
+  %426 = load i64, ptr %425, align 8, !noalias !8
+  %427 = add nsw i64 %426, -3
+  %428 = getelementptr i8, ptr %424, i64 64
+  %429 = getelementptr i8, ptr %424, i64 128
+  %430 = getelementptr i8, ptr %424, i64 192
+  %431 = icmp slt i64 %382, %427
+  br i1 %431, label %439, label %432
 
-420:                                              ; preds = %427, %409
-  %421 = phi <8 x double> [ zeroinitializer, %409 ], [ %437, %427 ]
-  %422 = phi <8 x double> [ zeroinitializer, %409 ], [ %442, %427 ]
-  %423 = phi <8 x double> [ zeroinitializer, %409 ], [ %447, %427 ]
-  %424 = phi <8 x double> [ zeroinitializer, %409 ], [ %452, %427 ]
-  %425 = phi i64 [ %370, %409 ], [ %453, %427 ]
-  %426 = icmp slt i64 %425, %414
-  br i1 %426, label %455, label %465
+432:                                              ; preds = %439, %421
+  %433 = phi <8 x double> [ zeroinitializer, %421 ], [ %449, %439 ]
+  %434 = phi <8 x double> [ zeroinitializer, %421 ], [ %454, %439 ]
+  %435 = phi <8 x double> [ zeroinitializer, %421 ], [ %459, %439 ]
+  %436 = phi <8 x double> [ zeroinitializer, %421 ], [ %464, %439 ]
+  %437 = phi i64 [ %382, %421 ], [ %465, %439 ]
+  %438 = icmp slt i64 %437, %426
+  br i1 %438, label %467, label %477
 
-427:                                              ; preds = %409, %427
-  %428 = phi i64 [ %453, %427 ], [ %370, %409 ]
-  %429 = phi <8 x double> [ %452, %427 ], [ zeroinitializer, %409 ]
-  %430 = phi <8 x double> [ %447, %427 ], [ zeroinitializer, %409 ]
-  %431 = phi <8 x double> [ %442, %427 ], [ zeroinitializer, %409 ]
-  %432 = phi <8 x double> [ %437, %427 ], [ zeroinitializer, %409 ]
-  %433 = shl nsw i64 %428, 6
-  %434 = getelementptr inbounds i8, ptr %412, i64 %433
-  %435 = load <8 x double>, ptr %434, align 8, !noalias !8
-  %436 = fmul <8 x double> %435, zeroinitializer
-  %437 = fadd <8 x double> %432, %436
-  %438 = shl i64 %428, 6
-  %439 = getelementptr i8, ptr %416, i64 %438
-  %440 = load <8 x double>, ptr %439, align 8, !noalias !8
-  %441 = fmul <8 x double> %440, zeroinitializer
-  %442 = fadd <8 x double> %431, %441
-  %443 = shl i64 %428, 6
-  %444 = getelementptr i8, ptr %417, i64 %443
-  %445 = load <8 x double>, ptr %444, align 8, !noalias !8
-  %446 = fmul <8 x double> %445, zeroinitializer
-  %447 = fadd <8 x double> %430, %446
-  %448 = shl i64 %428, 6
-  %449 = getelementptr i8, ptr %418, i64 %448
-  %450 = load <8 x double>, ptr %449, align 8, !noalias !8
-  %451 = fmul <8 x double> %450, zeroinitializer
-  %452 = fadd <8 x double> %429, %451
-  %453 = add nsw i64 %428, 4
-  %454 = icmp slt i64 %453, %415
-  br i1 %454, label %427, label %420, !llvm.loop !13
+439:                                              ; preds = %421, %439
+  %440 = phi i64 [ %465, %439 ], [ %382, %421 ]
+  %441 = phi <8 x double> [ %464, %439 ], [ zeroinitializer, %421 ]
+  %442 = phi <8 x double> [ %459, %439 ], [ zeroinitializer, %421 ]
+  %443 = phi <8 x double> [ %454, %439 ], [ zeroinitializer, %421 ]
+  %444 = phi <8 x double> [ %449, %439 ], [ zeroinitializer, %421 ]
+  %445 = shl nsw i64 %440, 6
+  %446 = getelementptr inbounds i8, ptr %424, i64 %445
+  %447 = load <8 x double>, ptr %446, align 8, !noalias !8
+  %448 = fmul <8 x double> %447, zeroinitializer
+  %449 = fadd <8 x double> %444, %448
+  %450 = shl i64 %440, 6
+  %451 = getelementptr i8, ptr %428, i64 %450
+  %452 = load <8 x double>, ptr %451, align 8, !noalias !8
+  %453 = fmul <8 x double> %452, zeroinitializer
+  %454 = fadd <8 x double> %443, %453
+  %455 = shl i64 %440, 6
+  %456 = getelementptr i8, ptr %429, i64 %455
+  %457 = load <8 x double>, ptr %456, align 8, !noalias !8
+  %458 = fmul <8 x double> %457, zeroinitializer
+  %459 = fadd <8 x double> %442, %458
+  %460 = shl i64 %440, 6
+  %461 = getelementptr i8, ptr %430, i64 %460
+  %462 = load <8 x double>, ptr %461, align 8, !noalias !8
+  %463 = fmul <8 x double> %462, zeroinitializer
+  %464 = fadd <8 x double> %441, %463
+  %465 = add nsw i64 %440, 4
+  %466 = icmp slt i64 %465, %427
+  br i1 %466, label %439, label %432, !llvm.loop !13
 
-455:                                              ; preds = %420, %455
-  %456 = phi i64 [ %463, %455 ], [ %425, %420 ]
-  %457 = phi <8 x double> [ %462, %455 ], [ %421, %420 ]
-  %458 = shl nsw i64 %456, 6
-  %459 = getelementptr inbounds i8, ptr %412, i64 %458
-  %460 = load <8 x double>, ptr %459, align 8, !noalias !8
-  %461 = fmul <8 x double> %460, zeroinitializer
-  %462 = fadd <8 x double> %457, %461
-  %463 = add nsw i64 %456, 1
-  %464 = icmp eq i64 %463, %414
-  br i1 %464, label %465, label %455, !llvm.loop !14
+467:                                              ; preds = %432, %467
+  %468 = phi i64 [ %475, %467 ], [ %437, %432 ]
+  %469 = phi <8 x double> [ %474, %467 ], [ %433, %432 ]
+  %470 = shl nsw i64 %468, 6
+  %471 = getelementptr inbounds i8, ptr %424, i64 %470
+  %472 = load <8 x double>, ptr %471, align 8, !noalias !8
+  %473 = fmul <8 x double> %472, zeroinitializer
+  %474 = fadd <8 x double> %469, %473
+  %475 = add nsw i64 %468, 1
+  %476 = icmp eq i64 %475, %426
+  br i1 %476, label %477, label %467, !llvm.loop !14
 
-465:                                              ; preds = %455, %420
-  %466 = phi <8 x double> [ %421, %420 ], [ %462, %455 ]
-  %467 = fadd <8 x double> %422, %466
-  %468 = fadd <8 x double> %423, %424
-  %469 = fadd <8 x double> %468, %467
-  %470 = fadd <8 x double> %411, %469
-  %471 = icmp eq i64 %361, 2
-  br i1 %471, label %508, label %519
+477:                                              ; preds = %467, %432
+  %478 = phi <8 x double> [ %433, %432 ], [ %474, %467 ]
+  %479 = fadd <8 x double> %434, %478
+  %480 = fadd <8 x double> %435, %436
+  %481 = fadd <8 x double> %480, %479
+  %482 = fadd <8 x double> %423, %481
+  %483 = icmp eq i64 %373, 2
+  br i1 %483, label %520, label %531
 
-472:                                              ; preds = %377, %472
-  %473 = phi <8 x double> [ zeroinitializer, %377 ], [ %503, %472 ]
-  %474 = phi <8 x double> [ zeroinitializer, %377 ], [ %505, %472 ]
-  %475 = phi i64 [ 0, %377 ], [ %506, %472 ]
-  %476 = shl nsw i64 %475, 6
-  %477 = getelementptr inbounds i8, ptr %378, i64 %476
-  %478 = load <8 x double>, ptr %477, align 8, !noalias !8
-  %479 = getelementptr inbounds i8, ptr %379, i64 %476
-  %480 = load <8 x double>, ptr %479, align 8, !noalias !8
-  %481 = getelementptr inbounds double, ptr %380, i64 %475
-  %482 = load double, ptr %481, align 8, !noalias !8
-  %483 = insertelement <8 x double> poison, double %482, i64 0
-  %484 = shufflevector <8 x double> %483, <8 x double> poison, <8 x i32> zeroinitializer
-  %485 = getelementptr inbounds double, ptr %381, i64 %475
-  %486 = load double, ptr %485, align 8, !noalias !8
-  %487 = insertelement <8 x double> poison, double %486, i64 0
-  %488 = shufflevector <8 x double> %487, <8 x double> poison, <8 x i32> zeroinitializer
-  %489 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %478)
-  %490 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %480)
-  %491 = fcmp ogt <8 x double> %489, %490
-  %492 = select <8 x i1> %491, <8 x double> %489, <8 x double> %490
-  %493 = fmul <8 x double> %492, %488
-  %494 = fadd <8 x double> %484, %493
-  %495 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %494
-  %496 = getelementptr inbounds i8, ptr %382, i64 %476
-  %497 = load <8 x double>, ptr %496, align 8, !noalias !8
-  %498 = fmul <8 x double> %497, %495
-  %499 = getelementptr inbounds i8, ptr %375, i64 %476
-  %500 = load <8 x double>, ptr %499, align 8, !noalias !8
-  %501 = fmul <8 x double> %500, %495
-  %502 = fmul <8 x double> %498, %498
-  %503 = fadd <8 x double> %473, %502
-  %504 = fmul <8 x double> %501, %501
-  %505 = fadd <8 x double> %474, %504
-  %506 = add nuw nsw i64 %475, 1
-  %507 = icmp eq i64 %506, %370
-  br i1 %507, label %409, label %472, !llvm.loop !15
+484:                                              ; preds = %389, %484
+  %485 = phi <8 x double> [ zeroinitializer, %389 ], [ %515, %484 ]
+  %486 = phi <8 x double> [ zeroinitializer, %389 ], [ %517, %484 ]
+  %487 = phi i64 [ 0, %389 ], [ %518, %484 ]
+  %488 = shl nsw i64 %487, 6
+  %489 = getelementptr inbounds i8, ptr %390, i64 %488
+  %490 = load <8 x double>, ptr %489, align 8, !noalias !8
+  %491 = getelementptr inbounds i8, ptr %391, i64 %488
+  %492 = load <8 x double>, ptr %491, align 8, !noalias !8
+  %493 = getelementptr inbounds double, ptr %392, i64 %487
+  %494 = load double, ptr %493, align 8, !noalias !8
+  %495 = insertelement <8 x double> poison, double %494, i64 0
+  %496 = shufflevector <8 x double> %495, <8 x double> poison, <8 x i32> zeroinitializer
+  %497 = getelementptr inbounds double, ptr %393, i64 %487
+  %498 = load double, ptr %497, align 8, !noalias !8
+  %499 = insertelement <8 x double> poison, double %498, i64 0
+  %500 = shufflevector <8 x double> %499, <8 x double> poison, <8 x i32> zeroinitializer
+  %501 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %490)
+  %502 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %492)
+  %503 = fcmp ogt <8 x double> %501, %502
+  %504 = select <8 x i1> %503, <8 x double> %501, <8 x double> %502
+  %505 = fmul <8 x double> %504, %500
+  %506 = fadd <8 x double> %496, %505
+  %507 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %506
+  %508 = getelementptr inbounds i8, ptr %394, i64 %488
+  %509 = load <8 x double>, ptr %508, align 8, !noalias !8
+  %510 = fmul <8 x double> %509, %507
+  %511 = getelementptr inbounds i8, ptr %387, i64 %488
+  %512 = load <8 x double>, ptr %511, align 8, !noalias !8
+  %513 = fmul <8 x double> %512, %507
+  %514 = fmul <8 x double> %510, %510
+  %515 = fadd <8 x double> %485, %514
+  %516 = fmul <8 x double> %513, %513
+  %517 = fadd <8 x double> %486, %516
+  %518 = add nuw nsw i64 %487, 1
+  %519 = icmp eq i64 %518, %382
+  br i1 %519, label %421, label %484, !llvm.loop !15
 
-508:                                              ; preds = %465
-  %509 = fmul <8 x double> %410, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %510 = fadd <8 x double> %509, %470
-  %511 = sitofp i64 %370 to double
-  %512 = insertelement <8 x double> poison, double %511, i64 0
-  %513 = shufflevector <8 x double> %512, <8 x double> poison, <8 x i32> zeroinitializer
-  %514 = fmul <8 x double> %513, %510
-  %515 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %514)
-  %516 = fdiv <8 x double> %470, %515
-  %517 = fcmp oeq <8 x double> %470, zeroinitializer
-  %518 = select <8 x i1> %517, <8 x double> zeroinitializer, <8 x double> %516
-  br label %535
+520:                                              ; preds = %477
+  %521 = fmul <8 x double> %422, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %522 = fadd <8 x double> %521, %482
+  %523 = sitofp i64 %382 to double
+  %524 = insertelement <8 x double> poison, double %523, i64 0
+  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
+  %526 = fmul <8 x double> %525, %522
+  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
+  %528 = fdiv <8 x double> %482, %527
+  %529 = fcmp oeq <8 x double> %482, zeroinitializer
+  %530 = select <8 x i1> %529, <8 x double> zeroinitializer, <8 x double> %528
+  br label %547
 
-519:                                              ; preds = %465
-  %520 = sitofp i64 %370 to double
-  %521 = insertelement <8 x double> poison, double %520, i64 0
-  %522 = shufflevector <8 x double> %521, <8 x double> poison, <8 x i32> zeroinitializer
-  %523 = fdiv <8 x double> %470, %522
-  %524 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %523)
-  br label %535
+531:                                              ; preds = %477
+  %532 = sitofp i64 %382 to double
+  %533 = insertelement <8 x double> poison, double %532, i64 0
+  %534 = shufflevector <8 x double> %533, <8 x double> poison, <8 x i32> zeroinitializer
+  %535 = fdiv <8 x double> %482, %534
+  %536 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %535)
+  br label %547
 
-525:                                              ; preds = %365, %525
-  %526 = phi i64 [ 0, %365 ], [ %533, %525 ]
-  %527 = phi <8 x double> [ zeroinitializer, %365 ], [ %532, %525 ]
-  %528 = shl nsw i64 %526, 6
-  %529 = getelementptr inbounds i8, ptr %366, i64 %528
-  %530 = load <8 x double>, ptr %529, align 8, !noalias !8
-  %531 = fmul <8 x double> %530, zeroinitializer
-  %532 = fadd <8 x double> %527, %531
-  %533 = add nuw nsw i64 %526, 1
-  %534 = icmp eq i64 %533, %258
-  br i1 %534, label %535, label %525, !llvm.loop !16
+537:                                              ; preds = %377, %537
+  %538 = phi i64 [ 0, %377 ], [ %545, %537 ]
+  %539 = phi <8 x double> [ zeroinitializer, %377 ], [ %544, %537 ]
+  %540 = shl nsw i64 %538, 6
+  %541 = getelementptr inbounds i8, ptr %378, i64 %540
+  %542 = load <8 x double>, ptr %541, align 8, !noalias !8
+  %543 = fmul <8 x double> %542, zeroinitializer
+  %544 = fadd <8 x double> %539, %543
+  %545 = add nuw nsw i64 %538, 1
+  %546 = icmp eq i64 %545, %258
+  br i1 %546, label %547, label %537, !llvm.loop !16
 
-535:                                              ; preds = %525, %363, %519, %508
-  %536 = phi <8 x double> [ %518, %508 ], [ %524, %519 ], [ zeroinitializer, %363 ], [ %532, %525 ]
-  %537 = fcmp olt <8 x double> %536, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %538 = bitcast <8 x i1> %537 to i8
-  %539 = zext i8 %538 to i64
-  %540 = xor i64 %358, -1
-  %541 = and i64 %540, %539
-  %542 = and i64 %541, %197
-  %543 = load ptr, ptr %90, align 8, !noalias !8
-  %544 = load <8 x double>, ptr %543, align 8, !noalias !8
-  %545 = load i64, ptr %255, align 8, !noalias !8
-  %546 = sext i1 %261 to i64
-  %547 = add i64 %545, %546
-  %548 = sitofp i64 %547 to double
-  %549 = insertelement <8 x double> poison, double %548, i64 0
-  %550 = shufflevector <8 x double> %549, <8 x double> poison, <8 x i32> zeroinitializer
-  %551 = fadd <8 x double> %544, %550
-  store <8 x double> %551, ptr %543, align 8, !noalias !8
-  %552 = icmp ne i64 %542, 0
-  %553 = select i1 %47, i1 %552, i1 false
-  br i1 %553, label %554, label %557
+547:                                              ; preds = %537, %375, %531, %520
+  %548 = phi <8 x double> [ %530, %520 ], [ %536, %531 ], [ zeroinitializer, %375 ], [ %544, %537 ]
+  %549 = fcmp olt <8 x double> %548, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %550 = bitcast <8 x i1> %549 to i8
+  %551 = zext i8 %550 to i64
+  %552 = xor i64 %370, -1
+  %553 = and i64 %552, %551
+  %554 = and i64 %553, %197
+  %555 = load ptr, ptr %90, align 8, !noalias !8
+  %556 = load <8 x double>, ptr %555, align 8, !noalias !8
+  %557 = load i64, ptr %255, align 8, !noalias !8
+  %558 = sext i1 %261 to i64
+  %559 = add i64 %557, %558
+  %560 = sitofp i64 %559 to double
+  %561 = insertelement <8 x double> poison, double %560, i64 0
+  %562 = shufflevector <8 x double> %561, <8 x double> poison, <8 x i32> zeroinitializer
+  %563 = fadd <8 x double> %556, %562
+  store <8 x double> %563, ptr %555, align 8, !noalias !8
+  %564 = icmp ne i64 %554, 0
+  %565 = select i1 %47, i1 %564, i1 false
+  br i1 %565, label %566, label %569
 
-554:                                              ; preds = %535
+566:                                              ; preds = %547
   store <8 x double> %229, ptr %3, align 16
-  %555 = load ptr, ptr %91, align 8
-  %556 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %3, ptr noundef %555, i64 noundef %542, i32 noundef %46) #10
-  br label %557
+  %567 = load ptr, ptr %91, align 8
+  %568 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %3, ptr noundef %567, i64 noundef %554, i32 noundef %46) #10
+  br label %569
 
-557:                                              ; preds = %554, %535
-  %558 = phi i64 [ %556, %554 ], [ 0, %535 ]
-  %559 = xor i64 %558, -1
-  %560 = and i64 %542, %559
-  %561 = load ptr, ptr %0, align 8
-  %562 = icmp eq i64 %560, 0
-  br i1 %562, label %601, label %563
+569:                                              ; preds = %566, %547
+  %570 = phi i64 [ %568, %566 ], [ 0, %547 ]
+  %571 = xor i64 %570, -1
+  %572 = and i64 %554, %571
+  %573 = load ptr, ptr %0, align 8
+  %574 = icmp eq i64 %572, 0
+  br i1 %574, label %619, label %575
 
-563:                                              ; preds = %557
-  %564 = getelementptr inbounds i8, ptr %561, i64 32
-  %565 = load i64, ptr %564, align 8
-  %566 = icmp eq i64 %565, 1
-  br i1 %566, label %567, label %571
+575:                                              ; preds = %569
+  %576 = getelementptr inbounds i8, ptr %573, i64 32
+  %577 = load i64, ptr %576, align 8
+  %578 = icmp eq i64 %577, 1
+  br i1 %578, label %579, label %583
 
-567:                                              ; preds = %563
-  %568 = load ptr, ptr %34, align 8
-  %569 = load i64, ptr %568, align 8
-  %570 = icmp eq i64 %569, 1
-  br i1 %570, label %571, label %601
+579:                                              ; preds = %575
+  %580 = load ptr, ptr %34, align 8
+  %581 = load i64, ptr %580, align 8
+  %582 = icmp eq i64 %581, 1
+  br i1 %582, label %583, label %619
 
-571:                                              ; preds = %567, %563
-  %572 = load ptr, ptr %75, align 8
-  %573 = load ptr, ptr %77, align 8
-  %574 = load i64, ptr %561, align 8
-  %575 = load i64, ptr %92, align 8
-  %576 = mul nsw i64 %575, %574
-  %577 = getelementptr inbounds double, ptr %573, i64 %576
-  %578 = load ptr, ptr %93, align 8
-  store <8 x double> %229, ptr %578, align 8
-  %579 = load i64, ptr %94, align 8
-  %580 = icmp sgt i64 %579, 0
-  br i1 %580, label %581, label %582
+583:                                              ; preds = %579, %575
+  %584 = load ptr, ptr %75, align 8
+  %585 = load ptr, ptr %77, align 8
+  %586 = load i64, ptr %573, align 8
+  %587 = load i64, ptr %92, align 8
+  %588 = mul nsw i64 %587, %586
+  %589 = getelementptr inbounds double, ptr %585, i64 %588
+  %590 = load ptr, ptr %93, align 8
+  store <8 x double> %229, ptr %590, align 8
+  %591 = load ptr, ptr %10, align 8
+  %592 = getelementptr inbounds i8, ptr %591, i64 40
+  %593 = load i64, ptr %592, align 8
+  %594 = icmp eq i64 %593, 0
+  br i1 %594, label %596, label %595
 
-581:                                              ; preds = %571
+595:                                              ; preds = %583
+  call fastcc void @settle(ptr noundef nonnull %10) #10
+  br label %596
+
+596:                                              ; preds = %595, %583
+  %597 = load i64, ptr %94, align 8
+  %598 = icmp sgt i64 %597, 0
+  br i1 %598, label %599, label %600
+
+599:                                              ; preds = %596
   call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %582
+  br label %600
 
-582:                                              ; preds = %571, %581
-  %583 = load ptr, ptr %10, align 8
-  %584 = load i64, ptr %583, align 8
-  %585 = load ptr, ptr %93, align 8
-  %586 = load ptr, ptr %95, align 8
-  %587 = load ptr, ptr %96, align 8
-  %588 = inttoptr i64 %584 to ptr
-  %589 = load ptr, ptr %588, align 8
-  %590 = call i32 %589(ptr noundef %585, ptr noundef %572, ptr noundef %586, ptr noundef %587, ptr noundef %577) #11
-  %591 = zext i32 %590 to i64
-  %592 = or i64 %358, %591
-  %593 = load ptr, ptr %90, align 8
-  %594 = load <8 x double>, ptr %593, align 8
-  %595 = trunc nuw i64 %560 to i8
-  %596 = bitcast i8 %595 to <8 x i1>
-  %597 = select <8 x i1> %596, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %598 = fadd <8 x double> %597, %594
-  store <8 x double> %598, ptr %593, align 8
-  %599 = xor i64 %592, -1
-  %600 = and i64 %560, %599
-  br label %601
+600:                                              ; preds = %596, %599
+  %601 = load ptr, ptr %10, align 8
+  %602 = load i64, ptr %601, align 8
+  %603 = load ptr, ptr %93, align 8
+  %604 = load ptr, ptr %95, align 8
+  %605 = load ptr, ptr %96, align 8
+  %606 = inttoptr i64 %602 to ptr
+  %607 = load ptr, ptr %606, align 8
+  %608 = call i32 %607(ptr noundef %603, ptr noundef %584, ptr noundef %604, ptr noundef %605, ptr noundef %589) #11
+  %609 = zext i32 %608 to i64
+  %610 = or i64 %370, %609
+  %611 = load ptr, ptr %90, align 8
+  %612 = load <8 x double>, ptr %611, align 8
+  %613 = trunc nuw i64 %572 to i8
+  %614 = bitcast i8 %613 to <8 x i1>
+  %615 = select <8 x i1> %614, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %616 = fadd <8 x double> %615, %612
+  store <8 x double> %616, ptr %611, align 8
+  %617 = xor i64 %610, -1
+  %618 = and i64 %572, %617
+  br label %619
 
-601:                                              ; preds = %557, %567, %582
-  %602 = phi i64 [ %358, %557 ], [ %592, %582 ], [ %358, %567 ]
-  %603 = phi i64 [ %560, %557 ], [ %600, %582 ], [ %560, %567 ]
-  %604 = icmp ne i64 %603, 0
-  %605 = select i1 %48, i1 %604, i1 false
-  br i1 %605, label %606, label %610
+619:                                              ; preds = %569, %579, %600
+  %620 = phi i64 [ %370, %569 ], [ %610, %600 ], [ %370, %579 ]
+  %621 = phi i64 [ %572, %569 ], [ %618, %600 ], [ %572, %579 ]
+  %622 = icmp ne i64 %621, 0
+  %623 = select i1 %48, i1 %622, i1 false
+  br i1 %623, label %624, label %628
 
-606:                                              ; preds = %601
-  %607 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
-  %608 = xor i64 %607, -1
-  %609 = and i64 %603, %608
-  br label %610
+624:                                              ; preds = %619
+  %625 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
+  %626 = xor i64 %625, -1
+  %627 = and i64 %621, %626
+  br label %628
 
-610:                                              ; preds = %601, %606
-  %611 = phi i64 [ %609, %606 ], [ 0, %601 ]
+628:                                              ; preds = %619, %624
+  %629 = phi i64 [ %627, %624 ], [ 0, %619 ]
   store i64 0, ptr %8, align 8
-  %612 = load ptr, ptr %97, align 8
-  %613 = load <8 x double>, ptr %612, align 8
-  %614 = fcmp olt <8 x double> %613, %229
-  %615 = bitcast <8 x i1> %614 to i8
-  %616 = zext i8 %615 to i64
-  %617 = and i64 %603, %616
-  %618 = or i64 %617, %611
-  %619 = icmp eq i64 %618, 0
-  br i1 %619, label %814, label %620
+  %630 = load ptr, ptr %97, align 8
+  %631 = load <8 x double>, ptr %630, align 8
+  %632 = fcmp olt <8 x double> %631, %229
+  %633 = bitcast <8 x i1> %632 to i8
+  %634 = zext i8 %633 to i64
+  %635 = and i64 %621, %634
+  %636 = or i64 %635, %629
+  %637 = icmp eq i64 %636, 0
+  br i1 %637, label %838, label %638
 
-620:                                              ; preds = %610
-  %621 = load ptr, ptr %90, align 8
-  %622 = load <8 x double>, ptr %621, align 8
-  %623 = trunc nuw i64 %618 to i8
-  %624 = bitcast i8 %623 to <8 x i1>
-  %625 = load ptr, ptr %0, align 8
-  %626 = getelementptr inbounds i8, ptr %625, i64 16
-  %627 = load i64, ptr %626, align 8
-  %628 = sitofp i64 %627 to double
-  %629 = insertelement <8 x double> poison, double %628, i64 0
-  %630 = shufflevector <8 x double> %629, <8 x double> poison, <8 x i32> zeroinitializer
-  %631 = select <8 x i1> %624, <8 x double> %630, <8 x double> zeroinitializer
-  %632 = fadd <8 x double> %622, %631
-  store <8 x double> %632, ptr %621, align 8
-  %633 = load ptr, ptr %0, align 8
-  %634 = load ptr, ptr %10, align 8
-  %635 = getelementptr inbounds i8, ptr %634, i64 16
-  %636 = load i64, ptr %635, align 8
-  %637 = load i64, ptr %633, align 8
-  %638 = load i64, ptr %98, align 8
-  %639 = load ptr, ptr %77, align 8
-  %640 = mul nsw i64 %638, %637
-  %641 = getelementptr inbounds double, ptr %639, i64 %640
-  %642 = load ptr, ptr %99, align 8
-  %643 = add nsw i64 %637, 1
-  %644 = getelementptr inbounds i8, ptr %633, i64 16
+638:                                              ; preds = %628
+  %639 = load ptr, ptr %90, align 8
+  %640 = load <8 x double>, ptr %639, align 8
+  %641 = trunc nuw i64 %636 to i8
+  %642 = bitcast i8 %641 to <8 x i1>
+  %643 = load ptr, ptr %0, align 8
+  %644 = getelementptr inbounds i8, ptr %643, i64 16
   %645 = load i64, ptr %644, align 8
-  %646 = icmp sgt i64 %645, 0
-  br i1 %646, label %647, label %649
-
-647:                                              ; preds = %620
-  %648 = getelementptr inbounds i8, ptr %633, i64 8
-  br label %660
-
-649:                                              ; preds = %695, %620
-  %650 = phi i64 [ 0, %620 ], [ %705, %695 ]
-  %651 = getelementptr inbounds i8, ptr %633, i64 16
+  %646 = sitofp i64 %645 to double
+  %647 = insertelement <8 x double> poison, double %646, i64 0
+  %648 = shufflevector <8 x double> %647, <8 x double> poison, <8 x i32> zeroinitializer
+  %649 = select <8 x i1> %642, <8 x double> %648, <8 x double> zeroinitializer
+  %650 = fadd <8 x double> %640, %649
+  store <8 x double> %650, ptr %639, align 8
+  %651 = load ptr, ptr %0, align 8
   %652 = load ptr, ptr %10, align 8
-  %653 = getelementptr inbounds i8, ptr %652, i64 8
+  %653 = getelementptr inbounds i8, ptr %652, i64 16
   %654 = load i64, ptr %653, align 8
-  %655 = icmp sgt i64 %654, 0
-  br i1 %655, label %656, label %710
+  %655 = load i64, ptr %651, align 8
+  %656 = load i64, ptr %98, align 8
+  %657 = load ptr, ptr %77, align 8
+  %658 = mul nsw i64 %656, %655
+  %659 = getelementptr inbounds double, ptr %657, i64 %658
+  %660 = load ptr, ptr %99, align 8
+  %661 = add nsw i64 %655, 1
+  %662 = getelementptr inbounds i8, ptr %651, i64 16
+  %663 = load i64, ptr %662, align 8
+  %664 = icmp sgt i64 %663, 0
+  br i1 %664, label %665, label %667
 
-656:                                              ; preds = %649
-  %657 = getelementptr inbounds double, ptr %642, i64 %638
-  %658 = shl nsw i64 %638, 4
-  %659 = getelementptr inbounds i8, ptr %642, i64 %658
-  br label %717
+665:                                              ; preds = %638
+  %666 = getelementptr inbounds i8, ptr %651, i64 8
+  br label %678
 
-660:                                              ; preds = %647, %695
-  %661 = phi i64 [ 0, %647 ], [ %705, %695 ]
-  %662 = phi i64 [ %643, %647 ], [ %706, %695 ]
-  %663 = load i64, ptr %648, align 8
-  %664 = load ptr, ptr %100, align 8
-  %665 = load ptr, ptr %12, align 8
-  %666 = load ptr, ptr %76, align 8
-  %667 = getelementptr i64, ptr %666, i64 %662
-  %668 = getelementptr i64, ptr %667, i64 %663
-  %669 = load i64, ptr %668, align 8
-  %670 = getelementptr i8, ptr %668, i64 8
-  %671 = load i64, ptr %670, align 8
-  %672 = xor i64 %669, -1
-  %673 = add i64 %671, %672
-  %674 = load ptr, ptr %63, align 8
-  %675 = load ptr, ptr %77, align 8
-  %676 = load ptr, ptr %78, align 8
-  %677 = getelementptr inbounds i64, ptr %676, i64 %669
-  %678 = load ptr, ptr %79, align 8
-  %679 = getelementptr inbounds double, ptr %678, i64 %669
-  call fastcc void @combine(ptr noundef %664, ptr noundef %665, ptr noundef %674, ptr noundef %675, ptr noundef %677, ptr noundef %679, i64 noundef %673, i64 noundef %636) #10
-  %680 = load ptr, ptr %77, align 8
-  %681 = mul nsw i64 %662, %638
-  %682 = getelementptr inbounds double, ptr %680, i64 %681
-  %683 = load ptr, ptr %101, align 8
-  %684 = getelementptr inbounds double, ptr %683, i64 %662
-  %685 = load double, ptr %684, align 8
-  %686 = insertelement <8 x double> poison, double %685, i64 0
-  %687 = shufflevector <8 x double> %686, <8 x double> poison, <8 x i32> zeroinitializer
-  %688 = fmul <8 x double> %231, %687
-  %689 = fadd <8 x double> %201, %688
-  %690 = load ptr, ptr %100, align 8
-  %691 = load ptr, ptr %102, align 8
-  store <8 x double> %689, ptr %691, align 8
-  %692 = load i64, ptr %103, align 8
-  %693 = icmp sgt i64 %692, 0
-  br i1 %693, label %694, label %695
+667:                                              ; preds = %719, %638
+  %668 = phi i64 [ 0, %638 ], [ %729, %719 ]
+  %669 = getelementptr inbounds i8, ptr %651, i64 16
+  %670 = load ptr, ptr %10, align 8
+  %671 = getelementptr inbounds i8, ptr %670, i64 8
+  %672 = load i64, ptr %671, align 8
+  %673 = icmp sgt i64 %672, 0
+  br i1 %673, label %674, label %734
 
-694:                                              ; preds = %660
-  call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %695
+674:                                              ; preds = %667
+  %675 = getelementptr inbounds double, ptr %660, i64 %656
+  %676 = shl nsw i64 %656, 4
+  %677 = getelementptr inbounds i8, ptr %660, i64 %676
+  br label %741
 
-695:                                              ; preds = %694, %660
-  %696 = load ptr, ptr %10, align 8
-  %697 = load i64, ptr %696, align 8
-  %698 = load ptr, ptr %102, align 8
-  %699 = load ptr, ptr %104, align 8
-  %700 = load ptr, ptr %105, align 8
-  %701 = inttoptr i64 %697 to ptr
-  %702 = load ptr, ptr %701, align 8
-  %703 = call i32 %702(ptr noundef %698, ptr noundef %690, ptr noundef %699, ptr noundef %700, ptr noundef %682) #11
-  %704 = sext i32 %703 to i64
-  %705 = or i64 %661, %704
-  %706 = add nsw i64 %662, 1
-  %707 = load i64, ptr %644, align 8
-  %708 = add nsw i64 %707, %643
-  %709 = icmp slt i64 %706, %708
-  br i1 %709, label %660, label %649, !llvm.loop !17
-
-710:                                              ; preds = %717, %649
-  %711 = getelementptr inbounds i8, ptr %633, i64 8
+678:                                              ; preds = %665, %719
+  %679 = phi i64 [ 0, %665 ], [ %729, %719 ]
+  %680 = phi i64 [ %661, %665 ], [ %730, %719 ]
+  %681 = load i64, ptr %666, align 8
+  %682 = load ptr, ptr %100, align 8
+  %683 = load ptr, ptr %12, align 8
+  %684 = load ptr, ptr %76, align 8
+  %685 = getelementptr i64, ptr %684, i64 %680
+  %686 = getelementptr i64, ptr %685, i64 %681
+  %687 = load i64, ptr %686, align 8
+  %688 = getelementptr i8, ptr %686, i64 8
+  %689 = load i64, ptr %688, align 8
+  %690 = xor i64 %687, -1
+  %691 = add i64 %689, %690
+  %692 = load ptr, ptr %63, align 8
+  %693 = load ptr, ptr %77, align 8
+  %694 = load ptr, ptr %78, align 8
+  %695 = getelementptr inbounds i64, ptr %694, i64 %687
+  %696 = load ptr, ptr %79, align 8
+  %697 = getelementptr inbounds double, ptr %696, i64 %687
+  call fastcc void @combine(ptr noundef %682, ptr noundef %683, ptr noundef %692, ptr noundef %693, ptr noundef %695, ptr noundef %697, i64 noundef %691, i64 noundef %654) #10
+  %698 = load ptr, ptr %77, align 8
+  %699 = mul nsw i64 %680, %656
+  %700 = getelementptr inbounds double, ptr %698, i64 %699
+  %701 = load ptr, ptr %101, align 8
+  %702 = getelementptr inbounds double, ptr %701, i64 %680
+  %703 = load double, ptr %702, align 8
+  %704 = insertelement <8 x double> poison, double %703, i64 0
+  %705 = shufflevector <8 x double> %704, <8 x double> poison, <8 x i32> zeroinitializer
+  %706 = fmul <8 x double> %231, %705
+  %707 = fadd <8 x double> %201, %706
+  %708 = load ptr, ptr %100, align 8
+  %709 = load ptr, ptr %102, align 8
+  store <8 x double> %707, ptr %709, align 8
+  %710 = load ptr, ptr %10, align 8
+  %711 = getelementptr inbounds i8, ptr %710, i64 40
   %712 = load i64, ptr %711, align 8
-  %713 = load i64, ptr %651, align 8
-  %714 = getelementptr inbounds i8, ptr %633, i64 24
-  %715 = load i64, ptr %714, align 8
-  %716 = icmp sgt i64 %715, 3
-  br i1 %716, label %745, label %770
+  %713 = icmp eq i64 %712, 0
+  br i1 %713, label %715, label %714
 
-717:                                              ; preds = %656, %717
-  %718 = phi i64 [ 0, %656 ], [ %740, %717 ]
-  %719 = load ptr, ptr %75, align 8
-  %720 = shl nsw i64 %718, 6
-  %721 = getelementptr inbounds i8, ptr %719, i64 %720
-  %722 = load <8 x double>, ptr %721, align 8
-  %723 = load ptr, ptr %12, align 8
-  %724 = getelementptr inbounds i8, ptr %723, i64 %720
-  %725 = load <8 x double>, ptr %724, align 8
-  %726 = fsub <8 x double> %722, %725
-  %727 = load ptr, ptr %77, align 8
-  %728 = getelementptr inbounds i8, ptr %727, i64 %720
-  %729 = load <8 x double>, ptr %728, align 8
-  %730 = fmul <8 x double> %231, %729
-  %731 = fsub <8 x double> %730, %726
-  %732 = getelementptr inbounds i8, ptr %642, i64 %720
-  store <8 x double> %726, ptr %732, align 8
-  %733 = getelementptr inbounds i8, ptr %657, i64 %720
-  store <8 x double> %731, ptr %733, align 8
-  %734 = fsub <8 x double> %726, %731
-  %735 = getelementptr inbounds i8, ptr %641, i64 %720
-  %736 = load <8 x double>, ptr %735, align 8
-  %737 = fmul <8 x double> %231, %736
-  %738 = fsub <8 x double> %734, %737
-  %739 = getelementptr inbounds i8, ptr %659, i64 %720
-  store <8 x double> %738, ptr %739, align 8
-  %740 = add nuw nsw i64 %718, 1
-  %741 = load ptr, ptr %10, align 8
-  %742 = getelementptr inbounds i8, ptr %741, i64 8
-  %743 = load i64, ptr %742, align 8
-  %744 = icmp slt i64 %740, %743
-  br i1 %744, label %717, label %710, !llvm.loop !18
+714:                                              ; preds = %678
+  call fastcc void @settle(ptr noundef nonnull %10) #10
+  br label %715
 
-745:                                              ; preds = %710, %745
-  %746 = phi i64 [ %767, %745 ], [ 3, %710 ]
-  %747 = mul nsw i64 %746, %638
-  %748 = getelementptr inbounds double, ptr %642, i64 %747
-  %749 = load ptr, ptr %106, align 8
-  %750 = load ptr, ptr %76, align 8
-  %751 = getelementptr i64, ptr %750, i64 %643
-  %752 = getelementptr i64, ptr %751, i64 %712
-  %753 = getelementptr i64, ptr %752, i64 %713
-  %754 = getelementptr i64, ptr %753, i64 %746
-  %755 = getelementptr i8, ptr %754, i64 -24
-  %756 = load i64, ptr %755, align 8
-  %757 = getelementptr i8, ptr %754, i64 -16
-  %758 = load i64, ptr %757, align 8
-  %759 = xor i64 %756, -1
-  %760 = add i64 %758, %759
-  %761 = load ptr, ptr %63, align 8
-  %762 = load ptr, ptr %77, align 8
-  %763 = load ptr, ptr %78, align 8
-  %764 = getelementptr inbounds i64, ptr %763, i64 %756
-  %765 = load ptr, ptr %79, align 8
-  %766 = getelementptr inbounds double, ptr %765, i64 %756
-  call fastcc void @combine(ptr noundef %748, ptr noundef %749, ptr noundef %761, ptr noundef %762, ptr noundef %764, ptr noundef %766, i64 noundef %760, i64 noundef %636) #10
-  %767 = add nuw nsw i64 %746, 1
-  %768 = load i64, ptr %714, align 8
-  %769 = icmp slt i64 %767, %768
-  br i1 %769, label %745, label %770, !llvm.loop !19
+715:                                              ; preds = %714, %678
+  %716 = load i64, ptr %103, align 8
+  %717 = icmp sgt i64 %716, 0
+  br i1 %717, label %718, label %719
 
-770:                                              ; preds = %745, %710
-  %771 = and i64 %650, %618
-  %772 = icmp eq i64 %771, 0
-  br i1 %772, label %777, label %773
+718:                                              ; preds = %715
+  call fastcc void @sample(ptr noundef nonnull %10) #10
+  br label %719
 
-773:                                              ; preds = %770
-  call fastcc void @retire(ptr noundef %0, i64 noundef %771, i64 noundef 3) #10
-  %774 = xor i64 %771, -1
-  %775 = and i64 %197, %774
-  store i64 %775, ptr %6, align 8
-  %776 = and i64 %611, %774
-  br label %777
+719:                                              ; preds = %718, %715
+  %720 = load ptr, ptr %10, align 8
+  %721 = load i64, ptr %720, align 8
+  %722 = load ptr, ptr %102, align 8
+  %723 = load ptr, ptr %104, align 8
+  %724 = load ptr, ptr %105, align 8
+  %725 = inttoptr i64 %721 to ptr
+  %726 = load ptr, ptr %725, align 8
+  %727 = call i32 %726(ptr noundef %722, ptr noundef %708, ptr noundef %723, ptr noundef %724, ptr noundef %700) #11
+  %728 = sext i32 %727 to i64
+  %729 = or i64 %679, %728
+  %730 = add nsw i64 %680, 1
+  %731 = load i64, ptr %662, align 8
+  %732 = add nsw i64 %731, %661
+  %733 = icmp slt i64 %730, %732
+  br i1 %733, label %678, label %667, !llvm.loop !17
 
-777:                                              ; preds = %773, %770
-  %778 = phi i32 [ 1, %773 ], [ %168, %770 ]
-  %779 = phi i64 [ %776, %773 ], [ %611, %770 ]
+734:                                              ; preds = %741, %667
+  %735 = getelementptr inbounds i8, ptr %651, i64 8
+  %736 = load i64, ptr %735, align 8
+  %737 = load i64, ptr %669, align 8
+  %738 = getelementptr inbounds i8, ptr %651, i64 24
+  %739 = load i64, ptr %738, align 8
+  %740 = icmp sgt i64 %739, 3
+  br i1 %740, label %769, label %794
+
+741:                                              ; preds = %674, %741
+  %742 = phi i64 [ 0, %674 ], [ %764, %741 ]
+  %743 = load ptr, ptr %75, align 8
+  %744 = shl nsw i64 %742, 6
+  %745 = getelementptr inbounds i8, ptr %743, i64 %744
+  %746 = load <8 x double>, ptr %745, align 8
+  %747 = load ptr, ptr %12, align 8
+  %748 = getelementptr inbounds i8, ptr %747, i64 %744
+  %749 = load <8 x double>, ptr %748, align 8
+  %750 = fsub <8 x double> %746, %749
+  %751 = load ptr, ptr %77, align 8
+  %752 = getelementptr inbounds i8, ptr %751, i64 %744
+  %753 = load <8 x double>, ptr %752, align 8
+  %754 = fmul <8 x double> %231, %753
+  %755 = fsub <8 x double> %754, %750
+  %756 = getelementptr inbounds i8, ptr %660, i64 %744
+  store <8 x double> %750, ptr %756, align 8
+  %757 = getelementptr inbounds i8, ptr %675, i64 %744
+  store <8 x double> %755, ptr %757, align 8
+  %758 = fsub <8 x double> %750, %755
+  %759 = getelementptr inbounds i8, ptr %659, i64 %744
+  %760 = load <8 x double>, ptr %759, align 8
+  %761 = fmul <8 x double> %231, %760
+  %762 = fsub <8 x double> %758, %761
+  %763 = getelementptr inbounds i8, ptr %677, i64 %744
+  store <8 x double> %762, ptr %763, align 8
+  %764 = add nuw nsw i64 %742, 1
+  %765 = load ptr, ptr %10, align 8
+  %766 = getelementptr inbounds i8, ptr %765, i64 8
+  %767 = load i64, ptr %766, align 8
+  %768 = icmp slt i64 %764, %767
+  br i1 %768, label %741, label %734, !llvm.loop !18
+
+769:                                              ; preds = %734, %769
+  %770 = phi i64 [ %791, %769 ], [ 3, %734 ]
+  %771 = mul nsw i64 %770, %656
+  %772 = getelementptr inbounds double, ptr %660, i64 %771
+  %773 = load ptr, ptr %106, align 8
+  %774 = load ptr, ptr %76, align 8
+  %775 = getelementptr i64, ptr %774, i64 %661
+  %776 = getelementptr i64, ptr %775, i64 %736
+  %777 = getelementptr i64, ptr %776, i64 %737
+  %778 = getelementptr i64, ptr %777, i64 %770
+  %779 = getelementptr i8, ptr %778, i64 -24
+  %780 = load i64, ptr %779, align 8
+  %781 = getelementptr i8, ptr %778, i64 -16
+  %782 = load i64, ptr %781, align 8
+  %783 = xor i64 %780, -1
+  %784 = add i64 %782, %783
+  %785 = load ptr, ptr %63, align 8
+  %786 = load ptr, ptr %77, align 8
+  %787 = load ptr, ptr %78, align 8
+  %788 = getelementptr inbounds i64, ptr %787, i64 %780
+  %789 = load ptr, ptr %79, align 8
+  %790 = getelementptr inbounds double, ptr %789, i64 %780
+  call fastcc void @combine(ptr noundef %772, ptr noundef %773, ptr noundef %785, ptr noundef %786, ptr noundef %788, ptr noundef %790, i64 noundef %784, i64 noundef %654) #10
+  %791 = add nuw nsw i64 %770, 1
+  %792 = load i64, ptr %738, align 8
+  %793 = icmp slt i64 %791, %792
+  br i1 %793, label %769, label %794, !llvm.loop !19
+
+794:                                              ; preds = %769, %734
+  %795 = and i64 %668, %636
+  %796 = icmp eq i64 %795, 0
+  br i1 %796, label %801, label %797
+
+797:                                              ; preds = %794
+  call fastcc void @retire(ptr noundef %0, i64 noundef %795, i64 noundef 3) #10
+  %798 = xor i64 %795, -1
+  %799 = and i64 %197, %798
+  store i64 %799, ptr %6, align 8
+  %800 = and i64 %629, %798
+  br label %801
+
+801:                                              ; preds = %797, %794
+  %802 = phi i32 [ 1, %797 ], [ %168, %794 ]
+  %803 = phi i64 [ %800, %797 ], [ %629, %794 ]
   store <8 x double> %229, ptr %3, align 16
-  %780 = icmp eq i64 %779, 0
-  br i1 %780, label %783, label %781
+  %804 = icmp eq i64 %803, 0
+  br i1 %804, label %807, label %805
 
-781:                                              ; preds = %777
-  %782 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %779, ptr noundef nonnull %3, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %4, ptr noundef nonnull %8) #10
-  br label %783
-
-783:                                              ; preds = %781, %777
-  %784 = phi i64 [ %782, %781 ], [ 0, %777 ]
-  %785 = load i64, ptr %8, align 8
-  %786 = or i64 %785, %771
-  %787 = xor i64 %786, -1
-  %788 = and i64 %618, %787
-  %789 = icmp eq i64 %784, 0
-  %790 = select i1 %789, ptr null, ptr %4
-  %791 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %788, ptr noundef nonnull %3, ptr noundef %790) #10
-  %792 = load <8 x double>, ptr %3, align 16
-  br i1 %789, label %798, label %793
-
-793:                                              ; preds = %783
-  %794 = xor i64 %791, -1
-  %795 = and i64 %784, %794
-  %796 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %795, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
-  %797 = or i64 %796, %791
-  br label %798
-
-798:                                              ; preds = %793, %783
-  %799 = phi i64 [ %797, %793 ], [ %791, %783 ]
-  %800 = icmp ne i64 %799, 0
-  %801 = select i1 %48, i1 %800, i1 false
-  br i1 %801, label %802, label %807
-
-802:                                              ; preds = %798
-  call fastcc void @retire(ptr noundef %0, i64 noundef %799, i64 noundef 6) #10
-  %803 = xor i64 %799, -1
-  %804 = load i64, ptr %6, align 8
-  %805 = and i64 %804, %803
-  store i64 %805, ptr %6, align 8
-  %806 = and i64 %784, %803
+805:                                              ; preds = %801
+  %806 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %803, ptr noundef nonnull %3, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %4, ptr noundef nonnull %8) #10
   br label %807
 
-807:                                              ; preds = %802, %798
-  %808 = phi i32 [ 1, %802 ], [ %778, %798 ]
-  %809 = phi i64 [ %806, %802 ], [ %784, %798 ]
-  %810 = or i64 %799, %558
-  %811 = or i64 %799, %786
-  %812 = xor i64 %811, -1
-  %813 = and i64 %603, %812
-  br label %814
+807:                                              ; preds = %805, %801
+  %808 = phi i64 [ %806, %805 ], [ 0, %801 ]
+  %809 = load i64, ptr %8, align 8
+  %810 = or i64 %809, %795
+  %811 = xor i64 %810, -1
+  %812 = and i64 %636, %811
+  %813 = icmp eq i64 %808, 0
+  %814 = select i1 %813, ptr null, ptr %4
+  %815 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %812, ptr noundef nonnull %3, ptr noundef %814) #10
+  %816 = load <8 x double>, ptr %3, align 16
+  br i1 %813, label %822, label %817
 
-814:                                              ; preds = %807, %610
-  %815 = phi <8 x double> [ %229, %610 ], [ %792, %807 ]
-  %816 = phi i64 [ 0, %610 ], [ %785, %807 ]
-  %817 = phi i64 [ %558, %610 ], [ %810, %807 ]
-  %818 = phi i32 [ %168, %610 ], [ %808, %807 ]
-  %819 = phi i64 [ %603, %610 ], [ %813, %807 ]
-  %820 = phi i64 [ 0, %610 ], [ %809, %807 ]
-  %821 = load ptr, ptr %97, align 8
-  %822 = load <8 x double>, ptr %821, align 8
-  %823 = fcmp oeq <8 x double> %822, %815
-  %824 = bitcast <8 x i1> %823 to i8
-  %825 = zext i8 %824 to i64
-  %826 = and i64 %819, %825
-  %827 = icmp eq i64 %826, 0
-  br i1 %827, label %828, label %1080
+817:                                              ; preds = %807
+  %818 = xor i64 %815, -1
+  %819 = and i64 %808, %818
+  %820 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %819, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
+  %821 = or i64 %820, %815
+  br label %822
 
-828:                                              ; preds = %1080, %814
-  %829 = trunc nuw i64 %819 to i8
-  %830 = bitcast i8 %829 to <8 x i1>
-  %831 = load ptr, ptr %59, align 8
-  %832 = load <8 x double>, ptr %831, align 8
-  %833 = select <8 x i1> %830, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %834 = fadd <8 x double> %833, %832
-  store <8 x double> %834, ptr %831, align 8
-  %835 = load ptr, ptr %60, align 8
-  %836 = load <8 x double>, ptr %835, align 8
-  %837 = xor <8 x i1> %830, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %838 = and <8 x i1> %199, %837
-  %839 = select <8 x i1> %838, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %840 = fadd <8 x double> %839, %836
-  store <8 x double> %840, ptr %835, align 8
-  %841 = load ptr, ptr %108, align 8
-  %842 = load ptr, ptr %0, align 8
-  %843 = getelementptr inbounds i8, ptr %842, i64 8
-  %844 = load i64, ptr %843, align 8
-  %845 = icmp slt i64 %844, 1
-  %846 = xor i64 %819, -1
-  %847 = and i64 %197, %846
-  %848 = trunc i64 %847 to i8
-  %849 = bitcast i8 %848 to <8 x i1>
-  %850 = load ptr, ptr %109, align 8
-  %851 = load <8 x double>, ptr %850, align 8
-  br i1 %845, label %983, label %852
+822:                                              ; preds = %817, %807
+  %823 = phi i64 [ %821, %817 ], [ %815, %807 ]
+  %824 = icmp ne i64 %823, 0
+  %825 = select i1 %48, i1 %824, i1 false
+  br i1 %825, label %826, label %831
 
-852:                                              ; preds = %828
-  %853 = load ptr, ptr %110, align 8
-  %854 = load <8 x double>, ptr %853, align 8
-  %855 = load ptr, ptr %111, align 8
+826:                                              ; preds = %822
+  call fastcc void @retire(ptr noundef %0, i64 noundef %823, i64 noundef 6) #10
+  %827 = xor i64 %823, -1
+  %828 = load i64, ptr %6, align 8
+  %829 = and i64 %828, %827
+  store i64 %829, ptr %6, align 8
+  %830 = and i64 %808, %827
+  br label %831
+
+831:                                              ; preds = %826, %822
+  %832 = phi i32 [ 1, %826 ], [ %802, %822 ]
+  %833 = phi i64 [ %830, %826 ], [ %808, %822 ]
+  %834 = or i64 %823, %570
+  %835 = or i64 %823, %810
+  %836 = xor i64 %835, -1
+  %837 = and i64 %621, %836
+  br label %838
+
+838:                                              ; preds = %831, %628
+  %839 = phi <8 x double> [ %229, %628 ], [ %816, %831 ]
+  %840 = phi i64 [ 0, %628 ], [ %809, %831 ]
+  %841 = phi i64 [ %570, %628 ], [ %834, %831 ]
+  %842 = phi i32 [ %168, %628 ], [ %832, %831 ]
+  %843 = phi i64 [ %621, %628 ], [ %837, %831 ]
+  %844 = phi i64 [ 0, %628 ], [ %833, %831 ]
+  %845 = load ptr, ptr %97, align 8
+  %846 = load <8 x double>, ptr %845, align 8
+  %847 = fcmp oeq <8 x double> %846, %839
+  %848 = bitcast <8 x i1> %847 to i8
+  %849 = zext i8 %848 to i64
+  %850 = and i64 %843, %849
+  %851 = icmp eq i64 %850, 0
+  br i1 %851, label %852, label %1104
+
+852:                                              ; preds = %1104, %838
+  %853 = trunc nuw i64 %843 to i8
+  %854 = bitcast i8 %853 to <8 x i1>
+  %855 = load ptr, ptr %59, align 8
   %856 = load <8 x double>, ptr %855, align 8
-  %857 = fcmp ogt <8 x double> %536, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %858 = bitcast <8 x double> %536 to <8 x i64>
-  %859 = select <8 x i1> %857, <8 x i64> %858, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %860 = getelementptr inbounds i8, ptr %841, i64 24
-  %861 = load double, ptr %860, align 8
-  %862 = insertelement <8 x double> poison, double %861, i64 0
-  %863 = shufflevector <8 x double> %862, <8 x double> poison, <8 x i32> zeroinitializer
-  %864 = getelementptr inbounds i8, ptr %841, i64 8
-  %865 = load double, ptr %864, align 8
-  %866 = fneg double %865
-  %867 = add <8 x i64> %859, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %868 = ashr <8 x i64> %867, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %869 = and <8 x i64> %867, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %870 = sub <8 x i64> %859, %869
-  %871 = bitcast <8 x i64> %870 to <8 x double>
-  %872 = fadd <8 x double> %871, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %873 = fadd <8 x double> %871, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %874 = fdiv <8 x double> %872, %873
-  %875 = fmul <8 x double> %874, %874
-  %876 = call <8 x double> @llvm.fma.v8f64(<8 x double> %875, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %877 = call <8 x double> @llvm.fma.v8f64(<8 x double> %876, <8 x double> %875, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %877, <8 x double> %875, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %878, <8 x double> %875, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %880 = trunc nsw <8 x i64> %868 to <8 x i32>
-  %881 = sitofp <8 x i32> %880 to <8 x double>
-  %882 = fmul <8 x double> %874, %879
-  %883 = fadd <8 x double> %882, %881
-  %884 = insertelement <8 x double> poison, double %866, i64 0
-  %885 = shufflevector <8 x double> %884, <8 x double> poison, <8 x i32> zeroinitializer
-  %886 = fmul <8 x double> %883, %885
-  %887 = fcmp ogt <8 x double> %886, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %888 = bitcast <8 x double> %886 to <8 x i64>
-  %889 = select <8 x i1> %887, <8 x i64> %888, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %890 = bitcast <8 x i64> %889 to <8 x double>
-  %891 = fcmp olt <8 x double> %890, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %892 = bitcast <8 x i64> %889 to <8 x double>
-  %893 = select <8 x i1> %891, <8 x double> %892, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %894 = call <8 x double> @llvm.rint.v8f64(<8 x double> %893)
-  %895 = fsub <8 x double> %893, %894
-  %896 = call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %897 = call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %895, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %898 = call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> %895, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %899 = call <8 x double> @llvm.fma.v8f64(<8 x double> %898, <8 x double> %895, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> %895, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %895, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %895, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %903 = bitcast <8 x double> %902 to <8 x i64>
-  %904 = fptosi <8 x double> %894 to <8 x i32>
-  %905 = zext <8 x i32> %904 to <8 x i64>
-  %906 = shl <8 x i64> %905, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %907 = add <8 x i64> %906, %903
-  %908 = bitcast <8 x i64> %907 to <8 x double>
-  %909 = fmul <8 x double> %863, %908
-  %910 = getelementptr inbounds i8, ptr %841, i64 16
-  %911 = load double, ptr %910, align 8
-  %912 = fcmp une double %911, 0.000000e+00
-  br i1 %912, label %913, label %958
+  %857 = select <8 x i1> %854, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %858 = fadd <8 x double> %857, %856
+  store <8 x double> %858, ptr %855, align 8
+  %859 = load ptr, ptr %60, align 8
+  %860 = load <8 x double>, ptr %859, align 8
+  %861 = xor <8 x i1> %854, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %862 = and <8 x i1> %199, %861
+  %863 = select <8 x i1> %862, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %864 = fadd <8 x double> %863, %860
+  store <8 x double> %864, ptr %859, align 8
+  %865 = load ptr, ptr %108, align 8
+  %866 = load ptr, ptr %0, align 8
+  %867 = getelementptr inbounds i8, ptr %866, i64 8
+  %868 = load i64, ptr %867, align 8
+  %869 = icmp slt i64 %868, 1
+  %870 = xor i64 %843, -1
+  %871 = and i64 %197, %870
+  %872 = trunc i64 %871 to i8
+  %873 = bitcast i8 %872 to <8 x i1>
+  %874 = load ptr, ptr %109, align 8
+  %875 = load <8 x double>, ptr %874, align 8
+  br i1 %869, label %1007, label %876
 
-913:                                              ; preds = %852
-  %914 = bitcast <8 x double> %854 to <8 x i64>
-  %915 = add <8 x i64> %914, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %916 = ashr <8 x i64> %915, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %917 = and <8 x i64> %915, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %918 = sub <8 x i64> %914, %917
-  %919 = bitcast <8 x i64> %918 to <8 x double>
-  %920 = fadd <8 x double> %919, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %921 = fadd <8 x double> %919, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %922 = fdiv <8 x double> %920, %921
-  %923 = fmul <8 x double> %922, %922
-  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %923, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %923, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> %923, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %928 = trunc nsw <8 x i64> %916 to <8 x i32>
-  %929 = sitofp <8 x i32> %928 to <8 x double>
-  %930 = fmul <8 x double> %922, %927
-  %931 = fadd <8 x double> %930, %929
-  %932 = insertelement <8 x double> poison, double %911, i64 0
-  %933 = shufflevector <8 x double> %932, <8 x double> poison, <8 x i32> zeroinitializer
-  %934 = fmul <8 x double> %933, %931
-  %935 = fcmp ogt <8 x double> %934, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %936 = bitcast <8 x double> %934 to <8 x i64>
-  %937 = select <8 x i1> %935, <8 x i64> %936, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %938 = bitcast <8 x i64> %937 to <8 x double>
-  %939 = fcmp olt <8 x double> %938, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %940 = bitcast <8 x i64> %937 to <8 x double>
-  %941 = select <8 x i1> %939, <8 x double> %940, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %942 = call <8 x double> @llvm.rint.v8f64(<8 x double> %941)
-  %943 = fsub <8 x double> %941, %942
-  %944 = call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> %943, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %945, <8 x double> %943, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %947 = call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> %943, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %948 = call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> %943, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %943, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %943, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %951 = bitcast <8 x double> %950 to <8 x i64>
-  %952 = fptosi <8 x double> %942 to <8 x i32>
-  %953 = zext <8 x i32> %952 to <8 x i64>
-  %954 = shl <8 x i64> %953, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %955 = add <8 x i64> %954, %951
-  %956 = bitcast <8 x i64> %955 to <8 x double>
-  %957 = fmul <8 x double> %909, %956
-  br label %958
+876:                                              ; preds = %852
+  %877 = load ptr, ptr %110, align 8
+  %878 = load <8 x double>, ptr %877, align 8
+  %879 = load ptr, ptr %111, align 8
+  %880 = load <8 x double>, ptr %879, align 8
+  %881 = fcmp ogt <8 x double> %548, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %882 = bitcast <8 x double> %548 to <8 x i64>
+  %883 = select <8 x i1> %881, <8 x i64> %882, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %884 = getelementptr inbounds i8, ptr %865, i64 24
+  %885 = load double, ptr %884, align 8
+  %886 = insertelement <8 x double> poison, double %885, i64 0
+  %887 = shufflevector <8 x double> %886, <8 x double> poison, <8 x i32> zeroinitializer
+  %888 = getelementptr inbounds i8, ptr %865, i64 8
+  %889 = load double, ptr %888, align 8
+  %890 = fneg double %889
+  %891 = add <8 x i64> %883, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %892 = ashr <8 x i64> %891, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %893 = and <8 x i64> %891, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %894 = sub <8 x i64> %883, %893
+  %895 = bitcast <8 x i64> %894 to <8 x double>
+  %896 = fadd <8 x double> %895, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %897 = fadd <8 x double> %895, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %898 = fdiv <8 x double> %896, %897
+  %899 = fmul <8 x double> %898, %898
+  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %899, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %899, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %899, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %904 = trunc nsw <8 x i64> %892 to <8 x i32>
+  %905 = sitofp <8 x i32> %904 to <8 x double>
+  %906 = fmul <8 x double> %898, %903
+  %907 = fadd <8 x double> %906, %905
+  %908 = insertelement <8 x double> poison, double %890, i64 0
+  %909 = shufflevector <8 x double> %908, <8 x double> poison, <8 x i32> zeroinitializer
+  %910 = fmul <8 x double> %907, %909
+  %911 = fcmp ogt <8 x double> %910, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %912 = bitcast <8 x double> %910 to <8 x i64>
+  %913 = select <8 x i1> %911, <8 x i64> %912, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %914 = bitcast <8 x i64> %913 to <8 x double>
+  %915 = fcmp olt <8 x double> %914, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %916 = bitcast <8 x i64> %913 to <8 x double>
+  %917 = select <8 x i1> %915, <8 x double> %916, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %918 = call <8 x double> @llvm.rint.v8f64(<8 x double> %917)
+  %919 = fsub <8 x double> %917, %918
+  %920 = call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %919, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %919, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %919, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %919, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %919, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %919, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %927 = bitcast <8 x double> %926 to <8 x i64>
+  %928 = fptosi <8 x double> %918 to <8 x i32>
+  %929 = zext <8 x i32> %928 to <8 x i64>
+  %930 = shl <8 x i64> %929, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %931 = add <8 x i64> %930, %927
+  %932 = bitcast <8 x i64> %931 to <8 x double>
+  %933 = fmul <8 x double> %887, %932
+  %934 = getelementptr inbounds i8, ptr %865, i64 16
+  %935 = load double, ptr %934, align 8
+  %936 = fcmp une double %935, 0.000000e+00
+  br i1 %936, label %937, label %982
 
-958:                                              ; preds = %852, %913
-  %959 = phi <8 x double> [ %957, %913 ], [ %909, %852 ]
-  %960 = getelementptr inbounds i8, ptr %841, i64 32
-  %961 = load double, ptr %960, align 8
-  %962 = insertelement <8 x double> poison, double %961, i64 0
-  %963 = shufflevector <8 x double> %962, <8 x double> poison, <8 x i32> zeroinitializer
-  %964 = fcmp ogt <8 x double> %959, %963
-  %965 = select <8 x i1> %964, <8 x double> %959, <8 x double> %963
-  %966 = fcmp olt <8 x double> %856, %965
-  %967 = select <8 x i1> %966, <8 x double> %856, <8 x double> %965
-  %968 = fmul <8 x double> %231, %967
-  %969 = fcmp oeq <8 x double> %815, %209
-  %970 = fcmp ogt <8 x double> %851, %968
-  %971 = select <8 x i1> %969, <8 x i1> %970, <8 x i1> zeroinitializer
-  %972 = select <8 x i1> %971, <8 x double> %851, <8 x double> %968
-  %973 = fcmp ogt <8 x double> %536, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %974 = select <8 x i1> %973, <8 x i64> %858, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %975 = bitcast <8 x double> %854 to <8 x i64>
-  %976 = select <8 x i1> %830, <8 x i64> %974, <8 x i64> %975
-  store <8 x i64> %976, ptr %853, align 8
-  %977 = load ptr, ptr %111, align 8
-  %978 = getelementptr inbounds i8, ptr %841, i64 40
-  %979 = load double, ptr %978, align 8
-  %980 = insertelement <8 x double> poison, double %979, i64 0
-  %981 = shufflevector <8 x double> %980, <8 x double> poison, <8 x i32> zeroinitializer
-  %982 = select <8 x i1> %849, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %981
-  store <8 x double> %982, ptr %977, align 8
-  br label %983
+937:                                              ; preds = %876
+  %938 = bitcast <8 x double> %878 to <8 x i64>
+  %939 = add <8 x i64> %938, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %940 = ashr <8 x i64> %939, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %941 = and <8 x i64> %939, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %942 = sub <8 x i64> %938, %941
+  %943 = bitcast <8 x i64> %942 to <8 x double>
+  %944 = fadd <8 x double> %943, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %945 = fadd <8 x double> %943, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %946 = fdiv <8 x double> %944, %945
+  %947 = fmul <8 x double> %946, %946
+  %948 = call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %947, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %947, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %951 = call <8 x double> @llvm.fma.v8f64(<8 x double> %950, <8 x double> %947, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %952 = trunc nsw <8 x i64> %940 to <8 x i32>
+  %953 = sitofp <8 x i32> %952 to <8 x double>
+  %954 = fmul <8 x double> %946, %951
+  %955 = fadd <8 x double> %954, %953
+  %956 = insertelement <8 x double> poison, double %935, i64 0
+  %957 = shufflevector <8 x double> %956, <8 x double> poison, <8 x i32> zeroinitializer
+  %958 = fmul <8 x double> %957, %955
+  %959 = fcmp ogt <8 x double> %958, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %960 = bitcast <8 x double> %958 to <8 x i64>
+  %961 = select <8 x i1> %959, <8 x i64> %960, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %962 = bitcast <8 x i64> %961 to <8 x double>
+  %963 = fcmp olt <8 x double> %962, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %964 = bitcast <8 x i64> %961 to <8 x double>
+  %965 = select <8 x i1> %963, <8 x double> %964, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %966 = call <8 x double> @llvm.rint.v8f64(<8 x double> %965)
+  %967 = fsub <8 x double> %965, %966
+  %968 = call <8 x double> @llvm.fma.v8f64(<8 x double> %967, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %969 = call <8 x double> @llvm.fma.v8f64(<8 x double> %968, <8 x double> %967, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %970 = call <8 x double> @llvm.fma.v8f64(<8 x double> %969, <8 x double> %967, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %971 = call <8 x double> @llvm.fma.v8f64(<8 x double> %970, <8 x double> %967, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %972 = call <8 x double> @llvm.fma.v8f64(<8 x double> %971, <8 x double> %967, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %973 = call <8 x double> @llvm.fma.v8f64(<8 x double> %972, <8 x double> %967, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %974 = call <8 x double> @llvm.fma.v8f64(<8 x double> %973, <8 x double> %967, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %975 = bitcast <8 x double> %974 to <8 x i64>
+  %976 = fptosi <8 x double> %966 to <8 x i32>
+  %977 = zext <8 x i32> %976 to <8 x i64>
+  %978 = shl <8 x i64> %977, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %979 = add <8 x i64> %978, %975
+  %980 = bitcast <8 x i64> %979 to <8 x double>
+  %981 = fmul <8 x double> %933, %980
+  br label %982
 
-983:                                              ; preds = %958, %828
-  %984 = phi <8 x double> [ %851, %828 ], [ %972, %958 ]
-  %985 = and i64 %847, 255
-  %986 = icmp eq i64 %985, 0
-  br i1 %986, label %1075, label %987
+982:                                              ; preds = %876, %937
+  %983 = phi <8 x double> [ %981, %937 ], [ %933, %876 ]
+  %984 = getelementptr inbounds i8, ptr %865, i64 32
+  %985 = load double, ptr %984, align 8
+  %986 = insertelement <8 x double> poison, double %985, i64 0
+  %987 = shufflevector <8 x double> %986, <8 x double> poison, <8 x i32> zeroinitializer
+  %988 = fcmp ogt <8 x double> %983, %987
+  %989 = select <8 x i1> %988, <8 x double> %983, <8 x double> %987
+  %990 = fcmp olt <8 x double> %880, %989
+  %991 = select <8 x i1> %990, <8 x double> %880, <8 x double> %989
+  %992 = fmul <8 x double> %231, %991
+  %993 = fcmp oeq <8 x double> %839, %209
+  %994 = fcmp ogt <8 x double> %875, %992
+  %995 = select <8 x i1> %993, <8 x i1> %994, <8 x i1> zeroinitializer
+  %996 = select <8 x i1> %995, <8 x double> %875, <8 x double> %992
+  %997 = fcmp ogt <8 x double> %548, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %998 = select <8 x i1> %997, <8 x i64> %882, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %999 = bitcast <8 x double> %878 to <8 x i64>
+  %1000 = select <8 x i1> %854, <8 x i64> %998, <8 x i64> %999
+  store <8 x i64> %1000, ptr %877, align 8
+  %1001 = load ptr, ptr %111, align 8
+  %1002 = getelementptr inbounds i8, ptr %865, i64 40
+  %1003 = load double, ptr %1002, align 8
+  %1004 = insertelement <8 x double> poison, double %1003, i64 0
+  %1005 = shufflevector <8 x double> %1004, <8 x double> poison, <8 x i32> zeroinitializer
+  %1006 = select <8 x i1> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1005
+  store <8 x double> %1006, ptr %1001, align 8
+  br label %1007
 
-987:                                              ; preds = %983
-  %988 = trunc i64 %602 to i8
-  %989 = bitcast i8 %988 to <8 x i1>
-  %990 = trunc i64 %817 to i8
-  %991 = bitcast i8 %990 to <8 x i1>
-  %992 = trunc i64 %816 to i8
-  %993 = bitcast i8 %992 to <8 x i1>
-  %994 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %536)
-  %995 = fcmp one <8 x double> %994, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %996 = xor <8 x i1> %989, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %997 = select <8 x i1> %995, <8 x i1> %996, <8 x i1> zeroinitializer
-  %998 = or <8 x i1> %991, %993
-  %999 = xor <8 x i1> %998, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1000 = and <8 x i1> %997, %999
-  br i1 %845, label %1062, label %1001
+1007:                                             ; preds = %982, %852
+  %1008 = phi <8 x double> [ %875, %852 ], [ %996, %982 ]
+  %1009 = and i64 %871, 255
+  %1010 = icmp eq i64 %1009, 0
+  br i1 %1010, label %1099, label %1011
 
-1001:                                             ; preds = %987
-  %1002 = fcmp ogt <8 x double> %536, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1003 = bitcast <8 x double> %536 to <8 x i64>
-  %1004 = select <8 x i1> %1002, <8 x i64> %1003, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1005 = getelementptr inbounds i8, ptr %841, i64 24
-  %1006 = load double, ptr %1005, align 8
-  %1007 = insertelement <8 x double> poison, double %1006, i64 0
-  %1008 = shufflevector <8 x double> %1007, <8 x double> poison, <8 x i32> zeroinitializer
-  %1009 = load double, ptr %841, align 8
-  %1010 = fneg double %1009
-  %1011 = add <8 x i64> %1004, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1012 = ashr <8 x i64> %1011, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1013 = and <8 x i64> %1011, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1014 = sub <8 x i64> %1004, %1013
-  %1015 = bitcast <8 x i64> %1014 to <8 x double>
-  %1016 = fadd <8 x double> %1015, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1017 = fadd <8 x double> %1015, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1018 = fdiv <8 x double> %1016, %1017
-  %1019 = fmul <8 x double> %1018, %1018
-  %1020 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1019, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> %1019, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1019, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1019, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1024 = trunc nsw <8 x i64> %1012 to <8 x i32>
-  %1025 = sitofp <8 x i32> %1024 to <8 x double>
-  %1026 = fmul <8 x double> %1018, %1023
-  %1027 = fadd <8 x double> %1026, %1025
-  %1028 = insertelement <8 x double> poison, double %1010, i64 0
-  %1029 = shufflevector <8 x double> %1028, <8 x double> poison, <8 x i32> zeroinitializer
-  %1030 = fmul <8 x double> %1027, %1029
-  %1031 = fcmp ogt <8 x double> %1030, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1032 = bitcast <8 x double> %1030 to <8 x i64>
-  %1033 = select <8 x i1> %1031, <8 x i64> %1032, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1034 = bitcast <8 x i64> %1033 to <8 x double>
-  %1035 = fcmp olt <8 x double> %1034, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1036 = bitcast <8 x i64> %1033 to <8 x double>
-  %1037 = select <8 x i1> %1035, <8 x double> %1036, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1038 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1037)
-  %1039 = fsub <8 x double> %1037, %1038
-  %1040 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1039, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1041 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1040, <8 x double> %1039, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1042 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1041, <8 x double> %1039, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1043 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1042, <8 x double> %1039, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> %1039, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1039, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1039, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1047 = bitcast <8 x double> %1046 to <8 x i64>
-  %1048 = fptosi <8 x double> %1038 to <8 x i32>
-  %1049 = zext <8 x i32> %1048 to <8 x i64>
-  %1050 = shl <8 x i64> %1049, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1051 = add <8 x i64> %1050, %1047
-  %1052 = bitcast <8 x i64> %1051 to <8 x double>
-  %1053 = fmul <8 x double> %1008, %1052
-  %1054 = getelementptr inbounds i8, ptr %841, i64 32
-  %1055 = load double, ptr %1054, align 8
-  %1056 = insertelement <8 x double> poison, double %1055, i64 0
-  %1057 = shufflevector <8 x double> %1056, <8 x double> poison, <8 x i32> zeroinitializer
-  %1058 = fcmp ogt <8 x double> %1053, %1057
-  %1059 = select <8 x i1> %1058, <8 x double> %1053, <8 x double> %1057
-  %1060 = select <8 x i1> %1000, <8 x double> %1059, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1061 = fmul <8 x double> %231, %1060
-  br label %1062
+1011:                                             ; preds = %1007
+  %1012 = trunc i64 %620 to i8
+  %1013 = bitcast i8 %1012 to <8 x i1>
+  %1014 = trunc i64 %841 to i8
+  %1015 = bitcast i8 %1014 to <8 x i1>
+  %1016 = trunc i64 %840 to i8
+  %1017 = bitcast i8 %1016 to <8 x i1>
+  %1018 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %548)
+  %1019 = fcmp one <8 x double> %1018, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1020 = xor <8 x i1> %1013, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1021 = select <8 x i1> %1019, <8 x i1> %1020, <8 x i1> zeroinitializer
+  %1022 = or <8 x i1> %1015, %1017
+  %1023 = xor <8 x i1> %1022, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1024 = and <8 x i1> %1021, %1023
+  br i1 %869, label %1086, label %1025
 
-1062:                                             ; preds = %1001, %987
-  %1063 = phi <8 x double> [ zeroinitializer, %987 ], [ %1061, %1001 ]
-  %1064 = or <8 x i1> %1000, %993
-  %1065 = select <8 x i1> %1064, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1066 = select <8 x i1> %849, <8 x double> %1063, <8 x double> %984
-  %1067 = load ptr, ptr %112, align 8
-  %1068 = select <8 x i1> %991, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1065
-  %1069 = load <8 x i64>, ptr %1067, align 8
-  %1070 = select <8 x i1> %849, <8 x i64> %1068, <8 x i64> %1069
-  store <8 x i64> %1070, ptr %1067, align 8
-  %1071 = load ptr, ptr %112, align 8
-  %1072 = select <8 x i1> %989, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1065
-  %1073 = load <8 x i64>, ptr %1071, align 8
-  %1074 = select <8 x i1> %849, <8 x i64> %1072, <8 x i64> %1073
-  store <8 x i64> %1074, ptr %1071, align 8
-  br label %1075
+1025:                                             ; preds = %1011
+  %1026 = fcmp ogt <8 x double> %548, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1027 = bitcast <8 x double> %548 to <8 x i64>
+  %1028 = select <8 x i1> %1026, <8 x i64> %1027, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1029 = getelementptr inbounds i8, ptr %865, i64 24
+  %1030 = load double, ptr %1029, align 8
+  %1031 = insertelement <8 x double> poison, double %1030, i64 0
+  %1032 = shufflevector <8 x double> %1031, <8 x double> poison, <8 x i32> zeroinitializer
+  %1033 = load double, ptr %865, align 8
+  %1034 = fneg double %1033
+  %1035 = add <8 x i64> %1028, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1036 = ashr <8 x i64> %1035, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1037 = and <8 x i64> %1035, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1038 = sub <8 x i64> %1028, %1037
+  %1039 = bitcast <8 x i64> %1038 to <8 x double>
+  %1040 = fadd <8 x double> %1039, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1041 = fadd <8 x double> %1039, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1042 = fdiv <8 x double> %1040, %1041
+  %1043 = fmul <8 x double> %1042, %1042
+  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1043, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1043, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> %1043, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1048 = trunc nsw <8 x i64> %1036 to <8 x i32>
+  %1049 = sitofp <8 x i32> %1048 to <8 x double>
+  %1050 = fmul <8 x double> %1042, %1047
+  %1051 = fadd <8 x double> %1050, %1049
+  %1052 = insertelement <8 x double> poison, double %1034, i64 0
+  %1053 = shufflevector <8 x double> %1052, <8 x double> poison, <8 x i32> zeroinitializer
+  %1054 = fmul <8 x double> %1051, %1053
+  %1055 = fcmp ogt <8 x double> %1054, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1056 = bitcast <8 x double> %1054 to <8 x i64>
+  %1057 = select <8 x i1> %1055, <8 x i64> %1056, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1058 = bitcast <8 x i64> %1057 to <8 x double>
+  %1059 = fcmp olt <8 x double> %1058, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1060 = bitcast <8 x i64> %1057 to <8 x double>
+  %1061 = select <8 x i1> %1059, <8 x double> %1060, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1062 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1061)
+  %1063 = fsub <8 x double> %1061, %1062
+  %1064 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1063, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1065 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1064, <8 x double> %1063, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1066 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1065, <8 x double> %1063, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1067 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1066, <8 x double> %1063, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1068 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1067, <8 x double> %1063, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1068, <8 x double> %1063, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1070 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1069, <8 x double> %1063, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1071 = bitcast <8 x double> %1070 to <8 x i64>
+  %1072 = fptosi <8 x double> %1062 to <8 x i32>
+  %1073 = zext <8 x i32> %1072 to <8 x i64>
+  %1074 = shl <8 x i64> %1073, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1075 = add <8 x i64> %1074, %1071
+  %1076 = bitcast <8 x i64> %1075 to <8 x double>
+  %1077 = fmul <8 x double> %1032, %1076
+  %1078 = getelementptr inbounds i8, ptr %865, i64 32
+  %1079 = load double, ptr %1078, align 8
+  %1080 = insertelement <8 x double> poison, double %1079, i64 0
+  %1081 = shufflevector <8 x double> %1080, <8 x double> poison, <8 x i32> zeroinitializer
+  %1082 = fcmp ogt <8 x double> %1077, %1081
+  %1083 = select <8 x i1> %1082, <8 x double> %1077, <8 x double> %1081
+  %1084 = select <8 x i1> %1024, <8 x double> %1083, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1085 = fmul <8 x double> %231, %1084
+  br label %1086
 
-1075:                                             ; preds = %983, %1062
-  %1076 = phi <8 x double> [ %984, %983 ], [ %1066, %1062 ]
-  %1077 = load ptr, ptr %109, align 8
-  store <8 x double> %1076, ptr %1077, align 8
-  %1078 = load ptr, ptr %44, align 8
-  %1079 = select <8 x i1> %830, <8 x double> %815, <8 x double> %201
-  store <8 x double> %1079, ptr %1078, align 8
-  br i1 %113, label %1097, label %1090
+1086:                                             ; preds = %1025, %1011
+  %1087 = phi <8 x double> [ zeroinitializer, %1011 ], [ %1085, %1025 ]
+  %1088 = or <8 x i1> %1024, %1017
+  %1089 = select <8 x i1> %1088, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1090 = select <8 x i1> %873, <8 x double> %1087, <8 x double> %1008
+  %1091 = load ptr, ptr %112, align 8
+  %1092 = select <8 x i1> %1015, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1089
+  %1093 = load <8 x i64>, ptr %1091, align 8
+  %1094 = select <8 x i1> %873, <8 x i64> %1092, <8 x i64> %1093
+  store <8 x i64> %1094, ptr %1091, align 8
+  %1095 = load ptr, ptr %112, align 8
+  %1096 = select <8 x i1> %1013, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1089
+  %1097 = load <8 x i64>, ptr %1095, align 8
+  %1098 = select <8 x i1> %873, <8 x i64> %1096, <8 x i64> %1097
+  store <8 x i64> %1098, ptr %1095, align 8
+  br label %1099
 
-1080:                                             ; preds = %814, %1080
-  %1081 = phi i64 [ %1088, %1080 ], [ %826, %814 ]
-  %1082 = load ptr, ptr %107, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1082, i64 noundef %1081) #10
-  %1083 = load ptr, ptr %97, align 8
-  %1084 = load <8 x double>, ptr %1083, align 8
-  %1085 = fcmp oeq <8 x double> %1084, %815
-  %1086 = bitcast <8 x i1> %1085 to i8
-  %1087 = zext i8 %1086 to i64
-  %1088 = and i64 %1081, %1087
-  %1089 = icmp eq i64 %1088, 0
-  br i1 %1089, label %828, label %1080, !llvm.loop !20
+1099:                                             ; preds = %1007, %1086
+  %1100 = phi <8 x double> [ %1008, %1007 ], [ %1090, %1086 ]
+  %1101 = load ptr, ptr %109, align 8
+  store <8 x double> %1100, ptr %1101, align 8
+  %1102 = load ptr, ptr %44, align 8
+  %1103 = select <8 x i1> %854, <8 x double> %839, <8 x double> %201
+  store <8 x double> %1103, ptr %1102, align 8
+  br i1 %113, label %1121, label %1114
 
-1090:                                             ; preds = %1097, %1075
-  %1091 = load ptr, ptr %115, align 8
-  %1092 = load ptr, ptr %0, align 8
-  %1093 = load i64, ptr %1092, align 8
-  %1094 = load i64, ptr %116, align 8
-  %1095 = mul nsw i64 %1094, %1093
-  %1096 = getelementptr inbounds double, ptr %1091, i64 %1095
-  br i1 %117, label %1111, label %1109
+1104:                                             ; preds = %838, %1104
+  %1105 = phi i64 [ %1112, %1104 ], [ %850, %838 ]
+  %1106 = load ptr, ptr %107, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1106, i64 noundef %1105) #10
+  %1107 = load ptr, ptr %97, align 8
+  %1108 = load <8 x double>, ptr %1107, align 8
+  %1109 = fcmp oeq <8 x double> %1108, %839
+  %1110 = bitcast <8 x i1> %1109 to i8
+  %1111 = zext i8 %1110 to i64
+  %1112 = and i64 %1105, %1111
+  %1113 = icmp eq i64 %1112, 0
+  br i1 %1113, label %852, label %1104, !llvm.loop !20
 
-1097:                                             ; preds = %1075, %1097
-  %1098 = phi i64 [ %1107, %1097 ], [ 0, %1075 ]
-  %1099 = load ptr, ptr %12, align 8
-  %1100 = load ptr, ptr %114, align 8
-  %1101 = shl nsw i64 %1098, 6
-  %1102 = getelementptr inbounds i8, ptr %1100, i64 %1101
-  %1103 = load <8 x i64>, ptr %1102, align 8
-  %1104 = getelementptr inbounds i8, ptr %1099, i64 %1101
-  %1105 = load <8 x i64>, ptr %1104, align 8
-  %1106 = select <8 x i1> %830, <8 x i64> %1103, <8 x i64> %1105
-  store <8 x i64> %1106, ptr %1104, align 8
-  %1107 = add nuw nsw i64 %1098, 1
-  %1108 = icmp eq i64 %1107, %16
-  br i1 %1108, label %1090, label %1097, !llvm.loop !21
+1114:                                             ; preds = %1121, %1099
+  %1115 = load ptr, ptr %115, align 8
+  %1116 = load ptr, ptr %0, align 8
+  %1117 = load i64, ptr %1116, align 8
+  %1118 = load i64, ptr %116, align 8
+  %1119 = mul nsw i64 %1118, %1117
+  %1120 = getelementptr inbounds double, ptr %1115, i64 %1119
+  br i1 %117, label %1135, label %1133
 
-1109:                                             ; preds = %1111, %1090
-  %1110 = icmp eq i64 %820, 0
-  br i1 %1110, label %1132, label %1122
+1121:                                             ; preds = %1099, %1121
+  %1122 = phi i64 [ %1131, %1121 ], [ 0, %1099 ]
+  %1123 = load ptr, ptr %12, align 8
+  %1124 = load ptr, ptr %114, align 8
+  %1125 = shl nsw i64 %1122, 6
+  %1126 = getelementptr inbounds i8, ptr %1124, i64 %1125
+  %1127 = load <8 x i64>, ptr %1126, align 8
+  %1128 = getelementptr inbounds i8, ptr %1123, i64 %1125
+  %1129 = load <8 x i64>, ptr %1128, align 8
+  %1130 = select <8 x i1> %854, <8 x i64> %1127, <8 x i64> %1129
+  store <8 x i64> %1130, ptr %1128, align 8
+  %1131 = add nuw nsw i64 %1122, 1
+  %1132 = icmp eq i64 %1131, %16
+  br i1 %1132, label %1114, label %1121, !llvm.loop !21
 
-1111:                                             ; preds = %1090, %1111
-  %1112 = phi i64 [ %1120, %1111 ], [ 0, %1090 ]
-  %1113 = load ptr, ptr %115, align 8
-  %1114 = shl nsw i64 %1112, 6
-  %1115 = getelementptr inbounds i8, ptr %1096, i64 %1114
-  %1116 = load <8 x i64>, ptr %1115, align 8
-  %1117 = getelementptr inbounds i8, ptr %1113, i64 %1114
-  %1118 = load <8 x i64>, ptr %1117, align 8
-  %1119 = select <8 x i1> %830, <8 x i64> %1116, <8 x i64> %1118
-  store <8 x i64> %1119, ptr %1117, align 8
-  %1120 = add nuw nsw i64 %1112, 1
-  %1121 = icmp eq i64 %1120, %16
-  br i1 %1121, label %1109, label %1111, !llvm.loop !22
+1133:                                             ; preds = %1135, %1114
+  %1134 = icmp eq i64 %844, 0
+  br i1 %1134, label %1156, label %1146
 
-1122:                                             ; preds = %1109
-  %1123 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %820, ptr noundef nonnull %7) #10
-  %1124 = icmp ne i32 %818, 0
-  %1125 = icmp ne i64 %1123, %820
-  %1126 = select i1 %1124, i1 true, i1 %1125
-  %1127 = zext i1 %1126 to i32
-  %1128 = trunc i64 %820 to i8
-  %1129 = bitcast i8 %1128 to <8 x i1>
-  %1130 = xor <8 x i1> %1129, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1131 = and <8 x i1> %1130, %830
-  br label %1132
+1135:                                             ; preds = %1114, %1135
+  %1136 = phi i64 [ %1144, %1135 ], [ 0, %1114 ]
+  %1137 = load ptr, ptr %115, align 8
+  %1138 = shl nsw i64 %1136, 6
+  %1139 = getelementptr inbounds i8, ptr %1120, i64 %1138
+  %1140 = load <8 x i64>, ptr %1139, align 8
+  %1141 = getelementptr inbounds i8, ptr %1137, i64 %1138
+  %1142 = load <8 x i64>, ptr %1141, align 8
+  %1143 = select <8 x i1> %854, <8 x i64> %1140, <8 x i64> %1142
+  store <8 x i64> %1143, ptr %1141, align 8
+  %1144 = add nuw nsw i64 %1136, 1
+  %1145 = icmp eq i64 %1144, %16
+  br i1 %1145, label %1133, label %1135, !llvm.loop !22
 
-1132:                                             ; preds = %1122, %1109
-  %1133 = phi i32 [ %1127, %1122 ], [ %818, %1109 ]
-  %1134 = phi <8 x i1> [ %1131, %1122 ], [ %830, %1109 ]
-  %1135 = phi i64 [ %1123, %1122 ], [ %169, %1109 ]
-  %1136 = load ptr, ptr %97, align 8
-  %1137 = load <8 x double>, ptr %1136, align 8
-  %1138 = fcmp oeq <8 x double> %1137, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1139 = select <8 x i1> %1138, <8 x i1> %1134, <8 x i1> zeroinitializer
-  %1140 = bitcast <8 x i1> %1139 to i8
-  %1141 = zext i8 %1140 to i64
-  %1142 = icmp eq i8 %1140, 0
-  br i1 %1142, label %1144, label %1143
+1146:                                             ; preds = %1133
+  %1147 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %844, ptr noundef nonnull %7) #10
+  %1148 = icmp ne i32 %842, 0
+  %1149 = icmp ne i64 %1147, %844
+  %1150 = select i1 %1148, i1 true, i1 %1149
+  %1151 = zext i1 %1150 to i32
+  %1152 = trunc i64 %844 to i8
+  %1153 = bitcast i8 %1152 to <8 x i1>
+  %1154 = xor <8 x i1> %1153, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1155 = and <8 x i1> %1154, %854
+  br label %1156
 
-1143:                                             ; preds = %1132
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1141, i64 noundef 0) #10
-  br label %1144
+1156:                                             ; preds = %1146, %1133
+  %1157 = phi i32 [ %1151, %1146 ], [ %842, %1133 ]
+  %1158 = phi <8 x i1> [ %1155, %1146 ], [ %854, %1133 ]
+  %1159 = phi i64 [ %1147, %1146 ], [ %169, %1133 ]
+  %1160 = load ptr, ptr %97, align 8
+  %1161 = load <8 x double>, ptr %1160, align 8
+  %1162 = fcmp oeq <8 x double> %1161, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1163 = select <8 x i1> %1162, <8 x i1> %1158, <8 x i1> zeroinitializer
+  %1164 = bitcast <8 x i1> %1163 to i8
+  %1165 = zext i8 %1164 to i64
+  %1166 = icmp eq i8 %1164, 0
+  br i1 %1166, label %1168, label %1167
 
-1144:                                             ; preds = %1143, %1132
-  %1145 = phi i32 [ 1, %1143 ], [ %1133, %1132 ]
-  %1146 = fcmp oeq <8 x double> %815, %207
-  %1147 = select <8 x i1> %1146, <8 x i1> %1134, <8 x i1> zeroinitializer
-  %1148 = bitcast <8 x i1> %1147 to i8
-  %1149 = zext i8 %1148 to i64
-  %1150 = xor i64 %1141, -1
-  %1151 = and i64 %1150, %1149
-  %1152 = icmp eq i64 %1151, 0
-  br i1 %1152, label %1157, label %1153
+1167:                                             ; preds = %1156
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1165, i64 noundef 0) #10
+  br label %1168
 
-1153:                                             ; preds = %1144
-  %1154 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %1151) #10
-  %1155 = icmp eq i64 %1154, 0
-  %1156 = select i1 %1155, i32 %1145, i32 1
-  br label %1157
+1168:                                             ; preds = %1167, %1156
+  %1169 = phi i32 [ 1, %1167 ], [ %1157, %1156 ]
+  %1170 = fcmp oeq <8 x double> %839, %207
+  %1171 = select <8 x i1> %1170, <8 x i1> %1158, <8 x i1> zeroinitializer
+  %1172 = bitcast <8 x i1> %1171 to i8
+  %1173 = zext i8 %1172 to i64
+  %1174 = xor i64 %1165, -1
+  %1175 = and i64 %1174, %1173
+  %1176 = icmp eq i64 %1175, 0
+  br i1 %1176, label %1181, label %1177
 
-1157:                                             ; preds = %1153, %1144
-  %1158 = phi i32 [ %1145, %1144 ], [ %1156, %1153 ]
+1177:                                             ; preds = %1168
+  %1178 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %1175) #10
+  %1179 = icmp eq i64 %1178, 0
+  %1180 = select i1 %1179, i32 %1169, i32 1
+  br label %1181
+
+1181:                                             ; preds = %1177, %1168
+  %1182 = phi i32 [ %1169, %1168 ], [ %1180, %1177 ]
   br label %164
 
-1159:                                             ; preds = %167, %192, %160
-  %1160 = phi i64 [ 1, %160 ], [ 0, %192 ], [ 0, %167 ]
-  ret i64 %1160
+1183:                                             ; preds = %167, %192, %160
+  %1184 = phi i64 [ 1, %160 ], [ 0, %192 ], [ 0, %167 ]
+  ret i64 %1184
 }
 
 
@@ -1870,7 +1914,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 345:                                              ; preds = %336, %330
   %346 = load ptr, ptr %61, align 8
   %347 = load ptr, ptr %56, align 8
-  %348 = getelementptr inbounds i8, ptr %347, i64 40
+  %348 = getelementptr inbounds i8, ptr %347, i64 48
   %349 = load i64, ptr %348, align 8
   %350 = icmp sgt i64 %349, 0
   br i1 %350, label %351, label %360
@@ -1890,7 +1934,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 360:                                              ; preds = %351, %345
   %361 = load ptr, ptr %62, align 8
   %362 = load ptr, ptr %56, align 8
-  %363 = getelementptr inbounds i8, ptr %362, i64 48
+  %363 = getelementptr inbounds i8, ptr %362, i64 56
   %364 = load i64, ptr %363, align 8
   %365 = icmp sgt i64 %364, 0
   br i1 %365, label %366, label %375
@@ -1958,430 +2002,452 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %25 = getelementptr inbounds i8, ptr %21, i64 24
   %26 = load ptr, ptr %25, align 8
   store <8 x double> %19, ptr %26, align 8
-  %27 = getelementptr inbounds i8, ptr %21, i64 152
-  %28 = load i64, ptr %27, align 8
-  %29 = icmp sgt i64 %28, 0
-  br i1 %29, label %30, label %31
+  %27 = load ptr, ptr %21, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 40
+  %29 = load i64, ptr %28, align 8
+  %30 = icmp eq i64 %29, 0
+  br i1 %30, label %32, label %31
 
-30:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef %21) #10
-  br label %31
+31:                                               ; preds = %4
+  tail call fastcc void @settle(ptr noundef nonnull %21) #10
+  br label %32
 
-31:                                               ; preds = %4, %30
-  %32 = load ptr, ptr %21, align 8
-  %33 = load i64, ptr %32, align 8
-  %34 = load ptr, ptr %25, align 8
-  %35 = getelementptr inbounds i8, ptr %21, i64 48
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds i8, ptr %21, i64 96
-  %38 = load ptr, ptr %37, align 8
-  %39 = inttoptr i64 %33 to ptr
-  %40 = load ptr, ptr %39, align 8
-  %41 = tail call i32 %40(ptr noundef %34, ptr noundef %22, ptr noundef %36, ptr noundef %38, ptr noundef %24) #11
-  %42 = sext i32 %41 to i64
-  %43 = load ptr, ptr %20, align 8
+32:                                               ; preds = %31, %4
+  %33 = getelementptr inbounds i8, ptr %21, i64 152
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp sgt i64 %34, 0
+  br i1 %35, label %36, label %37
+
+36:                                               ; preds = %32
+  tail call fastcc void @sample(ptr noundef nonnull %21) #10
+  br label %37
+
+37:                                               ; preds = %32, %36
+  %38 = load ptr, ptr %21, align 8
+  %39 = load i64, ptr %38, align 8
+  %40 = load ptr, ptr %25, align 8
+  %41 = getelementptr inbounds i8, ptr %21, i64 48
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %21, i64 96
   %44 = load ptr, ptr %43, align 8
-  %45 = getelementptr inbounds i8, ptr %44, i64 8
-  %46 = load i64, ptr %45, align 8
-  %47 = icmp sgt i64 %46, 0
-  br i1 %47, label %48, label %50
+  %45 = inttoptr i64 %39 to ptr
+  %46 = load ptr, ptr %45, align 8
+  %47 = tail call i32 %46(ptr noundef %40, ptr noundef %22, ptr noundef %42, ptr noundef %44, ptr noundef %24) #11
+  %48 = sext i32 %47 to i64
+  %49 = load ptr, ptr %20, align 8
+  %50 = load ptr, ptr %49, align 8
+  %51 = getelementptr inbounds i8, ptr %50, i64 8
+  %52 = load i64, ptr %51, align 8
+  %53 = icmp sgt i64 %52, 0
+  br i1 %53, label %54, label %56
 
-48:                                               ; preds = %31
-  %49 = getelementptr inbounds i8, ptr %12, i64 168
-  br label %56
+54:                                               ; preds = %37
+  %55 = getelementptr inbounds i8, ptr %12, i64 168
+  br label %62
 
-50:                                               ; preds = %56, %31
-  %51 = getelementptr inbounds i8, ptr %0, i64 1008
-  %52 = load ptr, ptr %51, align 8
-  %53 = getelementptr inbounds i8, ptr %52, i64 8
-  %54 = load double, ptr %53, align 8
-  %55 = fcmp oeq double %54, 0.000000e+00
-  br i1 %55, label %78, label %72
+56:                                               ; preds = %62, %37
+  %57 = getelementptr inbounds i8, ptr %0, i64 1008
+  %58 = load ptr, ptr %57, align 8
+  %59 = getelementptr inbounds i8, ptr %58, i64 8
+  %60 = load double, ptr %59, align 8
+  %61 = fcmp oeq double %60, 0.000000e+00
+  br i1 %61, label %84, label %78
 
-56:                                               ; preds = %48, %56
-  %57 = phi i64 [ 0, %48 ], [ %66, %56 ]
-  %58 = load ptr, ptr %49, align 8
-  %59 = load ptr, ptr %23, align 8
-  %60 = shl nsw i64 %57, 6
-  %61 = getelementptr inbounds i8, ptr %59, i64 %60
-  %62 = load <8 x i64>, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %58, i64 %60
-  %64 = load <8 x i64>, ptr %63, align 8
-  %65 = select <8 x i1> %17, <8 x i64> %62, <8 x i64> %64
-  store <8 x i64> %65, ptr %63, align 8
-  %66 = add nuw nsw i64 %57, 1
-  %67 = load ptr, ptr %20, align 8
-  %68 = load ptr, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 8
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %50, !llvm.loop !34
+62:                                               ; preds = %54, %62
+  %63 = phi i64 [ 0, %54 ], [ %72, %62 ]
+  %64 = load ptr, ptr %55, align 8
+  %65 = load ptr, ptr %23, align 8
+  %66 = shl nsw i64 %63, 6
+  %67 = getelementptr inbounds i8, ptr %65, i64 %66
+  %68 = load <8 x i64>, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %64, i64 %66
+  %70 = load <8 x i64>, ptr %69, align 8
+  %71 = select <8 x i1> %17, <8 x i64> %68, <8 x i64> %70
+  store <8 x i64> %71, ptr %69, align 8
+  %72 = add nuw nsw i64 %63, 1
+  %73 = load ptr, ptr %20, align 8
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 8
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp slt i64 %72, %76
+  br i1 %77, label %62, label %56, !llvm.loop !34
 
-72:                                               ; preds = %50
-  %73 = load ptr, ptr %0, align 8
-  %74 = getelementptr inbounds i8, ptr %73, i64 8
-  %75 = load i64, ptr %74, align 8
-  %76 = icmp sgt i64 %75, 0
-  %77 = select i1 %76, i64 %3, i64 0
-  br label %78
+78:                                               ; preds = %56
+  %79 = load ptr, ptr %0, align 8
+  %80 = getelementptr inbounds i8, ptr %79, i64 8
+  %81 = load i64, ptr %80, align 8
+  %82 = icmp sgt i64 %81, 0
+  %83 = select i1 %82, i64 %3, i64 0
+  br label %84
 
-78:                                               ; preds = %50, %72
-  %79 = phi i64 [ %77, %72 ], [ %15, %50 ]
-  %80 = getelementptr inbounds i8, ptr %0, i64 720
-  %81 = load ptr, ptr %80, align 8
-  %82 = insertelement <8 x double> poison, double %54, i64 0
-  %83 = load <8 x i64>, ptr %81, align 8
-  %84 = bitcast <8 x double> %82 to <8 x i64>
-  %85 = shufflevector <8 x i64> %84, <8 x i64> poison, <8 x i32> zeroinitializer
-  %86 = select <8 x i1> %17, <8 x i64> %85, <8 x i64> %83
-  store <8 x i64> %86, ptr %81, align 8
-  %87 = getelementptr inbounds i8, ptr %0, i64 744
-  %88 = load ptr, ptr %87, align 8
-  %89 = load <8 x double>, ptr %88, align 8
-  %90 = select <8 x i1> %17, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %89
-  store <8 x double> %90, ptr %88, align 8
-  %91 = getelementptr inbounds i8, ptr %0, i64 768
-  %92 = load ptr, ptr %91, align 8
-  %93 = load ptr, ptr %1, align 8
-  %94 = getelementptr inbounds i8, ptr %93, i64 120
-  %95 = load ptr, ptr %94, align 8
-  %96 = getelementptr inbounds i8, ptr %95, i64 40
-  %97 = load double, ptr %96, align 8
-  %98 = insertelement <8 x double> poison, double %97, i64 0
-  %99 = load <8 x i64>, ptr %92, align 8
-  %100 = bitcast <8 x double> %98 to <8 x i64>
-  %101 = shufflevector <8 x i64> %100, <8 x i64> poison, <8 x i32> zeroinitializer
-  %102 = select <8 x i1> %17, <8 x i64> %101, <8 x i64> %99
-  store <8 x i64> %102, ptr %92, align 8
-  %103 = icmp eq i64 %79, 0
-  br i1 %103, label %280, label %104
+84:                                               ; preds = %56, %78
+  %85 = phi i64 [ %83, %78 ], [ %15, %56 ]
+  %86 = getelementptr inbounds i8, ptr %0, i64 720
+  %87 = load ptr, ptr %86, align 8
+  %88 = insertelement <8 x double> poison, double %60, i64 0
+  %89 = load <8 x i64>, ptr %87, align 8
+  %90 = bitcast <8 x double> %88 to <8 x i64>
+  %91 = shufflevector <8 x i64> %90, <8 x i64> poison, <8 x i32> zeroinitializer
+  %92 = select <8 x i1> %17, <8 x i64> %91, <8 x i64> %89
+  store <8 x i64> %92, ptr %87, align 8
+  %93 = getelementptr inbounds i8, ptr %0, i64 744
+  %94 = load ptr, ptr %93, align 8
+  %95 = load <8 x double>, ptr %94, align 8
+  %96 = select <8 x i1> %17, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %95
+  store <8 x double> %96, ptr %94, align 8
+  %97 = getelementptr inbounds i8, ptr %0, i64 768
+  %98 = load ptr, ptr %97, align 8
+  %99 = load ptr, ptr %1, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 120
+  %101 = load ptr, ptr %100, align 8
+  %102 = getelementptr inbounds i8, ptr %101, i64 40
+  %103 = load double, ptr %102, align 8
+  %104 = insertelement <8 x double> poison, double %103, i64 0
+  %105 = load <8 x i64>, ptr %98, align 8
+  %106 = bitcast <8 x double> %104 to <8 x i64>
+  %107 = shufflevector <8 x i64> %106, <8 x i64> poison, <8 x i32> zeroinitializer
+  %108 = select <8 x i1> %17, <8 x i64> %107, <8 x i64> %105
+  store <8 x i64> %108, ptr %98, align 8
+  %109 = icmp eq i64 %85, 0
+  br i1 %109, label %292, label %110
 
-104:                                              ; preds = %78
-  %105 = load ptr, ptr %80, align 8
-  %106 = trunc i64 %79 to i8
-  %107 = bitcast i8 %106 to <8 x i1>
-  %108 = load ptr, ptr %51, align 8
-  %109 = load double, ptr %108, align 8
-  %110 = load ptr, ptr %11, align 8
-  %111 = load ptr, ptr %20, align 8
-  %112 = load ptr, ptr %111, align 8
-  %113 = getelementptr inbounds i8, ptr %112, i64 24
-  %114 = load i64, ptr %113, align 8
-  %115 = load ptr, ptr %110, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %115, ptr noundef %115, ptr noundef nonnull %110, i64 noundef %114) #10
-  %116 = load <8 x double>, ptr %5, align 16
-  %117 = getelementptr inbounds i8, ptr %110, i64 168
+110:                                              ; preds = %84
+  %111 = load ptr, ptr %86, align 8
+  %112 = trunc i64 %85 to i8
+  %113 = bitcast i8 %112 to <8 x i1>
+  %114 = load ptr, ptr %57, align 8
+  %115 = load double, ptr %114, align 8
+  %116 = load ptr, ptr %11, align 8
+  %117 = load ptr, ptr %20, align 8
   %118 = load ptr, ptr %117, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %118, ptr noundef %115, ptr noundef nonnull %110, i64 noundef %114) #10
-  %119 = load <8 x double>, ptr %6, align 16
-  %120 = fcmp olt <8 x double> %116, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %121 = fcmp olt <8 x double> %119, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %122 = or <8 x i1> %121, %120
-  %123 = insertelement <8 x double> poison, double %109, i64 0
-  %124 = shufflevector <8 x double> %123, <8 x double> poison, <8 x i32> zeroinitializer
-  %125 = fmul <8 x double> %116, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %126 = fdiv <8 x double> %125, %119
-  %127 = bitcast <8 x double> %126 to <8 x i64>
-  %128 = select <8 x i1> %122, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %127
-  %129 = bitcast <8 x i64> %128 to <8 x double>
-  %130 = fcmp olt <8 x double> %124, %129
-  %131 = bitcast <8 x double> %124 to <8 x i64>
-  %132 = select <8 x i1> %130, <8 x i64> %131, <8 x i64> %128
-  %133 = bitcast <8 x i64> %132 to <8 x double>
-  %134 = load ptr, ptr %20, align 8
-  %135 = load ptr, ptr %134, align 8
-  %136 = getelementptr inbounds i8, ptr %135, i64 8
-  %137 = load i64, ptr %136, align 8
-  %138 = icmp sgt i64 %137, 0
-  br i1 %138, label %139, label %141
+  %119 = getelementptr inbounds i8, ptr %118, i64 24
+  %120 = load i64, ptr %119, align 8
+  %121 = load ptr, ptr %116, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %121, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #10
+  %122 = load <8 x double>, ptr %5, align 16
+  %123 = getelementptr inbounds i8, ptr %116, i64 168
+  %124 = load ptr, ptr %123, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %124, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #10
+  %125 = load <8 x double>, ptr %6, align 16
+  %126 = fcmp olt <8 x double> %122, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %127 = fcmp olt <8 x double> %125, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %128 = or <8 x i1> %127, %126
+  %129 = insertelement <8 x double> poison, double %115, i64 0
+  %130 = shufflevector <8 x double> %129, <8 x double> poison, <8 x i32> zeroinitializer
+  %131 = fmul <8 x double> %122, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %132 = fdiv <8 x double> %131, %125
+  %133 = bitcast <8 x double> %132 to <8 x i64>
+  %134 = select <8 x i1> %128, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %133
+  %135 = bitcast <8 x i64> %134 to <8 x double>
+  %136 = fcmp olt <8 x double> %130, %135
+  %137 = bitcast <8 x double> %130 to <8 x i64>
+  %138 = select <8 x i1> %136, <8 x i64> %137, <8 x i64> %134
+  %139 = bitcast <8 x i64> %138 to <8 x double>
+  %140 = load ptr, ptr %20, align 8
+  %141 = load ptr, ptr %140, align 8
+  %142 = getelementptr inbounds i8, ptr %141, i64 8
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp sgt i64 %143, 0
+  br i1 %144, label %145, label %147
 
-139:                                              ; preds = %104
-  %140 = getelementptr inbounds i8, ptr %110, i64 48
-  br label %156
+145:                                              ; preds = %110
+  %146 = getelementptr inbounds i8, ptr %116, i64 48
+  br label %168
 
-141:                                              ; preds = %156, %104
-  %142 = phi ptr [ %134, %104 ], [ %170, %156 ]
-  %143 = fadd <8 x double> %19, %133
-  %144 = getelementptr inbounds i8, ptr %110, i64 48
-  %145 = load ptr, ptr %144, align 8
-  %146 = load ptr, ptr %117, align 8
-  %147 = getelementptr inbounds i8, ptr %110, i64 8
-  %148 = load i64, ptr %147, align 8
-  %149 = getelementptr inbounds double, ptr %146, i64 %148
-  %150 = getelementptr inbounds i8, ptr %142, i64 24
+147:                                              ; preds = %168, %110
+  %148 = phi ptr [ %140, %110 ], [ %182, %168 ]
+  %149 = fadd <8 x double> %19, %139
+  %150 = getelementptr inbounds i8, ptr %116, i64 48
   %151 = load ptr, ptr %150, align 8
-  store <8 x double> %143, ptr %151, align 8
-  %152 = getelementptr inbounds i8, ptr %142, i64 152
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp sgt i64 %153, 0
-  br i1 %154, label %155, label %175
+  %152 = load ptr, ptr %123, align 8
+  %153 = getelementptr inbounds i8, ptr %116, i64 8
+  %154 = load i64, ptr %153, align 8
+  %155 = getelementptr inbounds double, ptr %152, i64 %154
+  %156 = getelementptr inbounds i8, ptr %148, i64 24
+  %157 = load ptr, ptr %156, align 8
+  store <8 x double> %149, ptr %157, align 8
+  %158 = load ptr, ptr %148, align 8
+  %159 = getelementptr inbounds i8, ptr %158, i64 40
+  %160 = load i64, ptr %159, align 8
+  %161 = icmp eq i64 %160, 0
+  br i1 %161, label %163, label %162
 
-155:                                              ; preds = %141
-  tail call fastcc void @sample(ptr noundef nonnull %142) #10
-  br label %175
+162:                                              ; preds = %147
+  tail call fastcc void @settle(ptr noundef nonnull %148) #10
+  br label %163
 
-156:                                              ; preds = %139, %156
-  %157 = phi i64 [ 0, %139 ], [ %169, %156 ]
-  %158 = load ptr, ptr %140, align 8
-  %159 = load ptr, ptr %110, align 8
-  %160 = shl nsw i64 %157, 6
-  %161 = getelementptr inbounds i8, ptr %159, i64 %160
-  %162 = load <8 x double>, ptr %161, align 8
-  %163 = load ptr, ptr %117, align 8
-  %164 = getelementptr inbounds i8, ptr %163, i64 %160
-  %165 = load <8 x double>, ptr %164, align 8
-  %166 = fmul <8 x double> %165, %133
-  %167 = fadd <8 x double> %162, %166
-  %168 = getelementptr inbounds i8, ptr %158, i64 %160
-  store <8 x double> %167, ptr %168, align 8
-  %169 = add nuw nsw i64 %157, 1
-  %170 = load ptr, ptr %20, align 8
-  %171 = load ptr, ptr %170, align 8
-  %172 = getelementptr inbounds i8, ptr %171, i64 8
-  %173 = load i64, ptr %172, align 8
-  %174 = icmp slt i64 %169, %173
-  br i1 %174, label %156, label %141, !llvm.loop !35
+163:                                              ; preds = %162, %147
+  %164 = getelementptr inbounds i8, ptr %148, i64 152
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp sgt i64 %165, 0
+  br i1 %166, label %167, label %187
 
-175:                                              ; preds = %141, %155
-  %176 = load ptr, ptr %142, align 8
-  %177 = load i64, ptr %176, align 8
-  %178 = load ptr, ptr %150, align 8
-  %179 = getelementptr inbounds i8, ptr %142, i64 48
-  %180 = load ptr, ptr %179, align 8
-  %181 = getelementptr inbounds i8, ptr %142, i64 96
-  %182 = load ptr, ptr %181, align 8
-  %183 = inttoptr i64 %177 to ptr
-  %184 = load ptr, ptr %183, align 8
-  %185 = tail call i32 %184(ptr noundef %178, ptr noundef %145, ptr noundef %180, ptr noundef %182, ptr noundef %149) #11
-  %186 = load ptr, ptr %1, align 8
-  %187 = getelementptr inbounds i8, ptr %186, i64 120
-  %188 = load ptr, ptr %187, align 8
-  %189 = load double, ptr %188, align 8
-  %190 = load ptr, ptr %117, align 8
-  %191 = load i64, ptr %147, align 8
-  %192 = getelementptr inbounds double, ptr %190, i64 %191
-  %193 = icmp sgt i64 %114, 0
-  br i1 %193, label %194, label %204
+167:                                              ; preds = %163
+  tail call fastcc void @sample(ptr noundef nonnull %148) #10
+  br label %187
 
-194:                                              ; preds = %175, %194
-  %195 = phi i64 [ %202, %194 ], [ 0, %175 ]
-  %196 = shl nsw i64 %195, 6
-  %197 = getelementptr inbounds i8, ptr %192, i64 %196
-  %198 = load <8 x double>, ptr %197, align 8
-  %199 = getelementptr inbounds i8, ptr %190, i64 %196
-  %200 = load <8 x double>, ptr %199, align 8
-  %201 = fsub <8 x double> %198, %200
-  store <8 x double> %201, ptr %197, align 8
-  %202 = add nuw nsw i64 %195, 1
-  %203 = icmp eq i64 %202, %114
-  br i1 %203, label %204, label %194, !llvm.loop !36
+168:                                              ; preds = %145, %168
+  %169 = phi i64 [ 0, %145 ], [ %181, %168 ]
+  %170 = load ptr, ptr %146, align 8
+  %171 = load ptr, ptr %116, align 8
+  %172 = shl nsw i64 %169, 6
+  %173 = getelementptr inbounds i8, ptr %171, i64 %172
+  %174 = load <8 x double>, ptr %173, align 8
+  %175 = load ptr, ptr %123, align 8
+  %176 = getelementptr inbounds i8, ptr %175, i64 %172
+  %177 = load <8 x double>, ptr %176, align 8
+  %178 = fmul <8 x double> %177, %139
+  %179 = fadd <8 x double> %174, %178
+  %180 = getelementptr inbounds i8, ptr %170, i64 %172
+  store <8 x double> %179, ptr %180, align 8
+  %181 = add nuw nsw i64 %169, 1
+  %182 = load ptr, ptr %20, align 8
+  %183 = load ptr, ptr %182, align 8
+  %184 = getelementptr inbounds i8, ptr %183, i64 8
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp slt i64 %181, %185
+  br i1 %186, label %168, label %147, !llvm.loop !35
 
-204:                                              ; preds = %194, %175
-  %205 = load ptr, ptr %110, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %192, ptr noundef %205, ptr noundef nonnull %110, i64 noundef %114) #10
-  %206 = load <8 x double>, ptr %7, align 16
-  %207 = fdiv <8 x double> %206, %133
-  %208 = fcmp ogt <8 x double> %119, %207
-  %209 = select <8 x i1> %208, <8 x double> %119, <8 x double> %207
-  %210 = fcmp ogt <8 x double> %209, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
-  %211 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %209
-  %212 = select <8 x i1> %210, <8 x double> %211, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
-  %213 = bitcast <8 x double> %212 to <8 x i64>
-  %214 = add <8 x i64> %213, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %215 = ashr <8 x i64> %214, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %216 = and <8 x i64> %214, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %217 = sub <8 x i64> %213, %216
-  %218 = bitcast <8 x i64> %217 to <8 x double>
-  %219 = fadd <8 x double> %218, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %220 = fadd <8 x double> %218, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %221 = fdiv <8 x double> %219, %220
-  %222 = fmul <8 x double> %221, %221
-  %223 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %222, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %224 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %223, <8 x double> %222, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %225 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %224, <8 x double> %222, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %226 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %225, <8 x double> %222, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %227 = trunc nsw <8 x i64> %215 to <8 x i32>
-  %228 = sitofp <8 x i32> %227 to <8 x double>
-  %229 = fmul <8 x double> %221, %226
-  %230 = fadd <8 x double> %229, %228
-  %231 = insertelement <8 x double> poison, double %189, i64 0
-  %232 = shufflevector <8 x double> %231, <8 x double> poison, <8 x i32> zeroinitializer
-  %233 = fmul <8 x double> %232, %230
-  %234 = fcmp ogt <8 x double> %233, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %235 = bitcast <8 x double> %233 to <8 x i64>
-  %236 = select <8 x i1> %234, <8 x i64> %235, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %237 = bitcast <8 x i64> %236 to <8 x double>
-  %238 = fcmp olt <8 x double> %237, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %239 = bitcast <8 x i64> %236 to <8 x double>
-  %240 = select <8 x i1> %238, <8 x double> %239, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %241 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %240)
-  %242 = fsub <8 x double> %240, %241
-  %243 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %242, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %244 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %243, <8 x double> %242, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %245 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %244, <8 x double> %242, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %246 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %245, <8 x double> %242, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %247 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %246, <8 x double> %242, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %248 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %247, <8 x double> %242, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %249 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %248, <8 x double> %242, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %250 = bitcast <8 x double> %249 to <8 x i64>
-  %251 = fptosi <8 x double> %241 to <8 x i32>
-  %252 = zext <8 x i32> %251 to <8 x i64>
-  %253 = shl <8 x i64> %252, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %254 = add <8 x i64> %253, %250
-  %255 = fmul <8 x double> %133, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %256 = fcmp olt <8 x double> %255, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
-  %257 = bitcast <8 x double> %255 to <8 x i64>
-  %258 = select <8 x i1> %256, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %257
-  %259 = fmul <8 x double> %133, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
-  %260 = select <8 x i1> %210, <8 x i64> %254, <8 x i64> %258
-  %261 = bitcast <8 x i64> %260 to <8 x double>
-  %262 = fcmp olt <8 x double> %259, %261
-  %263 = bitcast <8 x double> %259 to <8 x i64>
-  %264 = select <8 x i1> %262, <8 x i64> %263, <8 x i64> %260
-  %265 = bitcast <8 x i64> %264 to <8 x double>
-  %266 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %19)
-  %267 = fmul <8 x double> %266, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
-  %268 = fcmp ogt <8 x double> %267, %265
+187:                                              ; preds = %163, %167
+  %188 = load ptr, ptr %148, align 8
+  %189 = load i64, ptr %188, align 8
+  %190 = load ptr, ptr %156, align 8
+  %191 = getelementptr inbounds i8, ptr %148, i64 48
+  %192 = load ptr, ptr %191, align 8
+  %193 = getelementptr inbounds i8, ptr %148, i64 96
+  %194 = load ptr, ptr %193, align 8
+  %195 = inttoptr i64 %189 to ptr
+  %196 = load ptr, ptr %195, align 8
+  %197 = tail call i32 %196(ptr noundef %190, ptr noundef %151, ptr noundef %192, ptr noundef %194, ptr noundef %155) #11
+  %198 = load ptr, ptr %1, align 8
+  %199 = getelementptr inbounds i8, ptr %198, i64 120
+  %200 = load ptr, ptr %199, align 8
+  %201 = load double, ptr %200, align 8
+  %202 = load ptr, ptr %123, align 8
+  %203 = load i64, ptr %153, align 8
+  %204 = getelementptr inbounds double, ptr %202, i64 %203
+  %205 = icmp sgt i64 %120, 0
+  br i1 %205, label %206, label %216
+
+206:                                              ; preds = %187, %206
+  %207 = phi i64 [ %214, %206 ], [ 0, %187 ]
+  %208 = shl nsw i64 %207, 6
+  %209 = getelementptr inbounds i8, ptr %204, i64 %208
+  %210 = load <8 x double>, ptr %209, align 8
+  %211 = getelementptr inbounds i8, ptr %202, i64 %208
+  %212 = load <8 x double>, ptr %211, align 8
+  %213 = fsub <8 x double> %210, %212
+  store <8 x double> %213, ptr %209, align 8
+  %214 = add nuw nsw i64 %207, 1
+  %215 = icmp eq i64 %214, %120
+  br i1 %215, label %216, label %206, !llvm.loop !36
+
+216:                                              ; preds = %206, %187
+  %217 = load ptr, ptr %116, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %204, ptr noundef %217, ptr noundef nonnull %116, i64 noundef %120) #10
+  %218 = load <8 x double>, ptr %7, align 16
+  %219 = fdiv <8 x double> %218, %139
+  %220 = fcmp ogt <8 x double> %125, %219
+  %221 = select <8 x i1> %220, <8 x double> %125, <8 x double> %219
+  %222 = fcmp ogt <8 x double> %221, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
+  %223 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %221
+  %224 = select <8 x i1> %222, <8 x double> %223, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
+  %225 = bitcast <8 x double> %224 to <8 x i64>
+  %226 = add <8 x i64> %225, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %227 = ashr <8 x i64> %226, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %228 = and <8 x i64> %226, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %229 = sub <8 x i64> %225, %228
+  %230 = bitcast <8 x i64> %229 to <8 x double>
+  %231 = fadd <8 x double> %230, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %232 = fadd <8 x double> %230, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %233 = fdiv <8 x double> %231, %232
+  %234 = fmul <8 x double> %233, %233
+  %235 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %234, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %236 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %235, <8 x double> %234, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %237 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %236, <8 x double> %234, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %238 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %237, <8 x double> %234, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %239 = trunc nsw <8 x i64> %227 to <8 x i32>
+  %240 = sitofp <8 x i32> %239 to <8 x double>
+  %241 = fmul <8 x double> %233, %238
+  %242 = fadd <8 x double> %241, %240
+  %243 = insertelement <8 x double> poison, double %201, i64 0
+  %244 = shufflevector <8 x double> %243, <8 x double> poison, <8 x i32> zeroinitializer
+  %245 = fmul <8 x double> %244, %242
+  %246 = fcmp ogt <8 x double> %245, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %247 = bitcast <8 x double> %245 to <8 x i64>
+  %248 = select <8 x i1> %246, <8 x i64> %247, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %249 = bitcast <8 x i64> %248 to <8 x double>
+  %250 = fcmp olt <8 x double> %249, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %251 = bitcast <8 x i64> %248 to <8 x double>
+  %252 = select <8 x i1> %250, <8 x double> %251, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %253 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %252)
+  %254 = fsub <8 x double> %252, %253
+  %255 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %254, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %256 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %255, <8 x double> %254, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %257 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %256, <8 x double> %254, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %258 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %257, <8 x double> %254, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %259 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %258, <8 x double> %254, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %260 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %259, <8 x double> %254, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %261 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %260, <8 x double> %254, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %262 = bitcast <8 x double> %261 to <8 x i64>
+  %263 = fptosi <8 x double> %253 to <8 x i32>
+  %264 = zext <8 x i32> %263 to <8 x i64>
+  %265 = shl <8 x i64> %264, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %266 = add <8 x i64> %265, %262
+  %267 = fmul <8 x double> %139, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %268 = fcmp olt <8 x double> %267, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
   %269 = bitcast <8 x double> %267 to <8 x i64>
-  %270 = select <8 x i1> %268, <8 x i64> %269, <8 x i64> %264
-  %271 = bitcast <8 x i64> %270 to <8 x double>
-  %272 = fcmp olt <8 x double> %124, %271
-  %273 = select <8 x i1> %272, <8 x i64> %131, <8 x i64> %270
-  %274 = trunc i32 %185 to i8
-  %275 = bitcast i8 %274 to <8 x i1>
-  %276 = select <8 x i1> %275, <8 x i64> %257, <8 x i64> %273
-  %277 = load ptr, ptr %80, align 8
-  %278 = load <8 x i64>, ptr %277, align 8
-  %279 = select <8 x i1> %107, <8 x i64> %276, <8 x i64> %278
-  store <8 x i64> %279, ptr %105, align 8
-  br label %280
+  %270 = select <8 x i1> %268, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %269
+  %271 = fmul <8 x double> %139, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
+  %272 = select <8 x i1> %222, <8 x i64> %266, <8 x i64> %270
+  %273 = bitcast <8 x i64> %272 to <8 x double>
+  %274 = fcmp olt <8 x double> %271, %273
+  %275 = bitcast <8 x double> %271 to <8 x i64>
+  %276 = select <8 x i1> %274, <8 x i64> %275, <8 x i64> %272
+  %277 = bitcast <8 x i64> %276 to <8 x double>
+  %278 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %19)
+  %279 = fmul <8 x double> %278, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %280 = fcmp ogt <8 x double> %279, %277
+  %281 = bitcast <8 x double> %279 to <8 x i64>
+  %282 = select <8 x i1> %280, <8 x i64> %281, <8 x i64> %276
+  %283 = bitcast <8 x i64> %282 to <8 x double>
+  %284 = fcmp olt <8 x double> %130, %283
+  %285 = select <8 x i1> %284, <8 x i64> %137, <8 x i64> %282
+  %286 = trunc i32 %197 to i8
+  %287 = bitcast i8 %286 to <8 x i1>
+  %288 = select <8 x i1> %287, <8 x i64> %269, <8 x i64> %285
+  %289 = load ptr, ptr %86, align 8
+  %290 = load <8 x i64>, ptr %289, align 8
+  %291 = select <8 x i1> %113, <8 x i64> %288, <8 x i64> %290
+  store <8 x i64> %291, ptr %111, align 8
+  br label %292
 
-280:                                              ; preds = %78, %204
-  %281 = getelementptr inbounds i8, ptr %0, i64 840
-  %282 = load ptr, ptr %281, align 8
-  %283 = load <8 x double>, ptr %282, align 8
-  %284 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %283
-  store <8 x double> %284, ptr %282, align 8
-  %285 = getelementptr inbounds i8, ptr %0, i64 864
-  %286 = load ptr, ptr %285, align 8
-  %287 = load <8 x double>, ptr %286, align 8
-  %288 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %287
-  store <8 x double> %288, ptr %286, align 8
-  %289 = getelementptr inbounds i8, ptr %0, i64 888
-  %290 = load ptr, ptr %289, align 8
-  %291 = load <8 x double>, ptr %290, align 8
-  %292 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %291
-  store <8 x double> %292, ptr %290, align 8
-  %293 = getelementptr inbounds i8, ptr %0, i64 912
+292:                                              ; preds = %84, %216
+  %293 = getelementptr inbounds i8, ptr %0, i64 840
   %294 = load ptr, ptr %293, align 8
-  %295 = load ptr, ptr %80, align 8
-  %296 = load <8 x double>, ptr %295, align 8
-  %297 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %296, i32 384)
-  %298 = select <8 x i1> %297, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %299 = load <8 x i64>, ptr %294, align 8
-  %300 = select <8 x i1> %17, <8 x i64> %298, <8 x i64> %299
-  store <8 x i64> %300, ptr %294, align 8
-  %301 = icmp eq i64 %2, 0
-  br i1 %301, label %334, label %302
+  %295 = load <8 x double>, ptr %294, align 8
+  %296 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %295
+  store <8 x double> %296, ptr %294, align 8
+  %297 = getelementptr inbounds i8, ptr %0, i64 864
+  %298 = load ptr, ptr %297, align 8
+  %299 = load <8 x double>, ptr %298, align 8
+  %300 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %299
+  store <8 x double> %300, ptr %298, align 8
+  %301 = getelementptr inbounds i8, ptr %0, i64 888
+  %302 = load ptr, ptr %301, align 8
+  %303 = load <8 x double>, ptr %302, align 8
+  %304 = select <8 x i1> %14, <8 x double> zeroinitializer, <8 x double> %303
+  store <8 x double> %304, ptr %302, align 8
+  %305 = getelementptr inbounds i8, ptr %0, i64 912
+  %306 = load ptr, ptr %305, align 8
+  %307 = load ptr, ptr %86, align 8
+  %308 = load <8 x double>, ptr %307, align 8
+  %309 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %308, i32 384)
+  %310 = select <8 x i1> %309, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %311 = load <8 x i64>, ptr %306, align 8
+  %312 = select <8 x i1> %17, <8 x i64> %310, <8 x i64> %311
+  store <8 x i64> %312, ptr %306, align 8
+  %313 = icmp eq i64 %2, 0
+  br i1 %313, label %346, label %314
 
-302:                                              ; preds = %280
-  %303 = getelementptr inbounds i8, ptr %0, i64 936
-  %304 = getelementptr inbounds i8, ptr %0, i64 1032
-  %305 = getelementptr inbounds i8, ptr %0, i64 1040
-  %306 = getelementptr inbounds i8, ptr %0, i64 792
-  %307 = getelementptr inbounds i8, ptr %0, i64 816
-  %308 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %309
+314:                                              ; preds = %292
+  %315 = getelementptr inbounds i8, ptr %0, i64 936
+  %316 = getelementptr inbounds i8, ptr %0, i64 1032
+  %317 = getelementptr inbounds i8, ptr %0, i64 1040
+  %318 = getelementptr inbounds i8, ptr %0, i64 792
+  %319 = getelementptr inbounds i8, ptr %0, i64 816
+  %320 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %321
 
-309:                                              ; preds = %302, %309
-  %310 = phi i64 [ %2, %302 ], [ %332, %309 ]
-  %311 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %310, i1 true)
-  %312 = load ptr, ptr %303, align 8
-  %313 = getelementptr inbounds i64, ptr %312, i64 %311
-  %314 = load i64, ptr %313, align 8
-  %315 = load i64, ptr %305, align 8
-  %316 = add nsw i64 %315, -1
-  %317 = load ptr, ptr %306, align 8
-  %318 = getelementptr inbounds double, ptr %317, i64 %311
-  store double 0.000000e+00, ptr %318, align 8
-  %319 = load ptr, ptr %304, align 8
-  %320 = load double, ptr %319, align 8
-  %321 = load ptr, ptr %307, align 8
-  %322 = getelementptr inbounds double, ptr %321, i64 %311
-  store double %320, ptr %322, align 8
-  %323 = load ptr, ptr %10, align 8
-  %324 = getelementptr inbounds i8, ptr %323, i64 24
-  %325 = load i64, ptr %324, align 8
-  %326 = shl i64 %314, 3
-  %327 = mul i64 %326, %316
-  %328 = add nsw i64 %325, %327
-  %329 = load ptr, ptr %308, align 8
-  %330 = getelementptr inbounds i64, ptr %329, i64 %311
-  store i64 %328, ptr %330, align 8
-  %331 = add nsw i64 %310, -1
-  %332 = and i64 %331, %310
-  %333 = icmp eq i64 %332, 0
-  br i1 %333, label %334, label %309, !llvm.loop !37
+321:                                              ; preds = %314, %321
+  %322 = phi i64 [ %2, %314 ], [ %344, %321 ]
+  %323 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %322, i1 true)
+  %324 = load ptr, ptr %315, align 8
+  %325 = getelementptr inbounds i64, ptr %324, i64 %323
+  %326 = load i64, ptr %325, align 8
+  %327 = load i64, ptr %317, align 8
+  %328 = add nsw i64 %327, -1
+  %329 = load ptr, ptr %318, align 8
+  %330 = getelementptr inbounds double, ptr %329, i64 %323
+  store double 0.000000e+00, ptr %330, align 8
+  %331 = load ptr, ptr %316, align 8
+  %332 = load double, ptr %331, align 8
+  %333 = load ptr, ptr %319, align 8
+  %334 = getelementptr inbounds double, ptr %333, i64 %323
+  store double %332, ptr %334, align 8
+  %335 = load ptr, ptr %10, align 8
+  %336 = getelementptr inbounds i8, ptr %335, i64 24
+  %337 = load i64, ptr %336, align 8
+  %338 = shl i64 %326, 3
+  %339 = mul i64 %338, %328
+  %340 = add nsw i64 %337, %339
+  %341 = load ptr, ptr %320, align 8
+  %342 = getelementptr inbounds i64, ptr %341, i64 %323
+  store i64 %340, ptr %342, align 8
+  %343 = add nsw i64 %322, -1
+  %344 = and i64 %343, %322
+  %345 = icmp eq i64 %344, 0
+  br i1 %345, label %346, label %321, !llvm.loop !37
 
-334:                                              ; preds = %309, %280
-  %335 = xor i64 %42, -1
-  %336 = and i64 %335, %2
-  %337 = icmp eq i64 %336, 0
-  br i1 %337, label %341, label %338
+346:                                              ; preds = %321, %292
+  %347 = xor i64 %48, -1
+  %348 = and i64 %347, %2
+  %349 = icmp eq i64 %348, 0
+  br i1 %349, label %353, label %350
 
-338:                                              ; preds = %334
-  %339 = getelementptr inbounds i8, ptr %0, i64 816
-  %340 = getelementptr inbounds i8, ptr %0, i64 1032
-  br label %362
+350:                                              ; preds = %346
+  %351 = getelementptr inbounds i8, ptr %0, i64 816
+  %352 = getelementptr inbounds i8, ptr %0, i64 1032
+  br label %374
 
-341:                                              ; preds = %362, %334
-  %342 = and i64 %15, %42
-  %343 = xor i64 %342, %15
-  %344 = getelementptr inbounds i8, ptr %0, i64 816
-  %345 = load ptr, ptr %344, align 8
-  %346 = load <8 x double>, ptr %345, align 8
-  %347 = fcmp oeq <8 x double> %346, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %348 = bitcast <8 x i1> %347 to i8
-  %349 = zext i8 %348 to i64
-  %350 = and i64 %343, %349
-  %351 = load ptr, ptr %289, align 8
-  %352 = load <8 x double>, ptr %351, align 8
-  %353 = select <8 x i1> %17, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %354 = or i64 %350, %342
-  %355 = xor i64 %354, -1
-  %356 = and i64 %79, %355
-  %357 = trunc i64 %356 to i8
-  %358 = bitcast i8 %357 to <8 x i1>
-  %359 = select <8 x i1> %358, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %360 = fadd <8 x double> %353, %359
-  %361 = fadd <8 x double> %352, %360
-  store <8 x double> %361, ptr %351, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %342, i64 noundef 3) #10
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %350, i64 noundef 0) #10
+353:                                              ; preds = %374, %346
+  %354 = and i64 %15, %48
+  %355 = xor i64 %354, %15
+  %356 = getelementptr inbounds i8, ptr %0, i64 816
+  %357 = load ptr, ptr %356, align 8
+  %358 = load <8 x double>, ptr %357, align 8
+  %359 = fcmp oeq <8 x double> %358, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %360 = bitcast <8 x i1> %359 to i8
+  %361 = zext i8 %360 to i64
+  %362 = and i64 %355, %361
+  %363 = load ptr, ptr %301, align 8
+  %364 = load <8 x double>, ptr %363, align 8
+  %365 = select <8 x i1> %17, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %366 = or i64 %362, %354
+  %367 = xor i64 %366, -1
+  %368 = and i64 %85, %367
+  %369 = trunc i64 %368 to i8
+  %370 = bitcast i8 %369 to <8 x i1>
+  %371 = select <8 x i1> %370, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %372 = fadd <8 x double> %365, %371
+  %373 = fadd <8 x double> %364, %372
+  store <8 x double> %373, ptr %363, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %354, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %362, i64 noundef 0) #10
   ret void
 
-362:                                              ; preds = %338, %362
-  %363 = phi i64 [ %336, %338 ], [ %374, %362 ]
-  %364 = load ptr, ptr %12, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %364, i64 noundef %363) #10
-  %365 = load ptr, ptr %339, align 8
-  %366 = load <8 x double>, ptr %365, align 8
-  %367 = load ptr, ptr %340, align 8
-  %368 = load double, ptr %367, align 8
-  %369 = insertelement <8 x double> poison, double %368, i64 0
-  %370 = shufflevector <8 x double> %369, <8 x double> poison, <8 x i32> zeroinitializer
-  %371 = fcmp oeq <8 x double> %366, %370
-  %372 = bitcast <8 x i1> %371 to i8
-  %373 = zext i8 %372 to i64
-  %374 = and i64 %363, %373
-  %375 = icmp eq i64 %374, 0
-  br i1 %375, label %341, label %362, !llvm.loop !38
+374:                                              ; preds = %350, %374
+  %375 = phi i64 [ %348, %350 ], [ %386, %374 ]
+  %376 = load ptr, ptr %12, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %376, i64 noundef %375) #10
+  %377 = load ptr, ptr %351, align 8
+  %378 = load <8 x double>, ptr %377, align 8
+  %379 = load ptr, ptr %352, align 8
+  %380 = load double, ptr %379, align 8
+  %381 = insertelement <8 x double> poison, double %380, i64 0
+  %382 = shufflevector <8 x double> %381, <8 x double> poison, <8 x i32> zeroinitializer
+  %383 = fcmp oeq <8 x double> %378, %382
+  %384 = bitcast <8 x i1> %383 to i8
+  %385 = zext i8 %384 to i64
+  %386 = and i64 %375, %385
+  %387 = icmp eq i64 %386, 0
+  br i1 %387, label %353, label %374, !llvm.loop !38
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
   %3 = getelementptr inbounds i8, ptr %0, i64 696
-  %4 = getelementptr inbounds i8, ptr %0, i64 384
-  %5 = getelementptr inbounds i8, ptr %0, i64 392
+  %4 = getelementptr inbounds i8, ptr %0, i64 392
+  %5 = getelementptr inbounds i8, ptr %0, i64 384
   %6 = getelementptr inbounds i8, ptr %0, i64 408
   br label %8
 
@@ -2393,59 +2459,61 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %10 = load ptr, ptr %3, align 8
   %11 = getelementptr inbounds double, ptr %10, i64 %9
   %12 = load double, ptr %11, align 8
-  %13 = load ptr, ptr %4, align 8
-  %14 = load i64, ptr %5, align 8
-  %15 = icmp eq i64 %14, 0
-  br i1 %15, label %49, label %16
+  %13 = load i64, ptr %4, align 8
+  %14 = icmp eq i64 %13, 0
+  br i1 %14, label %49, label %15
 
-16:                                               ; preds = %8
-  %17 = icmp sgt i64 %14, 0
-  br i1 %17, label %18, label %31
+15:                                               ; preds = %8
+  %16 = icmp sgt i64 %13, 0
+  br i1 %16, label %17, label %32
 
-18:                                               ; preds = %16, %18
-  %19 = phi i64 [ %29, %18 ], [ %14, %16 ]
-  %20 = phi i64 [ %28, %18 ], [ 0, %16 ]
-  %21 = add nuw nsw i64 %19, %20
-  %22 = lshr i64 %21, 1
-  %23 = and i64 %21, -2
-  %24 = getelementptr inbounds double, ptr %13, i64 %23
-  %25 = load double, ptr %24, align 8
-  %26 = fcmp ogt double %25, %12
-  %27 = add nuw nsw i64 %22, 1
-  %28 = select i1 %26, i64 %20, i64 %27
-  %29 = select i1 %26, i64 %22, i64 %19
-  %30 = icmp slt i64 %28, %29
-  br i1 %30, label %18, label %31, !llvm.loop !39
+17:                                               ; preds = %15
+  %18 = load ptr, ptr %5, align 8
+  br label %19
 
-31:                                               ; preds = %18, %16
-  %32 = phi i64 [ 0, %16 ], [ %28, %18 ]
-  %33 = icmp slt i64 %32, %14
-  br i1 %33, label %34, label %39
+19:                                               ; preds = %17, %19
+  %20 = phi i64 [ 0, %17 ], [ %30, %19 ]
+  %21 = phi i64 [ %13, %17 ], [ %29, %19 ]
+  %22 = add nuw nsw i64 %20, %21
+  %23 = lshr i64 %22, 1
+  %24 = mul i64 %23, 24
+  %25 = getelementptr inbounds i8, ptr %18, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %12
+  %28 = add nuw nsw i64 %23, 1
+  %29 = select i1 %27, i64 %23, i64 %21
+  %30 = select i1 %27, i64 %20, i64 %28
+  %31 = icmp slt i64 %30, %29
+  br i1 %31, label %19, label %32, !llvm.loop !39
 
-34:                                               ; preds = %31
-  %35 = shl nuw nsw i64 %32, 1
-  %36 = or disjoint i64 %35, 1
-  %37 = getelementptr inbounds double, ptr %13, i64 %36
-  %38 = load double, ptr %37, align 8
-  br label %39
+32:                                               ; preds = %19, %15
+  %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
+  %34 = load ptr, ptr %5, align 8
+  %35 = mul i64 %33, 24
+  %36 = getelementptr inbounds i8, ptr %34, i64 %35
+  %37 = icmp slt i64 %33, %13
+  br i1 %37, label %38, label %41
 
-39:                                               ; preds = %34, %31
-  %40 = phi double [ %38, %34 ], [ 0x7FF0000000000000, %31 ]
-  %41 = load ptr, ptr %6, align 8
-  %42 = getelementptr inbounds double, ptr %41, i64 %9
-  store double %40, ptr %42, align 8
-  %43 = load i64, ptr %5, align 8
-  %44 = icmp slt i64 %32, %43
-  br i1 %44, label %45, label %49
+38:                                               ; preds = %32
+  %39 = getelementptr inbounds i8, ptr %36, i64 8
+  %40 = load double, ptr %39, align 8
+  br label %41
 
-45:                                               ; preds = %39
-  %46 = shl nsw i64 %32, 4
-  %47 = getelementptr inbounds i8, ptr %13, i64 %46
-  %48 = load double, ptr %47, align 8
+41:                                               ; preds = %38, %32
+  %42 = phi double [ %40, %38 ], [ 0x7FF0000000000000, %32 ]
+  %43 = load ptr, ptr %6, align 8
+  %44 = getelementptr inbounds double, ptr %43, i64 %9
+  store double %42, ptr %44, align 8
+  %45 = load i64, ptr %4, align 8
+  %46 = icmp slt i64 %33, %45
+  br i1 %46, label %47, label %49
+
+47:                                               ; preds = %41
+  %48 = load double, ptr %36, align 8
   br label %49
 
-49:                                               ; preds = %8, %39, %45
-  %50 = phi double [ 0x7FF0000000000000, %8 ], [ %48, %45 ], [ 0x7FF0000000000000, %39 ]
+49:                                               ; preds = %8, %41, %47
+  %50 = phi double [ 0x7FF0000000000000, %8 ], [ %48, %47 ], [ 0x7FF0000000000000, %41 ]
   %51 = getelementptr inbounds double, ptr %1, i64 %9
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
@@ -3573,70 +3641,159 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %24 = getelementptr inbounds i8, ptr %18, i64 24
   %25 = load ptr, ptr %24, align 8
   store <8 x double> %20, ptr %25, align 8
-  %26 = getelementptr inbounds i8, ptr %18, i64 152
-  %27 = load i64, ptr %26, align 8
-  %28 = icmp sgt i64 %27, 0
-  br i1 %28, label %29, label %30
+  %26 = load ptr, ptr %18, align 8
+  %27 = getelementptr inbounds i8, ptr %26, i64 40
+  %28 = load i64, ptr %27, align 8
+  %29 = icmp eq i64 %28, 0
+  br i1 %29, label %31, label %30
 
-29:                                               ; preds = %17
-  tail call fastcc void @sample(ptr noundef %18) #10
-  br label %30
+30:                                               ; preds = %17
+  tail call fastcc void @settle(ptr noundef nonnull %18) #10
+  br label %31
 
-30:                                               ; preds = %17, %29
-  %31 = load ptr, ptr %18, align 8
-  %32 = load i64, ptr %31, align 8
-  %33 = load ptr, ptr %24, align 8
-  %34 = getelementptr inbounds i8, ptr %18, i64 48
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds i8, ptr %18, i64 96
-  %37 = load ptr, ptr %36, align 8
-  %38 = inttoptr i64 %32 to ptr
-  %39 = load ptr, ptr %38, align 8
-  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #11
-  %41 = load ptr, ptr %9, align 8
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds i8, ptr %42, i64 8
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %48
+31:                                               ; preds = %30, %17
+  %32 = getelementptr inbounds i8, ptr %18, i64 152
+  %33 = load i64, ptr %32, align 8
+  %34 = icmp sgt i64 %33, 0
+  br i1 %34, label %35, label %36
 
-46:                                               ; preds = %30
-  %47 = getelementptr inbounds i8, ptr %6, i64 168
-  br label %56
+35:                                               ; preds = %31
+  tail call fastcc void @sample(ptr noundef nonnull %18) #10
+  br label %36
 
-48:                                               ; preds = %56, %30
-  %49 = sext i32 %40 to i64
-  %50 = and i64 %49, %2
-  %51 = getelementptr inbounds i8, ptr %0, i64 888
-  %52 = load ptr, ptr %51, align 8
-  %53 = load <8 x double>, ptr %52, align 8
-  %54 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %55 = fadd <8 x double> %54, %53
-  store <8 x double> %55, ptr %52, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %50, i64 noundef 3) #10
-  ret i64 %50
+36:                                               ; preds = %31, %35
+  %37 = load ptr, ptr %18, align 8
+  %38 = load i64, ptr %37, align 8
+  %39 = load ptr, ptr %24, align 8
+  %40 = getelementptr inbounds i8, ptr %18, i64 48
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %18, i64 96
+  %43 = load ptr, ptr %42, align 8
+  %44 = inttoptr i64 %38 to ptr
+  %45 = load ptr, ptr %44, align 8
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %47 = load ptr, ptr %9, align 8
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr inbounds i8, ptr %48, i64 8
+  %50 = load i64, ptr %49, align 8
+  %51 = icmp sgt i64 %50, 0
+  br i1 %51, label %52, label %54
 
-56:                                               ; preds = %46, %56
-  %57 = phi i64 [ 0, %46 ], [ %66, %56 ]
-  %58 = load ptr, ptr %47, align 8
-  %59 = load ptr, ptr %22, align 8
-  %60 = shl nsw i64 %57, 6
-  %61 = getelementptr inbounds i8, ptr %59, i64 %60
-  %62 = load <8 x i64>, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %58, i64 %60
-  %64 = load <8 x i64>, ptr %63, align 8
-  %65 = select <8 x i1> %8, <8 x i64> %62, <8 x i64> %64
-  store <8 x i64> %65, ptr %63, align 8
-  %66 = add nuw nsw i64 %57, 1
-  %67 = load ptr, ptr %9, align 8
-  %68 = load ptr, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 8
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %48, !llvm.loop !64
+52:                                               ; preds = %36
+  %53 = getelementptr inbounds i8, ptr %6, i64 168
+  br label %62
+
+54:                                               ; preds = %62, %36
+  %55 = sext i32 %46 to i64
+  %56 = and i64 %55, %2
+  %57 = getelementptr inbounds i8, ptr %0, i64 888
+  %58 = load ptr, ptr %57, align 8
+  %59 = load <8 x double>, ptr %58, align 8
+  %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %61 = fadd <8 x double> %60, %59
+  store <8 x double> %61, ptr %58, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #10
+  ret i64 %56
+
+62:                                               ; preds = %52, %62
+  %63 = phi i64 [ 0, %52 ], [ %72, %62 ]
+  %64 = load ptr, ptr %53, align 8
+  %65 = load ptr, ptr %22, align 8
+  %66 = shl nsw i64 %63, 6
+  %67 = getelementptr inbounds i8, ptr %65, i64 %66
+  %68 = load <8 x i64>, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %64, i64 %66
+  %70 = load <8 x i64>, ptr %69, align 8
+  %71 = select <8 x i1> %8, <8 x i64> %68, <8 x i64> %70
+  store <8 x i64> %71, ptr %69, align 8
+  %72 = add nuw nsw i64 %63, 1
+  %73 = load ptr, ptr %9, align 8
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 8
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp slt i64 %72, %76
+  br i1 %77, label %62, label %54, !llvm.loop !64
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 264
+  %3 = getelementptr inbounds i8, ptr %0, i64 24
+  %4 = getelementptr inbounds i8, ptr %0, i64 240
+  %5 = getelementptr inbounds i8, ptr %0, i64 248
+  br label %7
+
+6:                                                ; preds = %51
+  ret void
+
+7:                                                ; preds = %1, %51
+  %8 = phi i64 [ 0, %1 ], [ %53, %51 ]
+  %9 = load ptr, ptr %2, align 8
+  %10 = getelementptr inbounds double, ptr %9, i64 %8
+  %11 = load double, ptr %10, align 8
+  %12 = load ptr, ptr %3, align 8
+  %13 = getelementptr inbounds double, ptr %12, i64 %8
+  %14 = load double, ptr %13, align 8
+  %15 = fcmp olt double %14, %11
+  %16 = select i1 %15, double %14, double %11
+  %17 = load i64, ptr %5, align 8
+  %18 = icmp sgt i64 %17, 0
+  br i1 %18, label %19, label %34
+
+19:                                               ; preds = %7
+  %20 = load ptr, ptr %4, align 8
+  br label %21
+
+21:                                               ; preds = %19, %21
+  %22 = phi i64 [ 0, %19 ], [ %32, %21 ]
+  %23 = phi i64 [ %17, %19 ], [ %31, %21 ]
+  %24 = add nuw nsw i64 %22, %23
+  %25 = lshr i64 %24, 1
+  %26 = mul i64 %25, 24
+  %27 = getelementptr inbounds i8, ptr %20, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = fcmp ogt double %28, %16
+  %30 = add nuw nsw i64 %25, 1
+  %31 = select i1 %29, i64 %25, i64 %23
+  %32 = select i1 %29, i64 %22, i64 %30
+  %33 = icmp slt i64 %32, %31
+  br i1 %33, label %21, label %34, !llvm.loop !39
+
+34:                                               ; preds = %21, %7
+  %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
+  %36 = load ptr, ptr %4, align 8
+  %37 = mul i64 %35, 24
+  %38 = getelementptr inbounds i8, ptr %36, i64 %37
+  %39 = icmp eq i64 %35, 0
+  br i1 %39, label %44, label %40
+
+40:                                               ; preds = %34
+  %41 = getelementptr inbounds i8, ptr %38, i64 -8
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp olt double %16, %42
+  br i1 %43, label %51, label %44
+
+44:                                               ; preds = %40, %34
+  %45 = icmp slt i64 %35, %17
+  br i1 %45, label %46, label %50
+
+46:                                               ; preds = %44
+  %47 = getelementptr inbounds i8, ptr %38, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %16, %48
+  br i1 %49, label %51, label %50
+
+50:                                               ; preds = %46, %44
+  br label %51
+
+51:                                               ; preds = %50, %46, %40
+  %52 = phi double [ %42, %40 ], [ %16, %50 ], [ %48, %46 ]
+  store double %52, ptr %13, align 8
+  %53 = add nuw nsw i64 %8, 1
+  %54 = icmp eq i64 %53, 8
+  br i1 %54, label %6, label %7, !llvm.loop !65
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %2 = getelementptr inbounds i8, ptr %0, i64 152
@@ -3671,7 +3828,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !65
+  br i1 %25, label %15, label %14, !llvm.loop !66
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -3732,7 +3889,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !66
+  br i1 %76, label %65, label %77, !llvm.loop !67
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -3765,7 +3922,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !67
+  br i1 %105, label %22, label %26, !llvm.loop !68
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -3819,7 +3976,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !68
+  br i1 %48, label %13, label %20, !llvm.loop !69
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -3908,7 +4065,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !69
+  br i1 %60, label %29, label %33, !llvm.loop !70
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -3928,7 +4085,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !70
+  br i1 %76, label %57, label %61, !llvm.loop !71
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
@@ -3984,7 +4141,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !71
+  br i1 %50, label %51, label %25, !llvm.loop !72
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -4042,7 +4199,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !72
+  br i1 %98, label %14, label %19, !llvm.loop !73
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -4073,7 +4230,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !71
+  br i1 %123, label %104, label %110, !llvm.loop !72
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -4093,7 +4250,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !73
+  br i1 %138, label %99, label %139, !llvm.loop !74
 
 139:                                              ; preds = %135, %14
   ret void
@@ -4122,383 +4279,405 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %24 = zext i8 %23 to i64
   %25 = and i64 %24, %2
   %26 = icmp eq i64 %25, 0
-  br i1 %26, label %95, label %27
+  br i1 %26, label %101, label %27
 
 27:                                               ; preds = %4
   %28 = getelementptr inbounds i8, ptr %0, i64 1392
   %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %1, i64 16
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %31, i64 72
-  %33 = load ptr, ptr %32, align 8
-  %34 = load <8 x double>, ptr %33, align 8
-  %35 = getelementptr inbounds i8, ptr %31, i64 48
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds i8, ptr %31, i64 96
-  %38 = load ptr, ptr %37, align 8
-  store <8 x double> zeroinitializer, ptr %38, align 8
-  %39 = load ptr, ptr %31, align 8
-  %40 = getelementptr inbounds i8, ptr %31, i64 192
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %31, i64 8
-  %43 = load i64, ptr %42, align 8
-  %44 = load ptr, ptr %1, align 8
-  %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr inbounds i8, ptr %45, i64 24
-  %47 = load i64, ptr %46, align 8
-  %48 = load ptr, ptr %37, align 8
-  %49 = getelementptr inbounds i8, ptr %1, i64 8
-  %50 = load ptr, ptr %49, align 8
+  %30 = getelementptr inbounds i8, ptr %0, i64 144
+  %31 = getelementptr inbounds i8, ptr %1, i64 16
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %32, i64 72
+  %34 = load ptr, ptr %33, align 8
+  %35 = load <8 x double>, ptr %34, align 8
+  %36 = getelementptr inbounds i8, ptr %32, i64 48
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr inbounds i8, ptr %32, i64 96
+  %39 = load ptr, ptr %38, align 8
+  store <8 x double> zeroinitializer, ptr %39, align 8
+  %40 = load ptr, ptr %32, align 8
+  %41 = getelementptr inbounds i8, ptr %32, i64 192
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %32, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %1, align 8
+  %46 = load ptr, ptr %45, align 8
+  %47 = getelementptr inbounds i8, ptr %46, i64 24
+  %48 = load i64, ptr %47, align 8
+  %49 = load ptr, ptr %38, align 8
+  %50 = getelementptr inbounds i8, ptr %1, i64 8
   %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %51, i64 16
-  %53 = load i64, ptr %52, align 8
-  tail call fastcc void @nested(ptr noundef %36, ptr noundef %39, ptr noundef %41, i64 noundef %43, i64 noundef %47, ptr noundef %48, i64 noundef %53) #10
-  %54 = fmul <8 x double> %34, zeroinitializer
-  %55 = fadd <8 x double> %21, %54
-  %56 = getelementptr inbounds i8, ptr %0, i64 168
-  %57 = load ptr, ptr %56, align 8
-  store <8 x double> %55, ptr %57, align 8
-  %58 = getelementptr inbounds i8, ptr %0, i64 296
-  %59 = load i64, ptr %58, align 8
-  %60 = icmp sgt i64 %59, 0
-  br i1 %60, label %61, label %63
+  %52 = load ptr, ptr %51, align 8
+  %53 = getelementptr inbounds i8, ptr %52, i64 16
+  %54 = load i64, ptr %53, align 8
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #10
+  %55 = fmul <8 x double> %35, zeroinitializer
+  %56 = fadd <8 x double> %21, %55
+  %57 = getelementptr inbounds i8, ptr %0, i64 168
+  %58 = load ptr, ptr %57, align 8
+  store <8 x double> %56, ptr %58, align 8
+  %59 = load ptr, ptr %30, align 8
+  %60 = getelementptr inbounds i8, ptr %59, i64 40
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp eq i64 %61, 0
+  br i1 %62, label %64, label %63
 
-61:                                               ; preds = %27
-  %62 = getelementptr inbounds i8, ptr %0, i64 144
-  tail call fastcc void @sample(ptr noundef nonnull %62) #10
-  br label %63
+63:                                               ; preds = %27
+  tail call fastcc void @settle(ptr noundef nonnull %30) #10
+  br label %64
 
-63:                                               ; preds = %27, %61
-  %64 = load ptr, ptr %6, align 8
-  %65 = load i64, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %0, i64 168
-  %67 = load ptr, ptr %66, align 8
-  %68 = load ptr, ptr %30, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 48
-  %70 = load ptr, ptr %69, align 8
-  %71 = getelementptr inbounds i8, ptr %0, i64 192
-  %72 = load ptr, ptr %71, align 8
-  %73 = getelementptr inbounds i8, ptr %0, i64 1272
-  %74 = load ptr, ptr %73, align 8
-  %75 = inttoptr i64 %65 to ptr
+64:                                               ; preds = %63, %27
+  %65 = getelementptr inbounds i8, ptr %0, i64 296
+  %66 = load i64, ptr %65, align 8
+  %67 = icmp sgt i64 %66, 0
+  br i1 %67, label %68, label %69
+
+68:                                               ; preds = %64
+  tail call fastcc void @sample(ptr noundef nonnull %30) #10
+  br label %69
+
+69:                                               ; preds = %64, %68
+  %70 = load ptr, ptr %6, align 8
+  %71 = load i64, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %0, i64 168
+  %73 = load ptr, ptr %72, align 8
+  %74 = load ptr, ptr %31, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 48
   %76 = load ptr, ptr %75, align 8
-  %77 = tail call i32 %76(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #11
-  %78 = zext i32 %77 to i64
-  %79 = and i64 %78, %24
-  %80 = icmp sgt i64 %9, 0
-  br i1 %80, label %81, label %95
+  %77 = getelementptr inbounds i8, ptr %0, i64 192
+  %78 = load ptr, ptr %77, align 8
+  %79 = getelementptr inbounds i8, ptr %0, i64 1272
+  %80 = load ptr, ptr %79, align 8
+  %81 = inttoptr i64 %71 to ptr
+  %82 = load ptr, ptr %81, align 8
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #11
+  %84 = zext i32 %83 to i64
+  %85 = and i64 %84, %24
+  %86 = icmp sgt i64 %9, 0
+  br i1 %86, label %87, label %101
 
-81:                                               ; preds = %63
-  %82 = getelementptr inbounds i8, ptr %0, i64 1368
-  br label %83
+87:                                               ; preds = %69
+  %88 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %89
 
-83:                                               ; preds = %81, %83
-  %84 = phi i64 [ 0, %81 ], [ %93, %83 ]
-  %85 = load ptr, ptr %82, align 8
-  %86 = load ptr, ptr %28, align 8
-  %87 = shl nsw i64 %84, 6
-  %88 = getelementptr inbounds i8, ptr %86, i64 %87
-  %89 = load <8 x i64>, ptr %88, align 8
-  %90 = getelementptr inbounds i8, ptr %85, i64 %87
-  %91 = load <8 x i64>, ptr %90, align 8
-  %92 = select <8 x i1> %22, <8 x i64> %89, <8 x i64> %91
-  store <8 x i64> %92, ptr %90, align 8
-  %93 = add nuw nsw i64 %84, 1
-  %94 = icmp eq i64 %93, %9
-  br i1 %94, label %95, label %83, !llvm.loop !74
+89:                                               ; preds = %87, %89
+  %90 = phi i64 [ 0, %87 ], [ %99, %89 ]
+  %91 = load ptr, ptr %88, align 8
+  %92 = load ptr, ptr %28, align 8
+  %93 = shl nsw i64 %90, 6
+  %94 = getelementptr inbounds i8, ptr %92, i64 %93
+  %95 = load <8 x i64>, ptr %94, align 8
+  %96 = getelementptr inbounds i8, ptr %91, i64 %93
+  %97 = load <8 x i64>, ptr %96, align 8
+  %98 = select <8 x i1> %22, <8 x i64> %95, <8 x i64> %97
+  store <8 x i64> %98, ptr %96, align 8
+  %99 = add nuw nsw i64 %90, 1
+  %100 = icmp eq i64 %99, %9
+  br i1 %100, label %101, label %89, !llvm.loop !75
 
-95:                                               ; preds = %83, %63, %4
-  %96 = phi i64 [ 0, %4 ], [ %79, %63 ], [ %79, %83 ]
-  %97 = getelementptr inbounds i8, ptr %0, i64 1368
-  %98 = shl i64 %9, 6
-  %99 = getelementptr inbounds i8, ptr %1, i64 16
-  %100 = getelementptr inbounds i8, ptr %1, i64 8
-  %101 = getelementptr inbounds i8, ptr %0, i64 168
-  %102 = getelementptr inbounds i8, ptr %0, i64 296
-  %103 = getelementptr inbounds i8, ptr %0, i64 144
-  %104 = getelementptr inbounds i8, ptr %0, i64 168
-  %105 = getelementptr inbounds i8, ptr %0, i64 192
-  %106 = getelementptr inbounds i8, ptr %0, i64 1272
-  br label %120
+101:                                              ; preds = %89, %69, %4
+  %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
+  %103 = getelementptr inbounds i8, ptr %0, i64 1368
+  %104 = shl i64 %9, 6
+  %105 = getelementptr inbounds i8, ptr %0, i64 144
+  %106 = getelementptr inbounds i8, ptr %1, i64 16
+  %107 = getelementptr inbounds i8, ptr %1, i64 8
+  %108 = getelementptr inbounds i8, ptr %0, i64 168
+  %109 = getelementptr inbounds i8, ptr %0, i64 296
+  %110 = getelementptr inbounds i8, ptr %0, i64 168
+  %111 = getelementptr inbounds i8, ptr %0, i64 192
+  %112 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %126
 
-107:                                              ; preds = %160
-  %108 = xor i64 %173, -1
-  %109 = and i64 %108, %2
-  %110 = trunc i64 %109 to i8
-  %111 = bitcast i8 %110 to <8 x i1>
-  %112 = sext <8 x i1> %111 to <8 x i64>
-  %113 = icmp sgt i64 %9, 0
-  br i1 %113, label %114, label %176
+113:                                              ; preds = %172
+  %114 = xor i64 %185, -1
+  %115 = and i64 %114, %2
+  %116 = trunc i64 %115 to i8
+  %117 = bitcast i8 %116 to <8 x i1>
+  %118 = sext <8 x i1> %117 to <8 x i64>
+  %119 = icmp sgt i64 %9, 0
+  br i1 %119, label %120, label %188
 
-114:                                              ; preds = %107
-  %115 = getelementptr inbounds i8, ptr %0, i64 1416
-  %116 = load ptr, ptr %115, align 8
-  %117 = getelementptr inbounds i8, ptr %0, i64 1368
-  %118 = load ptr, ptr %117, align 8
-  %119 = getelementptr inbounds i8, ptr %5, i64 64
-  br label %183
+120:                                              ; preds = %113
+  %121 = getelementptr inbounds i8, ptr %0, i64 1416
+  %122 = load ptr, ptr %121, align 8
+  %123 = getelementptr inbounds i8, ptr %0, i64 1368
+  %124 = load ptr, ptr %123, align 8
+  %125 = getelementptr inbounds i8, ptr %5, i64 64
+  br label %195
 
-120:                                              ; preds = %95, %160
-  %121 = phi i64 [ 1, %95 ], [ %174, %160 ]
-  %122 = phi i64 [ %96, %95 ], [ %173, %160 ]
-  %123 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %121
-  %124 = load double, ptr %123, align 8
-  %125 = load ptr, ptr %97, align 8
-  %126 = mul i64 %98, %121
-  %127 = getelementptr inbounds i8, ptr %125, i64 %126
-  %128 = load ptr, ptr %19, align 8
-  %129 = load <8 x double>, ptr %128, align 8
-  %130 = load ptr, ptr %99, align 8
-  %131 = getelementptr inbounds i8, ptr %130, i64 72
-  %132 = load ptr, ptr %131, align 8
-  %133 = load <8 x double>, ptr %132, align 8
-  %134 = insertelement <8 x double> poison, double %124, i64 0
-  %135 = shufflevector <8 x double> %134, <8 x double> poison, <8 x i32> zeroinitializer
-  %136 = getelementptr inbounds i8, ptr %130, i64 48
-  %137 = load ptr, ptr %136, align 8
-  %138 = getelementptr inbounds i8, ptr %130, i64 96
-  %139 = load ptr, ptr %138, align 8
-  store <8 x double> %135, ptr %139, align 8
-  %140 = load ptr, ptr %130, align 8
-  %141 = getelementptr inbounds i8, ptr %130, i64 192
-  %142 = load ptr, ptr %141, align 8
-  %143 = getelementptr inbounds i8, ptr %130, i64 8
-  %144 = load i64, ptr %143, align 8
-  %145 = load ptr, ptr %1, align 8
-  %146 = load ptr, ptr %145, align 8
-  %147 = getelementptr inbounds i8, ptr %146, i64 24
-  %148 = load i64, ptr %147, align 8
-  %149 = load ptr, ptr %138, align 8
-  %150 = load ptr, ptr %100, align 8
-  %151 = load ptr, ptr %150, align 8
-  %152 = getelementptr inbounds i8, ptr %151, i64 16
-  %153 = load i64, ptr %152, align 8
-  tail call fastcc void @nested(ptr noundef %137, ptr noundef %140, ptr noundef %142, i64 noundef %144, i64 noundef %148, ptr noundef %149, i64 noundef %153) #10
-  %154 = fmul <8 x double> %135, %133
-  %155 = fadd <8 x double> %129, %154
-  %156 = load ptr, ptr %101, align 8
-  store <8 x double> %155, ptr %156, align 8
-  %157 = load i64, ptr %102, align 8
-  %158 = icmp sgt i64 %157, 0
-  br i1 %158, label %159, label %160
+126:                                              ; preds = %101, %172
+  %127 = phi i64 [ 1, %101 ], [ %186, %172 ]
+  %128 = phi i64 [ %102, %101 ], [ %185, %172 ]
+  %129 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = load ptr, ptr %103, align 8
+  %132 = mul i64 %104, %127
+  %133 = getelementptr inbounds i8, ptr %131, i64 %132
+  %134 = load ptr, ptr %19, align 8
+  %135 = load <8 x double>, ptr %134, align 8
+  %136 = load ptr, ptr %106, align 8
+  %137 = getelementptr inbounds i8, ptr %136, i64 72
+  %138 = load ptr, ptr %137, align 8
+  %139 = load <8 x double>, ptr %138, align 8
+  %140 = insertelement <8 x double> poison, double %130, i64 0
+  %141 = shufflevector <8 x double> %140, <8 x double> poison, <8 x i32> zeroinitializer
+  %142 = getelementptr inbounds i8, ptr %136, i64 48
+  %143 = load ptr, ptr %142, align 8
+  %144 = getelementptr inbounds i8, ptr %136, i64 96
+  %145 = load ptr, ptr %144, align 8
+  store <8 x double> %141, ptr %145, align 8
+  %146 = load ptr, ptr %136, align 8
+  %147 = getelementptr inbounds i8, ptr %136, i64 192
+  %148 = load ptr, ptr %147, align 8
+  %149 = getelementptr inbounds i8, ptr %136, i64 8
+  %150 = load i64, ptr %149, align 8
+  %151 = load ptr, ptr %1, align 8
+  %152 = load ptr, ptr %151, align 8
+  %153 = getelementptr inbounds i8, ptr %152, i64 24
+  %154 = load i64, ptr %153, align 8
+  %155 = load ptr, ptr %144, align 8
+  %156 = load ptr, ptr %107, align 8
+  %157 = load ptr, ptr %156, align 8
+  %158 = getelementptr inbounds i8, ptr %157, i64 16
+  %159 = load i64, ptr %158, align 8
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #10
+  %160 = fmul <8 x double> %141, %139
+  %161 = fadd <8 x double> %135, %160
+  %162 = load ptr, ptr %108, align 8
+  store <8 x double> %161, ptr %162, align 8
+  %163 = load ptr, ptr %105, align 8
+  %164 = getelementptr inbounds i8, ptr %163, i64 40
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp eq i64 %165, 0
+  br i1 %166, label %168, label %167
 
-159:                                              ; preds = %120
-  tail call fastcc void @sample(ptr noundef nonnull %103) #10
-  br label %160
+167:                                              ; preds = %126
+  tail call fastcc void @settle(ptr noundef nonnull %105) #10
+  br label %168
 
-160:                                              ; preds = %120, %159
-  %161 = load ptr, ptr %6, align 8
-  %162 = load i64, ptr %161, align 8
-  %163 = load ptr, ptr %104, align 8
-  %164 = load ptr, ptr %99, align 8
-  %165 = getelementptr inbounds i8, ptr %164, i64 48
-  %166 = load ptr, ptr %165, align 8
-  %167 = load ptr, ptr %105, align 8
-  %168 = load ptr, ptr %106, align 8
-  %169 = inttoptr i64 %162 to ptr
-  %170 = load ptr, ptr %169, align 8
-  %171 = tail call i32 %170(ptr noundef %163, ptr noundef %166, ptr noundef %167, ptr noundef %168, ptr noundef %127) #11
-  %172 = zext i32 %171 to i64
-  %173 = or i64 %122, %172
-  %174 = add nuw nsw i64 %121, 1
-  %175 = icmp eq i64 %174, 5
-  br i1 %175, label %107, label %120, !llvm.loop !75
+168:                                              ; preds = %167, %126
+  %169 = load i64, ptr %109, align 8
+  %170 = icmp sgt i64 %169, 0
+  br i1 %170, label %171, label %172
 
-176:                                              ; preds = %304, %107
-  %177 = phi <8 x i64> [ %112, %107 ], [ %306, %304 ]
-  %178 = icmp sgt i64 %9, 0
-  br i1 %178, label %179, label %309
+171:                                              ; preds = %168
+  tail call fastcc void @sample(ptr noundef nonnull %105) #10
+  br label %172
 
-179:                                              ; preds = %176
-  %180 = getelementptr inbounds i8, ptr %0, i64 1368
-  %181 = shl i64 %9, 8
-  %182 = icmp slt <8 x i64> %177, zeroinitializer
-  br label %318
+172:                                              ; preds = %168, %171
+  %173 = load ptr, ptr %6, align 8
+  %174 = load i64, ptr %173, align 8
+  %175 = load ptr, ptr %110, align 8
+  %176 = load ptr, ptr %106, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 48
+  %178 = load ptr, ptr %177, align 8
+  %179 = load ptr, ptr %111, align 8
+  %180 = load ptr, ptr %112, align 8
+  %181 = inttoptr i64 %174 to ptr
+  %182 = load ptr, ptr %181, align 8
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #11
+  %184 = zext i32 %183 to i64
+  %185 = or i64 %128, %184
+  %186 = add nuw nsw i64 %127, 1
+  %187 = icmp eq i64 %186, 5
+  br i1 %187, label %113, label %126, !llvm.loop !76
 
-183:                                              ; preds = %114, %304
-  %184 = phi <8 x double> [ undef, %114 ], [ %218, %304 ]
-  %185 = phi <8 x double> [ undef, %114 ], [ %213, %304 ]
-  %186 = phi i64 [ 0, %114 ], [ %307, %304 ]
-  %187 = phi <8 x i64> [ %112, %114 ], [ %306, %304 ]
-  %188 = shl nsw i64 %186, 6
-  %189 = getelementptr inbounds i8, ptr %116, i64 %188
-  %190 = load <8 x double>, ptr %189, align 8
-  br label %196
+188:                                              ; preds = %316, %113
+  %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
+  %190 = icmp sgt i64 %9, 0
+  br i1 %190, label %191, label %321
 
-191:                                              ; preds = %222
-  %192 = getelementptr inbounds i64, ptr %15, i64 %186
-  %193 = load i64, ptr %192, align 8
-  %194 = and i64 %193, 1
-  %195 = icmp eq i64 %194, 0
-  br i1 %195, label %226, label %238
+191:                                              ; preds = %188
+  %192 = getelementptr inbounds i8, ptr %0, i64 1368
+  %193 = shl i64 %9, 8
+  %194 = icmp slt <8 x i64> %189, zeroinitializer
+  br label %330
 
-196:                                              ; preds = %183, %222
-  %197 = phi i64 [ 0, %183 ], [ %224, %222 ]
-  %198 = phi <8 x double> [ %184, %183 ], [ %218, %222 ]
-  %199 = phi <8 x double> [ %185, %183 ], [ %213, %222 ]
-  %200 = phi <8 x i64> [ %187, %183 ], [ %223, %222 ]
-  %201 = mul nuw nsw i64 %9, %197
-  %202 = add nuw nsw i64 %201, %186
-  %203 = shl nsw i64 %202, 6
-  %204 = getelementptr inbounds i8, ptr %118, i64 %203
-  %205 = load <8 x double>, ptr %204, align 8
-  %206 = fmul <8 x double> %190, %205
-  %207 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %197
-  store <8 x double> %206, ptr %207, align 64
-  %208 = icmp eq i64 %197, 0
-  br i1 %208, label %212, label %209
+195:                                              ; preds = %120, %316
+  %196 = phi <8 x double> [ undef, %120 ], [ %230, %316 ]
+  %197 = phi <8 x double> [ undef, %120 ], [ %225, %316 ]
+  %198 = phi i64 [ 0, %120 ], [ %319, %316 ]
+  %199 = phi <8 x i64> [ %118, %120 ], [ %318, %316 ]
+  %200 = shl nsw i64 %198, 6
+  %201 = getelementptr inbounds i8, ptr %122, i64 %200
+  %202 = load <8 x double>, ptr %201, align 8
+  br label %208
 
-209:                                              ; preds = %196
-  %210 = fcmp olt <8 x double> %199, %205
-  %211 = select <8 x i1> %210, <8 x double> %199, <8 x double> %205
-  br label %212
+203:                                              ; preds = %234
+  %204 = getelementptr inbounds i64, ptr %15, i64 %198
+  %205 = load i64, ptr %204, align 8
+  %206 = and i64 %205, 1
+  %207 = icmp eq i64 %206, 0
+  br i1 %207, label %238, label %250
 
-212:                                              ; preds = %196, %209
-  %213 = phi <8 x double> [ %205, %196 ], [ %211, %209 ]
-  br i1 %208, label %217, label %214
+208:                                              ; preds = %195, %234
+  %209 = phi i64 [ 0, %195 ], [ %236, %234 ]
+  %210 = phi <8 x double> [ %196, %195 ], [ %230, %234 ]
+  %211 = phi <8 x double> [ %197, %195 ], [ %225, %234 ]
+  %212 = phi <8 x i64> [ %199, %195 ], [ %235, %234 ]
+  %213 = mul nuw nsw i64 %9, %209
+  %214 = add nuw nsw i64 %213, %198
+  %215 = shl nsw i64 %214, 6
+  %216 = getelementptr inbounds i8, ptr %124, i64 %215
+  %217 = load <8 x double>, ptr %216, align 8
+  %218 = fmul <8 x double> %202, %217
+  %219 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %209
+  store <8 x double> %218, ptr %219, align 64
+  %220 = icmp eq i64 %209, 0
+  br i1 %220, label %224, label %221
 
-214:                                              ; preds = %212
-  %215 = fcmp ogt <8 x double> %198, %205
-  %216 = select <8 x i1> %215, <8 x double> %198, <8 x double> %205
-  br label %217
+221:                                              ; preds = %208
+  %222 = fcmp olt <8 x double> %211, %217
+  %223 = select <8 x i1> %222, <8 x double> %211, <8 x double> %217
+  br label %224
 
-217:                                              ; preds = %212, %214
-  %218 = phi <8 x double> [ %205, %212 ], [ %216, %214 ]
-  br i1 %208, label %222, label %219
+224:                                              ; preds = %208, %221
+  %225 = phi <8 x double> [ %217, %208 ], [ %223, %221 ]
+  br i1 %220, label %229, label %226
 
-219:                                              ; preds = %217
-  %220 = fcmp ogt <8 x double> %206, zeroinitializer
-  %221 = select <8 x i1> %220, <8 x i64> %200, <8 x i64> zeroinitializer
-  br label %222
+226:                                              ; preds = %224
+  %227 = fcmp ogt <8 x double> %210, %217
+  %228 = select <8 x i1> %227, <8 x double> %210, <8 x double> %217
+  br label %229
 
-222:                                              ; preds = %217, %219
-  %223 = phi <8 x i64> [ %221, %219 ], [ %200, %217 ]
-  %224 = add nuw nsw i64 %197, 1
-  %225 = icmp eq i64 %224, 5
-  br i1 %225, label %191, label %196, !llvm.loop !76
+229:                                              ; preds = %224, %226
+  %230 = phi <8 x double> [ %217, %224 ], [ %228, %226 ]
+  br i1 %220, label %234, label %231
 
-226:                                              ; preds = %191
-  %227 = fmul <8 x double> %213, %218
-  %228 = fcmp ogt <8 x double> %227, zeroinitializer
-  %229 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %213)
-  %230 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %218)
-  %231 = fcmp olt <8 x double> %229, %230
-  %232 = select <8 x i1> %231, <8 x double> %229, <8 x double> %230
-  %233 = fsub <8 x double> %218, %213
-  %234 = fmul <8 x double> %233, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %235 = fcmp ogt <8 x double> %232, %234
-  %236 = select <8 x i1> %235, <8 x i1> %228, <8 x i1> zeroinitializer
-  %237 = select <8 x i1> %236, <8 x i64> %223, <8 x i64> zeroinitializer
-  br label %238
+231:                                              ; preds = %229
+  %232 = fcmp ogt <8 x double> %218, zeroinitializer
+  %233 = select <8 x i1> %232, <8 x i64> %212, <8 x i64> zeroinitializer
+  br label %234
 
-238:                                              ; preds = %226, %191
-  %239 = phi <8 x i64> [ %223, %191 ], [ %237, %226 ]
-  %240 = load <8 x double>, ptr %119, align 64
-  %241 = load <8 x double>, ptr %5, align 64
-  %242 = fsub <8 x double> %240, %241
-  %243 = fdiv <8 x double> %242, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
-  br label %244
+234:                                              ; preds = %229, %231
+  %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
+  %236 = add nuw nsw i64 %209, 1
+  %237 = icmp eq i64 %236, 5
+  br i1 %237, label %203, label %208, !llvm.loop !77
 
-244:                                              ; preds = %238, %301
-  %245 = phi i64 [ 1, %238 ], [ %251, %301 ]
-  %246 = phi <8 x i64> [ zeroinitializer, %238 ], [ %302, %301 ]
-  %247 = phi <8 x double> [ %243, %238 ], [ %262, %301 ]
-  %248 = add nsw i64 %245, -1
-  %249 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %245
-  %250 = load double, ptr %249, align 8
-  %251 = add nuw nsw i64 %245, 1
-  %252 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %251
-  %253 = load double, ptr %252, align 8
-  %254 = getelementptr inbounds <8 x double>, ptr %5, i64 %251
-  %255 = load <8 x double>, ptr %254, align 64
-  %256 = getelementptr inbounds <8 x double>, ptr %5, i64 %245
-  %257 = load <8 x double>, ptr %256, align 64
-  %258 = fsub <8 x double> %255, %257
-  %259 = fsub double %253, %250
-  %260 = insertelement <8 x double> poison, double %259, i64 0
-  %261 = shufflevector <8 x double> %260, <8 x double> poison, <8 x i32> zeroinitializer
-  %262 = fdiv <8 x double> %258, %261
-  %263 = fcmp ogt <8 x double> %262, %247
-  %264 = getelementptr inbounds <8 x double>, ptr %5, i64 %248
-  %265 = load <8 x double>, ptr %264, align 64
-  %266 = fcmp ogt <8 x double> %265, zeroinitializer
-  %267 = and <8 x i1> %263, %266
-  %268 = bitcast <8 x i1> %267 to i8
-  %269 = icmp eq i8 %268, 0
-  br i1 %269, label %301, label %270
+238:                                              ; preds = %203
+  %239 = fmul <8 x double> %225, %230
+  %240 = fcmp ogt <8 x double> %239, zeroinitializer
+  %241 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %225)
+  %242 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %230)
+  %243 = fcmp olt <8 x double> %241, %242
+  %244 = select <8 x i1> %243, <8 x double> %241, <8 x double> %242
+  %245 = fsub <8 x double> %230, %225
+  %246 = fmul <8 x double> %245, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %247 = fcmp ogt <8 x double> %244, %246
+  %248 = select <8 x i1> %247, <8 x i1> %240, <8 x i1> zeroinitializer
+  %249 = select <8 x i1> %248, <8 x i64> %235, <8 x i64> zeroinitializer
+  br label %250
 
-270:                                              ; preds = %244
-  %271 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %248
-  %272 = load double, ptr %271, align 8
-  %273 = fsub <8 x double> %262, %247
-  %274 = fsub double %253, %272
-  %275 = insertelement <8 x double> poison, double %274, i64 0
-  %276 = shufflevector <8 x double> %275, <8 x double> poison, <8 x i32> zeroinitializer
-  %277 = fdiv <8 x double> %273, %276
-  %278 = fsub double %250, %272
-  %279 = insertelement <8 x double> poison, double %278, i64 0
-  %280 = shufflevector <8 x double> %279, <8 x double> poison, <8 x i32> zeroinitializer
-  %281 = fmul <8 x double> %280, %277
-  %282 = fadd <8 x double> %247, %281
-  %283 = insertelement <8 x double> poison, double %250, i64 0
-  %284 = shufflevector <8 x double> %283, <8 x double> poison, <8 x i32> zeroinitializer
-  %285 = fmul <8 x double> %282, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %286 = fdiv <8 x double> %285, %277
-  %287 = fsub <8 x double> %284, %286
-  %288 = icmp ugt i64 %245, 1
-  %289 = select i1 %288, double %272, double 0xBFCE3779B97F4A7C
-  %290 = icmp eq i64 %245, 3
-  %291 = select i1 %290, double 0x3FF4498517A7B356, double %253
-  %292 = insertelement <8 x double> poison, double %289, i64 0
-  %293 = shufflevector <8 x double> %292, <8 x double> poison, <8 x i32> zeroinitializer
-  %294 = fcmp oge <8 x double> %287, %293
-  %295 = insertelement <8 x double> poison, double %291, i64 0
+250:                                              ; preds = %238, %203
+  %251 = phi <8 x i64> [ %235, %203 ], [ %249, %238 ]
+  %252 = load <8 x double>, ptr %125, align 64
+  %253 = load <8 x double>, ptr %5, align 64
+  %254 = fsub <8 x double> %252, %253
+  %255 = fdiv <8 x double> %254, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
+  br label %256
+
+256:                                              ; preds = %250, %313
+  %257 = phi i64 [ 1, %250 ], [ %263, %313 ]
+  %258 = phi <8 x i64> [ zeroinitializer, %250 ], [ %314, %313 ]
+  %259 = phi <8 x double> [ %255, %250 ], [ %274, %313 ]
+  %260 = add nsw i64 %257, -1
+  %261 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %257
+  %262 = load double, ptr %261, align 8
+  %263 = add nuw nsw i64 %257, 1
+  %264 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds <8 x double>, ptr %5, i64 %263
+  %267 = load <8 x double>, ptr %266, align 64
+  %268 = getelementptr inbounds <8 x double>, ptr %5, i64 %257
+  %269 = load <8 x double>, ptr %268, align 64
+  %270 = fsub <8 x double> %267, %269
+  %271 = fsub double %265, %262
+  %272 = insertelement <8 x double> poison, double %271, i64 0
+  %273 = shufflevector <8 x double> %272, <8 x double> poison, <8 x i32> zeroinitializer
+  %274 = fdiv <8 x double> %270, %273
+  %275 = fcmp ogt <8 x double> %274, %259
+  %276 = getelementptr inbounds <8 x double>, ptr %5, i64 %260
+  %277 = load <8 x double>, ptr %276, align 64
+  %278 = fcmp ogt <8 x double> %277, zeroinitializer
+  %279 = and <8 x i1> %275, %278
+  %280 = bitcast <8 x i1> %279 to i8
+  %281 = icmp eq i8 %280, 0
+  br i1 %281, label %313, label %282
+
+282:                                              ; preds = %256
+  %283 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %260
+  %284 = load double, ptr %283, align 8
+  %285 = fsub <8 x double> %274, %259
+  %286 = fsub double %265, %284
+  %287 = insertelement <8 x double> poison, double %286, i64 0
+  %288 = shufflevector <8 x double> %287, <8 x double> poison, <8 x i32> zeroinitializer
+  %289 = fdiv <8 x double> %285, %288
+  %290 = fsub double %262, %284
+  %291 = insertelement <8 x double> poison, double %290, i64 0
+  %292 = shufflevector <8 x double> %291, <8 x double> poison, <8 x i32> zeroinitializer
+  %293 = fmul <8 x double> %292, %289
+  %294 = fadd <8 x double> %259, %293
+  %295 = insertelement <8 x double> poison, double %262, i64 0
   %296 = shufflevector <8 x double> %295, <8 x double> poison, <8 x i32> zeroinitializer
-  %297 = fcmp ole <8 x double> %287, %296
-  %298 = and <8 x i1> %297, %294
-  %299 = and <8 x i1> %298, %267
-  %300 = select <8 x i1> %299, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %246
-  br label %301
+  %297 = fmul <8 x double> %294, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %298 = fdiv <8 x double> %297, %289
+  %299 = fsub <8 x double> %296, %298
+  %300 = icmp ugt i64 %257, 1
+  %301 = select i1 %300, double %284, double 0xBFCE3779B97F4A7C
+  %302 = icmp eq i64 %257, 3
+  %303 = select i1 %302, double 0x3FF4498517A7B356, double %265
+  %304 = insertelement <8 x double> poison, double %301, i64 0
+  %305 = shufflevector <8 x double> %304, <8 x double> poison, <8 x i32> zeroinitializer
+  %306 = fcmp oge <8 x double> %299, %305
+  %307 = insertelement <8 x double> poison, double %303, i64 0
+  %308 = shufflevector <8 x double> %307, <8 x double> poison, <8 x i32> zeroinitializer
+  %309 = fcmp ole <8 x double> %299, %308
+  %310 = and <8 x i1> %309, %306
+  %311 = and <8 x i1> %310, %279
+  %312 = select <8 x i1> %311, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %258
+  br label %313
 
-301:                                              ; preds = %270, %244
-  %302 = phi <8 x i64> [ %300, %270 ], [ %246, %244 ]
-  %303 = icmp eq i64 %251, 4
-  br i1 %303, label %304, label %244, !llvm.loop !77
+313:                                              ; preds = %282, %256
+  %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
+  %315 = icmp eq i64 %263, 4
+  br i1 %315, label %316, label %256, !llvm.loop !78
 
-304:                                              ; preds = %301
-  %305 = xor <8 x i64> %302, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %306 = and <8 x i64> %239, %305
-  %307 = add nuw nsw i64 %186, 1
-  %308 = icmp eq i64 %307, %9
-  br i1 %308, label %176, label %183, !llvm.loop !78
+316:                                              ; preds = %313
+  %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %318 = and <8 x i64> %251, %317
+  %319 = add nuw nsw i64 %198, 1
+  %320 = icmp eq i64 %319, %9
+  br i1 %320, label %188, label %195, !llvm.loop !79
 
-309:                                              ; preds = %318, %176
-  %310 = load ptr, ptr %16, align 8
-  %311 = load <8 x i64>, ptr %3, align 8
-  %312 = load <8 x i64>, ptr %310, align 8
-  %313 = icmp slt <8 x i64> %177, zeroinitializer
-  %314 = select <8 x i1> %313, <8 x i64> %311, <8 x i64> %312
-  store <8 x i64> %314, ptr %310, align 8
-  %315 = icmp ne <8 x i64> %177, zeroinitializer
-  %316 = bitcast <8 x i1> %315 to i8
-  %317 = zext i8 %316 to i64
-  ret i64 %317
+321:                                              ; preds = %330, %188
+  %322 = load ptr, ptr %16, align 8
+  %323 = load <8 x i64>, ptr %3, align 8
+  %324 = load <8 x i64>, ptr %322, align 8
+  %325 = icmp slt <8 x i64> %189, zeroinitializer
+  %326 = select <8 x i1> %325, <8 x i64> %323, <8 x i64> %324
+  store <8 x i64> %326, ptr %322, align 8
+  %327 = icmp ne <8 x i64> %189, zeroinitializer
+  %328 = bitcast <8 x i1> %327 to i8
+  %329 = zext i8 %328 to i64
+  ret i64 %329
 
-318:                                              ; preds = %179, %318
-  %319 = phi i64 [ 0, %179 ], [ %329, %318 ]
-  %320 = load ptr, ptr %180, align 8
-  %321 = shl i64 %319, 6
-  %322 = getelementptr i8, ptr %320, i64 %181
-  %323 = getelementptr i8, ptr %322, i64 %321
-  %324 = load <8 x i64>, ptr %323, align 8
-  %325 = shl nsw i64 %319, 6
-  %326 = getelementptr inbounds i8, ptr %320, i64 %325
-  %327 = load <8 x i64>, ptr %326, align 8
-  %328 = select <8 x i1> %182, <8 x i64> %324, <8 x i64> %327
-  store <8 x i64> %328, ptr %326, align 8
-  %329 = add nuw nsw i64 %319, 1
-  %330 = icmp eq i64 %329, %9
-  br i1 %330, label %309, label %318, !llvm.loop !79
+330:                                              ; preds = %191, %330
+  %331 = phi i64 [ 0, %191 ], [ %341, %330 ]
+  %332 = load ptr, ptr %192, align 8
+  %333 = shl i64 %331, 6
+  %334 = getelementptr i8, ptr %332, i64 %193
+  %335 = getelementptr i8, ptr %334, i64 %333
+  %336 = load <8 x i64>, ptr %335, align 8
+  %337 = shl nsw i64 %331, 6
+  %338 = getelementptr inbounds i8, ptr %332, i64 %337
+  %339 = load <8 x i64>, ptr %338, align 8
+  %340 = select <8 x i1> %194, <8 x i64> %336, <8 x i64> %339
+  store <8 x i64> %340, ptr %338, align 8
+  %341 = add nuw nsw i64 %331, 1
+  %342 = icmp eq i64 %341, %9
+  br i1 %342, label %321, label %330, !llvm.loop !80
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
@@ -4679,7 +4858,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !80
+  br i1 %149, label %24, label %129, !llvm.loop !81
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -4701,7 +4880,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !81
+  br i1 %168, label %150, label %147, !llvm.loop !82
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -4738,7 +4917,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !82
+  br i1 %31, label %20, label %19, !llvm.loop !83
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4752,7 +4931,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !83
+  br i1 %43, label %32, label %24, !llvm.loop !84
 }
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
@@ -4841,8 +5020,8 @@ attributes #11 = { nounwind }
 !67 = distinct !{!67, !4, !5}
 !68 = distinct !{!68, !4, !5}
 !69 = distinct !{!69, !4, !5}
-!70 = distinct !{!70, !4, !5, !25}
-!71 = distinct !{!71, !4, !5}
+!70 = distinct !{!70, !4, !5}
+!71 = distinct !{!71, !4, !5, !25}
 !72 = distinct !{!72, !4, !5}
 !73 = distinct !{!73, !4, !5}
 !74 = distinct !{!74, !4, !5}
@@ -4851,7 +5030,8 @@ attributes #11 = { nounwind }
 !77 = distinct !{!77, !4, !5}
 !78 = distinct !{!78, !4, !5}
 !79 = distinct !{!79, !4, !5}
-!80 = distinct !{!80, !4, !5, !25}
-!81 = distinct !{!81, !4, !5}
+!80 = distinct !{!80, !4, !5}
+!81 = distinct !{!81, !4, !5, !25}
 !82 = distinct !{!82, !4, !5}
 !83 = distinct !{!83, !4, !5}
+!84 = distinct !{!84, !4, !5}

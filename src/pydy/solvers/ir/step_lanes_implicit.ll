@@ -1,4 +1,4 @@
-; sources dbdfc53b176a7b61e2312d195fc0fdcf8539c086668bfc65dc7fb760482cefd5
+; sources d53f13076d9b25348e1105a64a462602e3c1f3e9074e3ac713fcc9acb0b46028
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -152,14 +152,14 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %134 = getelementptr inbounds i8, ptr %0, i64 456
   br label %135
 
-135:                                              ; preds = %1728, %44
-  %136 = phi i64 [ %1388, %1728 ], [ undef, %44 ]
-  %137 = phi i64 [ %1389, %1728 ], [ undef, %44 ]
-  %138 = phi <8 x double> [ %1390, %1728 ], [ undef, %44 ]
-  %139 = phi <8 x double> [ %1391, %1728 ], [ undef, %44 ]
-  %140 = phi <8 x double> [ %1392, %1728 ], [ undef, %44 ]
-  %141 = phi i32 [ %1729, %1728 ], [ 1, %44 ]
-  %142 = phi i64 [ %1704, %1728 ], [ 0, %44 ]
+135:                                              ; preds = %1746, %44
+  %136 = phi i64 [ %1406, %1746 ], [ undef, %44 ]
+  %137 = phi i64 [ %1407, %1746 ], [ undef, %44 ]
+  %138 = phi <8 x double> [ %1408, %1746 ], [ undef, %44 ]
+  %139 = phi <8 x double> [ %1409, %1746 ], [ undef, %44 ]
+  %140 = phi <8 x double> [ %1410, %1746 ], [ undef, %44 ]
+  %141 = phi i32 [ %1747, %1746 ], [ 1, %44 ]
+  %142 = phi i64 [ %1722, %1746 ], [ 0, %44 ]
   br label %154
 
 143:                                              ; preds = %1, %143
@@ -234,7 +234,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %189 = phi i32 [ 1, %166 ], [ 8, %170 ], [ 0, %183 ]
   %190 = phi i32 [ %158, %166 ], [ 0, %170 ], [ %185, %183 ]
   %191 = phi i64 [ %159, %166 ], [ %159, %170 ], [ 0, %183 ]
-  switch i32 %189, label %1730 [
+  switch i32 %189, label %1748 [
     i32 0, label %157
     i32 8, label %192
   ], !llvm.loop !7
@@ -246,7 +246,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %196 = getelementptr inbounds i8, ptr %195, i64 8
   %197 = load i64, ptr %196, align 8
   %198 = icmp slt i64 %197, 1
-  br i1 %198, label %1730, label %199
+  br i1 %198, label %1748, label %199
 
 199:                                              ; preds = %192
   br i1 %48, label %200, label %220
@@ -275,7 +275,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
 217:                                              ; preds = %200, %203
   %218 = phi i32 [ 0, %200 ], [ %216, %203 ]
   %219 = icmp eq i32 %218, 0
-  br i1 %219, label %220, label %1730
+  br i1 %219, label %220, label %1748
 
 220:                                              ; preds = %217, %199
   %221 = add nsw i64 %197, -1
@@ -357,1777 +357,1810 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %285 = load i64, ptr %284, align 8, !noalias !16
   %286 = and i64 %285, %222
   %287 = icmp eq i64 %286, 0
-  br i1 %287, label %345, label %288
+  br i1 %287, label %351, label %288
 
 288:                                              ; preds = %281
   %289 = load i64, ptr %283, align 8, !noalias !16
   %290 = icmp eq i64 %289, 0
-  br i1 %290, label %308, label %291
+  br i1 %290, label %314, label %291
 
 291:                                              ; preds = %288
   %292 = load ptr, ptr %64, align 8, !noalias !16
   %293 = load ptr, ptr %65, align 8, !noalias !16
   store <8 x double> %226, ptr %293, align 8, !noalias !16
-  %294 = load i64, ptr %66, align 8, !noalias !16
-  %295 = icmp sgt i64 %294, 0
-  br i1 %295, label %296, label %297
+  %294 = load ptr, ptr %15, align 8, !noalias !16
+  %295 = getelementptr inbounds i8, ptr %294, i64 40
+  %296 = load i64, ptr %295, align 8, !noalias !16
+  %297 = icmp eq i64 %296, 0
+  br i1 %297, label %299, label %298
 
-296:                                              ; preds = %291
+298:                                              ; preds = %291
+  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !16
+  br label %299
+
+299:                                              ; preds = %298, %291
+  %300 = load i64, ptr %66, align 8, !noalias !16
+  %301 = icmp sgt i64 %300, 0
+  br i1 %301, label %302, label %303
+
+302:                                              ; preds = %299
   call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !16
-  br label %297
+  br label %303
 
-297:                                              ; preds = %296, %291
-  %298 = load ptr, ptr %61, align 8, !noalias !16
-  %299 = load i64, ptr %298, align 8, !noalias !16
-  %300 = load ptr, ptr %65, align 8, !noalias !16
-  %301 = load ptr, ptr %17, align 8, !noalias !16
-  %302 = load ptr, ptr %67, align 8, !noalias !16
-  %303 = load ptr, ptr %68, align 8, !noalias !16
-  %304 = inttoptr i64 %299 to ptr
-  %305 = load ptr, ptr %304, align 8, !noalias !16
-  %306 = call i32 %305(ptr noundef %300, ptr noundef %301, ptr noundef %302, ptr noundef %303, ptr noundef %292) #11, !noalias !16
-  %307 = sext i32 %306 to i64
-  br label %308
+303:                                              ; preds = %302, %299
+  %304 = load ptr, ptr %61, align 8, !noalias !16
+  %305 = load i64, ptr %304, align 8, !noalias !16
+  %306 = load ptr, ptr %65, align 8, !noalias !16
+  %307 = load ptr, ptr %17, align 8, !noalias !16
+  %308 = load ptr, ptr %67, align 8, !noalias !16
+  %309 = load ptr, ptr %68, align 8, !noalias !16
+  %310 = inttoptr i64 %305 to ptr
+  %311 = load ptr, ptr %310, align 8, !noalias !16
+  %312 = call i32 %311(ptr noundef %306, ptr noundef %307, ptr noundef %308, ptr noundef %309, ptr noundef %292) #11, !noalias !16
+  %313 = sext i32 %312 to i64
+  br label %314
 
-308:                                              ; preds = %288, %297
-  %309 = phi i64 [ %307, %297 ], [ 0, %288 ]
-  %310 = load i64, ptr %69, align 8, !noalias !16
-  %311 = icmp sgt i64 %310, 7
-  br i1 %311, label %312, label %333
+314:                                              ; preds = %288, %303
+  %315 = phi i64 [ %313, %303 ], [ 0, %288 ]
+  %316 = load i64, ptr %69, align 8, !noalias !16
+  %317 = icmp sgt i64 %316, 7
+  br i1 %317, label %318, label %339
 
-312:                                              ; preds = %308
-  %313 = trunc i64 %286 to i8
-  %314 = bitcast i8 %313 to <8 x i1>
-  br label %315
+318:                                              ; preds = %314
+  %319 = trunc i64 %286 to i8
+  %320 = bitcast i8 %319 to <8 x i1>
+  br label %321
 
-315:                                              ; preds = %312, %315
-  %316 = phi i64 [ 0, %312 ], [ %329, %315 ]
-  %317 = load ptr, ptr %64, align 8, !noalias !16
-  %318 = shl nsw i64 %316, 6
-  %319 = getelementptr inbounds i8, ptr %317, i64 %318
-  %320 = load <8 x double>, ptr %319, align 8, !noalias !16
-  %321 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %320)
-  %322 = fcmp one <8 x double> %321, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %323 = bitcast <8 x double> %320 to <8 x i64>
-  %324 = select <8 x i1> %322, <8 x i64> %323, <8 x i64> zeroinitializer
-  %325 = load ptr, ptr %63, align 8, !noalias !16
-  %326 = getelementptr inbounds i8, ptr %325, i64 %318
-  %327 = load <8 x i64>, ptr %326, align 8, !noalias !16
-  %328 = select <8 x i1> %314, <8 x i64> %324, <8 x i64> %327
-  store <8 x i64> %328, ptr %326, align 8, !noalias !16
-  %329 = add nuw nsw i64 %316, 1
-  %330 = load i64, ptr %69, align 8, !noalias !16
-  %331 = sdiv i64 %330, 8
-  %332 = icmp slt i64 %329, %331
-  br i1 %332, label %315, label %333, !llvm.loop !19
+321:                                              ; preds = %318, %321
+  %322 = phi i64 [ 0, %318 ], [ %335, %321 ]
+  %323 = load ptr, ptr %64, align 8, !noalias !16
+  %324 = shl nsw i64 %322, 6
+  %325 = getelementptr inbounds i8, ptr %323, i64 %324
+  %326 = load <8 x double>, ptr %325, align 8, !noalias !16
+  %327 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %326)
+  %328 = fcmp one <8 x double> %327, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %329 = bitcast <8 x double> %326 to <8 x i64>
+  %330 = select <8 x i1> %328, <8 x i64> %329, <8 x i64> zeroinitializer
+  %331 = load ptr, ptr %63, align 8, !noalias !16
+  %332 = getelementptr inbounds i8, ptr %331, i64 %324
+  %333 = load <8 x i64>, ptr %332, align 8, !noalias !16
+  %334 = select <8 x i1> %320, <8 x i64> %330, <8 x i64> %333
+  store <8 x i64> %334, ptr %332, align 8, !noalias !16
+  %335 = add nuw nsw i64 %322, 1
+  %336 = load i64, ptr %69, align 8, !noalias !16
+  %337 = sdiv i64 %336, 8
+  %338 = icmp slt i64 %335, %337
+  br i1 %338, label %321, label %339, !llvm.loop !19
 
-333:                                              ; preds = %315, %308
-  %334 = icmp slt i64 %309, 0
-  br i1 %334, label %1387, label %335
+339:                                              ; preds = %321, %314
+  %340 = icmp slt i64 %315, 0
+  br i1 %340, label %1405, label %341
 
-335:                                              ; preds = %333
-  %336 = xor i64 %286, -1
-  %337 = load i64, ptr %284, align 8, !noalias !16
-  %338 = and i64 %337, %336
-  store i64 %338, ptr %284, align 8, !noalias !16
-  %339 = getelementptr inbounds i8, ptr %283, i64 16
-  %340 = load i64, ptr %339, align 8, !noalias !16
-  %341 = or i64 %340, %286
-  store i64 %341, ptr %339, align 8, !noalias !16
-  %342 = getelementptr inbounds i8, ptr %283, i64 24
-  %343 = load i64, ptr %342, align 8, !noalias !16
-  %344 = and i64 %343, %336
-  store i64 %344, ptr %342, align 8, !noalias !16
-  br label %345
+341:                                              ; preds = %339
+  %342 = xor i64 %286, -1
+  %343 = load i64, ptr %284, align 8, !noalias !16
+  %344 = and i64 %343, %342
+  store i64 %344, ptr %284, align 8, !noalias !16
+  %345 = getelementptr inbounds i8, ptr %283, i64 16
+  %346 = load i64, ptr %345, align 8, !noalias !16
+  %347 = or i64 %346, %286
+  store i64 %347, ptr %345, align 8, !noalias !16
+  %348 = getelementptr inbounds i8, ptr %283, i64 24
+  %349 = load i64, ptr %348, align 8, !noalias !16
+  %350 = and i64 %349, %342
+  store i64 %350, ptr %348, align 8, !noalias !16
+  br label %351
 
-345:                                              ; preds = %335, %281
-  %346 = load ptr, ptr %61, align 8, !noalias !16
-  %347 = load ptr, ptr %70, align 8, !noalias !16
-  %348 = load <8 x double>, ptr %347, align 8, !noalias !16
-  %349 = fsub <8 x double> %242, %348
-  %350 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %349)
-  %351 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %238)
-  %352 = fmul <8 x double> %351, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
-  %353 = fcmp ogt <8 x double> %350, %352
-  %354 = bitcast <8 x i1> %353 to i8
-  %355 = zext i8 %354 to i64
-  %356 = getelementptr inbounds i8, ptr %346, i64 24
-  %357 = load i64, ptr %356, align 8, !noalias !16
-  %358 = xor i64 %357, -1
-  %359 = or i64 %355, %358
-  %360 = and i64 %359, %222
-  %361 = icmp eq i64 %360, 0
-  br i1 %361, label %431, label %362
+351:                                              ; preds = %341, %281
+  %352 = load ptr, ptr %61, align 8, !noalias !16
+  %353 = load ptr, ptr %70, align 8, !noalias !16
+  %354 = load <8 x double>, ptr %353, align 8, !noalias !16
+  %355 = fsub <8 x double> %242, %354
+  %356 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %355)
+  %357 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %238)
+  %358 = fmul <8 x double> %357, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
+  %359 = fcmp ogt <8 x double> %356, %358
+  %360 = bitcast <8 x i1> %359 to i8
+  %361 = zext i8 %360 to i64
+  %362 = getelementptr inbounds i8, ptr %352, i64 24
+  %363 = load i64, ptr %362, align 8, !noalias !16
+  %364 = xor i64 %363, -1
+  %365 = or i64 %361, %364
+  %366 = and i64 %365, %222
+  %367 = icmp eq i64 %366, 0
+  br i1 %367, label %437, label %368
 
-362:                                              ; preds = %345
-  %363 = trunc i64 %360 to i8
-  %364 = bitcast i8 %363 to <8 x i1>
-  %365 = bitcast <8 x double> %348 to <8 x i64>
-  %366 = select <8 x i1> %364, <8 x i64> %241, <8 x i64> %365
-  store <8 x i64> %366, ptr %347, align 8, !noalias !16
-  %367 = load i64, ptr %71, align 8, !noalias !16
-  %368 = sdiv i64 %367, 8
-  %369 = load ptr, ptr %72, align 8, !noalias !16
-  %370 = load ptr, ptr %73, align 8, !noalias !16
-  %371 = icmp sgt i64 %367, 7
-  br i1 %371, label %372, label %405
+368:                                              ; preds = %351
+  %369 = trunc i64 %366 to i8
+  %370 = bitcast i8 %369 to <8 x i1>
+  %371 = bitcast <8 x double> %354 to <8 x i64>
+  %372 = select <8 x i1> %370, <8 x i64> %241, <8 x i64> %371
+  store <8 x i64> %372, ptr %353, align 8, !noalias !16
+  %373 = load i64, ptr %71, align 8, !noalias !16
+  %374 = sdiv i64 %373, 8
+  %375 = load ptr, ptr %72, align 8, !noalias !16
+  %376 = load ptr, ptr %73, align 8, !noalias !16
+  %377 = icmp sgt i64 %373, 7
+  br i1 %377, label %378, label %411
 
-372:                                              ; preds = %362
-  %373 = bitcast <8 x i64> %366 to <8 x double>
-  %374 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %373
-  %375 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %373
-  %376 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %373
-  br label %377
-
-377:                                              ; preds = %372, %380
-  %378 = phi i64 [ 0, %372 ], [ %381, %380 ]
-  %379 = mul nuw nsw i64 %378, %368
+378:                                              ; preds = %368
+  %379 = bitcast <8 x i64> %372 to <8 x double>
+  %380 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %379
+  %381 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %379
+  %382 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %379
   br label %383
 
-380:                                              ; preds = %383
-  %381 = add nuw nsw i64 %378, 1
-  %382 = icmp eq i64 %381, %368
-  br i1 %382, label %405, label %377, !llvm.loop !20
+383:                                              ; preds = %378, %386
+  %384 = phi i64 [ 0, %378 ], [ %387, %386 ]
+  %385 = mul nuw nsw i64 %384, %374
+  br label %389
 
-383:                                              ; preds = %377, %383
-  %384 = phi i64 [ 0, %377 ], [ %403, %383 ]
-  %385 = load ptr, ptr %74, align 8, !noalias !16
-  %386 = add nuw nsw i64 %384, %379
-  %387 = shl nsw i64 %386, 6
-  %388 = getelementptr inbounds i8, ptr %385, i64 %387
-  %389 = load <8 x double>, ptr %388, align 8, !noalias !16
-  %390 = fneg <8 x double> %389
-  %391 = icmp eq i64 %378, %384
-  %392 = fsub <8 x double> %374, %389
-  %393 = select i1 %391, <8 x double> %392, <8 x double> %390
-  %394 = fsub <8 x double> %375, %389
-  %395 = select i1 %391, <8 x double> %394, <8 x double> %390
-  %396 = getelementptr inbounds i8, ptr %369, i64 %387
-  store <8 x double> %393, ptr %396, align 8, !noalias !16
-  %397 = select i1 %391, <8 x double> %376, <8 x double> zeroinitializer
-  %398 = shl i64 %386, 7
-  %399 = shl nsw i64 %386, 7
-  %400 = getelementptr inbounds i8, ptr %370, i64 %399
-  store <8 x double> %395, ptr %400, align 8, !noalias !16
-  %401 = or disjoint i64 %398, 64
-  %402 = getelementptr inbounds i8, ptr %370, i64 %401
-  store <8 x double> %397, ptr %402, align 8, !noalias !16
-  %403 = add nuw nsw i64 %384, 1
-  %404 = icmp eq i64 %403, %368
-  br i1 %404, label %380, label %383, !llvm.loop !21
+386:                                              ; preds = %389
+  %387 = add nuw nsw i64 %384, 1
+  %388 = icmp eq i64 %387, %374
+  br i1 %388, label %411, label %383, !llvm.loop !20
 
-405:                                              ; preds = %380, %362
-  %406 = load ptr, ptr %75, align 8, !noalias !16
-  %407 = call fastcc i64 @real_factorise(ptr noundef %369, i64 noundef %368, ptr noundef %406) #10, !noalias !16
-  %408 = load ptr, ptr %76, align 8, !noalias !16
-  %409 = call fastcc i64 @pair_factorise(ptr noundef %370, i64 noundef %368, ptr noundef %408) #10, !noalias !16
-  %410 = or i64 %409, %407
-  %411 = and i64 %410, %360
-  %412 = load i64, ptr %356, align 8, !noalias !16
-  %413 = or i64 %412, %360
-  %414 = xor i64 %411, -1
-  %415 = xor i64 %411, %413
-  store i64 %415, ptr %356, align 8, !noalias !16
-  %416 = trunc nuw i64 %411 to i8
-  %417 = bitcast i8 %416 to <8 x i1>
-  %418 = select <8 x i1> %417, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %419 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %420 = select <8 x i1> %417, <8 x double> %419, <8 x double> %231
-  %421 = load ptr, ptr %61, align 8, !noalias !16
-  %422 = getelementptr inbounds i8, ptr %421, i64 8
-  %423 = load i64, ptr %422, align 8, !noalias !16
-  %424 = and i64 %423, %414
-  %425 = getelementptr inbounds i8, ptr %421, i64 16
-  %426 = load i64, ptr %425, align 8, !noalias !16
-  %427 = xor i64 %426, -1
-  %428 = and i64 %411, %427
-  %429 = or disjoint i64 %428, %424
-  store i64 %429, ptr %422, align 8, !noalias !16
-  %430 = xor i64 %411, %222
-  br label %431
+389:                                              ; preds = %383, %389
+  %390 = phi i64 [ 0, %383 ], [ %409, %389 ]
+  %391 = load ptr, ptr %74, align 8, !noalias !16
+  %392 = add nuw nsw i64 %390, %385
+  %393 = shl nsw i64 %392, 6
+  %394 = getelementptr inbounds i8, ptr %391, i64 %393
+  %395 = load <8 x double>, ptr %394, align 8, !noalias !16
+  %396 = fneg <8 x double> %395
+  %397 = icmp eq i64 %384, %390
+  %398 = fsub <8 x double> %380, %395
+  %399 = select i1 %397, <8 x double> %398, <8 x double> %396
+  %400 = fsub <8 x double> %381, %395
+  %401 = select i1 %397, <8 x double> %400, <8 x double> %396
+  %402 = getelementptr inbounds i8, ptr %375, i64 %393
+  store <8 x double> %399, ptr %402, align 8, !noalias !16
+  %403 = select i1 %397, <8 x double> %382, <8 x double> zeroinitializer
+  %404 = shl i64 %392, 7
+  %405 = shl nsw i64 %392, 7
+  %406 = getelementptr inbounds i8, ptr %376, i64 %405
+  store <8 x double> %401, ptr %406, align 8, !noalias !16
+  %407 = or disjoint i64 %404, 64
+  %408 = getelementptr inbounds i8, ptr %376, i64 %407
+  store <8 x double> %403, ptr %408, align 8, !noalias !16
+  %409 = add nuw nsw i64 %390, 1
+  %410 = icmp eq i64 %409, %374
+  br i1 %410, label %386, label %389, !llvm.loop !21
 
-431:                                              ; preds = %345, %405
-  %432 = phi <8 x double> [ %231, %345 ], [ %420, %405 ]
-  %433 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %345 ], [ %418, %405 ]
-  %434 = phi i64 [ %222, %345 ], [ %430, %405 ]
-  %435 = icmp eq i64 %434, 0
-  br i1 %435, label %1387, label %436
+411:                                              ; preds = %386, %368
+  %412 = load ptr, ptr %75, align 8, !noalias !16
+  %413 = call fastcc i64 @real_factorise(ptr noundef %375, i64 noundef %374, ptr noundef %412) #10, !noalias !16
+  %414 = load ptr, ptr %76, align 8, !noalias !16
+  %415 = call fastcc i64 @pair_factorise(ptr noundef %376, i64 noundef %374, ptr noundef %414) #10, !noalias !16
+  %416 = or i64 %415, %413
+  %417 = and i64 %416, %366
+  %418 = load i64, ptr %362, align 8, !noalias !16
+  %419 = or i64 %418, %366
+  %420 = xor i64 %417, -1
+  %421 = xor i64 %417, %419
+  store i64 %421, ptr %362, align 8, !noalias !16
+  %422 = trunc nuw i64 %417 to i8
+  %423 = bitcast i8 %422 to <8 x i1>
+  %424 = select <8 x i1> %423, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %425 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %426 = select <8 x i1> %423, <8 x double> %425, <8 x double> %231
+  %427 = load ptr, ptr %61, align 8, !noalias !16
+  %428 = getelementptr inbounds i8, ptr %427, i64 8
+  %429 = load i64, ptr %428, align 8, !noalias !16
+  %430 = and i64 %429, %420
+  %431 = getelementptr inbounds i8, ptr %427, i64 16
+  %432 = load i64, ptr %431, align 8, !noalias !16
+  %433 = xor i64 %432, -1
+  %434 = and i64 %417, %433
+  %435 = or disjoint i64 %434, %430
+  store i64 %435, ptr %428, align 8, !noalias !16
+  %436 = xor i64 %417, %222
+  br label %437
 
-436:                                              ; preds = %431
-  %437 = fcmp ogt double %282, 0x3CB0000000000000
-  %438 = select i1 %437, double %282, double 0x3CB0000000000000
-  %439 = fdiv double 0x3CE4000000000000, %438
-  %440 = call double @llvm.sqrt.f64(double %282)
-  %441 = fcmp olt double %440, 3.000000e-02
-  %442 = select i1 %441, double %440, double 3.000000e-02
-  %443 = fcmp ogt double %442, %439
-  %444 = load ptr, ptr %70, align 8, !noalias !16
-  %445 = getelementptr inbounds i8, ptr %444, i64 64
-  %446 = load <8 x double>, ptr %445, align 8, !noalias !16
-  %447 = load ptr, ptr %15, align 8, !noalias !16
-  %448 = getelementptr inbounds i8, ptr %447, i64 8
-  %449 = load i64, ptr %448, align 8, !noalias !16
-  %450 = load ptr, ptr %77, align 8, !noalias !16
-  %451 = load ptr, ptr %17, align 8, !noalias !16
-  %452 = load ptr, ptr %78, align 8, !noalias !16
-  %453 = load ptr, ptr %79, align 8, !noalias !16
-  %454 = fcmp ogt <8 x double> %446, zeroinitializer
-  %455 = icmp sgt i64 %449, 0
-  %456 = shl i64 %449, 7
-  %457 = getelementptr i8, ptr %450, i64 %456
-  %458 = mul nsw i64 %449, 3
-  br label %463
+437:                                              ; preds = %351, %411
+  %438 = phi <8 x double> [ %231, %351 ], [ %426, %411 ]
+  %439 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %351 ], [ %424, %411 ]
+  %440 = phi i64 [ %222, %351 ], [ %436, %411 ]
+  %441 = icmp eq i64 %440, 0
+  br i1 %441, label %1405, label %442
 
-459:                                              ; preds = %475
-  %460 = icmp sgt i64 %449, 0
-  %461 = shl i64 %449, 7
-  %462 = getelementptr i8, ptr %452, i64 %461
-  br label %509
+442:                                              ; preds = %437
+  %443 = fcmp ogt double %282, 0x3CB0000000000000
+  %444 = select i1 %443, double %282, double 0x3CB0000000000000
+  %445 = fdiv double 0x3CE4000000000000, %444
+  %446 = call double @llvm.sqrt.f64(double %282)
+  %447 = fcmp olt double %446, 3.000000e-02
+  %448 = select i1 %447, double %446, double 3.000000e-02
+  %449 = fcmp ogt double %448, %445
+  %450 = load ptr, ptr %70, align 8, !noalias !16
+  %451 = getelementptr inbounds i8, ptr %450, i64 64
+  %452 = load <8 x double>, ptr %451, align 8, !noalias !16
+  %453 = load ptr, ptr %15, align 8, !noalias !16
+  %454 = getelementptr inbounds i8, ptr %453, i64 8
+  %455 = load i64, ptr %454, align 8, !noalias !16
+  %456 = load ptr, ptr %77, align 8, !noalias !16
+  %457 = load ptr, ptr %17, align 8, !noalias !16
+  %458 = load ptr, ptr %78, align 8, !noalias !16
+  %459 = load ptr, ptr %79, align 8, !noalias !16
+  %460 = fcmp ogt <8 x double> %452, zeroinitializer
+  %461 = icmp sgt i64 %455, 0
+  %462 = shl i64 %455, 7
+  %463 = getelementptr i8, ptr %456, i64 %462
+  %464 = mul nsw i64 %455, 3
+  br label %469
 
-463:                                              ; preds = %436, %475
-  %464 = phi i64 [ 0, %436 ], [ %476, %475 ]
-  %465 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %464
-  %466 = load double, ptr %465, align 8, !noalias !16
-  %467 = insertelement <8 x double> poison, double %466, i64 0
-  %468 = shufflevector <8 x double> %467, <8 x double> poison, <8 x i32> zeroinitializer
-  %469 = fmul <8 x double> %468, %242
-  %470 = fdiv <8 x double> %469, %446
-  %471 = fadd <8 x double> %470, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  br i1 %455, label %472, label %475
+465:                                              ; preds = %481
+  %466 = icmp sgt i64 %455, 0
+  %467 = shl i64 %455, 7
+  %468 = getelementptr i8, ptr %458, i64 %467
+  br label %515
 
-472:                                              ; preds = %463
-  %473 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %471
-  %474 = mul nuw nsw i64 %449, %464
-  br label %478
+469:                                              ; preds = %442, %481
+  %470 = phi i64 [ 0, %442 ], [ %482, %481 ]
+  %471 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %470
+  %472 = load double, ptr %471, align 8, !noalias !16
+  %473 = insertelement <8 x double> poison, double %472, i64 0
+  %474 = shufflevector <8 x double> %473, <8 x double> poison, <8 x i32> zeroinitializer
+  %475 = fmul <8 x double> %474, %242
+  %476 = fdiv <8 x double> %475, %452
+  %477 = fadd <8 x double> %476, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  br i1 %461, label %478, label %481
 
-475:                                              ; preds = %478, %463
-  %476 = add nuw nsw i64 %464, 1
-  %477 = icmp eq i64 %476, 3
-  br i1 %477, label %459, label %463, !llvm.loop !22
+478:                                              ; preds = %469
+  %479 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %477
+  %480 = mul nuw nsw i64 %455, %470
+  br label %484
 
-478:                                              ; preds = %472, %478
-  %479 = phi i64 [ 0, %472 ], [ %507, %478 ]
-  %480 = shl i64 %479, 6
-  %481 = getelementptr i8, ptr %457, i64 %480
-  %482 = load <8 x double>, ptr %481, align 8, !noalias !16
-  %483 = add nuw nsw i64 %479, %458
-  %484 = shl nsw i64 %483, 6
-  %485 = getelementptr inbounds i8, ptr %450, i64 %484
-  %486 = load <8 x double>, ptr %485, align 8, !noalias !16
-  %487 = fmul <8 x double> %471, %486
-  %488 = fadd <8 x double> %482, %487
-  %489 = fmul <8 x double> %473, %488
-  %490 = shl nsw i64 %479, 6
-  %491 = getelementptr inbounds i8, ptr %450, i64 %490
+481:                                              ; preds = %484, %469
+  %482 = add nuw nsw i64 %470, 1
+  %483 = icmp eq i64 %482, 3
+  br i1 %483, label %465, label %469, !llvm.loop !22
+
+484:                                              ; preds = %478, %484
+  %485 = phi i64 [ 0, %478 ], [ %513, %484 ]
+  %486 = shl i64 %485, 6
+  %487 = getelementptr i8, ptr %463, i64 %486
+  %488 = load <8 x double>, ptr %487, align 8, !noalias !16
+  %489 = add nuw nsw i64 %485, %464
+  %490 = shl nsw i64 %489, 6
+  %491 = getelementptr inbounds i8, ptr %456, i64 %490
   %492 = load <8 x double>, ptr %491, align 8, !noalias !16
-  %493 = add nuw nsw i64 %479, %449
-  %494 = shl nsw i64 %493, 6
-  %495 = getelementptr inbounds i8, ptr %450, i64 %494
-  %496 = load <8 x double>, ptr %495, align 8, !noalias !16
-  %497 = fadd <8 x double> %496, %489
-  %498 = fmul <8 x double> %471, %497
-  %499 = fadd <8 x double> %492, %498
-  %500 = getelementptr inbounds i8, ptr %451, i64 %490
-  %501 = load <8 x double>, ptr %500, align 8, !noalias !16
-  %502 = fsub <8 x double> %499, %501
-  %503 = add nuw nsw i64 %479, %474
-  %504 = select <8 x i1> %454, <8 x double> %502, <8 x double> zeroinitializer
-  %505 = shl nsw i64 %503, 6
-  %506 = getelementptr inbounds i8, ptr %452, i64 %505
-  store <8 x double> %504, ptr %506, align 8, !noalias !16
-  %507 = add nuw nsw i64 %479, 1
-  %508 = icmp eq i64 %507, %449
-  br i1 %508, label %475, label %478, !llvm.loop !23
+  %493 = fmul <8 x double> %477, %492
+  %494 = fadd <8 x double> %488, %493
+  %495 = fmul <8 x double> %479, %494
+  %496 = shl nsw i64 %485, 6
+  %497 = getelementptr inbounds i8, ptr %456, i64 %496
+  %498 = load <8 x double>, ptr %497, align 8, !noalias !16
+  %499 = add nuw nsw i64 %485, %455
+  %500 = shl nsw i64 %499, 6
+  %501 = getelementptr inbounds i8, ptr %456, i64 %500
+  %502 = load <8 x double>, ptr %501, align 8, !noalias !16
+  %503 = fadd <8 x double> %502, %495
+  %504 = fmul <8 x double> %477, %503
+  %505 = fadd <8 x double> %498, %504
+  %506 = getelementptr inbounds i8, ptr %457, i64 %496
+  %507 = load <8 x double>, ptr %506, align 8, !noalias !16
+  %508 = fsub <8 x double> %505, %507
+  %509 = add nuw nsw i64 %485, %480
+  %510 = select <8 x i1> %460, <8 x double> %508, <8 x double> zeroinitializer
+  %511 = shl nsw i64 %509, 6
+  %512 = getelementptr inbounds i8, ptr %458, i64 %511
+  store <8 x double> %510, ptr %512, align 8, !noalias !16
+  %513 = add nuw nsw i64 %485, 1
+  %514 = icmp eq i64 %513, %455
+  br i1 %514, label %481, label %484, !llvm.loop !23
 
-509:                                              ; preds = %459, %525
-  %510 = phi i64 [ 0, %459 ], [ %526, %525 ]
-  br i1 %460, label %511, label %525
+515:                                              ; preds = %465, %531
+  %516 = phi i64 [ 0, %465 ], [ %532, %531 ]
+  br i1 %466, label %517, label %531
 
-511:                                              ; preds = %509
-  %512 = mul nuw nsw i64 %449, %510
-  %513 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %510
-  %514 = load double, ptr %513, align 8, !noalias !16
-  %515 = insertelement <8 x double> poison, double %514, i64 0
-  %516 = shufflevector <8 x double> %515, <8 x double> poison, <8 x i32> zeroinitializer
-  %517 = getelementptr inbounds i8, ptr %513, i64 8
-  %518 = load double, ptr %517, align 8, !noalias !16
-  %519 = insertelement <8 x double> poison, double %518, i64 0
-  %520 = shufflevector <8 x double> %519, <8 x double> poison, <8 x i32> zeroinitializer
-  %521 = getelementptr inbounds i8, ptr %513, i64 16
-  %522 = load double, ptr %521, align 8, !noalias !16
-  %523 = insertelement <8 x double> poison, double %522, i64 0
-  %524 = shufflevector <8 x double> %523, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %528
+517:                                              ; preds = %515
+  %518 = mul nuw nsw i64 %455, %516
+  %519 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %516
+  %520 = load double, ptr %519, align 8, !noalias !16
+  %521 = insertelement <8 x double> poison, double %520, i64 0
+  %522 = shufflevector <8 x double> %521, <8 x double> poison, <8 x i32> zeroinitializer
+  %523 = getelementptr inbounds i8, ptr %519, i64 8
+  %524 = load double, ptr %523, align 8, !noalias !16
+  %525 = insertelement <8 x double> poison, double %524, i64 0
+  %526 = shufflevector <8 x double> %525, <8 x double> poison, <8 x i32> zeroinitializer
+  %527 = getelementptr inbounds i8, ptr %519, i64 16
+  %528 = load double, ptr %527, align 8, !noalias !16
+  %529 = insertelement <8 x double> poison, double %528, i64 0
+  %530 = shufflevector <8 x double> %529, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %534
 
-525:                                              ; preds = %528, %509
-  %526 = add nuw nsw i64 %510, 1
-  %527 = icmp eq i64 %526, 3
-  br i1 %527, label %550, label %509, !llvm.loop !24
+531:                                              ; preds = %534, %515
+  %532 = add nuw nsw i64 %516, 1
+  %533 = icmp eq i64 %532, 3
+  br i1 %533, label %556, label %515, !llvm.loop !24
 
-528:                                              ; preds = %511, %528
-  %529 = phi i64 [ 0, %511 ], [ %548, %528 ]
-  %530 = add nuw nsw i64 %529, %512
-  %531 = shl nsw i64 %529, 6
-  %532 = getelementptr inbounds i8, ptr %452, i64 %531
-  %533 = load <8 x double>, ptr %532, align 8, !noalias !16
-  %534 = fmul <8 x double> %533, %516
-  %535 = add nuw nsw i64 %529, %449
-  %536 = shl nsw i64 %535, 6
-  %537 = getelementptr inbounds i8, ptr %452, i64 %536
-  %538 = load <8 x double>, ptr %537, align 8, !noalias !16
-  %539 = fmul <8 x double> %538, %520
-  %540 = fadd <8 x double> %534, %539
-  %541 = shl i64 %529, 6
-  %542 = getelementptr i8, ptr %462, i64 %541
-  %543 = load <8 x double>, ptr %542, align 8, !noalias !16
-  %544 = fmul <8 x double> %543, %524
-  %545 = fadd <8 x double> %540, %544
-  %546 = shl nsw i64 %530, 6
-  %547 = getelementptr inbounds i8, ptr %453, i64 %546
-  store <8 x double> %545, ptr %547, align 8, !noalias !16
-  %548 = add nuw nsw i64 %529, 1
-  %549 = icmp eq i64 %548, %449
-  br i1 %549, label %525, label %528, !llvm.loop !25
+534:                                              ; preds = %517, %534
+  %535 = phi i64 [ 0, %517 ], [ %554, %534 ]
+  %536 = add nuw nsw i64 %535, %518
+  %537 = shl nsw i64 %535, 6
+  %538 = getelementptr inbounds i8, ptr %458, i64 %537
+  %539 = load <8 x double>, ptr %538, align 8, !noalias !16
+  %540 = fmul <8 x double> %539, %522
+  %541 = add nuw nsw i64 %535, %455
+  %542 = shl nsw i64 %541, 6
+  %543 = getelementptr inbounds i8, ptr %458, i64 %542
+  %544 = load <8 x double>, ptr %543, align 8, !noalias !16
+  %545 = fmul <8 x double> %544, %526
+  %546 = fadd <8 x double> %540, %545
+  %547 = shl i64 %535, 6
+  %548 = getelementptr i8, ptr %468, i64 %547
+  %549 = load <8 x double>, ptr %548, align 8, !noalias !16
+  %550 = fmul <8 x double> %549, %530
+  %551 = fadd <8 x double> %546, %550
+  %552 = shl nsw i64 %536, 6
+  %553 = getelementptr inbounds i8, ptr %459, i64 %552
+  store <8 x double> %551, ptr %553, align 8, !noalias !16
+  %554 = add nuw nsw i64 %535, 1
+  %555 = icmp eq i64 %554, %455
+  br i1 %555, label %531, label %534, !llvm.loop !25
 
-550:                                              ; preds = %525
-  %551 = select i1 %443, double %442, double %439
-  %552 = fmul double %282, %551
-  %553 = load ptr, ptr %61, align 8, !noalias !26
-  %554 = getelementptr inbounds i8, ptr %553, i64 40
-  %555 = load i64, ptr %554, align 8, !noalias !26
-  %556 = icmp sgt i64 %555, 0
-  %557 = select i1 %556, i64 10, i64 6
-  %558 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %242
-  %559 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %242
-  %560 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %242
-  %561 = fneg <8 x double> %559
-  %562 = insertelement <8 x double> poison, double %551, i64 0
-  %563 = shufflevector <8 x double> %562, <8 x double> poison, <8 x i32> zeroinitializer
-  %564 = fmul double %552, %552
-  %565 = insertelement <8 x double> poison, double %564, i64 0
-  %566 = shufflevector <8 x double> %565, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %570
+556:                                              ; preds = %531
+  %557 = select i1 %449, double %448, double %445
+  %558 = fmul double %282, %557
+  %559 = load ptr, ptr %61, align 8, !noalias !26
+  %560 = getelementptr inbounds i8, ptr %559, i64 40
+  %561 = load i64, ptr %560, align 8, !noalias !26
+  %562 = icmp sgt i64 %561, 0
+  %563 = select i1 %562, i64 10, i64 6
+  %564 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %242
+  %565 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %242
+  %566 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %242
+  %567 = fneg <8 x double> %565
+  %568 = insertelement <8 x double> poison, double %557, i64 0
+  %569 = shufflevector <8 x double> %568, <8 x double> poison, <8 x i32> zeroinitializer
+  %570 = fmul double %558, %558
+  %571 = insertelement <8 x double> poison, double %570, i64 0
+  %572 = shufflevector <8 x double> %571, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %576
 
-567:                                              ; preds = %1063
-  %568 = add nuw nsw i64 %574, 1
-  %569 = icmp eq i64 %568, %557
-  br i1 %569, label %1077, label %570, !llvm.loop !29
+573:                                              ; preds = %1075
+  %574 = add nuw nsw i64 %580, 1
+  %575 = icmp eq i64 %574, %563
+  br i1 %575, label %1089, label %576, !llvm.loop !29
 
-570:                                              ; preds = %550, %567
-  %571 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %550 ], [ %1075, %567 ]
-  %572 = phi i64 [ %434, %550 ], [ %1074, %567 ]
-  %573 = phi i64 [ 0, %550 ], [ %1073, %567 ]
-  %574 = phi i64 [ 0, %550 ], [ %568, %567 ]
-  %575 = phi i64 [ 0, %550 ], [ %1071, %567 ]
-  %576 = phi i64 [ 0, %550 ], [ %657, %567 ]
-  %577 = phi <8 x double> [ zeroinitializer, %550 ], [ %656, %567 ]
-  %578 = phi <8 x double> [ zeroinitializer, %550 ], [ %1070, %567 ]
-  %579 = phi <8 x double> [ zeroinitializer, %550 ], [ %1069, %567 ]
-  %580 = phi <8 x double> [ %140, %550 ], [ %1068, %567 ]
-  %581 = phi <8 x double> [ %139, %550 ], [ %1067, %567 ]
-  %582 = phi <8 x double> [ %138, %550 ], [ %1066, %567 ]
-  %583 = phi i64 [ %137, %550 ], [ %1065, %567 ]
-  %584 = phi i64 [ %136, %550 ], [ %1064, %567 ]
-  %585 = icmp ugt i64 %574, 5
-  %586 = select i1 %585, i64 %575, i64 -1
-  %587 = and i64 %572, %586
-  %588 = load ptr, ptr %15, align 8, !noalias !26
-  %589 = getelementptr inbounds i8, ptr %588, i64 8
-  %590 = load i64, ptr %589, align 8, !noalias !26
-  %591 = load ptr, ptr %78, align 8, !noalias !26
-  %592 = icmp eq i64 %587, 0
-  br i1 %592, label %655, label %593
+576:                                              ; preds = %556, %573
+  %577 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %556 ], [ %1087, %573 ]
+  %578 = phi i64 [ %440, %556 ], [ %1086, %573 ]
+  %579 = phi i64 [ 0, %556 ], [ %1085, %573 ]
+  %580 = phi i64 [ 0, %556 ], [ %574, %573 ]
+  %581 = phi i64 [ 0, %556 ], [ %1083, %573 ]
+  %582 = phi i64 [ 0, %556 ], [ %669, %573 ]
+  %583 = phi <8 x double> [ zeroinitializer, %556 ], [ %668, %573 ]
+  %584 = phi <8 x double> [ zeroinitializer, %556 ], [ %1082, %573 ]
+  %585 = phi <8 x double> [ zeroinitializer, %556 ], [ %1081, %573 ]
+  %586 = phi <8 x double> [ %140, %556 ], [ %1080, %573 ]
+  %587 = phi <8 x double> [ %139, %556 ], [ %1079, %573 ]
+  %588 = phi <8 x double> [ %138, %556 ], [ %1078, %573 ]
+  %589 = phi i64 [ %137, %556 ], [ %1077, %573 ]
+  %590 = phi i64 [ %136, %556 ], [ %1076, %573 ]
+  %591 = icmp ugt i64 %580, 5
+  %592 = select i1 %591, i64 %581, i64 -1
+  %593 = and i64 %578, %592
+  %594 = load ptr, ptr %15, align 8, !noalias !26
+  %595 = getelementptr inbounds i8, ptr %594, i64 8
+  %596 = load i64, ptr %595, align 8, !noalias !26
+  %597 = load ptr, ptr %78, align 8, !noalias !26
+  %598 = icmp eq i64 %593, 0
+  br i1 %598, label %667, label %599
 
-593:                                              ; preds = %570
-  %594 = icmp sgt i64 %590, 0
-  %595 = shl i64 %590, 6
-  br label %596
+599:                                              ; preds = %576
+  %600 = icmp sgt i64 %596, 0
+  %601 = shl i64 %596, 6
+  br label %602
 
-596:                                              ; preds = %593, %622
-  %597 = phi i64 [ %587, %593 ], [ %635, %622 ]
-  %598 = phi i64 [ 0, %593 ], [ %636, %622 ]
-  %599 = phi i64 [ %576, %593 ], [ %633, %622 ]
-  %600 = phi <8 x double> [ %577, %593 ], [ %607, %622 ]
-  br i1 %594, label %601, label %603
+602:                                              ; preds = %599, %634
+  %603 = phi i64 [ %593, %599 ], [ %647, %634 ]
+  %604 = phi i64 [ 0, %599 ], [ %648, %634 ]
+  %605 = phi i64 [ %582, %599 ], [ %645, %634 ]
+  %606 = phi <8 x double> [ %583, %599 ], [ %613, %634 ]
+  br i1 %600, label %607, label %609
 
-601:                                              ; preds = %596
-  %602 = mul nuw nsw i64 %598, %590
-  br label %640
+607:                                              ; preds = %602
+  %608 = mul nuw nsw i64 %604, %596
+  br label %652
 
-603:                                              ; preds = %640, %596
-  %604 = trunc i64 %597 to i8
-  %605 = bitcast i8 %604 to <8 x i1>
-  %606 = select <8 x i1> %605, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %607 = fadd <8 x double> %600, %606
-  %608 = load ptr, ptr %81, align 8, !noalias !26
-  %609 = mul i64 %595, %598
-  %610 = getelementptr inbounds i8, ptr %608, i64 %609
-  %611 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %598
-  %612 = load double, ptr %611, align 8, !noalias !26
-  %613 = insertelement <8 x double> poison, double %612, i64 0
-  %614 = shufflevector <8 x double> %613, <8 x double> poison, <8 x i32> zeroinitializer
-  %615 = fmul <8 x double> %614, %242
-  %616 = fadd <8 x double> %226, %615
-  %617 = load ptr, ptr %82, align 8, !noalias !26
-  %618 = load ptr, ptr %83, align 8, !noalias !26
-  store <8 x double> %616, ptr %618, align 8, !noalias !26
-  %619 = load i64, ptr %84, align 8, !noalias !26
-  %620 = icmp sgt i64 %619, 0
-  br i1 %620, label %621, label %622
+609:                                              ; preds = %652, %602
+  %610 = trunc i64 %603 to i8
+  %611 = bitcast i8 %610 to <8 x i1>
+  %612 = select <8 x i1> %611, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %613 = fadd <8 x double> %606, %612
+  %614 = load ptr, ptr %81, align 8, !noalias !26
+  %615 = mul i64 %601, %604
+  %616 = getelementptr inbounds i8, ptr %614, i64 %615
+  %617 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %604
+  %618 = load double, ptr %617, align 8, !noalias !26
+  %619 = insertelement <8 x double> poison, double %618, i64 0
+  %620 = shufflevector <8 x double> %619, <8 x double> poison, <8 x i32> zeroinitializer
+  %621 = fmul <8 x double> %620, %242
+  %622 = fadd <8 x double> %226, %621
+  %623 = load ptr, ptr %82, align 8, !noalias !26
+  %624 = load ptr, ptr %83, align 8, !noalias !26
+  store <8 x double> %622, ptr %624, align 8, !noalias !26
+  %625 = load ptr, ptr %15, align 8, !noalias !26
+  %626 = getelementptr inbounds i8, ptr %625, i64 40
+  %627 = load i64, ptr %626, align 8, !noalias !26
+  %628 = icmp eq i64 %627, 0
+  br i1 %628, label %630, label %629
 
-621:                                              ; preds = %603
+629:                                              ; preds = %609
+  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !26
+  br label %630
+
+630:                                              ; preds = %629, %609
+  %631 = load i64, ptr %84, align 8, !noalias !26
+  %632 = icmp sgt i64 %631, 0
+  br i1 %632, label %633, label %634
+
+633:                                              ; preds = %630
   call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !26
-  br label %622
+  br label %634
 
-622:                                              ; preds = %621, %603
-  %623 = load ptr, ptr %15, align 8, !noalias !26
-  %624 = load i64, ptr %623, align 8, !noalias !26
-  %625 = load ptr, ptr %83, align 8, !noalias !26
-  %626 = load ptr, ptr %85, align 8, !noalias !26
-  %627 = load ptr, ptr %86, align 8, !noalias !26
-  %628 = inttoptr i64 %624 to ptr
-  %629 = load ptr, ptr %628, align 8, !noalias !26
-  %630 = call i32 %629(ptr noundef %625, ptr noundef %617, ptr noundef %626, ptr noundef %627, ptr noundef %610) #11, !noalias !26
-  %631 = sext i32 %630 to i64
-  %632 = and i64 %597, %631
-  %633 = or i64 %632, %599
-  %634 = xor i64 %631, -1
-  %635 = and i64 %597, %634
-  %636 = add nuw nsw i64 %598, 1
-  %637 = icmp ult i64 %598, 2
-  %638 = icmp ne i64 %635, 0
-  %639 = select i1 %637, i1 %638, i1 false
-  br i1 %639, label %596, label %655, !llvm.loop !30
+634:                                              ; preds = %633, %630
+  %635 = load ptr, ptr %15, align 8, !noalias !26
+  %636 = load i64, ptr %635, align 8, !noalias !26
+  %637 = load ptr, ptr %83, align 8, !noalias !26
+  %638 = load ptr, ptr %85, align 8, !noalias !26
+  %639 = load ptr, ptr %86, align 8, !noalias !26
+  %640 = inttoptr i64 %636 to ptr
+  %641 = load ptr, ptr %640, align 8, !noalias !26
+  %642 = call i32 %641(ptr noundef %637, ptr noundef %623, ptr noundef %638, ptr noundef %639, ptr noundef %616) #11, !noalias !26
+  %643 = sext i32 %642 to i64
+  %644 = and i64 %603, %643
+  %645 = or i64 %644, %605
+  %646 = xor i64 %643, -1
+  %647 = and i64 %603, %646
+  %648 = add nuw nsw i64 %604, 1
+  %649 = icmp ult i64 %604, 2
+  %650 = icmp ne i64 %647, 0
+  %651 = select i1 %649, i1 %650, i1 false
+  br i1 %651, label %602, label %667, !llvm.loop !30
 
-640:                                              ; preds = %601, %640
-  %641 = phi i64 [ 0, %601 ], [ %653, %640 ]
-  %642 = load ptr, ptr %80, align 8, !noalias !26
-  %643 = load ptr, ptr %17, align 8, !noalias !26
-  %644 = shl nsw i64 %641, 6
-  %645 = getelementptr inbounds i8, ptr %643, i64 %644
-  %646 = load <8 x double>, ptr %645, align 8, !noalias !26
-  %647 = add nuw nsw i64 %641, %602
-  %648 = shl nsw i64 %647, 6
-  %649 = getelementptr inbounds i8, ptr %591, i64 %648
-  %650 = load <8 x double>, ptr %649, align 8, !noalias !26
-  %651 = fadd <8 x double> %646, %650
-  %652 = getelementptr inbounds i8, ptr %642, i64 %644
-  store <8 x double> %651, ptr %652, align 8, !noalias !26
-  %653 = add nuw nsw i64 %641, 1
-  %654 = icmp eq i64 %653, %590
-  br i1 %654, label %603, label %640, !llvm.loop !31
+652:                                              ; preds = %607, %652
+  %653 = phi i64 [ 0, %607 ], [ %665, %652 ]
+  %654 = load ptr, ptr %80, align 8, !noalias !26
+  %655 = load ptr, ptr %17, align 8, !noalias !26
+  %656 = shl nsw i64 %653, 6
+  %657 = getelementptr inbounds i8, ptr %655, i64 %656
+  %658 = load <8 x double>, ptr %657, align 8, !noalias !26
+  %659 = add nuw nsw i64 %653, %608
+  %660 = shl nsw i64 %659, 6
+  %661 = getelementptr inbounds i8, ptr %597, i64 %660
+  %662 = load <8 x double>, ptr %661, align 8, !noalias !26
+  %663 = fadd <8 x double> %658, %662
+  %664 = getelementptr inbounds i8, ptr %654, i64 %656
+  store <8 x double> %663, ptr %664, align 8, !noalias !26
+  %665 = add nuw nsw i64 %653, 1
+  %666 = icmp eq i64 %665, %596
+  br i1 %666, label %609, label %652, !llvm.loop !31
 
-655:                                              ; preds = %622, %570
-  %656 = phi <8 x double> [ %577, %570 ], [ %607, %622 ]
-  %657 = phi i64 [ %576, %570 ], [ %633, %622 ]
-  %658 = phi i64 [ %587, %570 ], [ %635, %622 ]
-  %659 = icmp eq i64 %658, 0
-  br i1 %659, label %660, label %664
+667:                                              ; preds = %634, %576
+  %668 = phi <8 x double> [ %583, %576 ], [ %613, %634 ]
+  %669 = phi i64 [ %582, %576 ], [ %645, %634 ]
+  %670 = phi i64 [ %593, %576 ], [ %647, %634 ]
+  %671 = icmp eq i64 %670, 0
+  br i1 %671, label %672, label %676
 
-660:                                              ; preds = %655
-  %661 = or i64 %587, %573
-  %662 = xor i64 %661, -1
-  %663 = and i64 %575, %662
-  br label %1063
+672:                                              ; preds = %667
+  %673 = or i64 %593, %579
+  %674 = xor i64 %673, -1
+  %675 = and i64 %581, %674
+  br label %1075
 
-664:                                              ; preds = %655
-  %665 = load ptr, ptr %15, align 8, !noalias !26
-  %666 = getelementptr inbounds i8, ptr %665, i64 8
-  %667 = load i64, ptr %666, align 8, !noalias !26
-  %668 = load ptr, ptr %87, align 8, !noalias !26
-  %669 = load ptr, ptr %79, align 8, !noalias !26
-  %670 = icmp sgt i64 %667, 0
-  br i1 %670, label %671, label %757
+676:                                              ; preds = %667
+  %677 = load ptr, ptr %15, align 8, !noalias !26
+  %678 = getelementptr inbounds i8, ptr %677, i64 8
+  %679 = load i64, ptr %678, align 8, !noalias !26
+  %680 = load ptr, ptr %87, align 8, !noalias !26
+  %681 = load ptr, ptr %79, align 8, !noalias !26
+  %682 = icmp sgt i64 %679, 0
+  br i1 %682, label %683, label %769
 
-671:                                              ; preds = %664
-  %672 = shl i64 %667, 7
-  br label %673
+683:                                              ; preds = %676
+  %684 = shl i64 %679, 7
+  br label %685
 
-673:                                              ; preds = %671, %673
-  %674 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %671 ], [ %692, %673 ]
-  %675 = phi i64 [ 0, %671 ], [ %755, %673 ]
-  %676 = phi <8 x double> [ zeroinitializer, %671 ], [ %754, %673 ]
-  %677 = shl nsw i64 %675, 6
-  %678 = getelementptr inbounds i8, ptr %668, i64 %677
-  %679 = load <8 x double>, ptr %678, align 8, !noalias !26
-  %680 = add nuw nsw i64 %675, %667
-  %681 = shl nsw i64 %680, 6
-  %682 = getelementptr inbounds i8, ptr %668, i64 %681
-  %683 = load <8 x double>, ptr %682, align 8, !noalias !26
-  %684 = fadd <8 x double> %679, %683
-  %685 = shl i64 %675, 6
-  %686 = add i64 %685, %672
-  %687 = getelementptr inbounds i8, ptr %668, i64 %686
-  %688 = load <8 x double>, ptr %687, align 8, !noalias !26
-  %689 = fadd <8 x double> %684, %688
-  %690 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %689)
-  %691 = fcmp one <8 x double> %690, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %692 = select <8 x i1> %691, <8 x i64> %674, <8 x i64> zeroinitializer
-  %693 = getelementptr inbounds i8, ptr %669, i64 %681
-  %694 = load <8 x double>, ptr %693, align 8, !noalias !26
-  %695 = getelementptr inbounds i8, ptr %669, i64 %686
-  %696 = load <8 x double>, ptr %695, align 8, !noalias !26
-  %697 = fmul <8 x double> %679, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
-  %698 = fmul <8 x double> %683, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %699 = fsub <8 x double> %697, %698
-  %700 = fmul <8 x double> %688, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
-  %701 = fadd <8 x double> %699, %700
-  %702 = fmul <8 x double> %679, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
-  %703 = fmul <8 x double> %683, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
-  %704 = fsub <8 x double> %702, %703
-  %705 = fmul <8 x double> %688, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
-  %706 = fadd <8 x double> %704, %705
-  %707 = fmul <8 x double> %679, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
-  %708 = fmul <8 x double> %683, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %709 = fadd <8 x double> %707, %708
-  %710 = fmul <8 x double> %688, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
-  %711 = fadd <8 x double> %709, %710
-  %712 = getelementptr inbounds i8, ptr %669, i64 %677
-  %713 = load <8 x double>, ptr %712, align 8, !noalias !26
-  %714 = fmul <8 x double> %560, %713
-  %715 = fsub <8 x double> %711, %714
-  %716 = fmul <8 x double> %696, %561
-  %717 = call <8 x double> @llvm.fma.v8f64(<8 x double> %558, <8 x double> %694, <8 x double> %716)
-  %718 = fmul <8 x double> %559, %694
-  %719 = call <8 x double> @llvm.fma.v8f64(<8 x double> %558, <8 x double> %696, <8 x double> %718)
-  %720 = fsub <8 x double> %701, %717
-  %721 = fsub <8 x double> %706, %719
-  %722 = load ptr, ptr %88, align 8, !noalias !26
-  %723 = getelementptr inbounds i8, ptr %722, i64 %677
-  store <8 x double> %715, ptr %723, align 8, !noalias !26
-  %724 = load ptr, ptr %89, align 8, !noalias !26
-  %725 = shl i64 %675, 7
-  %726 = shl nsw i64 %675, 7
-  %727 = getelementptr inbounds i8, ptr %724, i64 %726
-  store <8 x double> %720, ptr %727, align 8, !noalias !26
-  %728 = or disjoint i64 %725, 64
-  %729 = getelementptr inbounds i8, ptr %724, i64 %728
-  store <8 x double> %721, ptr %729, align 8, !noalias !26
-  %730 = load ptr, ptr %17, align 8, !noalias !26
-  %731 = getelementptr inbounds i8, ptr %730, i64 %677
-  %732 = load <8 x double>, ptr %731, align 8, !noalias !26
-  %733 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %715)
-  %734 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %720)
-  %735 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %721)
-  %736 = fadd <8 x double> %735, %734
-  %737 = fadd <8 x double> %733, %736
-  %738 = fmul <8 x double> %737, %242
-  %739 = load ptr, ptr %90, align 8, !noalias !26
-  %740 = getelementptr inbounds double, ptr %739, i64 %675
-  %741 = load double, ptr %740, align 8, !noalias !26
-  %742 = insertelement <8 x double> poison, double %741, i64 0
-  %743 = shufflevector <8 x double> %742, <8 x double> poison, <8 x i32> zeroinitializer
-  %744 = load ptr, ptr %62, align 8, !noalias !26
-  %745 = getelementptr inbounds double, ptr %744, i64 %675
-  %746 = load double, ptr %745, align 8, !noalias !26
-  %747 = insertelement <8 x double> poison, double %746, i64 0
-  %748 = shufflevector <8 x double> %747, <8 x double> poison, <8 x i32> zeroinitializer
-  %749 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %732)
-  %750 = fmul <8 x double> %749, %748
-  %751 = fadd <8 x double> %743, %750
-  %752 = fdiv <8 x double> %738, %751
-  %753 = fmul <8 x double> %752, %752
-  %754 = fadd <8 x double> %676, %753
-  %755 = add nuw nsw i64 %675, 1
-  %756 = icmp eq i64 %755, %667
-  br i1 %756, label %757, label %673, !llvm.loop !32
+685:                                              ; preds = %683, %685
+  %686 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %683 ], [ %704, %685 ]
+  %687 = phi i64 [ 0, %683 ], [ %767, %685 ]
+  %688 = phi <8 x double> [ zeroinitializer, %683 ], [ %766, %685 ]
+  %689 = shl nsw i64 %687, 6
+  %690 = getelementptr inbounds i8, ptr %680, i64 %689
+  %691 = load <8 x double>, ptr %690, align 8, !noalias !26
+  %692 = add nuw nsw i64 %687, %679
+  %693 = shl nsw i64 %692, 6
+  %694 = getelementptr inbounds i8, ptr %680, i64 %693
+  %695 = load <8 x double>, ptr %694, align 8, !noalias !26
+  %696 = fadd <8 x double> %691, %695
+  %697 = shl i64 %687, 6
+  %698 = add i64 %697, %684
+  %699 = getelementptr inbounds i8, ptr %680, i64 %698
+  %700 = load <8 x double>, ptr %699, align 8, !noalias !26
+  %701 = fadd <8 x double> %696, %700
+  %702 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %701)
+  %703 = fcmp one <8 x double> %702, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %704 = select <8 x i1> %703, <8 x i64> %686, <8 x i64> zeroinitializer
+  %705 = getelementptr inbounds i8, ptr %681, i64 %693
+  %706 = load <8 x double>, ptr %705, align 8, !noalias !26
+  %707 = getelementptr inbounds i8, ptr %681, i64 %698
+  %708 = load <8 x double>, ptr %707, align 8, !noalias !26
+  %709 = fmul <8 x double> %691, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
+  %710 = fmul <8 x double> %695, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %711 = fsub <8 x double> %709, %710
+  %712 = fmul <8 x double> %700, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
+  %713 = fadd <8 x double> %711, %712
+  %714 = fmul <8 x double> %691, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
+  %715 = fmul <8 x double> %695, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
+  %716 = fsub <8 x double> %714, %715
+  %717 = fmul <8 x double> %700, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
+  %718 = fadd <8 x double> %716, %717
+  %719 = fmul <8 x double> %691, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
+  %720 = fmul <8 x double> %695, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %721 = fadd <8 x double> %719, %720
+  %722 = fmul <8 x double> %700, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
+  %723 = fadd <8 x double> %721, %722
+  %724 = getelementptr inbounds i8, ptr %681, i64 %689
+  %725 = load <8 x double>, ptr %724, align 8, !noalias !26
+  %726 = fmul <8 x double> %566, %725
+  %727 = fsub <8 x double> %723, %726
+  %728 = fmul <8 x double> %708, %567
+  %729 = call <8 x double> @llvm.fma.v8f64(<8 x double> %564, <8 x double> %706, <8 x double> %728)
+  %730 = fmul <8 x double> %565, %706
+  %731 = call <8 x double> @llvm.fma.v8f64(<8 x double> %564, <8 x double> %708, <8 x double> %730)
+  %732 = fsub <8 x double> %713, %729
+  %733 = fsub <8 x double> %718, %731
+  %734 = load ptr, ptr %88, align 8, !noalias !26
+  %735 = getelementptr inbounds i8, ptr %734, i64 %689
+  store <8 x double> %727, ptr %735, align 8, !noalias !26
+  %736 = load ptr, ptr %89, align 8, !noalias !26
+  %737 = shl i64 %687, 7
+  %738 = shl nsw i64 %687, 7
+  %739 = getelementptr inbounds i8, ptr %736, i64 %738
+  store <8 x double> %732, ptr %739, align 8, !noalias !26
+  %740 = or disjoint i64 %737, 64
+  %741 = getelementptr inbounds i8, ptr %736, i64 %740
+  store <8 x double> %733, ptr %741, align 8, !noalias !26
+  %742 = load ptr, ptr %17, align 8, !noalias !26
+  %743 = getelementptr inbounds i8, ptr %742, i64 %689
+  %744 = load <8 x double>, ptr %743, align 8, !noalias !26
+  %745 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %727)
+  %746 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %732)
+  %747 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %733)
+  %748 = fadd <8 x double> %747, %746
+  %749 = fadd <8 x double> %745, %748
+  %750 = fmul <8 x double> %749, %242
+  %751 = load ptr, ptr %90, align 8, !noalias !26
+  %752 = getelementptr inbounds double, ptr %751, i64 %687
+  %753 = load double, ptr %752, align 8, !noalias !26
+  %754 = insertelement <8 x double> poison, double %753, i64 0
+  %755 = shufflevector <8 x double> %754, <8 x double> poison, <8 x i32> zeroinitializer
+  %756 = load ptr, ptr %62, align 8, !noalias !26
+  %757 = getelementptr inbounds double, ptr %756, i64 %687
+  %758 = load double, ptr %757, align 8, !noalias !26
+  %759 = insertelement <8 x double> poison, double %758, i64 0
+  %760 = shufflevector <8 x double> %759, <8 x double> poison, <8 x i32> zeroinitializer
+  %761 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %744)
+  %762 = fmul <8 x double> %761, %760
+  %763 = fadd <8 x double> %755, %762
+  %764 = fdiv <8 x double> %750, %763
+  %765 = fmul <8 x double> %764, %764
+  %766 = fadd <8 x double> %688, %765
+  %767 = add nuw nsw i64 %687, 1
+  %768 = icmp eq i64 %767, %679
+  br i1 %768, label %769, label %685, !llvm.loop !32
 
-757:                                              ; preds = %673, %664
-  %758 = phi <8 x double> [ zeroinitializer, %664 ], [ %754, %673 ]
-  %759 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %664 ], [ %692, %673 ]
-  %760 = icmp ne <8 x i64> %759, zeroinitializer
-  %761 = bitcast <8 x i1> %760 to i8
-  %762 = zext i8 %761 to i64
-  %763 = and i64 %658, %762
-  %764 = xor i64 %763, %658
-  %765 = trunc i64 %764 to i8
-  %766 = bitcast i8 %765 to <8 x i1>
-  %767 = load ptr, ptr %15, align 8, !noalias !26
-  %768 = getelementptr inbounds i8, ptr %767, i64 8
-  %769 = load i64, ptr %768, align 8, !noalias !26
-  %770 = load i64, ptr %92, align 8, !noalias !26
-  %771 = sdiv i64 %770, 8
-  %772 = load ptr, ptr %61, align 8, !noalias !26
-  %773 = getelementptr inbounds i8, ptr %772, i64 40
-  %774 = load i64, ptr %773, align 8, !noalias !26
-  %775 = load ptr, ptr %93, align 8, !noalias !26
-  %776 = load ptr, ptr %94, align 8, !noalias !26
-  %777 = load ptr, ptr %95, align 8, !noalias !26
-  %778 = load ptr, ptr %91, align 8, !noalias !26
-  call fastcc void @real_solve(ptr noundef %777, i64 noundef %771, ptr noundef %778, ptr noundef %775) #10, !noalias !26
-  %779 = load ptr, ptr %96, align 8, !noalias !26
-  %780 = load ptr, ptr %97, align 8, !noalias !26
-  call fastcc void @pair_solve(ptr noundef %779, i64 noundef %771, ptr noundef %780, ptr noundef %776) #10, !noalias !26
-  %781 = icmp sgt i64 %774, 0
-  br i1 %781, label %782, label %791
+769:                                              ; preds = %685, %676
+  %770 = phi <8 x double> [ zeroinitializer, %676 ], [ %766, %685 ]
+  %771 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %676 ], [ %704, %685 ]
+  %772 = icmp ne <8 x i64> %771, zeroinitializer
+  %773 = bitcast <8 x i1> %772 to i8
+  %774 = zext i8 %773 to i64
+  %775 = and i64 %670, %774
+  %776 = xor i64 %775, %670
+  %777 = trunc i64 %776 to i8
+  %778 = bitcast i8 %777 to <8 x i1>
+  %779 = load ptr, ptr %15, align 8, !noalias !26
+  %780 = getelementptr inbounds i8, ptr %779, i64 8
+  %781 = load i64, ptr %780, align 8, !noalias !26
+  %782 = load i64, ptr %92, align 8, !noalias !26
+  %783 = sdiv i64 %782, 8
+  %784 = load ptr, ptr %61, align 8, !noalias !26
+  %785 = getelementptr inbounds i8, ptr %784, i64 40
+  %786 = load i64, ptr %785, align 8, !noalias !26
+  %787 = load ptr, ptr %93, align 8, !noalias !26
+  %788 = load ptr, ptr %94, align 8, !noalias !26
+  %789 = load ptr, ptr %95, align 8, !noalias !26
+  %790 = load ptr, ptr %91, align 8, !noalias !26
+  call fastcc void @real_solve(ptr noundef %789, i64 noundef %783, ptr noundef %790, ptr noundef %787) #10, !noalias !26
+  %791 = load ptr, ptr %96, align 8, !noalias !26
+  %792 = load ptr, ptr %97, align 8, !noalias !26
+  call fastcc void @pair_solve(ptr noundef %791, i64 noundef %783, ptr noundef %792, ptr noundef %788) #10, !noalias !26
+  %793 = icmp sgt i64 %786, 0
+  br i1 %793, label %794, label %803
 
-782:                                              ; preds = %757
-  %783 = load ptr, ptr %95, align 8, !noalias !26
-  %784 = load ptr, ptr %91, align 8, !noalias !26
-  %785 = shl nsw i64 %771, 6
-  %786 = getelementptr inbounds i8, ptr %775, i64 %785
-  call fastcc void @real_solve_columns(ptr noundef %783, i64 noundef %771, ptr noundef %784, ptr noundef %786, i64 noundef %774) #10, !noalias !26
-  %787 = load ptr, ptr %96, align 8, !noalias !26
-  %788 = load ptr, ptr %97, align 8, !noalias !26
-  %789 = shl nsw i64 %771, 7
-  %790 = getelementptr inbounds i8, ptr %776, i64 %789
-  call fastcc void @pair_solve_columns(ptr noundef %787, i64 noundef %771, ptr noundef %788, ptr noundef %790, i64 noundef %774) #10, !noalias !26
-  br label %791
+794:                                              ; preds = %769
+  %795 = load ptr, ptr %95, align 8, !noalias !26
+  %796 = load ptr, ptr %91, align 8, !noalias !26
+  %797 = shl nsw i64 %783, 6
+  %798 = getelementptr inbounds i8, ptr %787, i64 %797
+  call fastcc void @real_solve_columns(ptr noundef %795, i64 noundef %783, ptr noundef %796, ptr noundef %798, i64 noundef %786) #10, !noalias !26
+  %799 = load ptr, ptr %96, align 8, !noalias !26
+  %800 = load ptr, ptr %97, align 8, !noalias !26
+  %801 = shl nsw i64 %783, 7
+  %802 = getelementptr inbounds i8, ptr %788, i64 %801
+  call fastcc void @pair_solve_columns(ptr noundef %799, i64 noundef %783, ptr noundef %800, ptr noundef %802, i64 noundef %786) #10, !noalias !26
+  br label %803
 
-791:                                              ; preds = %782, %757
-  %792 = icmp sgt i64 %769, 0
-  br i1 %792, label %793, label %834
+803:                                              ; preds = %794, %769
+  %804 = icmp sgt i64 %781, 0
+  br i1 %804, label %805, label %846
 
-793:                                              ; preds = %791
-  %794 = load ptr, ptr %17, align 8, !noalias !26
-  %795 = load ptr, ptr %98, align 8, !noalias !26
-  %796 = load ptr, ptr %62, align 8, !noalias !26
-  br label %797
+805:                                              ; preds = %803
+  %806 = load ptr, ptr %17, align 8, !noalias !26
+  %807 = load ptr, ptr %98, align 8, !noalias !26
+  %808 = load ptr, ptr %62, align 8, !noalias !26
+  br label %809
 
-797:                                              ; preds = %793, %797
-  %798 = phi <8 x double> [ zeroinitializer, %793 ], [ %831, %797 ]
-  %799 = phi i64 [ 0, %793 ], [ %832, %797 ]
-  %800 = shl nsw i64 %799, 6
-  %801 = getelementptr inbounds i8, ptr %794, i64 %800
-  %802 = load <8 x double>, ptr %801, align 8, !noalias !26
-  %803 = getelementptr inbounds double, ptr %795, i64 %799
-  %804 = load double, ptr %803, align 8, !noalias !26
-  %805 = insertelement <8 x double> poison, double %804, i64 0
-  %806 = shufflevector <8 x double> %805, <8 x double> poison, <8 x i32> zeroinitializer
-  %807 = getelementptr inbounds double, ptr %796, i64 %799
-  %808 = load double, ptr %807, align 8, !noalias !26
-  %809 = insertelement <8 x double> poison, double %808, i64 0
-  %810 = shufflevector <8 x double> %809, <8 x double> poison, <8 x i32> zeroinitializer
-  %811 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %802)
-  %812 = fmul <8 x double> %811, %810
-  %813 = fadd <8 x double> %806, %812
-  %814 = getelementptr inbounds i8, ptr %775, i64 %800
-  %815 = load <8 x double>, ptr %814, align 8, !noalias !26
-  %816 = fdiv <8 x double> %815, %813
-  %817 = shl i64 %799, 7
-  %818 = shl nsw i64 %799, 7
-  %819 = getelementptr inbounds i8, ptr %776, i64 %818
-  %820 = load <8 x double>, ptr %819, align 8, !noalias !33
-  %821 = or disjoint i64 %817, 64
-  %822 = getelementptr inbounds i8, ptr %776, i64 %821
-  %823 = load <8 x double>, ptr %822, align 8, !noalias !33
-  %824 = fdiv <8 x double> %820, %813
-  %825 = fdiv <8 x double> %823, %813
-  %826 = fmul <8 x double> %816, %816
-  %827 = fmul <8 x double> %824, %824
-  %828 = fadd <8 x double> %826, %827
-  %829 = fmul <8 x double> %825, %825
-  %830 = fadd <8 x double> %829, %828
-  %831 = fadd <8 x double> %798, %830
-  %832 = add nuw nsw i64 %799, 1
-  %833 = icmp eq i64 %832, %769
-  br i1 %833, label %834, label %797, !llvm.loop !36
+809:                                              ; preds = %805, %809
+  %810 = phi <8 x double> [ zeroinitializer, %805 ], [ %843, %809 ]
+  %811 = phi i64 [ 0, %805 ], [ %844, %809 ]
+  %812 = shl nsw i64 %811, 6
+  %813 = getelementptr inbounds i8, ptr %806, i64 %812
+  %814 = load <8 x double>, ptr %813, align 8, !noalias !26
+  %815 = getelementptr inbounds double, ptr %807, i64 %811
+  %816 = load double, ptr %815, align 8, !noalias !26
+  %817 = insertelement <8 x double> poison, double %816, i64 0
+  %818 = shufflevector <8 x double> %817, <8 x double> poison, <8 x i32> zeroinitializer
+  %819 = getelementptr inbounds double, ptr %808, i64 %811
+  %820 = load double, ptr %819, align 8, !noalias !26
+  %821 = insertelement <8 x double> poison, double %820, i64 0
+  %822 = shufflevector <8 x double> %821, <8 x double> poison, <8 x i32> zeroinitializer
+  %823 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %814)
+  %824 = fmul <8 x double> %823, %822
+  %825 = fadd <8 x double> %818, %824
+  %826 = getelementptr inbounds i8, ptr %787, i64 %812
+  %827 = load <8 x double>, ptr %826, align 8, !noalias !26
+  %828 = fdiv <8 x double> %827, %825
+  %829 = shl i64 %811, 7
+  %830 = shl nsw i64 %811, 7
+  %831 = getelementptr inbounds i8, ptr %788, i64 %830
+  %832 = load <8 x double>, ptr %831, align 8, !noalias !33
+  %833 = or disjoint i64 %829, 64
+  %834 = getelementptr inbounds i8, ptr %788, i64 %833
+  %835 = load <8 x double>, ptr %834, align 8, !noalias !33
+  %836 = fdiv <8 x double> %832, %825
+  %837 = fdiv <8 x double> %835, %825
+  %838 = fmul <8 x double> %828, %828
+  %839 = fmul <8 x double> %836, %836
+  %840 = fadd <8 x double> %838, %839
+  %841 = fmul <8 x double> %837, %837
+  %842 = fadd <8 x double> %841, %840
+  %843 = fadd <8 x double> %810, %842
+  %844 = add nuw nsw i64 %811, 1
+  %845 = icmp eq i64 %844, %781
+  br i1 %845, label %846, label %809, !llvm.loop !36
 
-834:                                              ; preds = %797, %791
-  %835 = phi <8 x double> [ zeroinitializer, %791 ], [ %831, %797 ]
-  %836 = mul nsw i64 %769, 3
-  %837 = sitofp i64 %836 to double
-  %838 = insertelement <8 x double> poison, double %837, i64 0
-  %839 = shufflevector <8 x double> %838, <8 x double> poison, <8 x i32> zeroinitializer
-  %840 = fdiv <8 x double> %835, %839
-  %841 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %840)
-  %842 = fcmp oeq <8 x double> %841, zeroinitializer
-  %843 = fcmp ogt <8 x double> %758, zeroinitializer
-  %844 = and <8 x i1> %842, %843
-  %845 = bitcast <8 x i1> %844 to i8
-  %846 = zext i8 %845 to i64
-  %847 = xor i64 %846, -1
-  %848 = and i64 %763, %847
-  %849 = xor i64 %575, -1
-  %850 = and i64 %848, %849
-  %851 = trunc nuw i64 %850 to i8
-  %852 = bitcast i8 %851 to <8 x i1>
-  %853 = fcmp ogt <8 x double> %571, zeroinitializer
-  %854 = select <8 x i1> %853, <8 x i1> %852, <8 x i1> zeroinitializer
-  %855 = fdiv <8 x double> %841, %571
-  %856 = select <8 x i1> %766, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %578
-  %857 = select <8 x i1> %854, <8 x double> %855, <8 x double> %856
-  %858 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %857
-  %859 = fdiv <8 x double> %841, %858
-  %860 = icmp ult i64 %574, 5
-  br i1 %860, label %971, label %861
+846:                                              ; preds = %809, %803
+  %847 = phi <8 x double> [ zeroinitializer, %803 ], [ %843, %809 ]
+  %848 = mul nsw i64 %781, 3
+  %849 = sitofp i64 %848 to double
+  %850 = insertelement <8 x double> poison, double %849, i64 0
+  %851 = shufflevector <8 x double> %850, <8 x double> poison, <8 x i32> zeroinitializer
+  %852 = fdiv <8 x double> %847, %851
+  %853 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %852)
+  %854 = fcmp oeq <8 x double> %853, zeroinitializer
+  %855 = fcmp ogt <8 x double> %770, zeroinitializer
+  %856 = and <8 x i1> %854, %855
+  %857 = bitcast <8 x i1> %856 to i8
+  %858 = zext i8 %857 to i64
+  %859 = xor i64 %858, -1
+  %860 = and i64 %775, %859
+  %861 = xor i64 %581, -1
+  %862 = and i64 %860, %861
+  %863 = trunc nuw i64 %862 to i8
+  %864 = bitcast i8 %863 to <8 x i1>
+  %865 = fcmp ogt <8 x double> %577, zeroinitializer
+  %866 = select <8 x i1> %865, <8 x i1> %864, <8 x i1> zeroinitializer
+  %867 = fdiv <8 x double> %853, %577
+  %868 = select <8 x i1> %778, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %584
+  %869 = select <8 x i1> %866, <8 x double> %867, <8 x double> %868
+  %870 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %869
+  %871 = fdiv <8 x double> %853, %870
+  %872 = icmp ult i64 %580, 5
+  br i1 %872, label %983, label %873
 
-861:                                              ; preds = %971, %834
-  %862 = phi <8 x double> [ %859, %834 ], [ %974, %971 ]
-  %863 = fcmp oge <8 x double> %857, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %864 = fcmp ogt <8 x double> %862, %563
-  %865 = or <8 x i1> %864, %863
-  %866 = select <8 x i1> %865, <8 x i1> %854, <8 x i1> zeroinitializer
-  %867 = bitcast <8 x i1> %866 to i8
-  %868 = zext i8 %867 to i64
-  %869 = xor i64 %868, -1
-  %870 = and i64 %848, %869
-  %871 = xor i64 %870, -1
-  %872 = and i64 %587, %871
-  %873 = or i64 %872, %573
-  %874 = load ptr, ptr %15, align 8, !noalias !26
-  %875 = getelementptr inbounds i8, ptr %874, i64 8
-  %876 = load i64, ptr %875, align 8, !noalias !26
-  %877 = trunc nuw i64 %870 to i8
-  %878 = bitcast i8 %877 to <8 x i1>
-  %879 = load ptr, ptr %78, align 8, !noalias !26
-  %880 = load ptr, ptr %79, align 8, !noalias !26
-  %881 = icmp sgt i64 %876, 0
-  br i1 %881, label %882, label %953
+873:                                              ; preds = %983, %846
+  %874 = phi <8 x double> [ %871, %846 ], [ %986, %983 ]
+  %875 = fcmp oge <8 x double> %869, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %876 = fcmp ogt <8 x double> %874, %569
+  %877 = or <8 x i1> %876, %875
+  %878 = select <8 x i1> %877, <8 x i1> %866, <8 x i1> zeroinitializer
+  %879 = bitcast <8 x i1> %878 to i8
+  %880 = zext i8 %879 to i64
+  %881 = xor i64 %880, -1
+  %882 = and i64 %860, %881
+  %883 = xor i64 %882, -1
+  %884 = and i64 %593, %883
+  %885 = or i64 %884, %579
+  %886 = load ptr, ptr %15, align 8, !noalias !26
+  %887 = getelementptr inbounds i8, ptr %886, i64 8
+  %888 = load i64, ptr %887, align 8, !noalias !26
+  %889 = trunc nuw i64 %882 to i8
+  %890 = bitcast i8 %889 to <8 x i1>
+  %891 = load ptr, ptr %78, align 8, !noalias !26
+  %892 = load ptr, ptr %79, align 8, !noalias !26
+  %893 = icmp sgt i64 %888, 0
+  br i1 %893, label %894, label %965
 
-882:                                              ; preds = %861
-  %883 = shl i64 %876, 7
-  %884 = getelementptr i8, ptr %880, i64 %883
-  br label %885
+894:                                              ; preds = %873
+  %895 = shl i64 %888, 7
+  %896 = getelementptr i8, ptr %892, i64 %895
+  br label %897
 
-885:                                              ; preds = %882, %919
-  %886 = phi i64 [ 0, %882 ], [ %920, %919 ]
-  %887 = load ptr, ptr %94, align 8, !noalias !26
-  %888 = shl i64 %886, 7
-  %889 = shl nsw i64 %886, 7
-  %890 = getelementptr inbounds i8, ptr %887, i64 %889
-  %891 = load <8 x double>, ptr %890, align 8, !noalias !37
-  %892 = or disjoint i64 %888, 64
-  %893 = getelementptr inbounds i8, ptr %887, i64 %892
-  %894 = load <8 x double>, ptr %893, align 8, !noalias !37
-  %895 = load ptr, ptr %93, align 8, !noalias !26
-  %896 = shl nsw i64 %886, 6
-  %897 = getelementptr inbounds i8, ptr %895, i64 %896
-  %898 = load <8 x double>, ptr %897, align 8, !noalias !26
-  store <8 x double> %898, ptr %4, align 64, !noalias !26
-  store <8 x double> %891, ptr %99, align 64, !noalias !26
-  store <8 x double> %894, ptr %100, align 64, !noalias !26
-  br label %906
+897:                                              ; preds = %894, %931
+  %898 = phi i64 [ 0, %894 ], [ %932, %931 ]
+  %899 = load ptr, ptr %94, align 8, !noalias !26
+  %900 = shl i64 %898, 7
+  %901 = shl nsw i64 %898, 7
+  %902 = getelementptr inbounds i8, ptr %899, i64 %901
+  %903 = load <8 x double>, ptr %902, align 8, !noalias !37
+  %904 = or disjoint i64 %900, 64
+  %905 = getelementptr inbounds i8, ptr %899, i64 %904
+  %906 = load <8 x double>, ptr %905, align 8, !noalias !37
+  %907 = load ptr, ptr %93, align 8, !noalias !26
+  %908 = shl nsw i64 %898, 6
+  %909 = getelementptr inbounds i8, ptr %907, i64 %908
+  %910 = load <8 x double>, ptr %909, align 8, !noalias !26
+  store <8 x double> %910, ptr %4, align 64, !noalias !26
+  store <8 x double> %903, ptr %99, align 64, !noalias !26
+  store <8 x double> %906, ptr %100, align 64, !noalias !26
+  br label %918
 
-899:                                              ; preds = %906
-  %900 = getelementptr inbounds i8, ptr %880, i64 %896
-  %901 = add nuw nsw i64 %886, %876
-  %902 = shl nsw i64 %901, 6
-  %903 = getelementptr inbounds i8, ptr %880, i64 %902
-  %904 = shl i64 %886, 6
-  %905 = getelementptr i8, ptr %884, i64 %904
-  br label %922
+911:                                              ; preds = %918
+  %912 = getelementptr inbounds i8, ptr %892, i64 %908
+  %913 = add nuw nsw i64 %898, %888
+  %914 = shl nsw i64 %913, 6
+  %915 = getelementptr inbounds i8, ptr %892, i64 %914
+  %916 = shl i64 %898, 6
+  %917 = getelementptr i8, ptr %896, i64 %916
+  br label %934
 
-906:                                              ; preds = %885, %906
-  %907 = phi i64 [ 0, %885 ], [ %917, %906 ]
-  %908 = mul nuw nsw i64 %876, %907
-  %909 = add nuw nsw i64 %908, %886
-  %910 = shl nsw i64 %909, 6
-  %911 = getelementptr inbounds i8, ptr %880, i64 %910
-  %912 = load <8 x double>, ptr %911, align 8, !noalias !26
-  %913 = getelementptr inbounds [3 x <8 x double>], ptr %4, i64 0, i64 %907
-  %914 = load <8 x double>, ptr %913, align 64, !noalias !26
-  %915 = fadd <8 x double> %912, %914
-  %916 = select <8 x i1> %878, <8 x double> %915, <8 x double> %912
-  store <8 x double> %916, ptr %911, align 8, !noalias !26
-  %917 = add nuw nsw i64 %907, 1
-  %918 = icmp eq i64 %917, 3
-  br i1 %918, label %899, label %906, !llvm.loop !40
+918:                                              ; preds = %897, %918
+  %919 = phi i64 [ 0, %897 ], [ %929, %918 ]
+  %920 = mul nuw nsw i64 %888, %919
+  %921 = add nuw nsw i64 %920, %898
+  %922 = shl nsw i64 %921, 6
+  %923 = getelementptr inbounds i8, ptr %892, i64 %922
+  %924 = load <8 x double>, ptr %923, align 8, !noalias !26
+  %925 = getelementptr inbounds [3 x <8 x double>], ptr %4, i64 0, i64 %919
+  %926 = load <8 x double>, ptr %925, align 64, !noalias !26
+  %927 = fadd <8 x double> %924, %926
+  %928 = select <8 x i1> %890, <8 x double> %927, <8 x double> %924
+  store <8 x double> %928, ptr %923, align 8, !noalias !26
+  %929 = add nuw nsw i64 %919, 1
+  %930 = icmp eq i64 %929, 3
+  br i1 %930, label %911, label %918, !llvm.loop !40
 
-919:                                              ; preds = %922
-  %920 = add nuw nsw i64 %886, 1
-  %921 = icmp eq i64 %920, %876
-  br i1 %921, label %953, label %885, !llvm.loop !41
+931:                                              ; preds = %934
+  %932 = add nuw nsw i64 %898, 1
+  %933 = icmp eq i64 %932, %888
+  br i1 %933, label %965, label %897, !llvm.loop !41
 
-922:                                              ; preds = %899, %922
-  %923 = phi i64 [ 0, %899 ], [ %951, %922 ]
-  %924 = mul nuw nsw i64 %876, %923
-  %925 = add nuw nsw i64 %924, %886
-  %926 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %923
-  %927 = load double, ptr %926, align 8, !noalias !26
-  %928 = insertelement <8 x double> poison, double %927, i64 0
-  %929 = shufflevector <8 x double> %928, <8 x double> poison, <8 x i32> zeroinitializer
-  %930 = load <8 x double>, ptr %900, align 8, !noalias !26
-  %931 = fmul <8 x double> %930, %929
-  %932 = getelementptr inbounds i8, ptr %926, i64 8
-  %933 = load double, ptr %932, align 8, !noalias !26
-  %934 = insertelement <8 x double> poison, double %933, i64 0
-  %935 = shufflevector <8 x double> %934, <8 x double> poison, <8 x i32> zeroinitializer
-  %936 = load <8 x double>, ptr %903, align 8, !noalias !26
-  %937 = fmul <8 x double> %936, %935
-  %938 = fadd <8 x double> %931, %937
-  %939 = getelementptr inbounds i8, ptr %926, i64 16
-  %940 = load double, ptr %939, align 8, !noalias !26
-  %941 = insertelement <8 x double> poison, double %940, i64 0
-  %942 = shufflevector <8 x double> %941, <8 x double> poison, <8 x i32> zeroinitializer
-  %943 = load <8 x double>, ptr %905, align 8, !noalias !26
-  %944 = fmul <8 x double> %943, %942
-  %945 = fadd <8 x double> %938, %944
-  %946 = shl nsw i64 %925, 6
-  %947 = getelementptr inbounds i8, ptr %879, i64 %946
-  %948 = load <8 x i64>, ptr %947, align 8, !noalias !26
-  %949 = bitcast <8 x double> %945 to <8 x i64>
-  %950 = select <8 x i1> %878, <8 x i64> %949, <8 x i64> %948
-  store <8 x i64> %950, ptr %947, align 8, !noalias !26
-  %951 = add nuw nsw i64 %923, 1
-  %952 = icmp eq i64 %951, 3
-  br i1 %952, label %919, label %922, !llvm.loop !42
+934:                                              ; preds = %911, %934
+  %935 = phi i64 [ 0, %911 ], [ %963, %934 ]
+  %936 = mul nuw nsw i64 %888, %935
+  %937 = add nuw nsw i64 %936, %898
+  %938 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %935
+  %939 = load double, ptr %938, align 8, !noalias !26
+  %940 = insertelement <8 x double> poison, double %939, i64 0
+  %941 = shufflevector <8 x double> %940, <8 x double> poison, <8 x i32> zeroinitializer
+  %942 = load <8 x double>, ptr %912, align 8, !noalias !26
+  %943 = fmul <8 x double> %942, %941
+  %944 = getelementptr inbounds i8, ptr %938, i64 8
+  %945 = load double, ptr %944, align 8, !noalias !26
+  %946 = insertelement <8 x double> poison, double %945, i64 0
+  %947 = shufflevector <8 x double> %946, <8 x double> poison, <8 x i32> zeroinitializer
+  %948 = load <8 x double>, ptr %915, align 8, !noalias !26
+  %949 = fmul <8 x double> %948, %947
+  %950 = fadd <8 x double> %943, %949
+  %951 = getelementptr inbounds i8, ptr %938, i64 16
+  %952 = load double, ptr %951, align 8, !noalias !26
+  %953 = insertelement <8 x double> poison, double %952, i64 0
+  %954 = shufflevector <8 x double> %953, <8 x double> poison, <8 x i32> zeroinitializer
+  %955 = load <8 x double>, ptr %917, align 8, !noalias !26
+  %956 = fmul <8 x double> %955, %954
+  %957 = fadd <8 x double> %950, %956
+  %958 = shl nsw i64 %937, 6
+  %959 = getelementptr inbounds i8, ptr %891, i64 %958
+  %960 = load <8 x i64>, ptr %959, align 8, !noalias !26
+  %961 = bitcast <8 x double> %957 to <8 x i64>
+  %962 = select <8 x i1> %890, <8 x i64> %961, <8 x i64> %960
+  store <8 x i64> %962, ptr %959, align 8, !noalias !26
+  %963 = add nuw nsw i64 %935, 1
+  %964 = icmp eq i64 %963, 3
+  br i1 %964, label %931, label %934, !llvm.loop !42
 
-953:                                              ; preds = %919, %861
-  %954 = fdiv <8 x double> %857, %858
-  %955 = fmul <8 x double> %841, %954
-  %956 = fcmp olt <8 x double> %955, %563
-  %957 = and <8 x i1> %956, %853
-  %958 = or <8 x i1> %957, %842
-  %959 = bitcast <8 x i1> %958 to i8
-  %960 = zext i8 %959 to i64
-  %961 = and i64 %960, %849
-  %962 = and i64 %961, %870
-  %963 = trunc nuw i64 %962 to i8
-  %964 = bitcast i8 %963 to <8 x i1>
-  %965 = add nuw nsw i64 %574, 1
-  %966 = uitofp nneg i64 %965 to double
-  %967 = insertelement <8 x double> poison, double %966, i64 0
-  %968 = shufflevector <8 x double> %967, <8 x double> poison, <8 x i32> zeroinitializer
-  %969 = select <8 x i1> %964, <8 x double> %968, <8 x double> %579
-  %970 = or i64 %962, %575
-  br i1 %556, label %977, label %1056
+965:                                              ; preds = %931, %873
+  %966 = fdiv <8 x double> %869, %870
+  %967 = fmul <8 x double> %853, %966
+  %968 = fcmp olt <8 x double> %967, %569
+  %969 = and <8 x i1> %968, %865
+  %970 = or <8 x i1> %969, %854
+  %971 = bitcast <8 x i1> %970 to i8
+  %972 = zext i8 %971 to i64
+  %973 = and i64 %972, %861
+  %974 = and i64 %973, %882
+  %975 = trunc nuw i64 %974 to i8
+  %976 = bitcast i8 %975 to <8 x i1>
+  %977 = add nuw nsw i64 %580, 1
+  %978 = uitofp nneg i64 %977 to double
+  %979 = insertelement <8 x double> poison, double %978, i64 0
+  %980 = shufflevector <8 x double> %979, <8 x double> poison, <8 x i32> zeroinitializer
+  %981 = select <8 x i1> %976, <8 x double> %980, <8 x double> %585
+  %982 = or i64 %974, %581
+  br i1 %562, label %989, label %1068
 
-971:                                              ; preds = %834, %971
-  %972 = phi i64 [ %975, %971 ], [ %574, %834 ]
-  %973 = phi <8 x double> [ %974, %971 ], [ %859, %834 ]
-  %974 = fmul <8 x double> %973, %857
-  %975 = add nuw nsw i64 %972, 1
-  %976 = icmp ult i64 %972, 4
-  br i1 %976, label %971, label %861, !llvm.loop !43
+983:                                              ; preds = %846, %983
+  %984 = phi i64 [ %987, %983 ], [ %580, %846 ]
+  %985 = phi <8 x double> [ %986, %983 ], [ %871, %846 ]
+  %986 = fmul <8 x double> %985, %869
+  %987 = add nuw nsw i64 %984, 1
+  %988 = icmp ult i64 %984, 4
+  br i1 %988, label %983, label %873, !llvm.loop !43
 
-977:                                              ; preds = %953
-  %978 = load i64, ptr %92, align 8, !noalias !26
-  %979 = sdiv i64 %978, 8
-  %980 = load ptr, ptr %61, align 8, !noalias !26
-  %981 = getelementptr inbounds i8, ptr %980, i64 40
-  %982 = load i64, ptr %981, align 8, !noalias !26
-  %983 = load ptr, ptr %15, align 8, !noalias !26
-  %984 = getelementptr inbounds i8, ptr %983, i64 8
-  %985 = load i64, ptr %984, align 8, !noalias !26
-  %986 = load ptr, ptr %79, align 8, !noalias !26
-  %987 = icmp sgt i64 %982, 0
-  br i1 %987, label %988, label %1050
+989:                                              ; preds = %965
+  %990 = load i64, ptr %92, align 8, !noalias !26
+  %991 = sdiv i64 %990, 8
+  %992 = load ptr, ptr %61, align 8, !noalias !26
+  %993 = getelementptr inbounds i8, ptr %992, i64 40
+  %994 = load i64, ptr %993, align 8, !noalias !26
+  %995 = load ptr, ptr %15, align 8, !noalias !26
+  %996 = getelementptr inbounds i8, ptr %995, i64 8
+  %997 = load i64, ptr %996, align 8, !noalias !26
+  %998 = load ptr, ptr %79, align 8, !noalias !26
+  %999 = icmp sgt i64 %994, 0
+  br i1 %999, label %1000, label %1062
 
-988:                                              ; preds = %977
-  %989 = icmp sgt i64 %978, 7
-  br label %990
+1000:                                             ; preds = %989
+  %1001 = icmp sgt i64 %990, 7
+  br label %1002
 
-990:                                              ; preds = %988, %998
-  %991 = phi <8 x double> [ zeroinitializer, %988 ], [ %1006, %998 ]
-  %992 = phi i64 [ 0, %988 ], [ %1007, %998 ]
-  br i1 %989, label %993, label %998
+1002:                                             ; preds = %1000, %1010
+  %1003 = phi <8 x double> [ zeroinitializer, %1000 ], [ %1018, %1010 ]
+  %1004 = phi i64 [ 0, %1000 ], [ %1019, %1010 ]
+  br i1 %1001, label %1005, label %1010
 
-993:                                              ; preds = %990
-  %994 = add nuw i64 %992, %979
-  %995 = load ptr, ptr %93, align 8, !noalias !26
-  %996 = load ptr, ptr %17, align 8, !noalias !26
-  %997 = load ptr, ptr %94, align 8, !noalias !26
-  br label %1009
+1005:                                             ; preds = %1002
+  %1006 = add nuw i64 %1004, %991
+  %1007 = load ptr, ptr %93, align 8, !noalias !26
+  %1008 = load ptr, ptr %17, align 8, !noalias !26
+  %1009 = load ptr, ptr %94, align 8, !noalias !26
+  br label %1021
 
-998:                                              ; preds = %1034, %990
-  %999 = phi <8 x double> [ zeroinitializer, %990 ], [ %1047, %1034 ]
-  %1000 = phi <8 x double> [ zeroinitializer, %990 ], [ %1035, %1034 ]
-  %1001 = fcmp ogt <8 x double> %999, zeroinitializer
-  %1002 = fdiv <8 x double> %1000, %999
-  %1003 = fmul <8 x double> %991, %999
-  %1004 = fcmp ogt <8 x double> %1000, %1003
-  %1005 = select <8 x i1> %1001, <8 x double> %1002, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1006 = select <8 x i1> %1004, <8 x double> %1005, <8 x double> %991
-  %1007 = add nuw nsw i64 %992, 1
-  %1008 = icmp eq i64 %1007, %982
-  br i1 %1008, label %1050, label %990, !llvm.loop !44
+1010:                                             ; preds = %1046, %1002
+  %1011 = phi <8 x double> [ zeroinitializer, %1002 ], [ %1059, %1046 ]
+  %1012 = phi <8 x double> [ zeroinitializer, %1002 ], [ %1047, %1046 ]
+  %1013 = fcmp ogt <8 x double> %1011, zeroinitializer
+  %1014 = fdiv <8 x double> %1012, %1011
+  %1015 = fmul <8 x double> %1003, %1011
+  %1016 = fcmp ogt <8 x double> %1012, %1015
+  %1017 = select <8 x i1> %1013, <8 x double> %1014, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1018 = select <8 x i1> %1016, <8 x double> %1017, <8 x double> %1003
+  %1019 = add nuw nsw i64 %1004, 1
+  %1020 = icmp eq i64 %1019, %994
+  br i1 %1020, label %1062, label %1002, !llvm.loop !44
 
-1009:                                             ; preds = %993, %1034
-  %1010 = phi <8 x double> [ zeroinitializer, %993 ], [ %1035, %1034 ]
-  %1011 = phi i64 [ 0, %993 ], [ %1036, %1034 ]
-  %1012 = phi <8 x double> [ zeroinitializer, %993 ], [ %1047, %1034 ]
-  %1013 = mul nuw nsw i64 %1011, %982
-  %1014 = add i64 %994, %1013
-  %1015 = shl nsw i64 %1014, 6
-  %1016 = getelementptr inbounds i8, ptr %995, i64 %1015
-  %1017 = load <8 x double>, ptr %1016, align 8, !noalias !26
-  %1018 = getelementptr inbounds i8, ptr %996, i64 %1015
-  %1019 = load <8 x double>, ptr %1018, align 8, !noalias !26
-  %1020 = shl i64 %1014, 7
-  %1021 = shl nsw i64 %1014, 7
-  %1022 = getelementptr inbounds i8, ptr %997, i64 %1021
-  %1023 = load <8 x double>, ptr %1022, align 8, !noalias !45
-  %1024 = or disjoint i64 %1020, 64
-  %1025 = getelementptr inbounds i8, ptr %997, i64 %1024
-  %1026 = load <8 x double>, ptr %1025, align 8, !noalias !45
-  %1027 = fmul <8 x double> %1017, %1017
-  %1028 = fmul <8 x double> %1023, %1023
-  %1029 = fmul <8 x double> %1026, %1026
-  %1030 = fadd <8 x double> %1028, %1029
-  %1031 = fadd <8 x double> %1027, %1030
-  %1032 = fmul <8 x double> %1019, %1019
-  %1033 = fadd <8 x double> %1012, %1032
-  br label %1038
+1021:                                             ; preds = %1005, %1046
+  %1022 = phi <8 x double> [ zeroinitializer, %1005 ], [ %1047, %1046 ]
+  %1023 = phi i64 [ 0, %1005 ], [ %1048, %1046 ]
+  %1024 = phi <8 x double> [ zeroinitializer, %1005 ], [ %1059, %1046 ]
+  %1025 = mul nuw nsw i64 %1023, %994
+  %1026 = add i64 %1006, %1025
+  %1027 = shl nsw i64 %1026, 6
+  %1028 = getelementptr inbounds i8, ptr %1007, i64 %1027
+  %1029 = load <8 x double>, ptr %1028, align 8, !noalias !26
+  %1030 = getelementptr inbounds i8, ptr %1008, i64 %1027
+  %1031 = load <8 x double>, ptr %1030, align 8, !noalias !26
+  %1032 = shl i64 %1026, 7
+  %1033 = shl nsw i64 %1026, 7
+  %1034 = getelementptr inbounds i8, ptr %1009, i64 %1033
+  %1035 = load <8 x double>, ptr %1034, align 8, !noalias !45
+  %1036 = or disjoint i64 %1032, 64
+  %1037 = getelementptr inbounds i8, ptr %1009, i64 %1036
+  %1038 = load <8 x double>, ptr %1037, align 8, !noalias !45
+  %1039 = fmul <8 x double> %1029, %1029
+  %1040 = fmul <8 x double> %1035, %1035
+  %1041 = fmul <8 x double> %1038, %1038
+  %1042 = fadd <8 x double> %1040, %1041
+  %1043 = fadd <8 x double> %1039, %1042
+  %1044 = fmul <8 x double> %1031, %1031
+  %1045 = fadd <8 x double> %1024, %1044
+  br label %1050
 
-1034:                                             ; preds = %1038
-  %1035 = fadd <8 x double> %1010, %1031
-  %1036 = add nuw nsw i64 %1011, 1
-  %1037 = icmp eq i64 %1036, %979
-  br i1 %1037, label %998, label %1009, !llvm.loop !48
+1046:                                             ; preds = %1050
+  %1047 = fadd <8 x double> %1022, %1043
+  %1048 = add nuw nsw i64 %1023, 1
+  %1049 = icmp eq i64 %1048, %991
+  br i1 %1049, label %1010, label %1021, !llvm.loop !48
 
-1038:                                             ; preds = %1009, %1038
-  %1039 = phi i64 [ 0, %1009 ], [ %1048, %1038 ]
-  %1040 = phi <8 x double> [ %1033, %1009 ], [ %1047, %1038 ]
-  %1041 = mul nsw i64 %985, %1039
-  %1042 = add nsw i64 %1041, %1014
-  %1043 = shl nsw i64 %1042, 6
-  %1044 = getelementptr inbounds i8, ptr %986, i64 %1043
-  %1045 = load <8 x double>, ptr %1044, align 8, !noalias !26
-  %1046 = fmul <8 x double> %1045, %1045
-  %1047 = fadd <8 x double> %1040, %1046
-  %1048 = add nuw nsw i64 %1039, 1
-  %1049 = icmp eq i64 %1048, 3
-  br i1 %1049, label %1034, label %1038, !llvm.loop !49
+1050:                                             ; preds = %1021, %1050
+  %1051 = phi i64 [ 0, %1021 ], [ %1060, %1050 ]
+  %1052 = phi <8 x double> [ %1045, %1021 ], [ %1059, %1050 ]
+  %1053 = mul nsw i64 %997, %1051
+  %1054 = add nsw i64 %1053, %1026
+  %1055 = shl nsw i64 %1054, 6
+  %1056 = getelementptr inbounds i8, ptr %998, i64 %1055
+  %1057 = load <8 x double>, ptr %1056, align 8, !noalias !26
+  %1058 = fmul <8 x double> %1057, %1057
+  %1059 = fadd <8 x double> %1052, %1058
+  %1060 = add nuw nsw i64 %1051, 1
+  %1061 = icmp eq i64 %1060, 3
+  br i1 %1061, label %1046, label %1050, !llvm.loop !49
 
-1050:                                             ; preds = %998, %977
-  %1051 = phi <8 x double> [ zeroinitializer, %977 ], [ %1006, %998 ]
-  %1052 = fcmp ole <8 x double> %1051, %566
-  %1053 = bitcast <8 x i1> %1052 to i8
-  %1054 = zext i8 %1053 to i64
-  %1055 = and i64 %970, %1054
-  br label %1056
+1062:                                             ; preds = %1010, %989
+  %1063 = phi <8 x double> [ zeroinitializer, %989 ], [ %1018, %1010 ]
+  %1064 = fcmp ole <8 x double> %1063, %572
+  %1065 = bitcast <8 x i1> %1064 to i8
+  %1066 = zext i8 %1065 to i64
+  %1067 = and i64 %982, %1066
+  br label %1068
 
-1056:                                             ; preds = %1050, %953
-  %1057 = phi i64 [ %1055, %1050 ], [ %970, %953 ]
-  %1058 = xor i64 %1057, -1
-  %1059 = and i64 %870, %1058
-  %1060 = icmp eq i64 %1059, 0
-  %1061 = select i1 %1060, i32 2, i32 0
-  %1062 = select i1 %1060, <8 x double> %571, <8 x double> %841
-  br label %1063
+1068:                                             ; preds = %1062, %965
+  %1069 = phi i64 [ %1067, %1062 ], [ %982, %965 ]
+  %1070 = xor i64 %1069, -1
+  %1071 = and i64 %882, %1070
+  %1072 = icmp eq i64 %1071, 0
+  %1073 = select i1 %1072, i32 2, i32 0
+  %1074 = select i1 %1072, <8 x double> %577, <8 x double> %853
+  br label %1075
 
-1063:                                             ; preds = %1056, %660
-  %1064 = phi i64 [ %663, %660 ], [ %584, %1056 ]
-  %1065 = phi i64 [ %657, %660 ], [ %583, %1056 ]
-  %1066 = phi <8 x double> [ %579, %660 ], [ %582, %1056 ]
-  %1067 = phi <8 x double> [ %578, %660 ], [ %581, %1056 ]
-  %1068 = phi <8 x double> [ %656, %660 ], [ %580, %1056 ]
-  %1069 = phi <8 x double> [ %579, %660 ], [ %969, %1056 ]
-  %1070 = phi <8 x double> [ %578, %660 ], [ %857, %1056 ]
-  %1071 = phi i64 [ %663, %660 ], [ %970, %1056 ]
-  %1072 = phi i32 [ 1, %660 ], [ %1061, %1056 ]
-  %1073 = phi i64 [ %573, %660 ], [ %873, %1056 ]
-  %1074 = phi i64 [ %587, %660 ], [ %1059, %1056 ]
-  %1075 = phi <8 x double> [ %571, %660 ], [ %1062, %1056 ]
-  %1076 = icmp eq i32 %1072, 0
-  br i1 %1076, label %567, label %1077
+1075:                                             ; preds = %1068, %672
+  %1076 = phi i64 [ %675, %672 ], [ %590, %1068 ]
+  %1077 = phi i64 [ %669, %672 ], [ %589, %1068 ]
+  %1078 = phi <8 x double> [ %585, %672 ], [ %588, %1068 ]
+  %1079 = phi <8 x double> [ %584, %672 ], [ %587, %1068 ]
+  %1080 = phi <8 x double> [ %668, %672 ], [ %586, %1068 ]
+  %1081 = phi <8 x double> [ %585, %672 ], [ %981, %1068 ]
+  %1082 = phi <8 x double> [ %584, %672 ], [ %869, %1068 ]
+  %1083 = phi i64 [ %675, %672 ], [ %982, %1068 ]
+  %1084 = phi i32 [ 1, %672 ], [ %1073, %1068 ]
+  %1085 = phi i64 [ %579, %672 ], [ %885, %1068 ]
+  %1086 = phi i64 [ %593, %672 ], [ %1071, %1068 ]
+  %1087 = phi <8 x double> [ %577, %672 ], [ %1074, %1068 ]
+  %1088 = icmp eq i32 %1084, 0
+  br i1 %1088, label %573, label %1089
 
-1077:                                             ; preds = %1063, %567
-  %1078 = phi i32 [ %1072, %1063 ], [ 2, %567 ]
-  %1079 = icmp eq i32 %1078, 2
-  br i1 %1079, label %1080, label %1083
+1089:                                             ; preds = %1075, %573
+  %1090 = phi i32 [ %1084, %1075 ], [ 2, %573 ]
+  %1091 = icmp eq i32 %1090, 2
+  br i1 %1091, label %1092, label %1095
 
-1080:                                             ; preds = %1077
-  %1081 = xor i64 %1073, -1
-  %1082 = and i64 %1071, %1081
-  br label %1083
+1092:                                             ; preds = %1089
+  %1093 = xor i64 %1085, -1
+  %1094 = and i64 %1083, %1093
+  br label %1095
 
-1083:                                             ; preds = %1077, %1080
-  %1084 = phi i64 [ %1082, %1080 ], [ %1064, %1077 ]
-  %1085 = phi i64 [ %657, %1080 ], [ %1065, %1077 ]
-  %1086 = phi <8 x double> [ %1069, %1080 ], [ %1066, %1077 ]
-  %1087 = phi <8 x double> [ %1070, %1080 ], [ %1067, %1077 ]
-  %1088 = phi <8 x double> [ %656, %1080 ], [ %1068, %1077 ]
-  %1089 = fadd <8 x double> %1088, zeroinitializer
-  %1090 = fcmp ogt <8 x double> %1086, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %1091 = fcmp ogt <8 x double> %1087, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %1092 = and <8 x i1> %1091, %1090
-  %1093 = bitcast <8 x i1> %1092 to i8
-  %1094 = icmp eq i64 %1084, %434
-  br i1 %1094, label %1171, label %1095
+1095:                                             ; preds = %1089, %1092
+  %1096 = phi i64 [ %1094, %1092 ], [ %1076, %1089 ]
+  %1097 = phi i64 [ %669, %1092 ], [ %1077, %1089 ]
+  %1098 = phi <8 x double> [ %1081, %1092 ], [ %1078, %1089 ]
+  %1099 = phi <8 x double> [ %1082, %1092 ], [ %1079, %1089 ]
+  %1100 = phi <8 x double> [ %668, %1092 ], [ %1080, %1089 ]
+  %1101 = fadd <8 x double> %1100, zeroinitializer
+  %1102 = fcmp ogt <8 x double> %1098, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %1103 = fcmp ogt <8 x double> %1099, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %1104 = and <8 x i1> %1103, %1102
+  %1105 = bitcast <8 x i1> %1104 to i8
+  %1106 = icmp eq i64 %1096, %440
+  br i1 %1106, label %1183, label %1107
 
-1095:                                             ; preds = %1083
-  %1096 = xor i64 %1084, -1
-  %1097 = and i64 %434, %1096
-  %1098 = load ptr, ptr %61, align 8, !noalias !16
-  %1099 = getelementptr inbounds i8, ptr %1098, i64 16
-  %1100 = load i64, ptr %1099, align 8, !noalias !16
-  %1101 = xor i64 %1085, -1
-  %1102 = and i64 %1100, %1101
-  %1103 = and i64 %1102, %1097
-  %1104 = trunc i64 %1097 to i8
-  %1105 = bitcast i8 %1104 to <8 x i1>
-  %1106 = trunc i64 %1085 to i8
-  %1107 = bitcast i8 %1106 to <8 x i1>
-  %1108 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1087)
-  %1109 = fcmp one <8 x double> %1108, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1110 = select <8 x i1> %1109, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %1111 = select <8 x i1> %1107, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1110
-  %1112 = select <8 x i1> %1105, <8 x double> %1111, <8 x double> %433
-  %1113 = icmp eq i64 %1103, 0
-  br i1 %1113, label %1141, label %1114
-
-1114:                                             ; preds = %1095
-  %1115 = load i64, ptr %101, align 8, !noalias !16
-  %1116 = icmp sgt i64 %1115, 7
-  br i1 %1116, label %1117, label %1134
-
-1117:                                             ; preds = %1114
-  %1118 = trunc i64 %1103 to i8
+1107:                                             ; preds = %1095
+  %1108 = xor i64 %1096, -1
+  %1109 = and i64 %440, %1108
+  %1110 = load ptr, ptr %61, align 8, !noalias !16
+  %1111 = getelementptr inbounds i8, ptr %1110, i64 16
+  %1112 = load i64, ptr %1111, align 8, !noalias !16
+  %1113 = xor i64 %1097, -1
+  %1114 = and i64 %1112, %1113
+  %1115 = and i64 %1114, %1109
+  %1116 = trunc i64 %1109 to i8
+  %1117 = bitcast i8 %1116 to <8 x i1>
+  %1118 = trunc i64 %1097 to i8
   %1119 = bitcast i8 %1118 to <8 x i1>
-  br label %1120
+  %1120 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1099)
+  %1121 = fcmp one <8 x double> %1120, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1122 = select <8 x i1> %1121, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %1123 = select <8 x i1> %1119, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1122
+  %1124 = select <8 x i1> %1117, <8 x double> %1123, <8 x double> %439
+  %1125 = icmp eq i64 %1115, 0
+  br i1 %1125, label %1153, label %1126
 
-1120:                                             ; preds = %1117, %1120
-  %1121 = phi <8 x i64> [ zeroinitializer, %1117 ], [ %1128, %1120 ]
-  %1122 = phi i64 [ 0, %1117 ], [ %1130, %1120 ]
-  %1123 = load ptr, ptr %102, align 8, !noalias !16
-  %1124 = shl nsw i64 %1122, 6
-  %1125 = getelementptr inbounds i8, ptr %1123, i64 %1124
-  %1126 = load <8 x double>, ptr %1125, align 8, !noalias !16
-  %1127 = fcmp une <8 x double> %1126, zeroinitializer
-  %1128 = select <8 x i1> %1127, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1121
-  %1129 = select <8 x i1> %1119, <8 x double> zeroinitializer, <8 x double> %1126
-  store <8 x double> %1129, ptr %1125, align 8, !noalias !16
-  %1130 = add nuw nsw i64 %1122, 1
-  %1131 = load i64, ptr %101, align 8, !noalias !16
-  %1132 = sdiv i64 %1131, 8
-  %1133 = icmp slt i64 %1130, %1132
-  br i1 %1133, label %1120, label %1134, !llvm.loop !50
+1126:                                             ; preds = %1107
+  %1127 = load i64, ptr %101, align 8, !noalias !16
+  %1128 = icmp sgt i64 %1127, 7
+  br i1 %1128, label %1129, label %1146
 
-1134:                                             ; preds = %1120, %1114
-  %1135 = phi <8 x i64> [ zeroinitializer, %1114 ], [ %1128, %1120 ]
-  %1136 = icmp ne <8 x i64> %1135, zeroinitializer
-  %1137 = bitcast <8 x i1> %1136 to i8
-  %1138 = zext i8 %1137 to i64
-  %1139 = and i64 %1103, %1138
-  %1140 = xor i64 %1139, -1
-  br label %1141
+1129:                                             ; preds = %1126
+  %1130 = trunc i64 %1115 to i8
+  %1131 = bitcast i8 %1130 to <8 x i1>
+  br label %1132
 
-1141:                                             ; preds = %1095, %1134
-  %1142 = phi i64 [ -1, %1095 ], [ %1140, %1134 ]
-  %1143 = and i64 %1142, %1103
-  %1144 = getelementptr inbounds i8, ptr %1098, i64 24
-  %1145 = load i64, ptr %1144, align 8, !noalias !16
-  %1146 = and i64 %1145, %1142
-  store i64 %1146, ptr %1144, align 8, !noalias !16
-  %1147 = xor i64 %1143, -1
-  %1148 = load i64, ptr %1099, align 8, !noalias !16
-  %1149 = and i64 %1148, %1147
-  store i64 %1149, ptr %1099, align 8, !noalias !16
-  %1150 = trunc i64 %1143 to i8
-  %1151 = bitcast i8 %1150 to <8 x i1>
-  %1152 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %1153 = select <8 x i1> %1151, <8 x double> %1152, <8 x double> %432
-  %1154 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1155 = select <8 x i1> %1107, <8 x double> %1154, <8 x double> %1153
-  %1156 = load ptr, ptr %70, align 8, !noalias !16
-  %1157 = getelementptr inbounds i8, ptr %1156, i64 64
-  %1158 = load <8 x double>, ptr %1157, align 8, !noalias !16
-  %1159 = select <8 x i1> %1107, <8 x double> zeroinitializer, <8 x double> %1158
-  store <8 x double> %1159, ptr %1157, align 8, !noalias !16
-  %1160 = and i64 %1142, %1097
-  %1161 = load ptr, ptr %61, align 8, !noalias !16
-  %1162 = getelementptr inbounds i8, ptr %1161, i64 8
-  %1163 = load i64, ptr %1162, align 8, !noalias !16
-  %1164 = xor i64 %1160, -1
-  %1165 = and i64 %1163, %1164
-  %1166 = getelementptr inbounds i8, ptr %1161, i64 16
-  %1167 = load i64, ptr %1166, align 8, !noalias !16
-  %1168 = xor i64 %1167, -1
-  %1169 = and i64 %1160, %1168
-  %1170 = or disjoint i64 %1169, %1165
-  store i64 %1170, ptr %1162, align 8, !noalias !16
-  br label %1171
+1132:                                             ; preds = %1129, %1132
+  %1133 = phi <8 x i64> [ zeroinitializer, %1129 ], [ %1140, %1132 ]
+  %1134 = phi i64 [ 0, %1129 ], [ %1142, %1132 ]
+  %1135 = load ptr, ptr %102, align 8, !noalias !16
+  %1136 = shl nsw i64 %1134, 6
+  %1137 = getelementptr inbounds i8, ptr %1135, i64 %1136
+  %1138 = load <8 x double>, ptr %1137, align 8, !noalias !16
+  %1139 = fcmp une <8 x double> %1138, zeroinitializer
+  %1140 = select <8 x i1> %1139, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1133
+  %1141 = select <8 x i1> %1131, <8 x double> zeroinitializer, <8 x double> %1138
+  store <8 x double> %1141, ptr %1137, align 8, !noalias !16
+  %1142 = add nuw nsw i64 %1134, 1
+  %1143 = load i64, ptr %101, align 8, !noalias !16
+  %1144 = sdiv i64 %1143, 8
+  %1145 = icmp slt i64 %1142, %1144
+  br i1 %1145, label %1132, label %1146, !llvm.loop !50
 
-1171:                                             ; preds = %1141, %1083
-  %1172 = phi <8 x double> [ %432, %1083 ], [ %1155, %1141 ]
-  %1173 = phi <8 x double> [ %433, %1083 ], [ %1112, %1141 ]
-  %1174 = icmp eq i64 %1084, 0
-  br i1 %1174, label %1387, label %1175
+1146:                                             ; preds = %1132, %1126
+  %1147 = phi <8 x i64> [ zeroinitializer, %1126 ], [ %1140, %1132 ]
+  %1148 = icmp ne <8 x i64> %1147, zeroinitializer
+  %1149 = bitcast <8 x i1> %1148 to i8
+  %1150 = zext i8 %1149 to i64
+  %1151 = and i64 %1115, %1150
+  %1152 = xor i64 %1151, -1
+  br label %1153
 
-1175:                                             ; preds = %1171
-  %1176 = icmp sgt i64 %270, 0
-  br i1 %1176, label %1177, label %1179
+1153:                                             ; preds = %1107, %1146
+  %1154 = phi i64 [ -1, %1107 ], [ %1152, %1146 ]
+  %1155 = and i64 %1154, %1115
+  %1156 = getelementptr inbounds i8, ptr %1110, i64 24
+  %1157 = load i64, ptr %1156, align 8, !noalias !16
+  %1158 = and i64 %1157, %1154
+  store i64 %1158, ptr %1156, align 8, !noalias !16
+  %1159 = xor i64 %1155, -1
+  %1160 = load i64, ptr %1111, align 8, !noalias !16
+  %1161 = and i64 %1160, %1159
+  store i64 %1161, ptr %1111, align 8, !noalias !16
+  %1162 = trunc i64 %1155 to i8
+  %1163 = bitcast i8 %1162 to <8 x i1>
+  %1164 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %1165 = select <8 x i1> %1163, <8 x double> %1164, <8 x double> %438
+  %1166 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1167 = select <8 x i1> %1119, <8 x double> %1166, <8 x double> %1165
+  %1168 = load ptr, ptr %70, align 8, !noalias !16
+  %1169 = getelementptr inbounds i8, ptr %1168, i64 64
+  %1170 = load <8 x double>, ptr %1169, align 8, !noalias !16
+  %1171 = select <8 x i1> %1119, <8 x double> zeroinitializer, <8 x double> %1170
+  store <8 x double> %1171, ptr %1169, align 8, !noalias !16
+  %1172 = and i64 %1154, %1109
+  %1173 = load ptr, ptr %61, align 8, !noalias !16
+  %1174 = getelementptr inbounds i8, ptr %1173, i64 8
+  %1175 = load i64, ptr %1174, align 8, !noalias !16
+  %1176 = xor i64 %1172, -1
+  %1177 = and i64 %1175, %1176
+  %1178 = getelementptr inbounds i8, ptr %1173, i64 16
+  %1179 = load i64, ptr %1178, align 8, !noalias !16
+  %1180 = xor i64 %1179, -1
+  %1181 = and i64 %1172, %1180
+  %1182 = or disjoint i64 %1181, %1177
+  store i64 %1182, ptr %1174, align 8, !noalias !16
+  br label %1183
 
-1177:                                             ; preds = %1175
-  %1178 = shl i64 %270, 7
-  br label %1371
+1183:                                             ; preds = %1153, %1095
+  %1184 = phi <8 x double> [ %438, %1095 ], [ %1167, %1153 ]
+  %1185 = phi <8 x double> [ %439, %1095 ], [ %1124, %1153 ]
+  %1186 = icmp eq i64 %1096, 0
+  br i1 %1186, label %1405, label %1187
 
-1179:                                             ; preds = %1371, %1175
-  %1180 = getelementptr inbounds i8, ptr %283, i64 32
-  %1181 = load i64, ptr %1180, align 8, !noalias !16
-  %1182 = load ptr, ptr %15, align 8, !noalias !16
-  %1183 = getelementptr inbounds i8, ptr %1182, i64 8
-  %1184 = load i64, ptr %1183, align 8, !noalias !16
-  %1185 = load i64, ptr %105, align 8, !noalias !16
-  %1186 = sdiv i64 %1185, 8
-  %1187 = load ptr, ptr %106, align 8, !noalias !16
-  %1188 = load ptr, ptr %107, align 8, !noalias !16
-  %1189 = icmp sgt i64 %1184, 0
-  br i1 %1189, label %1190, label %1192
+1187:                                             ; preds = %1183
+  %1188 = icmp sgt i64 %270, 0
+  br i1 %1188, label %1189, label %1191
 
-1190:                                             ; preds = %1179
-  %1191 = shl i64 %1184, 7
-  br label %1207
+1189:                                             ; preds = %1187
+  %1190 = shl i64 %270, 7
+  br label %1389
 
-1192:                                             ; preds = %1207, %1179
-  %1193 = load ptr, ptr %109, align 8, !noalias !16
-  %1194 = load ptr, ptr %104, align 8, !noalias !16
-  call fastcc void @real_solve(ptr noundef %1193, i64 noundef %1186, ptr noundef %1194, ptr noundef %1188) #10, !noalias !16
-  %1195 = load ptr, ptr %110, align 8, !noalias !16
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1188, ptr noundef %1195, ptr noundef nonnull %17, i64 noundef %1184) #10, !noalias !16
-  %1196 = load <8 x double>, ptr %5, align 16, !noalias !16
-  %1197 = fcmp olt <8 x double> %1196, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1198 = bitcast <8 x i1> %1197 to i8
-  %1199 = zext i8 %1198 to i64
-  %1200 = xor i64 %1199, -1
-  %1201 = and i64 %1181, %1200
-  %1202 = and i64 %1201, %1084
-  %1203 = and i64 %1084, %1199
-  %1204 = icmp eq i64 %1202, 0
-  br i1 %1204, label %1301, label %1205
+1191:                                             ; preds = %1389, %1187
+  %1192 = getelementptr inbounds i8, ptr %283, i64 32
+  %1193 = load i64, ptr %1192, align 8, !noalias !16
+  %1194 = load ptr, ptr %15, align 8, !noalias !16
+  %1195 = getelementptr inbounds i8, ptr %1194, i64 8
+  %1196 = load i64, ptr %1195, align 8, !noalias !16
+  %1197 = load i64, ptr %105, align 8, !noalias !16
+  %1198 = sdiv i64 %1197, 8
+  %1199 = load ptr, ptr %106, align 8, !noalias !16
+  %1200 = load ptr, ptr %107, align 8, !noalias !16
+  %1201 = icmp sgt i64 %1196, 0
+  br i1 %1201, label %1202, label %1204
 
-1205:                                             ; preds = %1192
-  %1206 = icmp sgt i64 %1184, 0
-  br i1 %1206, label %1261, label %1235
+1202:                                             ; preds = %1191
+  %1203 = shl i64 %1196, 7
+  br label %1219
 
-1207:                                             ; preds = %1190, %1207
-  %1208 = phi i64 [ 0, %1190 ], [ %1233, %1207 ]
-  %1209 = load ptr, ptr %78, align 8, !noalias !16
-  %1210 = shl nsw i64 %1208, 6
-  %1211 = getelementptr inbounds i8, ptr %1209, i64 %1210
-  %1212 = load <8 x double>, ptr %1211, align 8, !noalias !16
-  %1213 = fmul <8 x double> %1212, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
-  %1214 = add nuw nsw i64 %1208, %1184
-  %1215 = shl nsw i64 %1214, 6
-  %1216 = getelementptr inbounds i8, ptr %1209, i64 %1215
-  %1217 = load <8 x double>, ptr %1216, align 8, !noalias !16
-  %1218 = fmul <8 x double> %1217, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
-  %1219 = fsub <8 x double> %1218, %1213
-  %1220 = shl i64 %1208, 6
-  %1221 = getelementptr i8, ptr %1209, i64 %1191
-  %1222 = getelementptr i8, ptr %1221, i64 %1220
-  %1223 = load <8 x double>, ptr %1222, align 8, !noalias !16
-  %1224 = fmul <8 x double> %1223, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
-  %1225 = fsub <8 x double> %1219, %1224
-  %1226 = fdiv <8 x double> %1225, %242
-  %1227 = getelementptr inbounds i8, ptr %1187, i64 %1210
-  store <8 x double> %1226, ptr %1227, align 8, !noalias !16
-  %1228 = load ptr, ptr %108, align 8, !noalias !16
-  %1229 = getelementptr inbounds i8, ptr %1228, i64 %1210
-  %1230 = load <8 x double>, ptr %1229, align 8, !noalias !16
-  %1231 = fadd <8 x double> %1230, %1226
-  %1232 = getelementptr inbounds i8, ptr %1188, i64 %1210
-  store <8 x double> %1231, ptr %1232, align 8, !noalias !16
-  %1233 = add nuw nsw i64 %1208, 1
-  %1234 = icmp eq i64 %1233, %1184
-  br i1 %1234, label %1192, label %1207, !llvm.loop !51
+1204:                                             ; preds = %1219, %1191
+  %1205 = load ptr, ptr %109, align 8, !noalias !16
+  %1206 = load ptr, ptr %104, align 8, !noalias !16
+  call fastcc void @real_solve(ptr noundef %1205, i64 noundef %1198, ptr noundef %1206, ptr noundef %1200) #10, !noalias !16
+  %1207 = load ptr, ptr %110, align 8, !noalias !16
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1200, ptr noundef %1207, ptr noundef nonnull %17, i64 noundef %1196) #10, !noalias !16
+  %1208 = load <8 x double>, ptr %5, align 16, !noalias !16
+  %1209 = fcmp olt <8 x double> %1208, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1210 = bitcast <8 x i1> %1209 to i8
+  %1211 = zext i8 %1210 to i64
+  %1212 = xor i64 %1211, -1
+  %1213 = and i64 %1193, %1212
+  %1214 = and i64 %1213, %1096
+  %1215 = and i64 %1096, %1211
+  %1216 = icmp eq i64 %1214, 0
+  br i1 %1216, label %1319, label %1217
 
-1235:                                             ; preds = %1261, %1205
-  %1236 = trunc i64 %1202 to i8
-  %1237 = bitcast i8 %1236 to <8 x i1>
-  %1238 = select <8 x i1> %1237, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1239 = fadd <8 x double> %1089, %1238
-  %1240 = load ptr, ptr %112, align 8, !noalias !16
-  %1241 = load ptr, ptr %113, align 8, !noalias !16
-  %1242 = load ptr, ptr %114, align 8, !noalias !16
-  store <8 x double> %226, ptr %1242, align 8, !noalias !16
-  %1243 = load i64, ptr %115, align 8, !noalias !16
-  %1244 = icmp sgt i64 %1243, 0
-  br i1 %1244, label %1245, label %1246
+1217:                                             ; preds = %1204
+  %1218 = icmp sgt i64 %1196, 0
+  br i1 %1218, label %1279, label %1247
 
-1245:                                             ; preds = %1235
+1219:                                             ; preds = %1202, %1219
+  %1220 = phi i64 [ 0, %1202 ], [ %1245, %1219 ]
+  %1221 = load ptr, ptr %78, align 8, !noalias !16
+  %1222 = shl nsw i64 %1220, 6
+  %1223 = getelementptr inbounds i8, ptr %1221, i64 %1222
+  %1224 = load <8 x double>, ptr %1223, align 8, !noalias !16
+  %1225 = fmul <8 x double> %1224, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
+  %1226 = add nuw nsw i64 %1220, %1196
+  %1227 = shl nsw i64 %1226, 6
+  %1228 = getelementptr inbounds i8, ptr %1221, i64 %1227
+  %1229 = load <8 x double>, ptr %1228, align 8, !noalias !16
+  %1230 = fmul <8 x double> %1229, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
+  %1231 = fsub <8 x double> %1230, %1225
+  %1232 = shl i64 %1220, 6
+  %1233 = getelementptr i8, ptr %1221, i64 %1203
+  %1234 = getelementptr i8, ptr %1233, i64 %1232
+  %1235 = load <8 x double>, ptr %1234, align 8, !noalias !16
+  %1236 = fmul <8 x double> %1235, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
+  %1237 = fsub <8 x double> %1231, %1236
+  %1238 = fdiv <8 x double> %1237, %242
+  %1239 = getelementptr inbounds i8, ptr %1199, i64 %1222
+  store <8 x double> %1238, ptr %1239, align 8, !noalias !16
+  %1240 = load ptr, ptr %108, align 8, !noalias !16
+  %1241 = getelementptr inbounds i8, ptr %1240, i64 %1222
+  %1242 = load <8 x double>, ptr %1241, align 8, !noalias !16
+  %1243 = fadd <8 x double> %1242, %1238
+  %1244 = getelementptr inbounds i8, ptr %1200, i64 %1222
+  store <8 x double> %1243, ptr %1244, align 8, !noalias !16
+  %1245 = add nuw nsw i64 %1220, 1
+  %1246 = icmp eq i64 %1245, %1196
+  br i1 %1246, label %1204, label %1219, !llvm.loop !51
+
+1247:                                             ; preds = %1279, %1217
+  %1248 = trunc i64 %1214 to i8
+  %1249 = bitcast i8 %1248 to <8 x i1>
+  %1250 = select <8 x i1> %1249, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1251 = fadd <8 x double> %1101, %1250
+  %1252 = load ptr, ptr %112, align 8, !noalias !16
+  %1253 = load ptr, ptr %113, align 8, !noalias !16
+  %1254 = load ptr, ptr %114, align 8, !noalias !16
+  store <8 x double> %226, ptr %1254, align 8, !noalias !16
+  %1255 = load ptr, ptr %15, align 8, !noalias !16
+  %1256 = getelementptr inbounds i8, ptr %1255, i64 40
+  %1257 = load i64, ptr %1256, align 8, !noalias !16
+  %1258 = icmp eq i64 %1257, 0
+  br i1 %1258, label %1260, label %1259
+
+1259:                                             ; preds = %1247
+  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !16
+  br label %1260
+
+1260:                                             ; preds = %1259, %1247
+  %1261 = load i64, ptr %115, align 8, !noalias !16
+  %1262 = icmp sgt i64 %1261, 0
+  br i1 %1262, label %1263, label %1264
+
+1263:                                             ; preds = %1260
   call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !16
-  br label %1246
+  br label %1264
 
-1246:                                             ; preds = %1245, %1235
-  %1247 = load ptr, ptr %15, align 8, !noalias !16
-  %1248 = load i64, ptr %1247, align 8, !noalias !16
-  %1249 = load ptr, ptr %114, align 8, !noalias !16
-  %1250 = load ptr, ptr %116, align 8, !noalias !16
-  %1251 = load ptr, ptr %117, align 8, !noalias !16
-  %1252 = inttoptr i64 %1248 to ptr
-  %1253 = load ptr, ptr %1252, align 8, !noalias !16
-  %1254 = call i32 %1253(ptr noundef %1249, ptr noundef %1240, ptr noundef %1250, ptr noundef %1251, ptr noundef %1241) #11, !noalias !16
-  %1255 = zext i32 %1254 to i64
-  %1256 = and i64 %1202, %1255
-  %1257 = trunc i64 %1256 to i8
-  %1258 = bitcast i8 %1257 to <8 x i1>
-  %1259 = select <8 x i1> %1258, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1173
-  %1260 = icmp sgt i64 %1184, 0
-  br i1 %1260, label %1289, label %1274
+1264:                                             ; preds = %1263, %1260
+  %1265 = load ptr, ptr %15, align 8, !noalias !16
+  %1266 = load i64, ptr %1265, align 8, !noalias !16
+  %1267 = load ptr, ptr %114, align 8, !noalias !16
+  %1268 = load ptr, ptr %116, align 8, !noalias !16
+  %1269 = load ptr, ptr %117, align 8, !noalias !16
+  %1270 = inttoptr i64 %1266 to ptr
+  %1271 = load ptr, ptr %1270, align 8, !noalias !16
+  %1272 = call i32 %1271(ptr noundef %1267, ptr noundef %1252, ptr noundef %1268, ptr noundef %1269, ptr noundef %1253) #11, !noalias !16
+  %1273 = zext i32 %1272 to i64
+  %1274 = and i64 %1214, %1273
+  %1275 = trunc i64 %1274 to i8
+  %1276 = bitcast i8 %1275 to <8 x i1>
+  %1277 = select <8 x i1> %1276, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1185
+  %1278 = icmp sgt i64 %1196, 0
+  br i1 %1278, label %1307, label %1292
 
-1261:                                             ; preds = %1205, %1261
-  %1262 = phi i64 [ %1272, %1261 ], [ 0, %1205 ]
-  %1263 = load ptr, ptr %111, align 8, !noalias !16
-  %1264 = load ptr, ptr %17, align 8, !noalias !16
-  %1265 = shl nsw i64 %1262, 6
-  %1266 = getelementptr inbounds i8, ptr %1264, i64 %1265
-  %1267 = load <8 x double>, ptr %1266, align 8, !noalias !16
-  %1268 = getelementptr inbounds i8, ptr %1188, i64 %1265
-  %1269 = load <8 x double>, ptr %1268, align 8, !noalias !16
-  %1270 = fadd <8 x double> %1267, %1269
-  %1271 = getelementptr inbounds i8, ptr %1263, i64 %1265
-  store <8 x double> %1270, ptr %1271, align 8, !noalias !16
-  %1272 = add nuw nsw i64 %1262, 1
-  %1273 = icmp eq i64 %1272, %1184
-  br i1 %1273, label %1235, label %1261, !llvm.loop !52
+1279:                                             ; preds = %1217, %1279
+  %1280 = phi i64 [ %1290, %1279 ], [ 0, %1217 ]
+  %1281 = load ptr, ptr %111, align 8, !noalias !16
+  %1282 = load ptr, ptr %17, align 8, !noalias !16
+  %1283 = shl nsw i64 %1280, 6
+  %1284 = getelementptr inbounds i8, ptr %1282, i64 %1283
+  %1285 = load <8 x double>, ptr %1284, align 8, !noalias !16
+  %1286 = getelementptr inbounds i8, ptr %1200, i64 %1283
+  %1287 = load <8 x double>, ptr %1286, align 8, !noalias !16
+  %1288 = fadd <8 x double> %1285, %1287
+  %1289 = getelementptr inbounds i8, ptr %1281, i64 %1283
+  store <8 x double> %1288, ptr %1289, align 8, !noalias !16
+  %1290 = add nuw nsw i64 %1280, 1
+  %1291 = icmp eq i64 %1290, %1196
+  br i1 %1291, label %1247, label %1279, !llvm.loop !52
 
-1274:                                             ; preds = %1289, %1246
-  %1275 = load ptr, ptr %109, align 8, !noalias !16
-  %1276 = load ptr, ptr %104, align 8, !noalias !16
-  call fastcc void @real_solve(ptr noundef %1275, i64 noundef %1186, ptr noundef %1276, ptr noundef %1188) #10, !noalias !16
-  %1277 = load ptr, ptr %110, align 8, !noalias !16
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1188, ptr noundef %1277, ptr noundef nonnull %17, i64 noundef %1184) #10, !noalias !16
-  %1278 = load <8 x double>, ptr %6, align 16, !noalias !16
-  %1279 = xor i64 %1255, -1
-  %1280 = and i64 %1202, %1279
-  %1281 = fcmp olt <8 x double> %1278, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1282 = bitcast <8 x i1> %1281 to i8
-  %1283 = zext i8 %1282 to i64
-  %1284 = and i64 %1280, %1283
-  %1285 = or i64 %1284, %1203
-  %1286 = trunc i64 %1280 to i8
-  %1287 = bitcast i8 %1286 to <8 x i1>
-  %1288 = select <8 x i1> %1287, <8 x double> %1278, <8 x double> %1196
-  br label %1301
+1292:                                             ; preds = %1307, %1264
+  %1293 = load ptr, ptr %109, align 8, !noalias !16
+  %1294 = load ptr, ptr %104, align 8, !noalias !16
+  call fastcc void @real_solve(ptr noundef %1293, i64 noundef %1198, ptr noundef %1294, ptr noundef %1200) #10, !noalias !16
+  %1295 = load ptr, ptr %110, align 8, !noalias !16
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1200, ptr noundef %1295, ptr noundef nonnull %17, i64 noundef %1196) #10, !noalias !16
+  %1296 = load <8 x double>, ptr %6, align 16, !noalias !16
+  %1297 = xor i64 %1273, -1
+  %1298 = and i64 %1214, %1297
+  %1299 = fcmp olt <8 x double> %1296, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1300 = bitcast <8 x i1> %1299 to i8
+  %1301 = zext i8 %1300 to i64
+  %1302 = and i64 %1298, %1301
+  %1303 = or i64 %1302, %1215
+  %1304 = trunc i64 %1298 to i8
+  %1305 = bitcast i8 %1304 to <8 x i1>
+  %1306 = select <8 x i1> %1305, <8 x double> %1296, <8 x double> %1208
+  br label %1319
 
-1289:                                             ; preds = %1246, %1289
-  %1290 = phi i64 [ %1299, %1289 ], [ 0, %1246 ]
-  %1291 = load ptr, ptr %113, align 8, !noalias !16
-  %1292 = shl nsw i64 %1290, 6
-  %1293 = getelementptr inbounds i8, ptr %1291, i64 %1292
-  %1294 = load <8 x double>, ptr %1293, align 8, !noalias !16
-  %1295 = getelementptr inbounds i8, ptr %1187, i64 %1292
-  %1296 = load <8 x double>, ptr %1295, align 8, !noalias !16
-  %1297 = fadd <8 x double> %1294, %1296
-  %1298 = getelementptr inbounds i8, ptr %1188, i64 %1292
-  store <8 x double> %1297, ptr %1298, align 8, !noalias !16
-  %1299 = add nuw nsw i64 %1290, 1
-  %1300 = icmp eq i64 %1299, %1184
-  br i1 %1300, label %1274, label %1289, !llvm.loop !53
+1307:                                             ; preds = %1264, %1307
+  %1308 = phi i64 [ %1317, %1307 ], [ 0, %1264 ]
+  %1309 = load ptr, ptr %113, align 8, !noalias !16
+  %1310 = shl nsw i64 %1308, 6
+  %1311 = getelementptr inbounds i8, ptr %1309, i64 %1310
+  %1312 = load <8 x double>, ptr %1311, align 8, !noalias !16
+  %1313 = getelementptr inbounds i8, ptr %1199, i64 %1310
+  %1314 = load <8 x double>, ptr %1313, align 8, !noalias !16
+  %1315 = fadd <8 x double> %1312, %1314
+  %1316 = getelementptr inbounds i8, ptr %1200, i64 %1310
+  store <8 x double> %1315, ptr %1316, align 8, !noalias !16
+  %1317 = add nuw nsw i64 %1308, 1
+  %1318 = icmp eq i64 %1317, %1196
+  br i1 %1318, label %1292, label %1307, !llvm.loop !53
 
-1301:                                             ; preds = %1192, %1274
-  %1302 = phi i64 [ %1203, %1192 ], [ %1285, %1274 ]
-  %1303 = phi <8 x double> [ %1089, %1192 ], [ %1239, %1274 ]
-  %1304 = phi <8 x double> [ %1173, %1192 ], [ %1259, %1274 ]
-  %1305 = phi <8 x double> [ %1196, %1192 ], [ %1288, %1274 ]
-  %1306 = fcmp olt <8 x double> %1305, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1307 = select <8 x i1> %1306, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1305
-  %1308 = load ptr, ptr %70, align 8, !noalias !16
-  %1309 = getelementptr inbounds i8, ptr %1308, i64 192
-  %1310 = load <8 x double>, ptr %1309, align 8, !noalias !16
-  %1311 = fadd <8 x double> %1086, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
-  %1312 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1311
-  %1313 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1307)
-  %1314 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1313)
-  %1315 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1314
-  %1316 = fmul <8 x double> %1312, %1315
-  %1317 = fcmp ogt <8 x double> %1316, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1318 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1305)
-  %1319 = fcmp one <8 x double> %1318, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1320 = select <8 x i1> %1317, <8 x double> %1316, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1321 = select <8 x i1> %1319, <8 x double> %1320, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1322 = fmul <8 x double> %1321, %242
-  %1323 = getelementptr inbounds i8, ptr %1308, i64 128
-  %1324 = load <8 x double>, ptr %1323, align 8, !noalias !16
-  %1325 = fdiv <8 x double> %242, %1324
-  %1326 = fdiv <8 x double> %1310, %1307
-  %1327 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1326)
-  %1328 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1327)
-  %1329 = fmul <8 x double> %1325, %1328
-  %1330 = fcmp ogt <8 x double> %1310, zeroinitializer
-  %1331 = fcmp olt <8 x double> %1329, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1332 = select <8 x i1> %1330, <8 x i1> %1331, <8 x i1> zeroinitializer
-  %1333 = select <8 x i1> %1332, <8 x double> %1329, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1334 = fmul <8 x double> %1316, %1333
-  %1335 = fcmp olt <8 x double> %1334, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
-  %1336 = bitcast <8 x double> %1334 to <8 x i64>
-  %1337 = select <8 x i1> %1335, <8 x i64> %1336, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
-  %1338 = bitcast <8 x i64> %1337 to <8 x double>
-  %1339 = fcmp ule <8 x double> %1338, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1340 = fcmp uge <8 x double> %1338, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
-  %1341 = or <8 x i1> %1339, %1340
-  %1342 = select <8 x i1> %1341, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1092
-  %1343 = load <8 x double>, ptr %1308, align 8, !noalias !16
-  %1344 = fcmp ogt <8 x double> %1338, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1345 = bitcast <8 x i64> %1337 to <8 x double>
-  %1346 = select <8 x i1> %1344, <8 x double> %1345, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1347 = fmul <8 x double> %1346, %242
-  %1348 = trunc nuw i64 %1302 to i8
-  %1349 = bitcast i8 %1348 to <8 x i1>
-  %1350 = trunc i64 %1084 to i8
-  %1351 = bitcast i8 %1350 to <8 x i1>
-  %1352 = select <8 x i1> %1342, <8 x double> %1347, <8 x double> %1343
-  %1353 = select <8 x i1> %1349, <8 x double> %1352, <8 x double> %1322
-  %1354 = select <8 x i1> %1351, <8 x double> %1353, <8 x double> %1172
-  %1355 = xor i64 %1302, -1
-  %1356 = and i64 %1084, %1355
-  %1357 = load ptr, ptr %61, align 8, !noalias !16
-  %1358 = getelementptr inbounds i8, ptr %1357, i64 32
-  %1359 = load i64, ptr %1358, align 8, !noalias !16
-  %1360 = or i64 %1359, %1356
-  store i64 %1360, ptr %1358, align 8, !noalias !16
-  %1361 = load ptr, ptr %61, align 8, !noalias !16
-  %1362 = getelementptr inbounds i8, ptr %1361, i64 8
-  %1363 = load i64, ptr %1362, align 8, !noalias !16
-  %1364 = xor i64 %1356, -1
-  %1365 = and i64 %1363, %1364
-  %1366 = getelementptr inbounds i8, ptr %1361, i64 16
-  %1367 = load i64, ptr %1366, align 8, !noalias !16
-  %1368 = xor i64 %1367, -1
-  %1369 = and i64 %1356, %1368
-  %1370 = or disjoint i64 %1369, %1365
-  store i64 %1370, ptr %1362, align 8, !noalias !16
-  br label %1387
+1319:                                             ; preds = %1204, %1292
+  %1320 = phi i64 [ %1215, %1204 ], [ %1303, %1292 ]
+  %1321 = phi <8 x double> [ %1101, %1204 ], [ %1251, %1292 ]
+  %1322 = phi <8 x double> [ %1185, %1204 ], [ %1277, %1292 ]
+  %1323 = phi <8 x double> [ %1208, %1204 ], [ %1306, %1292 ]
+  %1324 = fcmp olt <8 x double> %1323, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1325 = select <8 x i1> %1324, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1323
+  %1326 = load ptr, ptr %70, align 8, !noalias !16
+  %1327 = getelementptr inbounds i8, ptr %1326, i64 192
+  %1328 = load <8 x double>, ptr %1327, align 8, !noalias !16
+  %1329 = fadd <8 x double> %1098, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
+  %1330 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1329
+  %1331 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1325)
+  %1332 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1331)
+  %1333 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1332
+  %1334 = fmul <8 x double> %1330, %1333
+  %1335 = fcmp ogt <8 x double> %1334, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1336 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1323)
+  %1337 = fcmp one <8 x double> %1336, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1338 = select <8 x i1> %1335, <8 x double> %1334, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1339 = select <8 x i1> %1337, <8 x double> %1338, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1340 = fmul <8 x double> %1339, %242
+  %1341 = getelementptr inbounds i8, ptr %1326, i64 128
+  %1342 = load <8 x double>, ptr %1341, align 8, !noalias !16
+  %1343 = fdiv <8 x double> %242, %1342
+  %1344 = fdiv <8 x double> %1328, %1325
+  %1345 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1344)
+  %1346 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1345)
+  %1347 = fmul <8 x double> %1343, %1346
+  %1348 = fcmp ogt <8 x double> %1328, zeroinitializer
+  %1349 = fcmp olt <8 x double> %1347, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1350 = select <8 x i1> %1348, <8 x i1> %1349, <8 x i1> zeroinitializer
+  %1351 = select <8 x i1> %1350, <8 x double> %1347, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1352 = fmul <8 x double> %1334, %1351
+  %1353 = fcmp olt <8 x double> %1352, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
+  %1354 = bitcast <8 x double> %1352 to <8 x i64>
+  %1355 = select <8 x i1> %1353, <8 x i64> %1354, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
+  %1356 = bitcast <8 x i64> %1355 to <8 x double>
+  %1357 = fcmp ule <8 x double> %1356, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1358 = fcmp uge <8 x double> %1356, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
+  %1359 = or <8 x i1> %1357, %1358
+  %1360 = select <8 x i1> %1359, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1104
+  %1361 = load <8 x double>, ptr %1326, align 8, !noalias !16
+  %1362 = fcmp ogt <8 x double> %1356, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1363 = bitcast <8 x i64> %1355 to <8 x double>
+  %1364 = select <8 x i1> %1362, <8 x double> %1363, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1365 = fmul <8 x double> %1364, %242
+  %1366 = trunc nuw i64 %1320 to i8
+  %1367 = bitcast i8 %1366 to <8 x i1>
+  %1368 = trunc i64 %1096 to i8
+  %1369 = bitcast i8 %1368 to <8 x i1>
+  %1370 = select <8 x i1> %1360, <8 x double> %1365, <8 x double> %1361
+  %1371 = select <8 x i1> %1367, <8 x double> %1370, <8 x double> %1340
+  %1372 = select <8 x i1> %1369, <8 x double> %1371, <8 x double> %1184
+  %1373 = xor i64 %1320, -1
+  %1374 = and i64 %1096, %1373
+  %1375 = load ptr, ptr %61, align 8, !noalias !16
+  %1376 = getelementptr inbounds i8, ptr %1375, i64 32
+  %1377 = load i64, ptr %1376, align 8, !noalias !16
+  %1378 = or i64 %1377, %1374
+  store i64 %1378, ptr %1376, align 8, !noalias !16
+  %1379 = load ptr, ptr %61, align 8, !noalias !16
+  %1380 = getelementptr inbounds i8, ptr %1379, i64 8
+  %1381 = load i64, ptr %1380, align 8, !noalias !16
+  %1382 = xor i64 %1374, -1
+  %1383 = and i64 %1381, %1382
+  %1384 = getelementptr inbounds i8, ptr %1379, i64 16
+  %1385 = load i64, ptr %1384, align 8, !noalias !16
+  %1386 = xor i64 %1385, -1
+  %1387 = and i64 %1374, %1386
+  %1388 = or disjoint i64 %1387, %1383
+  store i64 %1388, ptr %1380, align 8, !noalias !16
+  br label %1405
 
-1371:                                             ; preds = %1177, %1371
-  %1372 = phi i64 [ 0, %1177 ], [ %1385, %1371 ]
-  %1373 = load ptr, ptr %103, align 8, !noalias !16
-  %1374 = load ptr, ptr %17, align 8, !noalias !16
-  %1375 = shl nsw i64 %1372, 6
-  %1376 = getelementptr inbounds i8, ptr %1374, i64 %1375
-  %1377 = load <8 x double>, ptr %1376, align 8, !noalias !16
-  %1378 = load ptr, ptr %78, align 8, !noalias !16
-  %1379 = shl i64 %1372, 6
-  %1380 = getelementptr i8, ptr %1378, i64 %1178
-  %1381 = getelementptr i8, ptr %1380, i64 %1379
-  %1382 = load <8 x double>, ptr %1381, align 8, !noalias !16
-  %1383 = fadd <8 x double> %1377, %1382
-  %1384 = getelementptr inbounds i8, ptr %1373, i64 %1375
-  store <8 x double> %1383, ptr %1384, align 8, !noalias !16
-  %1385 = add nuw nsw i64 %1372, 1
-  %1386 = icmp eq i64 %1385, %270
-  br i1 %1386, label %1179, label %1371, !llvm.loop !54
+1389:                                             ; preds = %1189, %1389
+  %1390 = phi i64 [ 0, %1189 ], [ %1403, %1389 ]
+  %1391 = load ptr, ptr %103, align 8, !noalias !16
+  %1392 = load ptr, ptr %17, align 8, !noalias !16
+  %1393 = shl nsw i64 %1390, 6
+  %1394 = getelementptr inbounds i8, ptr %1392, i64 %1393
+  %1395 = load <8 x double>, ptr %1394, align 8, !noalias !16
+  %1396 = load ptr, ptr %78, align 8, !noalias !16
+  %1397 = shl i64 %1390, 6
+  %1398 = getelementptr i8, ptr %1396, i64 %1190
+  %1399 = getelementptr i8, ptr %1398, i64 %1397
+  %1400 = load <8 x double>, ptr %1399, align 8, !noalias !16
+  %1401 = fadd <8 x double> %1395, %1400
+  %1402 = getelementptr inbounds i8, ptr %1391, i64 %1393
+  store <8 x double> %1401, ptr %1402, align 8, !noalias !16
+  %1403 = add nuw nsw i64 %1390, 1
+  %1404 = icmp eq i64 %1403, %270
+  br i1 %1404, label %1191, label %1389, !llvm.loop !54
 
-1387:                                             ; preds = %1301, %1171, %431, %333
-  %1388 = phi i64 [ %136, %333 ], [ %136, %431 ], [ %1084, %1171 ], [ %1084, %1301 ]
-  %1389 = phi i64 [ %137, %333 ], [ %137, %431 ], [ %1085, %1171 ], [ %1085, %1301 ]
-  %1390 = phi <8 x double> [ %138, %333 ], [ %138, %431 ], [ %1086, %1171 ], [ %1086, %1301 ]
-  %1391 = phi <8 x double> [ %139, %333 ], [ %139, %431 ], [ %1087, %1171 ], [ %1087, %1301 ]
-  %1392 = phi <8 x double> [ %140, %333 ], [ %140, %431 ], [ %1088, %1171 ], [ %1088, %1301 ]
-  %1393 = phi i8 [ 0, %333 ], [ 0, %431 ], [ %1093, %1171 ], [ %1093, %1301 ]
-  %1394 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %333 ], [ %433, %431 ], [ %1173, %1171 ], [ %1304, %1301 ]
-  %1395 = phi <8 x double> [ zeroinitializer, %333 ], [ zeroinitializer, %431 ], [ zeroinitializer, %1171 ], [ %1305, %1301 ]
-  %1396 = phi <8 x double> [ %231, %333 ], [ %432, %431 ], [ %1172, %1171 ], [ %1354, %1301 ]
-  %1397 = phi <8 x double> [ zeroinitializer, %333 ], [ zeroinitializer, %431 ], [ %1089, %1171 ], [ %1303, %1301 ]
-  %1398 = phi i64 [ 0, %333 ], [ 0, %431 ], [ 0, %1171 ], [ %1302, %1301 ]
-  %1399 = zext i8 %1393 to i64
-  %1400 = load ptr, ptr %16, align 8, !noalias !55
-  %1401 = getelementptr inbounds i8, ptr %1400, i64 72
-  %1402 = load ptr, ptr %1401, align 8
-  store <8 x i64> %241, ptr %1402, align 8
-  %1403 = load ptr, ptr %118, align 8, !noalias !55
-  %1404 = load <8 x double>, ptr %1403, align 8
-  %1405 = fadd <8 x double> %1397, %1404
-  store <8 x double> %1405, ptr %1403, align 8
-  %1406 = icmp ne i64 %1398, 0
-  %1407 = select i1 %47, i1 %1406, i1 false
-  br i1 %1407, label %1408, label %1411
+1405:                                             ; preds = %1319, %1183, %437, %339
+  %1406 = phi i64 [ %136, %339 ], [ %136, %437 ], [ %1096, %1183 ], [ %1096, %1319 ]
+  %1407 = phi i64 [ %137, %339 ], [ %137, %437 ], [ %1097, %1183 ], [ %1097, %1319 ]
+  %1408 = phi <8 x double> [ %138, %339 ], [ %138, %437 ], [ %1098, %1183 ], [ %1098, %1319 ]
+  %1409 = phi <8 x double> [ %139, %339 ], [ %139, %437 ], [ %1099, %1183 ], [ %1099, %1319 ]
+  %1410 = phi <8 x double> [ %140, %339 ], [ %140, %437 ], [ %1100, %1183 ], [ %1100, %1319 ]
+  %1411 = phi i8 [ 0, %339 ], [ 0, %437 ], [ %1105, %1183 ], [ %1105, %1319 ]
+  %1412 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %339 ], [ %439, %437 ], [ %1185, %1183 ], [ %1322, %1319 ]
+  %1413 = phi <8 x double> [ zeroinitializer, %339 ], [ zeroinitializer, %437 ], [ zeroinitializer, %1183 ], [ %1323, %1319 ]
+  %1414 = phi <8 x double> [ %231, %339 ], [ %438, %437 ], [ %1184, %1183 ], [ %1372, %1319 ]
+  %1415 = phi <8 x double> [ zeroinitializer, %339 ], [ zeroinitializer, %437 ], [ %1101, %1183 ], [ %1321, %1319 ]
+  %1416 = phi i64 [ 0, %339 ], [ 0, %437 ], [ 0, %1183 ], [ %1320, %1319 ]
+  %1417 = zext i8 %1411 to i64
+  %1418 = load ptr, ptr %16, align 8, !noalias !55
+  %1419 = getelementptr inbounds i8, ptr %1418, i64 72
+  %1420 = load ptr, ptr %1419, align 8
+  store <8 x i64> %241, ptr %1420, align 8
+  %1421 = load ptr, ptr %118, align 8, !noalias !55
+  %1422 = load <8 x double>, ptr %1421, align 8
+  %1423 = fadd <8 x double> %1415, %1422
+  store <8 x double> %1423, ptr %1421, align 8
+  %1424 = icmp ne i64 %1416, 0
+  %1425 = select i1 %47, i1 %1424, i1 false
+  br i1 %1425, label %1426, label %1429
 
-1408:                                             ; preds = %1387
+1426:                                             ; preds = %1405
   store <8 x double> %238, ptr %8, align 16
-  %1409 = load ptr, ptr %119, align 8
-  %1410 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %8, ptr noundef %1409, i64 noundef %1398, i32 noundef 1) #10
-  br label %1411
+  %1427 = load ptr, ptr %119, align 8
+  %1428 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %8, ptr noundef %1427, i64 noundef %1416, i32 noundef 1) #10
+  br label %1429
 
-1411:                                             ; preds = %1408, %1387
-  %1412 = phi i64 [ %1410, %1408 ], [ 0, %1387 ]
-  %1413 = xor i64 %1412, -1
-  %1414 = and i64 %1398, %1413
-  %1415 = load ptr, ptr %15, align 8
-  %1416 = getelementptr inbounds i8, ptr %1415, i64 8
-  %1417 = load i64, ptr %1416, align 8
-  %1418 = load i64, ptr %120, align 8
-  %1419 = load ptr, ptr %121, align 8
-  %1420 = trunc nuw i64 %1414 to i8
-  %1421 = load ptr, ptr %122, align 8
-  %1422 = load ptr, ptr %123, align 8
-  %1423 = load ptr, ptr %124, align 8
-  br label %1447
+1429:                                             ; preds = %1426, %1405
+  %1430 = phi i64 [ %1428, %1426 ], [ 0, %1405 ]
+  %1431 = xor i64 %1430, -1
+  %1432 = and i64 %1416, %1431
+  %1433 = load ptr, ptr %15, align 8
+  %1434 = getelementptr inbounds i8, ptr %1433, i64 8
+  %1435 = load i64, ptr %1434, align 8
+  %1436 = load i64, ptr %120, align 8
+  %1437 = load ptr, ptr %121, align 8
+  %1438 = trunc nuw i64 %1432 to i8
+  %1439 = load ptr, ptr %122, align 8
+  %1440 = load ptr, ptr %123, align 8
+  %1441 = load ptr, ptr %124, align 8
+  br label %1465
 
-1424:                                             ; preds = %1447
-  %1425 = bitcast i8 %1420 to <8 x i1>
-  %1426 = icmp sgt i64 %1417, 0
-  br i1 %1426, label %1427, label %1516
+1442:                                             ; preds = %1465
+  %1443 = bitcast i8 %1438 to <8 x i1>
+  %1444 = icmp sgt i64 %1435, 0
+  br i1 %1444, label %1445, label %1534
 
-1427:                                             ; preds = %1424
-  %1428 = load <2 x double>, ptr %2, align 16
-  %1429 = shufflevector <2 x double> %1428, <2 x double> poison, <8 x i32> zeroinitializer
-  %1430 = load <2 x double>, ptr %125, align 8
-  %1431 = shufflevector <2 x double> %1430, <2 x double> poison, <8 x i32> zeroinitializer
-  %1432 = load double, ptr %126, align 16
-  %1433 = insertelement <8 x double> poison, double %1432, i64 0
-  %1434 = shufflevector <8 x double> %1433, <8 x double> poison, <8 x i32> zeroinitializer
-  %1435 = shl i64 %1417, 7
-  %1436 = getelementptr i8, ptr %1419, i64 %1435
-  %1437 = load <2 x double>, ptr %3, align 16
-  %1438 = shufflevector <2 x double> %1437, <2 x double> poison, <8 x i32> zeroinitializer
-  %1439 = load <2 x double>, ptr %127, align 8
-  %1440 = shufflevector <2 x double> %1439, <2 x double> poison, <8 x i32> zeroinitializer
-  %1441 = load double, ptr %128, align 16
-  %1442 = insertelement <8 x double> poison, double %1441, i64 0
-  %1443 = shufflevector <8 x double> %1442, <8 x double> poison, <8 x i32> zeroinitializer
-  %1444 = getelementptr inbounds double, ptr %1421, i64 %1418
-  %1445 = shl nsw i64 %1418, 4
-  %1446 = getelementptr inbounds i8, ptr %1421, i64 %1445
-  br label %1458
+1445:                                             ; preds = %1442
+  %1446 = load <2 x double>, ptr %2, align 16
+  %1447 = shufflevector <2 x double> %1446, <2 x double> poison, <8 x i32> zeroinitializer
+  %1448 = load <2 x double>, ptr %125, align 8
+  %1449 = shufflevector <2 x double> %1448, <2 x double> poison, <8 x i32> zeroinitializer
+  %1450 = load double, ptr %126, align 16
+  %1451 = insertelement <8 x double> poison, double %1450, i64 0
+  %1452 = shufflevector <8 x double> %1451, <8 x double> poison, <8 x i32> zeroinitializer
+  %1453 = shl i64 %1435, 7
+  %1454 = getelementptr i8, ptr %1437, i64 %1453
+  %1455 = load <2 x double>, ptr %3, align 16
+  %1456 = shufflevector <2 x double> %1455, <2 x double> poison, <8 x i32> zeroinitializer
+  %1457 = load <2 x double>, ptr %127, align 8
+  %1458 = shufflevector <2 x double> %1457, <2 x double> poison, <8 x i32> zeroinitializer
+  %1459 = load double, ptr %128, align 16
+  %1460 = insertelement <8 x double> poison, double %1459, i64 0
+  %1461 = shufflevector <8 x double> %1460, <8 x double> poison, <8 x i32> zeroinitializer
+  %1462 = getelementptr inbounds double, ptr %1439, i64 %1436
+  %1463 = shl nsw i64 %1436, 4
+  %1464 = getelementptr inbounds i8, ptr %1439, i64 %1463
+  br label %1476
 
-1447:                                             ; preds = %1411, %1447
-  %1448 = phi i64 [ 0, %1411 ], [ %1456, %1447 ]
-  %1449 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1448
-  %1450 = getelementptr inbounds i8, ptr %1449, i64 8
-  %1451 = load double, ptr %1450, align 8
-  %1452 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %1448
-  store double %1451, ptr %1452, align 8
-  %1453 = getelementptr inbounds i8, ptr %1449, i64 16
-  %1454 = load double, ptr %1453, align 8
-  %1455 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1448
-  store double %1454, ptr %1455, align 8
-  %1456 = add nuw nsw i64 %1448, 1
-  %1457 = icmp eq i64 %1456, 3
-  br i1 %1457, label %1424, label %1447, !llvm.loop !56
+1465:                                             ; preds = %1429, %1465
+  %1466 = phi i64 [ 0, %1429 ], [ %1474, %1465 ]
+  %1467 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1466
+  %1468 = getelementptr inbounds i8, ptr %1467, i64 8
+  %1469 = load double, ptr %1468, align 8
+  %1470 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %1466
+  store double %1469, ptr %1470, align 8
+  %1471 = getelementptr inbounds i8, ptr %1467, i64 16
+  %1472 = load double, ptr %1471, align 8
+  %1473 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1466
+  store double %1472, ptr %1473, align 8
+  %1474 = add nuw nsw i64 %1466, 1
+  %1475 = icmp eq i64 %1474, 3
+  br i1 %1475, label %1442, label %1465, !llvm.loop !56
 
-1458:                                             ; preds = %1427, %1500
-  %1459 = phi i64 [ 0, %1427 ], [ %1501, %1500 ]
-  %1460 = shl nsw i64 %1459, 6
-  %1461 = getelementptr inbounds i8, ptr %1419, i64 %1460
-  %1462 = load <8 x double>, ptr %1461, align 8
-  %1463 = fmul <8 x double> %1462, %1429
-  %1464 = add nuw nsw i64 %1459, %1417
-  %1465 = shl nsw i64 %1464, 6
-  %1466 = getelementptr inbounds i8, ptr %1419, i64 %1465
-  %1467 = load <8 x double>, ptr %1466, align 8
-  %1468 = fmul <8 x double> %1467, %1431
-  %1469 = fadd <8 x double> %1463, %1468
-  %1470 = shl i64 %1459, 6
-  %1471 = getelementptr i8, ptr %1436, i64 %1470
-  %1472 = load <8 x double>, ptr %1471, align 8
-  %1473 = fmul <8 x double> %1472, %1434
-  %1474 = fadd <8 x double> %1469, %1473
-  %1475 = fmul <8 x double> %1462, %1438
-  %1476 = fmul <8 x double> %1467, %1440
-  %1477 = fadd <8 x double> %1475, %1476
-  %1478 = fmul <8 x double> %1472, %1443
-  %1479 = fadd <8 x double> %1477, %1478
-  %1480 = load ptr, ptr %129, align 8
-  %1481 = getelementptr inbounds i8, ptr %1480, i64 %1460
-  %1482 = load <8 x double>, ptr %1481, align 8
-  %1483 = load ptr, ptr %17, align 8
-  %1484 = getelementptr inbounds i8, ptr %1483, i64 %1460
+1476:                                             ; preds = %1445, %1518
+  %1477 = phi i64 [ 0, %1445 ], [ %1519, %1518 ]
+  %1478 = shl nsw i64 %1477, 6
+  %1479 = getelementptr inbounds i8, ptr %1437, i64 %1478
+  %1480 = load <8 x double>, ptr %1479, align 8
+  %1481 = fmul <8 x double> %1480, %1447
+  %1482 = add nuw nsw i64 %1477, %1435
+  %1483 = shl nsw i64 %1482, 6
+  %1484 = getelementptr inbounds i8, ptr %1437, i64 %1483
   %1485 = load <8 x double>, ptr %1484, align 8
-  %1486 = fsub <8 x double> %1482, %1485
-  %1487 = getelementptr inbounds i8, ptr %1421, i64 %1460
-  store <8 x double> %1486, ptr %1487, align 8
-  %1488 = fneg <8 x double> %1474
-  %1489 = fsub <8 x double> %1488, %1479
-  %1490 = getelementptr inbounds i8, ptr %1444, i64 %1460
-  store <8 x double> %1489, ptr %1490, align 8
-  %1491 = fneg <8 x double> %1479
-  %1492 = getelementptr inbounds i8, ptr %1446, i64 %1460
-  store <8 x double> %1491, ptr %1492, align 8
-  %1493 = load ptr, ptr %17, align 8
-  %1494 = getelementptr inbounds i8, ptr %1493, i64 %1460
-  %1495 = load <8 x i64>, ptr %1494, align 8
-  %1496 = getelementptr inbounds i8, ptr %1422, i64 %1460
-  %1497 = load <8 x i64>, ptr %1496, align 8
-  %1498 = select <8 x i1> %1425, <8 x i64> %1495, <8 x i64> %1497
-  store <8 x i64> %1498, ptr %1496, align 8
-  %1499 = getelementptr i8, ptr %1421, i64 %1460
-  br label %1503
-
-1500:                                             ; preds = %1503
-  %1501 = add nuw nsw i64 %1459, 1
-  %1502 = icmp eq i64 %1501, %1417
-  br i1 %1502, label %1516, label %1458, !llvm.loop !57
-
-1503:                                             ; preds = %1458, %1503
-  %1504 = phi i64 [ 0, %1458 ], [ %1505, %1503 ]
-  %1505 = add nuw nsw i64 %1504, 1
-  %1506 = mul nuw nsw i64 %1417, %1505
-  %1507 = add nuw nsw i64 %1506, %1459
-  %1508 = mul nsw i64 %1418, %1504
-  %1509 = getelementptr double, ptr %1499, i64 %1508
-  %1510 = load <8 x i64>, ptr %1509, align 8
-  %1511 = shl nsw i64 %1507, 6
-  %1512 = getelementptr inbounds i8, ptr %1422, i64 %1511
+  %1486 = fmul <8 x double> %1485, %1449
+  %1487 = fadd <8 x double> %1481, %1486
+  %1488 = shl i64 %1477, 6
+  %1489 = getelementptr i8, ptr %1454, i64 %1488
+  %1490 = load <8 x double>, ptr %1489, align 8
+  %1491 = fmul <8 x double> %1490, %1452
+  %1492 = fadd <8 x double> %1487, %1491
+  %1493 = fmul <8 x double> %1480, %1456
+  %1494 = fmul <8 x double> %1485, %1458
+  %1495 = fadd <8 x double> %1493, %1494
+  %1496 = fmul <8 x double> %1490, %1461
+  %1497 = fadd <8 x double> %1495, %1496
+  %1498 = load ptr, ptr %129, align 8
+  %1499 = getelementptr inbounds i8, ptr %1498, i64 %1478
+  %1500 = load <8 x double>, ptr %1499, align 8
+  %1501 = load ptr, ptr %17, align 8
+  %1502 = getelementptr inbounds i8, ptr %1501, i64 %1478
+  %1503 = load <8 x double>, ptr %1502, align 8
+  %1504 = fsub <8 x double> %1500, %1503
+  %1505 = getelementptr inbounds i8, ptr %1439, i64 %1478
+  store <8 x double> %1504, ptr %1505, align 8
+  %1506 = fneg <8 x double> %1492
+  %1507 = fsub <8 x double> %1506, %1497
+  %1508 = getelementptr inbounds i8, ptr %1462, i64 %1478
+  store <8 x double> %1507, ptr %1508, align 8
+  %1509 = fneg <8 x double> %1497
+  %1510 = getelementptr inbounds i8, ptr %1464, i64 %1478
+  store <8 x double> %1509, ptr %1510, align 8
+  %1511 = load ptr, ptr %17, align 8
+  %1512 = getelementptr inbounds i8, ptr %1511, i64 %1478
   %1513 = load <8 x i64>, ptr %1512, align 8
-  %1514 = select <8 x i1> %1425, <8 x i64> %1510, <8 x i64> %1513
-  store <8 x i64> %1514, ptr %1512, align 8
-  %1515 = icmp eq i64 %1505, 3
-  br i1 %1515, label %1500, label %1503, !llvm.loop !58
+  %1514 = getelementptr inbounds i8, ptr %1440, i64 %1478
+  %1515 = load <8 x i64>, ptr %1514, align 8
+  %1516 = select <8 x i1> %1443, <8 x i64> %1513, <8 x i64> %1515
+  store <8 x i64> %1516, ptr %1514, align 8
+  %1517 = getelementptr i8, ptr %1439, i64 %1478
+  br label %1521
 
-1516:                                             ; preds = %1500, %1424
-  %1517 = fcmp olt <8 x double> %1395, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1518 = bitcast <8 x double> %1395 to <8 x i64>
-  %1519 = select <8 x i1> %1517, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1518
-  %1520 = getelementptr inbounds i8, ptr %1423, i64 64
-  %1521 = load <8 x i64>, ptr %1520, align 8
-  %1522 = select <8 x i1> %1425, <8 x i64> %241, <8 x i64> %1521
-  store <8 x i64> %1522, ptr %1520, align 8
-  %1523 = getelementptr inbounds i8, ptr %1423, i64 128
-  %1524 = load <8 x i64>, ptr %1523, align 8
-  %1525 = select <8 x i1> %1425, <8 x i64> %241, <8 x i64> %1524
-  store <8 x i64> %1525, ptr %1523, align 8
-  %1526 = getelementptr inbounds i8, ptr %1423, i64 192
-  %1527 = load <8 x i64>, ptr %1526, align 8
-  %1528 = select <8 x i1> %1425, <8 x i64> %1519, <8 x i64> %1527
-  store <8 x i64> %1528, ptr %1526, align 8
-  %1529 = load ptr, ptr %61, align 8
-  %1530 = getelementptr inbounds i8, ptr %1529, i64 8
-  %1531 = load i64, ptr %1530, align 8
-  %1532 = xor i64 %1414, -1
-  %1533 = and i64 %1531, %1532
-  %1534 = and i64 %1414, %1399
-  %1535 = or disjoint i64 %1533, %1534
-  store i64 %1535, ptr %1530, align 8
-  %1536 = load ptr, ptr %61, align 8
-  %1537 = getelementptr inbounds i8, ptr %1536, i64 16
-  %1538 = load i64, ptr %1537, align 8
-  %1539 = and i64 %1538, %1532
-  store i64 %1539, ptr %1537, align 8
-  %1540 = load ptr, ptr %61, align 8
-  %1541 = getelementptr inbounds i8, ptr %1540, i64 32
-  %1542 = load i64, ptr %1541, align 8
-  %1543 = and i64 %1542, %1532
-  store i64 %1543, ptr %1541, align 8
-  %1544 = icmp ne i64 %1414, 0
-  %1545 = select i1 %48, i1 %1544, i1 false
-  br i1 %1545, label %1546, label %1550
+1518:                                             ; preds = %1521
+  %1519 = add nuw nsw i64 %1477, 1
+  %1520 = icmp eq i64 %1519, %1435
+  br i1 %1520, label %1534, label %1476, !llvm.loop !57
 
-1546:                                             ; preds = %1516
-  %1547 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
-  %1548 = xor i64 %1547, -1
-  %1549 = and i64 %1414, %1548
-  br label %1550
+1521:                                             ; preds = %1476, %1521
+  %1522 = phi i64 [ 0, %1476 ], [ %1523, %1521 ]
+  %1523 = add nuw nsw i64 %1522, 1
+  %1524 = mul nuw nsw i64 %1435, %1523
+  %1525 = add nuw nsw i64 %1524, %1477
+  %1526 = mul nsw i64 %1436, %1522
+  %1527 = getelementptr double, ptr %1517, i64 %1526
+  %1528 = load <8 x i64>, ptr %1527, align 8
+  %1529 = shl nsw i64 %1525, 6
+  %1530 = getelementptr inbounds i8, ptr %1440, i64 %1529
+  %1531 = load <8 x i64>, ptr %1530, align 8
+  %1532 = select <8 x i1> %1443, <8 x i64> %1528, <8 x i64> %1531
+  store <8 x i64> %1532, ptr %1530, align 8
+  %1533 = icmp eq i64 %1523, 3
+  br i1 %1533, label %1518, label %1521, !llvm.loop !58
 
-1550:                                             ; preds = %1516, %1546
-  %1551 = phi i64 [ %1549, %1546 ], [ 0, %1516 ]
+1534:                                             ; preds = %1518, %1442
+  %1535 = fcmp olt <8 x double> %1413, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1536 = bitcast <8 x double> %1413 to <8 x i64>
+  %1537 = select <8 x i1> %1535, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1536
+  %1538 = getelementptr inbounds i8, ptr %1441, i64 64
+  %1539 = load <8 x i64>, ptr %1538, align 8
+  %1540 = select <8 x i1> %1443, <8 x i64> %241, <8 x i64> %1539
+  store <8 x i64> %1540, ptr %1538, align 8
+  %1541 = getelementptr inbounds i8, ptr %1441, i64 128
+  %1542 = load <8 x i64>, ptr %1541, align 8
+  %1543 = select <8 x i1> %1443, <8 x i64> %241, <8 x i64> %1542
+  store <8 x i64> %1543, ptr %1541, align 8
+  %1544 = getelementptr inbounds i8, ptr %1441, i64 192
+  %1545 = load <8 x i64>, ptr %1544, align 8
+  %1546 = select <8 x i1> %1443, <8 x i64> %1537, <8 x i64> %1545
+  store <8 x i64> %1546, ptr %1544, align 8
+  %1547 = load ptr, ptr %61, align 8
+  %1548 = getelementptr inbounds i8, ptr %1547, i64 8
+  %1549 = load i64, ptr %1548, align 8
+  %1550 = xor i64 %1432, -1
+  %1551 = and i64 %1549, %1550
+  %1552 = and i64 %1432, %1417
+  %1553 = or disjoint i64 %1551, %1552
+  store i64 %1553, ptr %1548, align 8
+  %1554 = load ptr, ptr %61, align 8
+  %1555 = getelementptr inbounds i8, ptr %1554, i64 16
+  %1556 = load i64, ptr %1555, align 8
+  %1557 = and i64 %1556, %1550
+  store i64 %1557, ptr %1555, align 8
+  %1558 = load ptr, ptr %61, align 8
+  %1559 = getelementptr inbounds i8, ptr %1558, i64 32
+  %1560 = load i64, ptr %1559, align 8
+  %1561 = and i64 %1560, %1550
+  store i64 %1561, ptr %1559, align 8
+  %1562 = icmp ne i64 %1432, 0
+  %1563 = select i1 %48, i1 %1562, i1 false
+  br i1 %1563, label %1564, label %1568
+
+1564:                                             ; preds = %1534
+  %1565 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
+  %1566 = xor i64 %1565, -1
+  %1567 = and i64 %1432, %1566
+  br label %1568
+
+1568:                                             ; preds = %1534, %1564
+  %1569 = phi i64 [ %1567, %1564 ], [ 0, %1534 ]
   store i64 0, ptr %13, align 8
-  %1552 = load ptr, ptr %130, align 8
-  %1553 = load <8 x double>, ptr %1552, align 8
-  %1554 = fcmp olt <8 x double> %1553, %238
-  %1555 = bitcast <8 x i1> %1554 to i8
-  %1556 = zext i8 %1555 to i64
-  %1557 = and i64 %1414, %1556
-  %1558 = or i64 %1557, %1551
-  %1559 = icmp eq i64 %1558, 0
-  br i1 %1559, label %1594, label %1560
+  %1570 = load ptr, ptr %130, align 8
+  %1571 = load <8 x double>, ptr %1570, align 8
+  %1572 = fcmp olt <8 x double> %1571, %238
+  %1573 = bitcast <8 x i1> %1572 to i8
+  %1574 = zext i8 %1573 to i64
+  %1575 = and i64 %1432, %1574
+  %1576 = or i64 %1575, %1569
+  %1577 = icmp eq i64 %1576, 0
+  br i1 %1577, label %1612, label %1578
 
-1560:                                             ; preds = %1550
+1578:                                             ; preds = %1568
   store <8 x double> %238, ptr %8, align 16
-  %1561 = icmp eq i64 %1551, 0
-  br i1 %1561, label %1564, label %1562
+  %1579 = icmp eq i64 %1569, 0
+  br i1 %1579, label %1582, label %1580
 
-1562:                                             ; preds = %1560
-  %1563 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1551, ptr noundef nonnull %8, ptr noundef nonnull %10, ptr noundef nonnull %12, ptr noundef nonnull %9, ptr noundef nonnull %13) #10
-  br label %1564
+1580:                                             ; preds = %1578
+  %1581 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1569, ptr noundef nonnull %8, ptr noundef nonnull %10, ptr noundef nonnull %12, ptr noundef nonnull %9, ptr noundef nonnull %13) #10
+  br label %1582
 
-1564:                                             ; preds = %1562, %1560
-  %1565 = phi i64 [ %1563, %1562 ], [ 0, %1560 ]
-  %1566 = load i64, ptr %13, align 8
-  %1567 = xor i64 %1566, -1
-  %1568 = and i64 %1558, %1567
-  %1569 = icmp eq i64 %1565, 0
-  %1570 = select i1 %1569, ptr null, ptr %9
-  %1571 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1568, ptr noundef nonnull %8, ptr noundef %1570) #10
-  %1572 = load <8 x double>, ptr %8, align 16
-  br i1 %1569, label %1578, label %1573
+1582:                                             ; preds = %1580, %1578
+  %1583 = phi i64 [ %1581, %1580 ], [ 0, %1578 ]
+  %1584 = load i64, ptr %13, align 8
+  %1585 = xor i64 %1584, -1
+  %1586 = and i64 %1576, %1585
+  %1587 = icmp eq i64 %1583, 0
+  %1588 = select i1 %1587, ptr null, ptr %9
+  %1589 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1586, ptr noundef nonnull %8, ptr noundef %1588) #10
+  %1590 = load <8 x double>, ptr %8, align 16
+  br i1 %1587, label %1596, label %1591
 
-1573:                                             ; preds = %1564
-  %1574 = xor i64 %1571, -1
-  %1575 = and i64 %1565, %1574
-  %1576 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1575, ptr noundef nonnull %8, ptr noundef nonnull %9) #10
-  %1577 = or i64 %1576, %1571
-  br label %1578
+1591:                                             ; preds = %1582
+  %1592 = xor i64 %1589, -1
+  %1593 = and i64 %1583, %1592
+  %1594 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1593, ptr noundef nonnull %8, ptr noundef nonnull %9) #10
+  %1595 = or i64 %1594, %1589
+  br label %1596
 
-1578:                                             ; preds = %1573, %1564
-  %1579 = phi i64 [ %1577, %1573 ], [ %1571, %1564 ]
-  %1580 = icmp ne i64 %1579, 0
-  %1581 = select i1 %48, i1 %1580, i1 false
-  br i1 %1581, label %1582, label %1587
+1596:                                             ; preds = %1591, %1582
+  %1597 = phi i64 [ %1595, %1591 ], [ %1589, %1582 ]
+  %1598 = icmp ne i64 %1597, 0
+  %1599 = select i1 %48, i1 %1598, i1 false
+  br i1 %1599, label %1600, label %1605
 
-1582:                                             ; preds = %1578
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1579, i64 noundef 6) #10
-  %1583 = xor i64 %1579, -1
-  %1584 = load i64, ptr %11, align 8
-  %1585 = and i64 %1584, %1583
-  store i64 %1585, ptr %11, align 8
-  %1586 = and i64 %1565, %1583
-  br label %1587
+1600:                                             ; preds = %1596
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1597, i64 noundef 6) #10
+  %1601 = xor i64 %1597, -1
+  %1602 = load i64, ptr %11, align 8
+  %1603 = and i64 %1602, %1601
+  store i64 %1603, ptr %11, align 8
+  %1604 = and i64 %1583, %1601
+  br label %1605
 
-1587:                                             ; preds = %1582, %1578
-  %1588 = phi i32 [ 1, %1582 ], [ %193, %1578 ]
-  %1589 = phi i64 [ %1586, %1582 ], [ %1565, %1578 ]
-  %1590 = or i64 %1579, %1412
-  %1591 = or i64 %1579, %1566
-  %1592 = xor i64 %1591, -1
-  %1593 = and i64 %1414, %1592
-  br label %1594
+1605:                                             ; preds = %1600, %1596
+  %1606 = phi i32 [ 1, %1600 ], [ %193, %1596 ]
+  %1607 = phi i64 [ %1604, %1600 ], [ %1583, %1596 ]
+  %1608 = or i64 %1597, %1430
+  %1609 = or i64 %1597, %1584
+  %1610 = xor i64 %1609, -1
+  %1611 = and i64 %1432, %1610
+  br label %1612
 
-1594:                                             ; preds = %1587, %1550
-  %1595 = phi <8 x double> [ %238, %1550 ], [ %1572, %1587 ]
-  %1596 = phi i64 [ 0, %1550 ], [ %1566, %1587 ]
-  %1597 = phi i64 [ %1412, %1550 ], [ %1590, %1587 ]
-  %1598 = phi i32 [ %193, %1550 ], [ %1588, %1587 ]
-  %1599 = phi i64 [ %1414, %1550 ], [ %1593, %1587 ]
-  %1600 = phi i64 [ 0, %1550 ], [ %1589, %1587 ]
-  %1601 = load ptr, ptr %130, align 8
-  %1602 = load <8 x double>, ptr %1601, align 8
-  %1603 = fcmp oeq <8 x double> %1602, %1595
-  %1604 = bitcast <8 x i1> %1603 to i8
-  %1605 = zext i8 %1604 to i64
-  %1606 = and i64 %1599, %1605
-  %1607 = icmp eq i64 %1606, 0
-  br i1 %1607, label %1608, label %1667
+1612:                                             ; preds = %1605, %1568
+  %1613 = phi <8 x double> [ %238, %1568 ], [ %1590, %1605 ]
+  %1614 = phi i64 [ 0, %1568 ], [ %1584, %1605 ]
+  %1615 = phi i64 [ %1430, %1568 ], [ %1608, %1605 ]
+  %1616 = phi i32 [ %193, %1568 ], [ %1606, %1605 ]
+  %1617 = phi i64 [ %1432, %1568 ], [ %1611, %1605 ]
+  %1618 = phi i64 [ 0, %1568 ], [ %1607, %1605 ]
+  %1619 = load ptr, ptr %130, align 8
+  %1620 = load <8 x double>, ptr %1619, align 8
+  %1621 = fcmp oeq <8 x double> %1620, %1613
+  %1622 = bitcast <8 x i1> %1621 to i8
+  %1623 = zext i8 %1622 to i64
+  %1624 = and i64 %1617, %1623
+  %1625 = icmp eq i64 %1624, 0
+  br i1 %1625, label %1626, label %1685
 
-1608:                                             ; preds = %1667, %1594
-  %1609 = trunc nuw i64 %1599 to i8
-  %1610 = bitcast i8 %1609 to <8 x i1>
-  %1611 = load ptr, ptr %57, align 8
-  %1612 = load <8 x double>, ptr %1611, align 8
-  %1613 = select <8 x i1> %1610, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1614 = fadd <8 x double> %1613, %1612
-  store <8 x double> %1614, ptr %1611, align 8
-  %1615 = load ptr, ptr %58, align 8
-  %1616 = load <8 x double>, ptr %1615, align 8
-  %1617 = xor <8 x i1> %1610, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1618 = and <8 x i1> %224, %1617
-  %1619 = select <8 x i1> %1618, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1620 = fadd <8 x double> %1619, %1616
-  store <8 x double> %1620, ptr %1615, align 8
-  %1621 = xor i64 %1599, -1
-  %1622 = and i64 %222, %1621
-  %1623 = or i64 %1597, %1596
-  %1624 = and i64 %1622, %1623
-  %1625 = trunc i64 %1597 to i8
-  %1626 = bitcast i8 %1625 to <8 x i1>
-  %1627 = trunc i64 %1624 to i8
+1626:                                             ; preds = %1685, %1612
+  %1627 = trunc nuw i64 %1617 to i8
   %1628 = bitcast i8 %1627 to <8 x i1>
-  %1629 = fcmp oeq <8 x double> %1595, %229
-  %1630 = load ptr, ptr %54, align 8
-  %1631 = load <8 x double>, ptr %1630, align 8
-  %1632 = fcmp ogt <8 x double> %1631, %1396
-  %1633 = and <8 x i1> %1629, %1610
-  %1634 = select <8 x i1> %1633, <8 x i1> %1632, <8 x i1> zeroinitializer
-  %1635 = select <8 x i1> %1634, <8 x double> %1631, <8 x double> %1396
-  %1636 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1637 = select <8 x i1> %1628, <8 x double> %1636, <8 x double> %1635
-  %1638 = select <8 x i1> %1626, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %1639 = bitcast <8 x double> %1394 to <8 x i64>
-  %1640 = select <8 x i1> %1628, <8 x i64> %1638, <8 x i64> %1639
-  %1641 = load ptr, ptr %132, align 8
-  %1642 = trunc i64 %1622 to i8
-  %1643 = bitcast i8 %1642 to <8 x i1>
-  %1644 = load <8 x i64>, ptr %1641, align 8
-  %1645 = select <8 x i1> %1643, <8 x i64> %1640, <8 x i64> %1644
-  store <8 x i64> %1645, ptr %1641, align 8
-  %1646 = load ptr, ptr %61, align 8
-  %1647 = getelementptr inbounds i8, ptr %1646, i64 32
-  %1648 = load i64, ptr %1647, align 8
-  %1649 = or i64 %1648, %1624
-  store i64 %1649, ptr %1647, align 8
-  %1650 = load ptr, ptr %61, align 8
-  %1651 = getelementptr inbounds i8, ptr %1650, i64 8
-  %1652 = load i64, ptr %1651, align 8
-  %1653 = xor i64 %1624, -1
-  %1654 = and i64 %1652, %1653
-  %1655 = getelementptr inbounds i8, ptr %1650, i64 16
-  %1656 = load i64, ptr %1655, align 8
-  %1657 = xor i64 %1656, -1
-  %1658 = and i64 %1624, %1657
-  %1659 = or disjoint i64 %1658, %1654
-  store i64 %1659, ptr %1651, align 8
-  %1660 = load ptr, ptr %124, align 8
-  %1661 = getelementptr inbounds i8, ptr %1660, i64 64
-  %1662 = load <8 x double>, ptr %1661, align 8
-  %1663 = select <8 x i1> %1628, <8 x double> zeroinitializer, <8 x double> %1662
-  store <8 x double> %1663, ptr %1661, align 8
-  %1664 = load ptr, ptr %54, align 8
-  store <8 x double> %1637, ptr %1664, align 8
-  %1665 = load ptr, ptr %45, align 8
-  %1666 = select <8 x i1> %1610, <8 x double> %1595, <8 x double> %226
-  store <8 x double> %1666, ptr %1665, align 8
-  br i1 %133, label %1679, label %1677
+  %1629 = load ptr, ptr %57, align 8
+  %1630 = load <8 x double>, ptr %1629, align 8
+  %1631 = select <8 x i1> %1628, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1632 = fadd <8 x double> %1631, %1630
+  store <8 x double> %1632, ptr %1629, align 8
+  %1633 = load ptr, ptr %58, align 8
+  %1634 = load <8 x double>, ptr %1633, align 8
+  %1635 = xor <8 x i1> %1628, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1636 = and <8 x i1> %224, %1635
+  %1637 = select <8 x i1> %1636, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1638 = fadd <8 x double> %1637, %1634
+  store <8 x double> %1638, ptr %1633, align 8
+  %1639 = xor i64 %1617, -1
+  %1640 = and i64 %222, %1639
+  %1641 = or i64 %1615, %1614
+  %1642 = and i64 %1640, %1641
+  %1643 = trunc i64 %1615 to i8
+  %1644 = bitcast i8 %1643 to <8 x i1>
+  %1645 = trunc i64 %1642 to i8
+  %1646 = bitcast i8 %1645 to <8 x i1>
+  %1647 = fcmp oeq <8 x double> %1613, %229
+  %1648 = load ptr, ptr %54, align 8
+  %1649 = load <8 x double>, ptr %1648, align 8
+  %1650 = fcmp ogt <8 x double> %1649, %1414
+  %1651 = and <8 x i1> %1647, %1628
+  %1652 = select <8 x i1> %1651, <8 x i1> %1650, <8 x i1> zeroinitializer
+  %1653 = select <8 x i1> %1652, <8 x double> %1649, <8 x double> %1414
+  %1654 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1655 = select <8 x i1> %1646, <8 x double> %1654, <8 x double> %1653
+  %1656 = select <8 x i1> %1644, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %1657 = bitcast <8 x double> %1412 to <8 x i64>
+  %1658 = select <8 x i1> %1646, <8 x i64> %1656, <8 x i64> %1657
+  %1659 = load ptr, ptr %132, align 8
+  %1660 = trunc i64 %1640 to i8
+  %1661 = bitcast i8 %1660 to <8 x i1>
+  %1662 = load <8 x i64>, ptr %1659, align 8
+  %1663 = select <8 x i1> %1661, <8 x i64> %1658, <8 x i64> %1662
+  store <8 x i64> %1663, ptr %1659, align 8
+  %1664 = load ptr, ptr %61, align 8
+  %1665 = getelementptr inbounds i8, ptr %1664, i64 32
+  %1666 = load i64, ptr %1665, align 8
+  %1667 = or i64 %1666, %1642
+  store i64 %1667, ptr %1665, align 8
+  %1668 = load ptr, ptr %61, align 8
+  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
+  %1670 = load i64, ptr %1669, align 8
+  %1671 = xor i64 %1642, -1
+  %1672 = and i64 %1670, %1671
+  %1673 = getelementptr inbounds i8, ptr %1668, i64 16
+  %1674 = load i64, ptr %1673, align 8
+  %1675 = xor i64 %1674, -1
+  %1676 = and i64 %1642, %1675
+  %1677 = or disjoint i64 %1676, %1672
+  store i64 %1677, ptr %1669, align 8
+  %1678 = load ptr, ptr %124, align 8
+  %1679 = getelementptr inbounds i8, ptr %1678, i64 64
+  %1680 = load <8 x double>, ptr %1679, align 8
+  %1681 = select <8 x i1> %1646, <8 x double> zeroinitializer, <8 x double> %1680
+  store <8 x double> %1681, ptr %1679, align 8
+  %1682 = load ptr, ptr %54, align 8
+  store <8 x double> %1655, ptr %1682, align 8
+  %1683 = load ptr, ptr %45, align 8
+  %1684 = select <8 x i1> %1628, <8 x double> %1613, <8 x double> %226
+  store <8 x double> %1684, ptr %1683, align 8
+  br i1 %133, label %1697, label %1695
 
-1667:                                             ; preds = %1594, %1667
-  %1668 = phi i64 [ %1675, %1667 ], [ %1606, %1594 ]
-  %1669 = load ptr, ptr %131, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1669, i64 noundef %1668) #10
-  %1670 = load ptr, ptr %130, align 8
-  %1671 = load <8 x double>, ptr %1670, align 8
-  %1672 = fcmp oeq <8 x double> %1671, %1595
-  %1673 = bitcast <8 x i1> %1672 to i8
-  %1674 = zext i8 %1673 to i64
-  %1675 = and i64 %1668, %1674
-  %1676 = icmp eq i64 %1675, 0
-  br i1 %1676, label %1608, label %1667, !llvm.loop !59
+1685:                                             ; preds = %1612, %1685
+  %1686 = phi i64 [ %1693, %1685 ], [ %1624, %1612 ]
+  %1687 = load ptr, ptr %131, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1687, i64 noundef %1686) #10
+  %1688 = load ptr, ptr %130, align 8
+  %1689 = load <8 x double>, ptr %1688, align 8
+  %1690 = fcmp oeq <8 x double> %1689, %1613
+  %1691 = bitcast <8 x i1> %1690 to i8
+  %1692 = zext i8 %1691 to i64
+  %1693 = and i64 %1686, %1692
+  %1694 = icmp eq i64 %1693, 0
+  br i1 %1694, label %1626, label %1685, !llvm.loop !59
 
-1677:                                             ; preds = %1679, %1608
-  %1678 = icmp eq i64 %1600, 0
-  br i1 %1678, label %1701, label %1691
+1695:                                             ; preds = %1697, %1626
+  %1696 = icmp eq i64 %1618, 0
+  br i1 %1696, label %1719, label %1709
 
-1679:                                             ; preds = %1608, %1679
-  %1680 = phi i64 [ %1689, %1679 ], [ 0, %1608 ]
-  %1681 = load ptr, ptr %17, align 8
-  %1682 = load ptr, ptr %134, align 8
-  %1683 = shl nsw i64 %1680, 6
-  %1684 = getelementptr inbounds i8, ptr %1682, i64 %1683
-  %1685 = load <8 x i64>, ptr %1684, align 8
-  %1686 = getelementptr inbounds i8, ptr %1681, i64 %1683
-  %1687 = load <8 x i64>, ptr %1686, align 8
-  %1688 = select <8 x i1> %1610, <8 x i64> %1685, <8 x i64> %1687
-  store <8 x i64> %1688, ptr %1686, align 8
-  %1689 = add nuw nsw i64 %1680, 1
-  %1690 = icmp eq i64 %1689, %21
-  br i1 %1690, label %1677, label %1679, !llvm.loop !60
+1697:                                             ; preds = %1626, %1697
+  %1698 = phi i64 [ %1707, %1697 ], [ 0, %1626 ]
+  %1699 = load ptr, ptr %17, align 8
+  %1700 = load ptr, ptr %134, align 8
+  %1701 = shl nsw i64 %1698, 6
+  %1702 = getelementptr inbounds i8, ptr %1700, i64 %1701
+  %1703 = load <8 x i64>, ptr %1702, align 8
+  %1704 = getelementptr inbounds i8, ptr %1699, i64 %1701
+  %1705 = load <8 x i64>, ptr %1704, align 8
+  %1706 = select <8 x i1> %1628, <8 x i64> %1703, <8 x i64> %1705
+  store <8 x i64> %1706, ptr %1704, align 8
+  %1707 = add nuw nsw i64 %1698, 1
+  %1708 = icmp eq i64 %1707, %21
+  br i1 %1708, label %1695, label %1697, !llvm.loop !60
 
-1691:                                             ; preds = %1677
-  %1692 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1600, ptr noundef nonnull %12) #10
-  %1693 = icmp ne i32 %1598, 0
-  %1694 = icmp ne i64 %1692, %1600
-  %1695 = select i1 %1693, i1 true, i1 %1694
-  %1696 = zext i1 %1695 to i32
-  %1697 = trunc i64 %1600 to i8
-  %1698 = bitcast i8 %1697 to <8 x i1>
-  %1699 = xor <8 x i1> %1698, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1700 = and <8 x i1> %1699, %1610
-  br label %1701
+1709:                                             ; preds = %1695
+  %1710 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1618, ptr noundef nonnull %12) #10
+  %1711 = icmp ne i32 %1616, 0
+  %1712 = icmp ne i64 %1710, %1618
+  %1713 = select i1 %1711, i1 true, i1 %1712
+  %1714 = zext i1 %1713 to i32
+  %1715 = trunc i64 %1618 to i8
+  %1716 = bitcast i8 %1715 to <8 x i1>
+  %1717 = xor <8 x i1> %1716, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1718 = and <8 x i1> %1717, %1628
+  br label %1719
 
-1701:                                             ; preds = %1691, %1677
-  %1702 = phi i32 [ %1696, %1691 ], [ %1598, %1677 ]
-  %1703 = phi <8 x i1> [ %1700, %1691 ], [ %1610, %1677 ]
-  %1704 = phi i64 [ %1692, %1691 ], [ %194, %1677 ]
-  %1705 = bitcast <8 x i1> %1703 to i8
-  %1706 = icmp eq i8 %1705, 0
-  br i1 %1706, label %1710, label %1707
+1719:                                             ; preds = %1709, %1695
+  %1720 = phi i32 [ %1714, %1709 ], [ %1616, %1695 ]
+  %1721 = phi <8 x i1> [ %1718, %1709 ], [ %1628, %1695 ]
+  %1722 = phi i64 [ %1710, %1709 ], [ %194, %1695 ]
+  %1723 = bitcast <8 x i1> %1721 to i8
+  %1724 = icmp eq i8 %1723, 0
+  br i1 %1724, label %1728, label %1725
 
-1707:                                             ; preds = %1701
-  %1708 = zext i8 %1705 to i64
-  %1709 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1708) #10
-  br label %1710
-
-1710:                                             ; preds = %1701, %1707
-  %1711 = phi i64 [ %1709, %1707 ], [ 0, %1701 ]
-  %1712 = icmp ne i32 %1702, 0
-  %1713 = icmp ne i64 %1711, 0
-  %1714 = or i1 %1712, %1713
-  %1715 = zext i1 %1714 to i32
-  %1716 = trunc nuw i64 %1711 to i8
-  %1717 = bitcast i8 %1716 to <8 x i1>
-  %1718 = xor <8 x i1> %1717, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1719 = and <8 x i1> %1703, %1718
-  %1720 = load ptr, ptr %130, align 8
-  %1721 = load <8 x double>, ptr %1720, align 8
-  %1722 = fcmp oeq <8 x double> %1721, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1723 = select <8 x i1> %1722, <8 x i1> %1719, <8 x i1> zeroinitializer
-  %1724 = bitcast <8 x i1> %1723 to i8
-  %1725 = icmp eq i8 %1724, 0
-  br i1 %1725, label %1728, label %1726
-
-1726:                                             ; preds = %1710
-  %1727 = zext i8 %1724 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1727, i64 noundef 0) #10
+1725:                                             ; preds = %1719
+  %1726 = zext i8 %1723 to i64
+  %1727 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1726) #10
   br label %1728
 
-1728:                                             ; preds = %1726, %1710
-  %1729 = phi i32 [ 1, %1726 ], [ %1715, %1710 ]
+1728:                                             ; preds = %1719, %1725
+  %1729 = phi i64 [ %1727, %1725 ], [ 0, %1719 ]
+  %1730 = icmp ne i32 %1720, 0
+  %1731 = icmp ne i64 %1729, 0
+  %1732 = or i1 %1730, %1731
+  %1733 = zext i1 %1732 to i32
+  %1734 = trunc nuw i64 %1729 to i8
+  %1735 = bitcast i8 %1734 to <8 x i1>
+  %1736 = xor <8 x i1> %1735, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1737 = and <8 x i1> %1721, %1736
+  %1738 = load ptr, ptr %130, align 8
+  %1739 = load <8 x double>, ptr %1738, align 8
+  %1740 = fcmp oeq <8 x double> %1739, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1741 = select <8 x i1> %1740, <8 x i1> %1737, <8 x i1> zeroinitializer
+  %1742 = bitcast <8 x i1> %1741 to i8
+  %1743 = icmp eq i8 %1742, 0
+  br i1 %1743, label %1746, label %1744
+
+1744:                                             ; preds = %1728
+  %1745 = zext i8 %1742 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1745, i64 noundef 0) #10
+  br label %1746
+
+1746:                                             ; preds = %1744, %1728
+  %1747 = phi i32 [ 1, %1744 ], [ %1733, %1728 ]
   br label %135
 
-1730:                                             ; preds = %192, %217, %188
-  %1731 = phi i64 [ 1, %188 ], [ 0, %217 ], [ 0, %192 ]
-  ret i64 %1731
+1748:                                             ; preds = %192, %217, %188
+  %1749 = phi i64 [ 1, %188 ], [ 0, %217 ], [ 0, %192 ]
+  ret i64 %1749
 }
 
 
@@ -2578,7 +2611,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 345:                                              ; preds = %336, %330
   %346 = load ptr, ptr %61, align 8
   %347 = load ptr, ptr %56, align 8
-  %348 = getelementptr inbounds i8, ptr %347, i64 40
+  %348 = getelementptr inbounds i8, ptr %347, i64 48
   %349 = load i64, ptr %348, align 8
   %350 = icmp sgt i64 %349, 0
   br i1 %350, label %351, label %360
@@ -2598,7 +2631,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 360:                                              ; preds = %351, %345
   %361 = load ptr, ptr %62, align 8
   %362 = load ptr, ptr %56, align 8
-  %363 = getelementptr inbounds i8, ptr %362, i64 48
+  %363 = getelementptr inbounds i8, ptr %362, i64 56
   %364 = load i64, ptr %363, align 8
   %365 = icmp sgt i64 %364, 0
   br i1 %365, label %366, label %375
@@ -2665,265 +2698,276 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %24 = getelementptr inbounds i8, ptr %20, i64 24
   %25 = load ptr, ptr %24, align 8
   store <8 x double> %18, ptr %25, align 8
-  %26 = getelementptr inbounds i8, ptr %20, i64 152
-  %27 = load i64, ptr %26, align 8
-  %28 = icmp sgt i64 %27, 0
-  br i1 %28, label %29, label %30
+  %26 = load ptr, ptr %20, align 8
+  %27 = getelementptr inbounds i8, ptr %26, i64 40
+  %28 = load i64, ptr %27, align 8
+  %29 = icmp eq i64 %28, 0
+  br i1 %29, label %31, label %30
 
-29:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef %20) #10
-  br label %30
+30:                                               ; preds = %4
+  tail call fastcc void @settle(ptr noundef nonnull %20) #10
+  br label %31
 
-30:                                               ; preds = %4, %29
-  %31 = load ptr, ptr %20, align 8
-  %32 = load i64, ptr %31, align 8
-  %33 = load ptr, ptr %24, align 8
-  %34 = getelementptr inbounds i8, ptr %20, i64 48
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds i8, ptr %20, i64 96
-  %37 = load ptr, ptr %36, align 8
-  %38 = inttoptr i64 %32 to ptr
-  %39 = load ptr, ptr %38, align 8
-  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #11
-  %41 = sext i32 %40 to i64
-  %42 = load ptr, ptr %19, align 8
+31:                                               ; preds = %30, %4
+  %32 = getelementptr inbounds i8, ptr %20, i64 152
+  %33 = load i64, ptr %32, align 8
+  %34 = icmp sgt i64 %33, 0
+  br i1 %34, label %35, label %36
+
+35:                                               ; preds = %31
+  tail call fastcc void @sample(ptr noundef nonnull %20) #10
+  br label %36
+
+36:                                               ; preds = %31, %35
+  %37 = load ptr, ptr %20, align 8
+  %38 = load i64, ptr %37, align 8
+  %39 = load ptr, ptr %24, align 8
+  %40 = getelementptr inbounds i8, ptr %20, i64 48
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %20, i64 96
   %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %43, i64 8
-  %45 = load i64, ptr %44, align 8
-  %46 = icmp sgt i64 %45, 0
-  br i1 %46, label %47, label %49
+  %44 = inttoptr i64 %38 to ptr
+  %45 = load ptr, ptr %44, align 8
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %47 = sext i32 %46 to i64
+  %48 = load ptr, ptr %19, align 8
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr inbounds i8, ptr %49, i64 8
+  %51 = load i64, ptr %50, align 8
+  %52 = icmp sgt i64 %51, 0
+  br i1 %52, label %53, label %55
 
-47:                                               ; preds = %30
-  %48 = getelementptr inbounds i8, ptr %11, i64 168
-  br label %158
+53:                                               ; preds = %36
+  %54 = getelementptr inbounds i8, ptr %11, i64 168
+  br label %164
 
-49:                                               ; preds = %158, %30
-  %50 = getelementptr inbounds i8, ptr %0, i64 1008
-  %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %51, i64 8
-  %53 = load double, ptr %52, align 8
-  %54 = fcmp oeq double %53, 0.000000e+00
-  %55 = select i1 %54, i64 %14, i64 %3
-  %56 = getelementptr inbounds i8, ptr %0, i64 720
+55:                                               ; preds = %164, %36
+  %56 = getelementptr inbounds i8, ptr %0, i64 1008
   %57 = load ptr, ptr %56, align 8
-  %58 = insertelement <8 x double> poison, double %53, i64 0
-  %59 = load <8 x i64>, ptr %57, align 8
-  %60 = bitcast <8 x double> %58 to <8 x i64>
-  %61 = shufflevector <8 x i64> %60, <8 x i64> poison, <8 x i32> zeroinitializer
-  %62 = select <8 x i1> %16, <8 x i64> %61, <8 x i64> %59
-  store <8 x i64> %62, ptr %57, align 8
-  %63 = load ptr, ptr %50, align 8
-  %64 = load double, ptr %63, align 8
-  %65 = load ptr, ptr %10, align 8
-  %66 = load ptr, ptr %19, align 8
-  %67 = load ptr, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %67, i64 8
-  %69 = load i64, ptr %68, align 8
-  %70 = load ptr, ptr %65, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %70, ptr noundef %70, ptr noundef nonnull %65, i64 noundef %69) #10
-  %71 = load <8 x double>, ptr %5, align 16
-  %72 = getelementptr inbounds i8, ptr %65, i64 168
+  %58 = getelementptr inbounds i8, ptr %57, i64 8
+  %59 = load double, ptr %58, align 8
+  %60 = fcmp oeq double %59, 0.000000e+00
+  %61 = select i1 %60, i64 %14, i64 %3
+  %62 = getelementptr inbounds i8, ptr %0, i64 720
+  %63 = load ptr, ptr %62, align 8
+  %64 = insertelement <8 x double> poison, double %59, i64 0
+  %65 = load <8 x i64>, ptr %63, align 8
+  %66 = bitcast <8 x double> %64 to <8 x i64>
+  %67 = shufflevector <8 x i64> %66, <8 x i64> poison, <8 x i32> zeroinitializer
+  %68 = select <8 x i1> %16, <8 x i64> %67, <8 x i64> %65
+  store <8 x i64> %68, ptr %63, align 8
+  %69 = load ptr, ptr %56, align 8
+  %70 = load double, ptr %69, align 8
+  %71 = load ptr, ptr %10, align 8
+  %72 = load ptr, ptr %19, align 8
   %73 = load ptr, ptr %72, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %73, ptr noundef %70, ptr noundef nonnull %65, i64 noundef %69) #10
-  %74 = load <8 x double>, ptr %6, align 16
-  %75 = fcmp olt <8 x double> %71, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %76 = fcmp olt <8 x double> %74, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
-  %77 = or <8 x i1> %76, %75
-  %78 = insertelement <8 x double> poison, double %64, i64 0
-  %79 = shufflevector <8 x double> %78, <8 x double> poison, <8 x i32> zeroinitializer
-  %80 = fmul <8 x double> %71, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %81 = fdiv <8 x double> %80, %74
-  %82 = bitcast <8 x double> %81 to <8 x i64>
-  %83 = select <8 x i1> %77, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %82
-  %84 = bitcast <8 x i64> %83 to <8 x double>
-  %85 = fcmp olt <8 x double> %79, %84
-  %86 = bitcast <8 x double> %79 to <8 x i64>
-  %87 = select <8 x i1> %85, <8 x i64> %86, <8 x i64> %83
-  %88 = bitcast <8 x i64> %87 to <8 x double>
-  %89 = load ptr, ptr %56, align 8
-  %90 = trunc i64 %55 to i8
-  %91 = bitcast i8 %90 to <8 x i1>
-  %92 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %18)
-  %93 = fmul <8 x double> %92, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
-  %94 = fcmp ogt <8 x double> %93, %88
-  %95 = bitcast <8 x double> %93 to <8 x i64>
-  %96 = select <8 x i1> %94, <8 x i64> %95, <8 x i64> %87
-  %97 = bitcast <8 x i64> %96 to <8 x double>
-  %98 = fcmp olt <8 x double> %79, %97
-  %99 = select <8 x i1> %98, <8 x i64> %86, <8 x i64> %96
-  %100 = load <8 x i64>, ptr %89, align 8
-  %101 = select <8 x i1> %91, <8 x i64> %99, <8 x i64> %100
-  store <8 x i64> %101, ptr %89, align 8
-  %102 = getelementptr inbounds i8, ptr %0, i64 1728
-  %103 = xor i64 %14, -1
-  %104 = load ptr, ptr %102, align 8
-  %105 = getelementptr inbounds i8, ptr %104, i64 16
-  %106 = load i64, ptr %105, align 8
-  %107 = and i64 %106, %103
-  store i64 %107, ptr %105, align 8
-  %108 = load ptr, ptr %102, align 8
-  %109 = getelementptr inbounds i8, ptr %108, i64 32
-  %110 = load i64, ptr %109, align 8
-  %111 = or i64 %110, %14
-  store i64 %111, ptr %109, align 8
-  %112 = load ptr, ptr %102, align 8
-  %113 = getelementptr inbounds i8, ptr %112, i64 8
-  %114 = load i64, ptr %113, align 8
-  %115 = and i64 %114, %103
-  %116 = getelementptr inbounds i8, ptr %112, i64 16
-  %117 = load i64, ptr %116, align 8
-  %118 = xor i64 %117, -1
-  %119 = and i64 %14, %118
-  %120 = or disjoint i64 %119, %115
-  store i64 %120, ptr %113, align 8
-  %121 = getelementptr inbounds i8, ptr %0, i64 1752
-  %122 = load ptr, ptr %121, align 8
-  %123 = getelementptr inbounds i8, ptr %122, i64 64
-  %124 = load <8 x double>, ptr %123, align 8
-  %125 = select <8 x i1> %16, <8 x double> zeroinitializer, <8 x double> %124
-  store <8 x double> %125, ptr %123, align 8
-  %126 = load ptr, ptr %121, align 8
-  %127 = getelementptr inbounds i8, ptr %126, i64 192
-  %128 = load <8 x double>, ptr %127, align 8
-  %129 = select <8 x i1> %16, <8 x double> zeroinitializer, <8 x double> %128
-  store <8 x double> %129, ptr %127, align 8
-  %130 = getelementptr inbounds i8, ptr %0, i64 840
-  %131 = load ptr, ptr %130, align 8
-  %132 = load <8 x double>, ptr %131, align 8
-  %133 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %132
-  store <8 x double> %133, ptr %131, align 8
-  %134 = getelementptr inbounds i8, ptr %0, i64 864
-  %135 = load ptr, ptr %134, align 8
-  %136 = load <8 x double>, ptr %135, align 8
-  %137 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %136
-  store <8 x double> %137, ptr %135, align 8
-  %138 = getelementptr inbounds i8, ptr %0, i64 888
-  %139 = load ptr, ptr %138, align 8
-  %140 = load <8 x double>, ptr %139, align 8
-  %141 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %140
-  store <8 x double> %141, ptr %139, align 8
-  %142 = getelementptr inbounds i8, ptr %0, i64 912
-  %143 = load ptr, ptr %142, align 8
-  %144 = load ptr, ptr %56, align 8
-  %145 = load <8 x double>, ptr %144, align 8
-  %146 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %145, i32 384)
-  %147 = select <8 x i1> %146, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %148 = load <8 x i64>, ptr %143, align 8
-  %149 = select <8 x i1> %16, <8 x i64> %147, <8 x i64> %148
-  store <8 x i64> %149, ptr %143, align 8
-  %150 = icmp eq i64 %2, 0
-  br i1 %150, label %199, label %151
+  %74 = getelementptr inbounds i8, ptr %73, i64 8
+  %75 = load i64, ptr %74, align 8
+  %76 = load ptr, ptr %71, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #10
+  %77 = load <8 x double>, ptr %5, align 16
+  %78 = getelementptr inbounds i8, ptr %71, i64 168
+  %79 = load ptr, ptr %78, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %79, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #10
+  %80 = load <8 x double>, ptr %6, align 16
+  %81 = fcmp olt <8 x double> %77, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %82 = fcmp olt <8 x double> %80, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %83 = or <8 x i1> %82, %81
+  %84 = insertelement <8 x double> poison, double %70, i64 0
+  %85 = shufflevector <8 x double> %84, <8 x double> poison, <8 x i32> zeroinitializer
+  %86 = fmul <8 x double> %77, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %87 = fdiv <8 x double> %86, %80
+  %88 = bitcast <8 x double> %87 to <8 x i64>
+  %89 = select <8 x i1> %83, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %88
+  %90 = bitcast <8 x i64> %89 to <8 x double>
+  %91 = fcmp olt <8 x double> %85, %90
+  %92 = bitcast <8 x double> %85 to <8 x i64>
+  %93 = select <8 x i1> %91, <8 x i64> %92, <8 x i64> %89
+  %94 = bitcast <8 x i64> %93 to <8 x double>
+  %95 = load ptr, ptr %62, align 8
+  %96 = trunc i64 %61 to i8
+  %97 = bitcast i8 %96 to <8 x i1>
+  %98 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %18)
+  %99 = fmul <8 x double> %98, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %100 = fcmp ogt <8 x double> %99, %94
+  %101 = bitcast <8 x double> %99 to <8 x i64>
+  %102 = select <8 x i1> %100, <8 x i64> %101, <8 x i64> %93
+  %103 = bitcast <8 x i64> %102 to <8 x double>
+  %104 = fcmp olt <8 x double> %85, %103
+  %105 = select <8 x i1> %104, <8 x i64> %92, <8 x i64> %102
+  %106 = load <8 x i64>, ptr %95, align 8
+  %107 = select <8 x i1> %97, <8 x i64> %105, <8 x i64> %106
+  store <8 x i64> %107, ptr %95, align 8
+  %108 = getelementptr inbounds i8, ptr %0, i64 1728
+  %109 = xor i64 %14, -1
+  %110 = load ptr, ptr %108, align 8
+  %111 = getelementptr inbounds i8, ptr %110, i64 16
+  %112 = load i64, ptr %111, align 8
+  %113 = and i64 %112, %109
+  store i64 %113, ptr %111, align 8
+  %114 = load ptr, ptr %108, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 32
+  %116 = load i64, ptr %115, align 8
+  %117 = or i64 %116, %14
+  store i64 %117, ptr %115, align 8
+  %118 = load ptr, ptr %108, align 8
+  %119 = getelementptr inbounds i8, ptr %118, i64 8
+  %120 = load i64, ptr %119, align 8
+  %121 = and i64 %120, %109
+  %122 = getelementptr inbounds i8, ptr %118, i64 16
+  %123 = load i64, ptr %122, align 8
+  %124 = xor i64 %123, -1
+  %125 = and i64 %14, %124
+  %126 = or disjoint i64 %125, %121
+  store i64 %126, ptr %119, align 8
+  %127 = getelementptr inbounds i8, ptr %0, i64 1752
+  %128 = load ptr, ptr %127, align 8
+  %129 = getelementptr inbounds i8, ptr %128, i64 64
+  %130 = load <8 x double>, ptr %129, align 8
+  %131 = select <8 x i1> %16, <8 x double> zeroinitializer, <8 x double> %130
+  store <8 x double> %131, ptr %129, align 8
+  %132 = load ptr, ptr %127, align 8
+  %133 = getelementptr inbounds i8, ptr %132, i64 192
+  %134 = load <8 x double>, ptr %133, align 8
+  %135 = select <8 x i1> %16, <8 x double> zeroinitializer, <8 x double> %134
+  store <8 x double> %135, ptr %133, align 8
+  %136 = getelementptr inbounds i8, ptr %0, i64 840
+  %137 = load ptr, ptr %136, align 8
+  %138 = load <8 x double>, ptr %137, align 8
+  %139 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %138
+  store <8 x double> %139, ptr %137, align 8
+  %140 = getelementptr inbounds i8, ptr %0, i64 864
+  %141 = load ptr, ptr %140, align 8
+  %142 = load <8 x double>, ptr %141, align 8
+  %143 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %142
+  store <8 x double> %143, ptr %141, align 8
+  %144 = getelementptr inbounds i8, ptr %0, i64 888
+  %145 = load ptr, ptr %144, align 8
+  %146 = load <8 x double>, ptr %145, align 8
+  %147 = select <8 x i1> %13, <8 x double> zeroinitializer, <8 x double> %146
+  store <8 x double> %147, ptr %145, align 8
+  %148 = getelementptr inbounds i8, ptr %0, i64 912
+  %149 = load ptr, ptr %148, align 8
+  %150 = load ptr, ptr %62, align 8
+  %151 = load <8 x double>, ptr %150, align 8
+  %152 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %151, i32 384)
+  %153 = select <8 x i1> %152, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %154 = load <8 x i64>, ptr %149, align 8
+  %155 = select <8 x i1> %16, <8 x i64> %153, <8 x i64> %154
+  store <8 x i64> %155, ptr %149, align 8
+  %156 = icmp eq i64 %2, 0
+  br i1 %156, label %205, label %157
 
-151:                                              ; preds = %49
-  %152 = getelementptr inbounds i8, ptr %0, i64 936
-  %153 = getelementptr inbounds i8, ptr %0, i64 1032
-  %154 = getelementptr inbounds i8, ptr %0, i64 1040
-  %155 = getelementptr inbounds i8, ptr %0, i64 792
-  %156 = getelementptr inbounds i8, ptr %0, i64 816
-  %157 = getelementptr inbounds i8, ptr %0, i64 960
-  br label %174
+157:                                              ; preds = %55
+  %158 = getelementptr inbounds i8, ptr %0, i64 936
+  %159 = getelementptr inbounds i8, ptr %0, i64 1032
+  %160 = getelementptr inbounds i8, ptr %0, i64 1040
+  %161 = getelementptr inbounds i8, ptr %0, i64 792
+  %162 = getelementptr inbounds i8, ptr %0, i64 816
+  %163 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %180
 
-158:                                              ; preds = %47, %158
-  %159 = phi i64 [ 0, %47 ], [ %168, %158 ]
-  %160 = load ptr, ptr %48, align 8
-  %161 = load ptr, ptr %22, align 8
-  %162 = shl nsw i64 %159, 6
-  %163 = getelementptr inbounds i8, ptr %161, i64 %162
-  %164 = load <8 x i64>, ptr %163, align 8
-  %165 = getelementptr inbounds i8, ptr %160, i64 %162
-  %166 = load <8 x i64>, ptr %165, align 8
-  %167 = select <8 x i1> %16, <8 x i64> %164, <8 x i64> %166
-  store <8 x i64> %167, ptr %165, align 8
-  %168 = add nuw nsw i64 %159, 1
-  %169 = load ptr, ptr %19, align 8
-  %170 = load ptr, ptr %169, align 8
-  %171 = getelementptr inbounds i8, ptr %170, i64 8
-  %172 = load i64, ptr %171, align 8
-  %173 = icmp slt i64 %168, %172
-  br i1 %173, label %158, label %49, !llvm.loop !72
+164:                                              ; preds = %53, %164
+  %165 = phi i64 [ 0, %53 ], [ %174, %164 ]
+  %166 = load ptr, ptr %54, align 8
+  %167 = load ptr, ptr %22, align 8
+  %168 = shl nsw i64 %165, 6
+  %169 = getelementptr inbounds i8, ptr %167, i64 %168
+  %170 = load <8 x i64>, ptr %169, align 8
+  %171 = getelementptr inbounds i8, ptr %166, i64 %168
+  %172 = load <8 x i64>, ptr %171, align 8
+  %173 = select <8 x i1> %16, <8 x i64> %170, <8 x i64> %172
+  store <8 x i64> %173, ptr %171, align 8
+  %174 = add nuw nsw i64 %165, 1
+  %175 = load ptr, ptr %19, align 8
+  %176 = load ptr, ptr %175, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 8
+  %178 = load i64, ptr %177, align 8
+  %179 = icmp slt i64 %174, %178
+  br i1 %179, label %164, label %55, !llvm.loop !72
 
-174:                                              ; preds = %151, %174
-  %175 = phi i64 [ %2, %151 ], [ %197, %174 ]
-  %176 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %175, i1 true)
-  %177 = load ptr, ptr %152, align 8
-  %178 = getelementptr inbounds i64, ptr %177, i64 %176
-  %179 = load i64, ptr %178, align 8
-  %180 = load i64, ptr %154, align 8
-  %181 = add nsw i64 %180, -1
-  %182 = load ptr, ptr %155, align 8
-  %183 = getelementptr inbounds double, ptr %182, i64 %176
-  store double 0.000000e+00, ptr %183, align 8
-  %184 = load ptr, ptr %153, align 8
-  %185 = load double, ptr %184, align 8
-  %186 = load ptr, ptr %156, align 8
-  %187 = getelementptr inbounds double, ptr %186, i64 %176
-  store double %185, ptr %187, align 8
-  %188 = load ptr, ptr %9, align 8
-  %189 = getelementptr inbounds i8, ptr %188, i64 24
-  %190 = load i64, ptr %189, align 8
-  %191 = shl i64 %179, 3
-  %192 = mul i64 %191, %181
-  %193 = add nsw i64 %190, %192
-  %194 = load ptr, ptr %157, align 8
-  %195 = getelementptr inbounds i64, ptr %194, i64 %176
-  store i64 %193, ptr %195, align 8
-  %196 = add nsw i64 %175, -1
-  %197 = and i64 %196, %175
-  %198 = icmp eq i64 %197, 0
-  br i1 %198, label %199, label %174, !llvm.loop !73
+180:                                              ; preds = %157, %180
+  %181 = phi i64 [ %2, %157 ], [ %203, %180 ]
+  %182 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %181, i1 true)
+  %183 = load ptr, ptr %158, align 8
+  %184 = getelementptr inbounds i64, ptr %183, i64 %182
+  %185 = load i64, ptr %184, align 8
+  %186 = load i64, ptr %160, align 8
+  %187 = add nsw i64 %186, -1
+  %188 = load ptr, ptr %161, align 8
+  %189 = getelementptr inbounds double, ptr %188, i64 %182
+  store double 0.000000e+00, ptr %189, align 8
+  %190 = load ptr, ptr %159, align 8
+  %191 = load double, ptr %190, align 8
+  %192 = load ptr, ptr %162, align 8
+  %193 = getelementptr inbounds double, ptr %192, i64 %182
+  store double %191, ptr %193, align 8
+  %194 = load ptr, ptr %9, align 8
+  %195 = getelementptr inbounds i8, ptr %194, i64 24
+  %196 = load i64, ptr %195, align 8
+  %197 = shl i64 %185, 3
+  %198 = mul i64 %197, %187
+  %199 = add nsw i64 %196, %198
+  %200 = load ptr, ptr %163, align 8
+  %201 = getelementptr inbounds i64, ptr %200, i64 %182
+  store i64 %199, ptr %201, align 8
+  %202 = add nsw i64 %181, -1
+  %203 = and i64 %202, %181
+  %204 = icmp eq i64 %203, 0
+  br i1 %204, label %205, label %180, !llvm.loop !73
 
-199:                                              ; preds = %174, %49
-  %200 = xor i64 %41, -1
-  %201 = and i64 %200, %2
-  %202 = icmp eq i64 %201, 0
-  br i1 %202, label %206, label %203
+205:                                              ; preds = %180, %55
+  %206 = xor i64 %47, -1
+  %207 = and i64 %206, %2
+  %208 = icmp eq i64 %207, 0
+  br i1 %208, label %212, label %209
 
-203:                                              ; preds = %199
-  %204 = getelementptr inbounds i8, ptr %0, i64 816
-  %205 = getelementptr inbounds i8, ptr %0, i64 1032
-  br label %220
+209:                                              ; preds = %205
+  %210 = getelementptr inbounds i8, ptr %0, i64 816
+  %211 = getelementptr inbounds i8, ptr %0, i64 1032
+  br label %226
 
-206:                                              ; preds = %220, %199
-  %207 = and i64 %14, %41
-  %208 = xor i64 %207, %14
-  %209 = getelementptr inbounds i8, ptr %0, i64 816
-  %210 = load ptr, ptr %209, align 8
-  %211 = load <8 x double>, ptr %210, align 8
-  %212 = fcmp oeq <8 x double> %211, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %213 = bitcast <8 x i1> %212 to i8
-  %214 = zext i8 %213 to i64
-  %215 = and i64 %208, %214
-  %216 = load ptr, ptr %138, align 8
+212:                                              ; preds = %226, %205
+  %213 = and i64 %14, %47
+  %214 = xor i64 %213, %14
+  %215 = getelementptr inbounds i8, ptr %0, i64 816
+  %216 = load ptr, ptr %215, align 8
   %217 = load <8 x double>, ptr %216, align 8
-  %218 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %219 = fadd <8 x double> %218, %217
-  store <8 x double> %219, ptr %216, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %207, i64 noundef 3) #10
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %215, i64 noundef 0) #10
+  %218 = fcmp oeq <8 x double> %217, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %219 = bitcast <8 x i1> %218 to i8
+  %220 = zext i8 %219 to i64
+  %221 = and i64 %214, %220
+  %222 = load ptr, ptr %144, align 8
+  %223 = load <8 x double>, ptr %222, align 8
+  %224 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %225 = fadd <8 x double> %224, %223
+  store <8 x double> %225, ptr %222, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %213, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %221, i64 noundef 0) #10
   ret void
 
-220:                                              ; preds = %203, %220
-  %221 = phi i64 [ %201, %203 ], [ %232, %220 ]
-  %222 = load ptr, ptr %11, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %222, i64 noundef %221) #10
-  %223 = load ptr, ptr %204, align 8
-  %224 = load <8 x double>, ptr %223, align 8
-  %225 = load ptr, ptr %205, align 8
-  %226 = load double, ptr %225, align 8
-  %227 = insertelement <8 x double> poison, double %226, i64 0
-  %228 = shufflevector <8 x double> %227, <8 x double> poison, <8 x i32> zeroinitializer
-  %229 = fcmp oeq <8 x double> %224, %228
-  %230 = bitcast <8 x i1> %229 to i8
-  %231 = zext i8 %230 to i64
-  %232 = and i64 %221, %231
-  %233 = icmp eq i64 %232, 0
-  br i1 %233, label %206, label %220, !llvm.loop !74
+226:                                              ; preds = %209, %226
+  %227 = phi i64 [ %207, %209 ], [ %238, %226 ]
+  %228 = load ptr, ptr %11, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %228, i64 noundef %227) #10
+  %229 = load ptr, ptr %210, align 8
+  %230 = load <8 x double>, ptr %229, align 8
+  %231 = load ptr, ptr %211, align 8
+  %232 = load double, ptr %231, align 8
+  %233 = insertelement <8 x double> poison, double %232, i64 0
+  %234 = shufflevector <8 x double> %233, <8 x double> poison, <8 x i32> zeroinitializer
+  %235 = fcmp oeq <8 x double> %230, %234
+  %236 = bitcast <8 x i1> %235 to i8
+  %237 = zext i8 %236 to i64
+  %238 = and i64 %227, %237
+  %239 = icmp eq i64 %238, 0
+  br i1 %239, label %212, label %226, !llvm.loop !74
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
   %3 = getelementptr inbounds i8, ptr %0, i64 696
-  %4 = getelementptr inbounds i8, ptr %0, i64 384
-  %5 = getelementptr inbounds i8, ptr %0, i64 392
+  %4 = getelementptr inbounds i8, ptr %0, i64 392
+  %5 = getelementptr inbounds i8, ptr %0, i64 384
   %6 = getelementptr inbounds i8, ptr %0, i64 408
   br label %8
 
@@ -2935,59 +2979,61 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %10 = load ptr, ptr %3, align 8
   %11 = getelementptr inbounds double, ptr %10, i64 %9
   %12 = load double, ptr %11, align 8
-  %13 = load ptr, ptr %4, align 8
-  %14 = load i64, ptr %5, align 8
-  %15 = icmp eq i64 %14, 0
-  br i1 %15, label %49, label %16
+  %13 = load i64, ptr %4, align 8
+  %14 = icmp eq i64 %13, 0
+  br i1 %14, label %49, label %15
 
-16:                                               ; preds = %8
-  %17 = icmp sgt i64 %14, 0
-  br i1 %17, label %18, label %31
+15:                                               ; preds = %8
+  %16 = icmp sgt i64 %13, 0
+  br i1 %16, label %17, label %32
 
-18:                                               ; preds = %16, %18
-  %19 = phi i64 [ %29, %18 ], [ %14, %16 ]
-  %20 = phi i64 [ %28, %18 ], [ 0, %16 ]
-  %21 = add nuw nsw i64 %19, %20
-  %22 = lshr i64 %21, 1
-  %23 = and i64 %21, -2
-  %24 = getelementptr inbounds double, ptr %13, i64 %23
-  %25 = load double, ptr %24, align 8
-  %26 = fcmp ogt double %25, %12
-  %27 = add nuw nsw i64 %22, 1
-  %28 = select i1 %26, i64 %20, i64 %27
-  %29 = select i1 %26, i64 %22, i64 %19
-  %30 = icmp slt i64 %28, %29
-  br i1 %30, label %18, label %31, !llvm.loop !75
+17:                                               ; preds = %15
+  %18 = load ptr, ptr %5, align 8
+  br label %19
 
-31:                                               ; preds = %18, %16
-  %32 = phi i64 [ 0, %16 ], [ %28, %18 ]
-  %33 = icmp slt i64 %32, %14
-  br i1 %33, label %34, label %39
+19:                                               ; preds = %17, %19
+  %20 = phi i64 [ 0, %17 ], [ %30, %19 ]
+  %21 = phi i64 [ %13, %17 ], [ %29, %19 ]
+  %22 = add nuw nsw i64 %20, %21
+  %23 = lshr i64 %22, 1
+  %24 = mul i64 %23, 24
+  %25 = getelementptr inbounds i8, ptr %18, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %12
+  %28 = add nuw nsw i64 %23, 1
+  %29 = select i1 %27, i64 %23, i64 %21
+  %30 = select i1 %27, i64 %20, i64 %28
+  %31 = icmp slt i64 %30, %29
+  br i1 %31, label %19, label %32, !llvm.loop !75
 
-34:                                               ; preds = %31
-  %35 = shl nuw nsw i64 %32, 1
-  %36 = or disjoint i64 %35, 1
-  %37 = getelementptr inbounds double, ptr %13, i64 %36
-  %38 = load double, ptr %37, align 8
-  br label %39
+32:                                               ; preds = %19, %15
+  %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
+  %34 = load ptr, ptr %5, align 8
+  %35 = mul i64 %33, 24
+  %36 = getelementptr inbounds i8, ptr %34, i64 %35
+  %37 = icmp slt i64 %33, %13
+  br i1 %37, label %38, label %41
 
-39:                                               ; preds = %34, %31
-  %40 = phi double [ %38, %34 ], [ 0x7FF0000000000000, %31 ]
-  %41 = load ptr, ptr %6, align 8
-  %42 = getelementptr inbounds double, ptr %41, i64 %9
-  store double %40, ptr %42, align 8
-  %43 = load i64, ptr %5, align 8
-  %44 = icmp slt i64 %32, %43
-  br i1 %44, label %45, label %49
+38:                                               ; preds = %32
+  %39 = getelementptr inbounds i8, ptr %36, i64 8
+  %40 = load double, ptr %39, align 8
+  br label %41
 
-45:                                               ; preds = %39
-  %46 = shl nsw i64 %32, 4
-  %47 = getelementptr inbounds i8, ptr %13, i64 %46
-  %48 = load double, ptr %47, align 8
+41:                                               ; preds = %38, %32
+  %42 = phi double [ %40, %38 ], [ 0x7FF0000000000000, %32 ]
+  %43 = load ptr, ptr %6, align 8
+  %44 = getelementptr inbounds double, ptr %43, i64 %9
+  store double %42, ptr %44, align 8
+  %45 = load i64, ptr %4, align 8
+  %46 = icmp slt i64 %33, %45
+  br i1 %46, label %47, label %49
+
+47:                                               ; preds = %41
+  %48 = load double, ptr %36, align 8
   br label %49
 
-49:                                               ; preds = %8, %39, %45
-  %50 = phi double [ 0x7FF0000000000000, %8 ], [ %48, %45 ], [ 0x7FF0000000000000, %39 ]
+49:                                               ; preds = %8, %41, %47
+  %50 = phi double [ 0x7FF0000000000000, %8 ], [ %48, %47 ], [ 0x7FF0000000000000, %41 ]
   %51 = getelementptr inbounds double, ptr %1, i64 %9
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
@@ -4110,70 +4156,159 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %24 = getelementptr inbounds i8, ptr %18, i64 24
   %25 = load ptr, ptr %24, align 8
   store <8 x double> %20, ptr %25, align 8
-  %26 = getelementptr inbounds i8, ptr %18, i64 152
-  %27 = load i64, ptr %26, align 8
-  %28 = icmp sgt i64 %27, 0
-  br i1 %28, label %29, label %30
+  %26 = load ptr, ptr %18, align 8
+  %27 = getelementptr inbounds i8, ptr %26, i64 40
+  %28 = load i64, ptr %27, align 8
+  %29 = icmp eq i64 %28, 0
+  br i1 %29, label %31, label %30
 
-29:                                               ; preds = %17
-  tail call fastcc void @sample(ptr noundef %18) #10
-  br label %30
+30:                                               ; preds = %17
+  tail call fastcc void @settle(ptr noundef nonnull %18) #10
+  br label %31
 
-30:                                               ; preds = %17, %29
-  %31 = load ptr, ptr %18, align 8
-  %32 = load i64, ptr %31, align 8
-  %33 = load ptr, ptr %24, align 8
-  %34 = getelementptr inbounds i8, ptr %18, i64 48
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds i8, ptr %18, i64 96
-  %37 = load ptr, ptr %36, align 8
-  %38 = inttoptr i64 %32 to ptr
-  %39 = load ptr, ptr %38, align 8
-  %40 = tail call i32 %39(ptr noundef %33, ptr noundef %21, ptr noundef %35, ptr noundef %37, ptr noundef %23) #11
-  %41 = load ptr, ptr %9, align 8
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds i8, ptr %42, i64 8
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %48
+31:                                               ; preds = %30, %17
+  %32 = getelementptr inbounds i8, ptr %18, i64 152
+  %33 = load i64, ptr %32, align 8
+  %34 = icmp sgt i64 %33, 0
+  br i1 %34, label %35, label %36
 
-46:                                               ; preds = %30
-  %47 = getelementptr inbounds i8, ptr %6, i64 168
-  br label %56
+35:                                               ; preds = %31
+  tail call fastcc void @sample(ptr noundef nonnull %18) #10
+  br label %36
 
-48:                                               ; preds = %56, %30
-  %49 = sext i32 %40 to i64
-  %50 = and i64 %49, %2
-  %51 = getelementptr inbounds i8, ptr %0, i64 888
-  %52 = load ptr, ptr %51, align 8
-  %53 = load <8 x double>, ptr %52, align 8
-  %54 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %55 = fadd <8 x double> %54, %53
-  store <8 x double> %55, ptr %52, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %50, i64 noundef 3) #10
-  ret i64 %50
+36:                                               ; preds = %31, %35
+  %37 = load ptr, ptr %18, align 8
+  %38 = load i64, ptr %37, align 8
+  %39 = load ptr, ptr %24, align 8
+  %40 = getelementptr inbounds i8, ptr %18, i64 48
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds i8, ptr %18, i64 96
+  %43 = load ptr, ptr %42, align 8
+  %44 = inttoptr i64 %38 to ptr
+  %45 = load ptr, ptr %44, align 8
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %47 = load ptr, ptr %9, align 8
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr inbounds i8, ptr %48, i64 8
+  %50 = load i64, ptr %49, align 8
+  %51 = icmp sgt i64 %50, 0
+  br i1 %51, label %52, label %54
 
-56:                                               ; preds = %46, %56
-  %57 = phi i64 [ 0, %46 ], [ %66, %56 ]
-  %58 = load ptr, ptr %47, align 8
-  %59 = load ptr, ptr %22, align 8
-  %60 = shl nsw i64 %57, 6
-  %61 = getelementptr inbounds i8, ptr %59, i64 %60
-  %62 = load <8 x i64>, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %58, i64 %60
-  %64 = load <8 x i64>, ptr %63, align 8
-  %65 = select <8 x i1> %8, <8 x i64> %62, <8 x i64> %64
-  store <8 x i64> %65, ptr %63, align 8
-  %66 = add nuw nsw i64 %57, 1
-  %67 = load ptr, ptr %9, align 8
-  %68 = load ptr, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 8
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp slt i64 %66, %70
-  br i1 %71, label %56, label %48, !llvm.loop !100
+52:                                               ; preds = %36
+  %53 = getelementptr inbounds i8, ptr %6, i64 168
+  br label %62
+
+54:                                               ; preds = %62, %36
+  %55 = sext i32 %46 to i64
+  %56 = and i64 %55, %2
+  %57 = getelementptr inbounds i8, ptr %0, i64 888
+  %58 = load ptr, ptr %57, align 8
+  %59 = load <8 x double>, ptr %58, align 8
+  %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %61 = fadd <8 x double> %60, %59
+  store <8 x double> %61, ptr %58, align 8
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #10
+  ret i64 %56
+
+62:                                               ; preds = %52, %62
+  %63 = phi i64 [ 0, %52 ], [ %72, %62 ]
+  %64 = load ptr, ptr %53, align 8
+  %65 = load ptr, ptr %22, align 8
+  %66 = shl nsw i64 %63, 6
+  %67 = getelementptr inbounds i8, ptr %65, i64 %66
+  %68 = load <8 x i64>, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %64, i64 %66
+  %70 = load <8 x i64>, ptr %69, align 8
+  %71 = select <8 x i1> %8, <8 x i64> %68, <8 x i64> %70
+  store <8 x i64> %71, ptr %69, align 8
+  %72 = add nuw nsw i64 %63, 1
+  %73 = load ptr, ptr %9, align 8
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 8
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp slt i64 %72, %76
+  br i1 %77, label %62, label %54, !llvm.loop !100
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 264
+  %3 = getelementptr inbounds i8, ptr %0, i64 24
+  %4 = getelementptr inbounds i8, ptr %0, i64 240
+  %5 = getelementptr inbounds i8, ptr %0, i64 248
+  br label %7
+
+6:                                                ; preds = %51
+  ret void
+
+7:                                                ; preds = %1, %51
+  %8 = phi i64 [ 0, %1 ], [ %53, %51 ]
+  %9 = load ptr, ptr %2, align 8
+  %10 = getelementptr inbounds double, ptr %9, i64 %8
+  %11 = load double, ptr %10, align 8
+  %12 = load ptr, ptr %3, align 8
+  %13 = getelementptr inbounds double, ptr %12, i64 %8
+  %14 = load double, ptr %13, align 8
+  %15 = fcmp olt double %14, %11
+  %16 = select i1 %15, double %14, double %11
+  %17 = load i64, ptr %5, align 8
+  %18 = icmp sgt i64 %17, 0
+  br i1 %18, label %19, label %34
+
+19:                                               ; preds = %7
+  %20 = load ptr, ptr %4, align 8
+  br label %21
+
+21:                                               ; preds = %19, %21
+  %22 = phi i64 [ 0, %19 ], [ %32, %21 ]
+  %23 = phi i64 [ %17, %19 ], [ %31, %21 ]
+  %24 = add nuw nsw i64 %22, %23
+  %25 = lshr i64 %24, 1
+  %26 = mul i64 %25, 24
+  %27 = getelementptr inbounds i8, ptr %20, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = fcmp ogt double %28, %16
+  %30 = add nuw nsw i64 %25, 1
+  %31 = select i1 %29, i64 %25, i64 %23
+  %32 = select i1 %29, i64 %22, i64 %30
+  %33 = icmp slt i64 %32, %31
+  br i1 %33, label %21, label %34, !llvm.loop !75
+
+34:                                               ; preds = %21, %7
+  %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
+  %36 = load ptr, ptr %4, align 8
+  %37 = mul i64 %35, 24
+  %38 = getelementptr inbounds i8, ptr %36, i64 %37
+  %39 = icmp eq i64 %35, 0
+  br i1 %39, label %44, label %40
+
+40:                                               ; preds = %34
+  %41 = getelementptr inbounds i8, ptr %38, i64 -8
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp olt double %16, %42
+  br i1 %43, label %51, label %44
+
+44:                                               ; preds = %40, %34
+  %45 = icmp slt i64 %35, %17
+  br i1 %45, label %46, label %50
+
+46:                                               ; preds = %44
+  %47 = getelementptr inbounds i8, ptr %38, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %16, %48
+  br i1 %49, label %51, label %50
+
+50:                                               ; preds = %46, %44
+  br label %51
+
+51:                                               ; preds = %50, %46, %40
+  %52 = phi double [ %42, %40 ], [ %16, %50 ], [ %48, %46 ]
+  store double %52, ptr %13, align 8
+  %53 = add nuw nsw i64 %8, 1
+  %54 = icmp eq i64 %53, 8
+  br i1 %54, label %6, label %7, !llvm.loop !101
+}
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %2 = getelementptr inbounds i8, ptr %0, i64 152
@@ -4208,7 +4343,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !101
+  br i1 %25, label %15, label %14, !llvm.loop !102
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -4269,7 +4404,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !102
+  br i1 %76, label %65, label %77, !llvm.loop !103
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -4302,7 +4437,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !103
+  br i1 %105, label %22, label %26, !llvm.loop !104
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -4356,7 +4491,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !104
+  br i1 %48, label %13, label %20, !llvm.loop !105
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -4439,7 +4574,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !105
+  br i1 %60, label %29, label %33, !llvm.loop !106
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -4459,7 +4594,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !106
+  br i1 %76, label %57, label %61, !llvm.loop !107
 }
 
 declare double @llvm.sqrt.f64(double) #5
@@ -4470,7 +4605,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %118, %57
   %6 = icmp eq i64 %25, %1
-  br i1 %6, label %7, label %13, !llvm.loop !107
+  br i1 %6, label %7, label %13, !llvm.loop !108
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %33, zeroinitializer
@@ -4531,7 +4666,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %54 = select <8 x i1> %49, <8 x double> %48, <8 x double> %41
   %55 = add nuw nsw i64 %42, 1
   %56 = icmp slt i64 %55, %1
-  br i1 %56, label %39, label %27, !llvm.loop !108
+  br i1 %56, label %39, label %27, !llvm.loop !109
 
 57:                                               ; preds = %71, %27
   %58 = load <8 x double>, ptr %22, align 8
@@ -4558,7 +4693,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %72 = add nuw nsw i64 %62, 1
   %73 = icmp sge i64 %72, %1
   %74 = select i1 %73, i1 true, i1 %36
-  br i1 %74, label %57, label %61, !llvm.loop !109
+  br i1 %74, label %57, label %61, !llvm.loop !110
 
 75:                                               ; preds = %69, %75
   %76 = phi i64 [ 0, %69 ], [ %87, %75 ]
@@ -4577,7 +4712,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %87 = add nuw nsw i64 %76, 1
   %88 = icmp sge i64 %87, %1
   %89 = or i1 %88, %68
-  br i1 %89, label %71, label %75, !llvm.loop !110
+  br i1 %89, label %71, label %75, !llvm.loop !111
 
 90:                                               ; preds = %57, %118
   %91 = phi i64 [ %119, %118 ], [ %25, %57 ]
@@ -4613,12 +4748,12 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   store <8 x double> %115, ptr %108, align 8
   %116 = add nuw nsw i64 %105, 1
   %117 = icmp slt i64 %116, %1
-  br i1 %117, label %104, label %118, !llvm.loop !111
+  br i1 %117, label %104, label %118, !llvm.loop !112
 
 118:                                              ; preds = %104, %90
   %119 = add nuw nsw i64 %91, 1
   %120 = icmp slt i64 %119, %1
-  br i1 %120, label %90, label %5, !llvm.loop !112
+  br i1 %120, label %90, label %5, !llvm.loop !113
 }
 
 define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #7 {
@@ -4627,7 +4762,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %179, %69
   %6 = icmp eq i64 %31, %1
-  br i1 %6, label %7, label %13, !llvm.loop !113
+  br i1 %6, label %7, label %13, !llvm.loop !114
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %39, zeroinitializer
@@ -4650,10 +4785,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %21 = shl i64 %20, 7
   %22 = shl nsw i64 %20, 7
   %23 = getelementptr inbounds i8, ptr %0, i64 %22
-  %24 = load <8 x double>, ptr %23, align 8, !noalias !114
+  %24 = load <8 x double>, ptr %23, align 8, !noalias !115
   %25 = or disjoint i64 %21, 64
   %26 = getelementptr inbounds i8, ptr %0, i64 %25
-  %27 = load <8 x double>, ptr %26, align 8, !noalias !114
+  %27 = load <8 x double>, ptr %26, align 8, !noalias !115
   %28 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %24)
   %29 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %27)
   %30 = fadd <8 x double> %28, %29
@@ -4685,10 +4820,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %51 = shl i64 %50, 7
   %52 = shl nsw i64 %50, 7
   %53 = getelementptr inbounds i8, ptr %0, i64 %52
-  %54 = load <8 x double>, ptr %53, align 8, !noalias !117
+  %54 = load <8 x double>, ptr %53, align 8, !noalias !118
   %55 = or disjoint i64 %51, 64
   %56 = getelementptr inbounds i8, ptr %0, i64 %55
-  %57 = load <8 x double>, ptr %56, align 8, !noalias !117
+  %57 = load <8 x double>, ptr %56, align 8, !noalias !118
   %58 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %54)
   %59 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %57)
   %60 = fadd <8 x double> %58, %59
@@ -4700,11 +4835,11 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %66 = select <8 x i1> %61, <8 x double> %60, <8 x double> %48
   %67 = add nuw nsw i64 %47, 1
   %68 = icmp slt i64 %67, %1
-  br i1 %68, label %45, label %33, !llvm.loop !120
+  br i1 %68, label %45, label %33, !llvm.loop !121
 
 69:                                               ; preds = %96, %33
-  %70 = load <8 x double>, ptr %23, align 8, !noalias !121
-  %71 = load <8 x double>, ptr %26, align 8, !noalias !121
+  %70 = load <8 x double>, ptr %23, align 8, !noalias !122
+  %71 = load <8 x double>, ptr %26, align 8, !noalias !122
   %72 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %70)
   %73 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %71)
   %74 = fcmp oge <8 x double> %72, %73
@@ -4741,7 +4876,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %97 = add nuw nsw i64 %87, 1
   %98 = icmp sge i64 %97, %1
   %99 = select i1 %98, i1 true, i1 %42
-  br i1 %99, label %69, label %86, !llvm.loop !124
+  br i1 %99, label %69, label %86, !llvm.loop !125
 
 100:                                              ; preds = %94, %100
   %101 = phi i64 [ 0, %94 ], [ %122, %100 ]
@@ -4749,18 +4884,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %103 = shl i64 %102, 7
   %104 = shl nsw i64 %102, 7
   %105 = getelementptr inbounds i8, ptr %0, i64 %104
-  %106 = load <8 x i64>, ptr %105, align 8, !noalias !125
+  %106 = load <8 x i64>, ptr %105, align 8, !noalias !126
   %107 = or disjoint i64 %103, 64
   %108 = getelementptr inbounds i8, ptr %0, i64 %107
-  %109 = load <8 x i64>, ptr %108, align 8, !noalias !125
+  %109 = load <8 x i64>, ptr %108, align 8, !noalias !126
   %110 = add nuw nsw i64 %101, %95
   %111 = shl i64 %110, 7
   %112 = shl nsw i64 %110, 7
   %113 = getelementptr inbounds i8, ptr %0, i64 %112
-  %114 = load <8 x i64>, ptr %113, align 8, !noalias !128
+  %114 = load <8 x i64>, ptr %113, align 8, !noalias !129
   %115 = or disjoint i64 %111, 64
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x i64>, ptr %116, align 8, !noalias !128
+  %117 = load <8 x i64>, ptr %116, align 8, !noalias !129
   %118 = select <8 x i1> %91, <8 x i64> %114, <8 x i64> %106
   %119 = select <8 x i1> %91, <8 x i64> %117, <8 x i64> %109
   store <8 x i64> %118, ptr %105, align 8
@@ -4772,7 +4907,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %122 = add nuw nsw i64 %101, 1
   %123 = icmp sge i64 %122, %1
   %124 = or i1 %123, %93
-  br i1 %124, label %96, label %100, !llvm.loop !131
+  br i1 %124, label %96, label %100, !llvm.loop !132
 
 125:                                              ; preds = %69, %179
   %126 = phi i64 [ %180, %179 ], [ %31, %69 ]
@@ -4781,10 +4916,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %129 = shl i64 %128, 7
   %130 = shl nsw i64 %128, 7
   %131 = getelementptr inbounds i8, ptr %0, i64 %130
-  %132 = load <8 x double>, ptr %131, align 8, !noalias !132
+  %132 = load <8 x double>, ptr %131, align 8, !noalias !133
   %133 = or disjoint i64 %129, 64
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !132
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !133
   %136 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %132)
   %137 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %135)
   %138 = fadd <8 x double> %136, %137
@@ -4812,18 +4947,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %154 = shl i64 %153, 7
   %155 = shl nsw i64 %153, 7
   %156 = getelementptr inbounds i8, ptr %0, i64 %155
-  %157 = load <8 x double>, ptr %156, align 8, !noalias !135
+  %157 = load <8 x double>, ptr %156, align 8, !noalias !136
   %158 = or disjoint i64 %154, 64
   %159 = getelementptr inbounds i8, ptr %0, i64 %158
-  %160 = load <8 x double>, ptr %159, align 8, !noalias !135
+  %160 = load <8 x double>, ptr %159, align 8, !noalias !136
   %161 = add nuw nsw i64 %152, %19
   %162 = shl i64 %161, 7
   %163 = shl nsw i64 %161, 7
   %164 = getelementptr inbounds i8, ptr %0, i64 %163
-  %165 = load <8 x double>, ptr %164, align 8, !noalias !138
+  %165 = load <8 x double>, ptr %164, align 8, !noalias !139
   %166 = or disjoint i64 %162, 64
   %167 = getelementptr inbounds i8, ptr %0, i64 %166
-  %168 = load <8 x double>, ptr %167, align 8, !noalias !138
+  %168 = load <8 x double>, ptr %167, align 8, !noalias !139
   %169 = fmul <8 x double> %168, %150
   %170 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %148, <8 x double> %165, <8 x double> %169)
   %171 = fmul <8 x double> %149, %165
@@ -4836,12 +4971,12 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   store <8 x double> %176, ptr %159, align 8
   %177 = add nuw nsw i64 %152, 1
   %178 = icmp slt i64 %177, %1
-  br i1 %178, label %151, label %179, !llvm.loop !141
+  br i1 %178, label %151, label %179, !llvm.loop !142
 
 179:                                              ; preds = %151, %125
   %180 = add nuw nsw i64 %126, 1
   %181 = icmp slt i64 %180, %1
-  br i1 %181, label %125, label %5, !llvm.loop !142
+  br i1 %181, label %125, label %5, !llvm.loop !143
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
@@ -4877,7 +5012,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
 24:                                               ; preds = %18, %27
   %25 = add nuw nsw i64 %7, 1
   %26 = icmp eq i64 %25, %1
-  br i1 %26, label %16, label %6, !llvm.loop !143
+  br i1 %26, label %16, label %6, !llvm.loop !144
 
 27:                                               ; preds = %18
   %28 = getelementptr inbounds double, ptr %13, i64 %19
@@ -4893,7 +5028,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %35, ptr %34, align 8
   %37 = add nuw nsw i64 %19, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %24, label %18, !llvm.loop !144
+  br i1 %38, label %24, label %18, !llvm.loop !145
 
 39:                                               ; preds = %52, %16
   %40 = icmp sgt i64 %1, 0
@@ -4921,7 +5056,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %53, ptr %47, align 8
   %54 = add nuw nsw i64 %45, 1
   %55 = icmp eq i64 %54, %1
-  br i1 %55, label %39, label %44, !llvm.loop !145
+  br i1 %55, label %39, label %44, !llvm.loop !146
 
 56:                                               ; preds = %50, %56
   %57 = phi i64 [ 0, %50 ], [ %68, %56 ]
@@ -4937,7 +5072,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %67 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %66, <8 x double> %65, <8 x double> %58)
   %68 = add nuw nsw i64 %57, 1
   %69 = icmp eq i64 %68, %45
-  br i1 %69, label %52, label %56, !llvm.loop !146
+  br i1 %69, label %52, label %56, !llvm.loop !147
 
 70:                                               ; preds = %80, %39
   ret void
@@ -4963,7 +5098,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %85 = fmul <8 x double> %81, %84
   store <8 x double> %85, ptr %75, align 8
   %86 = icmp sgt i64 %72, 1
-  br i1 %86, label %71, label %70, !llvm.loop !147
+  br i1 %86, label %71, label %70, !llvm.loop !148
 
 87:                                               ; preds = %78, %87
   %88 = phi i64 [ %72, %78 ], [ %99, %87 ]
@@ -4979,7 +5114,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %98 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %97, <8 x double> %96, <8 x double> %89)
   %99 = add nuw nsw i64 %88, 1
   %100 = icmp eq i64 %99, %1
-  br i1 %100, label %80, label %87, !llvm.loop !148
+  br i1 %100, label %80, label %87, !llvm.loop !149
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #7 {
@@ -5014,7 +5149,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 25:                                               ; preds = %19, %36
   %26 = add nuw nsw i64 %7, 1
   %27 = icmp eq i64 %26, %1
-  br i1 %27, label %17, label %6, !llvm.loop !143
+  br i1 %27, label %17, label %6, !llvm.loop !144
 
 28:                                               ; preds = %19
   %29 = getelementptr inbounds double, ptr %14, i64 %20
@@ -5029,7 +5164,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 36:                                               ; preds = %39
   %37 = add nuw nsw i64 %20, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %25, label %19, !llvm.loop !144
+  br i1 %38, label %25, label %19, !llvm.loop !145
 
 39:                                               ; preds = %28, %39
   %40 = phi i64 [ 0, %28 ], [ %45, %39 ]
@@ -5041,7 +5176,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %42, ptr %43, align 8
   %45 = add nuw nsw i64 %40, 8
   %46 = icmp eq i64 %40, 0
-  br i1 %46, label %39, label %36, !llvm.loop !149
+  br i1 %46, label %39, label %36, !llvm.loop !150
 
 47:                                               ; preds = %63, %17
   %48 = icmp sgt i64 %1, 0
@@ -5056,10 +5191,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %53 = shl i64 %52, 7
   %54 = shl nsw i64 %52, 7
   %55 = getelementptr inbounds i8, ptr %3, i64 %54
-  %56 = load <8 x double>, ptr %55, align 8, !noalias !150
+  %56 = load <8 x double>, ptr %55, align 8, !noalias !151
   %57 = or disjoint i64 %53, 64
   %58 = getelementptr inbounds i8, ptr %3, i64 %57
-  %59 = load <8 x double>, ptr %58, align 8, !noalias !150
+  %59 = load <8 x double>, ptr %58, align 8, !noalias !151
   %60 = icmp eq i64 %52, 0
   br i1 %60, label %63, label %61
 
@@ -5074,7 +5209,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %65, ptr %58, align 8
   %66 = add nuw nsw i64 %52, 1
   %67 = icmp eq i64 %66, %1
-  br i1 %67, label %47, label %51, !llvm.loop !153
+  br i1 %67, label %47, label %51, !llvm.loop !154
 
 68:                                               ; preds = %61, %68
   %69 = phi i64 [ 0, %61 ], [ %94, %68 ]
@@ -5084,17 +5219,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !154
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !155
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !154
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !155
   %80 = shl i64 %69, 7
   %81 = shl nsw i64 %69, 7
   %82 = getelementptr inbounds i8, ptr %3, i64 %81
-  %83 = load <8 x double>, ptr %82, align 8, !noalias !157
+  %83 = load <8 x double>, ptr %82, align 8, !noalias !158
   %84 = or disjoint i64 %80, 64
   %85 = getelementptr inbounds i8, ptr %3, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8, !noalias !157
+  %86 = load <8 x double>, ptr %85, align 8, !noalias !158
   %87 = fneg <8 x double> %79
   %88 = fmul <8 x double> %86, %87
   %89 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %83, <8 x double> %88)
@@ -5104,7 +5239,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %93 = fsub <8 x double> %70, %91
   %94 = add nuw nsw i64 %69, 1
   %95 = icmp eq i64 %94, %52
-  br i1 %95, label %63, label %68, !llvm.loop !160
+  br i1 %95, label %63, label %68, !llvm.loop !161
 
 96:                                               ; preds = %110, %47
   ret void
@@ -5115,10 +5250,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %100 = shl i64 %99, 7
   %101 = shl nsw i64 %99, 7
   %102 = getelementptr inbounds i8, ptr %3, i64 %101
-  %103 = load <8 x double>, ptr %102, align 8, !noalias !161
+  %103 = load <8 x double>, ptr %102, align 8, !noalias !162
   %104 = or disjoint i64 %100, 64
   %105 = getelementptr inbounds i8, ptr %3, i64 %104
-  %106 = load <8 x double>, ptr %105, align 8, !noalias !161
+  %106 = load <8 x double>, ptr %105, align 8, !noalias !162
   %107 = icmp slt i64 %98, %1
   br i1 %107, label %108, label %110
 
@@ -5133,10 +5268,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %114 = shl i64 %113, 7
   %115 = shl nsw i64 %113, 7
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x double>, ptr %116, align 8, !noalias !164
+  %117 = load <8 x double>, ptr %116, align 8, !noalias !165
   %118 = or disjoint i64 %114, 64
   %119 = getelementptr inbounds i8, ptr %0, i64 %118
-  %120 = load <8 x double>, ptr %119, align 8, !noalias !164
+  %120 = load <8 x double>, ptr %119, align 8, !noalias !165
   %121 = fneg <8 x double> %112
   %122 = fmul <8 x double> %120, %121
   %123 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %111, <8 x double> %117, <8 x double> %122)
@@ -5145,7 +5280,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %123, ptr %102, align 8
   store <8 x double> %125, ptr %105, align 8
   %126 = icmp sgt i64 %98, 1
-  br i1 %126, label %97, label %96, !llvm.loop !167
+  br i1 %126, label %97, label %96, !llvm.loop !168
 
 127:                                              ; preds = %108, %127
   %128 = phi i64 [ %98, %108 ], [ %153, %127 ]
@@ -5155,17 +5290,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = shl i64 %131, 7
   %133 = shl nsw i64 %131, 7
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !168
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !169
   %136 = or disjoint i64 %132, 64
   %137 = getelementptr inbounds i8, ptr %0, i64 %136
-  %138 = load <8 x double>, ptr %137, align 8, !noalias !168
+  %138 = load <8 x double>, ptr %137, align 8, !noalias !169
   %139 = shl i64 %128, 7
   %140 = shl nsw i64 %128, 7
   %141 = getelementptr inbounds i8, ptr %3, i64 %140
-  %142 = load <8 x double>, ptr %141, align 8, !noalias !171
+  %142 = load <8 x double>, ptr %141, align 8, !noalias !172
   %143 = or disjoint i64 %139, 64
   %144 = getelementptr inbounds i8, ptr %3, i64 %143
-  %145 = load <8 x double>, ptr %144, align 8, !noalias !171
+  %145 = load <8 x double>, ptr %144, align 8, !noalias !172
   %146 = fneg <8 x double> %138
   %147 = fmul <8 x double> %145, %146
   %148 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %135, <8 x double> %142, <8 x double> %147)
@@ -5175,7 +5310,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %152 = fsub <8 x double> %129, %150
   %153 = add nuw nsw i64 %128, 1
   %154 = icmp eq i64 %153, %1
-  br i1 %154, label %110, label %127, !llvm.loop !174
+  br i1 %154, label %110, label %127, !llvm.loop !175
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5221,7 +5356,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !143
+  br i1 %35, label %23, label %12, !llvm.loop !144
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -5236,7 +5371,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !144
+  br i1 %46, label %33, label %27, !llvm.loop !145
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -5248,7 +5383,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !149
+  br i1 %54, label %47, label %44, !llvm.loop !150
 
 55:                                               ; preds = %25, %68
   %56 = phi i64 [ 0, %25 ], [ %69, %68 ]
@@ -5274,7 +5409,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 68:                                               ; preds = %93, %55
   %69 = add nuw nsw i64 %56, 1
   %70 = icmp eq i64 %69, %1
-  br i1 %70, label %61, label %55, !llvm.loop !175
+  br i1 %70, label %61, label %55, !llvm.loop !176
 
 71:                                               ; preds = %58, %93
   %72 = phi i64 [ 0, %58 ], [ %94, %93 ]
@@ -5303,16 +5438,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %90, ptr %84, align 8
   %91 = add nuw nsw i64 %81, 1
   %92 = icmp eq i64 %91, %4
-  br i1 %92, label %93, label %80, !llvm.loop !176
+  br i1 %92, label %93, label %80, !llvm.loop !177
 
 93:                                               ; preds = %80, %71
   %94 = add nuw nsw i64 %72, 1
   %95 = icmp eq i64 %94, %56
-  br i1 %95, label %68, label %71, !llvm.loop !177
+  br i1 %95, label %68, label %71, !llvm.loop !178
 
 96:                                               ; preds = %136, %106
   %97 = icmp sgt i64 %99, 1
-  br i1 %97, label %98, label %105, !llvm.loop !178
+  br i1 %97, label %98, label %105, !llvm.loop !179
 
 98:                                               ; preds = %63, %96
   %99 = phi i64 [ %1, %63 ], [ %100, %96 ]
@@ -5364,12 +5499,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %130, ptr %124, align 8
   %131 = add nuw nsw i64 %121, 1
   %132 = icmp eq i64 %131, %4
-  br i1 %132, label %133, label %120, !llvm.loop !176
+  br i1 %132, label %133, label %120, !llvm.loop !177
 
 133:                                              ; preds = %120, %111
   %134 = add nuw nsw i64 %112, 1
   %135 = icmp eq i64 %134, %1
-  br i1 %135, label %106, label %111, !llvm.loop !179
+  br i1 %135, label %106, label %111, !llvm.loop !180
 
 136:                                              ; preds = %107, %136
   %137 = phi i64 [ 0, %107 ], [ %144, %136 ]
@@ -5382,7 +5517,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %143, ptr %140, align 8
   %144 = add nuw nsw i64 %137, 1
   %145 = icmp eq i64 %144, %4
-  br i1 %145, label %96, label %136, !llvm.loop !180
+  br i1 %145, label %96, label %136, !llvm.loop !181
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5428,7 +5563,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !143
+  br i1 %35, label %23, label %12, !llvm.loop !144
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -5443,7 +5578,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !144
+  br i1 %46, label %33, label %27, !llvm.loop !145
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -5455,7 +5590,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !149
+  br i1 %54, label %47, label %44, !llvm.loop !150
 
 55:                                               ; preds = %25, %67
   %56 = phi i64 [ 0, %25 ], [ %68, %67 ]
@@ -5480,7 +5615,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 67:                                               ; preds = %109, %55
   %68 = add nuw nsw i64 %56, 1
   %69 = icmp eq i64 %68, %1
-  br i1 %69, label %61, label %55, !llvm.loop !181
+  br i1 %69, label %61, label %55, !llvm.loop !182
 
 70:                                               ; preds = %58, %109
   %71 = phi i64 [ 0, %58 ], [ %110, %109 ]
@@ -5488,10 +5623,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !182
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !183
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !182
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !183
   br i1 %26, label %80, label %109
 
 80:                                               ; preds = %70
@@ -5505,18 +5640,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %86 = shl i64 %85, 7
   %87 = shl nsw i64 %85, 7
   %88 = getelementptr inbounds i8, ptr %3, i64 %87
-  %89 = load <8 x double>, ptr %88, align 8, !noalias !185
+  %89 = load <8 x double>, ptr %88, align 8, !noalias !186
   %90 = or disjoint i64 %86, 64
   %91 = getelementptr inbounds i8, ptr %3, i64 %90
-  %92 = load <8 x double>, ptr %91, align 8, !noalias !185
+  %92 = load <8 x double>, ptr %91, align 8, !noalias !186
   %93 = add nuw nsw i64 %84, %81
   %94 = shl i64 %93, 7
   %95 = shl nsw i64 %93, 7
   %96 = getelementptr inbounds i8, ptr %3, i64 %95
-  %97 = load <8 x double>, ptr %96, align 8, !noalias !188
+  %97 = load <8 x double>, ptr %96, align 8, !noalias !189
   %98 = or disjoint i64 %94, 64
   %99 = getelementptr inbounds i8, ptr %3, i64 %98
-  %100 = load <8 x double>, ptr %99, align 8, !noalias !188
+  %100 = load <8 x double>, ptr %99, align 8, !noalias !189
   %101 = fmul <8 x double> %100, %82
   %102 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %97, <8 x double> %101)
   %103 = fmul <8 x double> %79, %97
@@ -5527,16 +5662,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %106, ptr %91, align 8
   %107 = add nuw nsw i64 %84, 1
   %108 = icmp eq i64 %107, %4
-  br i1 %108, label %109, label %83, !llvm.loop !191
+  br i1 %108, label %109, label %83, !llvm.loop !192
 
 109:                                              ; preds = %83, %70
   %110 = add nuw nsw i64 %71, 1
   %111 = icmp eq i64 %110, %56
-  br i1 %111, label %67, label %70, !llvm.loop !192
+  br i1 %111, label %67, label %70, !llvm.loop !193
 
 112:                                              ; preds = %173, %122
   %113 = icmp sgt i64 %115, 1
-  br i1 %113, label %114, label %121, !llvm.loop !193
+  br i1 %113, label %114, label %121, !llvm.loop !194
 
 114:                                              ; preds = %63, %112
   %115 = phi i64 [ %1, %63 ], [ %116, %112 ]
@@ -5571,10 +5706,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %134 = shl i64 %133, 7
   %135 = shl nsw i64 %133, 7
   %136 = getelementptr inbounds i8, ptr %0, i64 %135
-  %137 = load <8 x double>, ptr %136, align 8, !noalias !194
+  %137 = load <8 x double>, ptr %136, align 8, !noalias !195
   %138 = or disjoint i64 %134, 64
   %139 = getelementptr inbounds i8, ptr %0, i64 %138
-  %140 = load <8 x double>, ptr %139, align 8, !noalias !194
+  %140 = load <8 x double>, ptr %139, align 8, !noalias !195
   br i1 %64, label %141, label %170
 
 141:                                              ; preds = %131
@@ -5588,18 +5723,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %147 = shl i64 %146, 7
   %148 = shl nsw i64 %146, 7
   %149 = getelementptr inbounds i8, ptr %3, i64 %148
-  %150 = load <8 x double>, ptr %149, align 8, !noalias !197
+  %150 = load <8 x double>, ptr %149, align 8, !noalias !198
   %151 = or disjoint i64 %147, 64
   %152 = getelementptr inbounds i8, ptr %3, i64 %151
-  %153 = load <8 x double>, ptr %152, align 8, !noalias !197
+  %153 = load <8 x double>, ptr %152, align 8, !noalias !198
   %154 = add nsw i64 %145, %142
   %155 = shl i64 %154, 7
   %156 = shl nsw i64 %154, 7
   %157 = getelementptr inbounds i8, ptr %3, i64 %156
-  %158 = load <8 x double>, ptr %157, align 8, !noalias !200
+  %158 = load <8 x double>, ptr %157, align 8, !noalias !201
   %159 = or disjoint i64 %155, 64
   %160 = getelementptr inbounds i8, ptr %3, i64 %159
-  %161 = load <8 x double>, ptr %160, align 8, !noalias !200
+  %161 = load <8 x double>, ptr %160, align 8, !noalias !201
   %162 = fmul <8 x double> %161, %143
   %163 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %137, <8 x double> %158, <8 x double> %162)
   %164 = fmul <8 x double> %140, %158
@@ -5610,12 +5745,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %167, ptr %152, align 8
   %168 = add nuw nsw i64 %145, 1
   %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %144, !llvm.loop !191
+  br i1 %169, label %170, label %144, !llvm.loop !192
 
 170:                                              ; preds = %144, %131
   %171 = add nuw nsw i64 %132, 1
   %172 = icmp eq i64 %171, %1
-  br i1 %172, label %122, label %131, !llvm.loop !203
+  br i1 %172, label %122, label %131, !llvm.loop !204
 
 173:                                              ; preds = %123, %173
   %174 = phi i64 [ 0, %123 ], [ %190, %173 ]
@@ -5623,12 +5758,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %176 = shl i64 %175, 7
   %177 = shl nsw i64 %175, 7
   %178 = getelementptr inbounds i8, ptr %3, i64 %177
-  %179 = load <8 x double>, ptr %178, align 8, !noalias !204
+  %179 = load <8 x double>, ptr %178, align 8, !noalias !205
   %180 = or disjoint i64 %176, 64
   %181 = getelementptr inbounds i8, ptr %3, i64 %180
-  %182 = load <8 x double>, ptr %181, align 8, !noalias !204
-  %183 = load <8 x double>, ptr %128, align 8, !noalias !207
-  %184 = load <8 x double>, ptr %130, align 8, !noalias !207
+  %182 = load <8 x double>, ptr %181, align 8, !noalias !205
+  %183 = load <8 x double>, ptr %128, align 8, !noalias !208
+  %184 = load <8 x double>, ptr %130, align 8, !noalias !208
   %185 = fneg <8 x double> %182
   %186 = fmul <8 x double> %184, %185
   %187 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %179, <8 x double> %183, <8 x double> %186)
@@ -5638,7 +5773,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %189, ptr %181, align 8
   %190 = add nuw nsw i64 %174, 1
   %191 = icmp eq i64 %190, %4
-  br i1 %191, label %112, label %173, !llvm.loop !210
+  br i1 %191, label %112, label %173, !llvm.loop !211
 }
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
@@ -5664,383 +5799,405 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %24 = zext i8 %23 to i64
   %25 = and i64 %24, %2
   %26 = icmp eq i64 %25, 0
-  br i1 %26, label %95, label %27
+  br i1 %26, label %101, label %27
 
 27:                                               ; preds = %4
   %28 = getelementptr inbounds i8, ptr %0, i64 1392
   %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %1, i64 16
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %31, i64 72
-  %33 = load ptr, ptr %32, align 8
-  %34 = load <8 x double>, ptr %33, align 8
-  %35 = getelementptr inbounds i8, ptr %31, i64 48
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds i8, ptr %31, i64 96
-  %38 = load ptr, ptr %37, align 8
-  store <8 x double> zeroinitializer, ptr %38, align 8
-  %39 = load ptr, ptr %31, align 8
-  %40 = getelementptr inbounds i8, ptr %31, i64 192
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %31, i64 8
-  %43 = load i64, ptr %42, align 8
-  %44 = load ptr, ptr %1, align 8
-  %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr inbounds i8, ptr %45, i64 24
-  %47 = load i64, ptr %46, align 8
-  %48 = load ptr, ptr %37, align 8
-  %49 = getelementptr inbounds i8, ptr %1, i64 8
-  %50 = load ptr, ptr %49, align 8
+  %30 = getelementptr inbounds i8, ptr %0, i64 144
+  %31 = getelementptr inbounds i8, ptr %1, i64 16
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %32, i64 72
+  %34 = load ptr, ptr %33, align 8
+  %35 = load <8 x double>, ptr %34, align 8
+  %36 = getelementptr inbounds i8, ptr %32, i64 48
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr inbounds i8, ptr %32, i64 96
+  %39 = load ptr, ptr %38, align 8
+  store <8 x double> zeroinitializer, ptr %39, align 8
+  %40 = load ptr, ptr %32, align 8
+  %41 = getelementptr inbounds i8, ptr %32, i64 192
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %32, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %1, align 8
+  %46 = load ptr, ptr %45, align 8
+  %47 = getelementptr inbounds i8, ptr %46, i64 24
+  %48 = load i64, ptr %47, align 8
+  %49 = load ptr, ptr %38, align 8
+  %50 = getelementptr inbounds i8, ptr %1, i64 8
   %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %51, i64 16
-  %53 = load i64, ptr %52, align 8
-  tail call fastcc void @nested(ptr noundef %36, ptr noundef %39, ptr noundef %41, i64 noundef %43, i64 noundef %47, ptr noundef %48, i64 noundef %53) #10
-  %54 = fmul <8 x double> %34, zeroinitializer
-  %55 = fadd <8 x double> %21, %54
-  %56 = getelementptr inbounds i8, ptr %0, i64 168
-  %57 = load ptr, ptr %56, align 8
-  store <8 x double> %55, ptr %57, align 8
-  %58 = getelementptr inbounds i8, ptr %0, i64 296
-  %59 = load i64, ptr %58, align 8
-  %60 = icmp sgt i64 %59, 0
-  br i1 %60, label %61, label %63
+  %52 = load ptr, ptr %51, align 8
+  %53 = getelementptr inbounds i8, ptr %52, i64 16
+  %54 = load i64, ptr %53, align 8
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #10
+  %55 = fmul <8 x double> %35, zeroinitializer
+  %56 = fadd <8 x double> %21, %55
+  %57 = getelementptr inbounds i8, ptr %0, i64 168
+  %58 = load ptr, ptr %57, align 8
+  store <8 x double> %56, ptr %58, align 8
+  %59 = load ptr, ptr %30, align 8
+  %60 = getelementptr inbounds i8, ptr %59, i64 40
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp eq i64 %61, 0
+  br i1 %62, label %64, label %63
 
-61:                                               ; preds = %27
-  %62 = getelementptr inbounds i8, ptr %0, i64 144
-  tail call fastcc void @sample(ptr noundef nonnull %62) #10
-  br label %63
+63:                                               ; preds = %27
+  tail call fastcc void @settle(ptr noundef nonnull %30) #10
+  br label %64
 
-63:                                               ; preds = %27, %61
-  %64 = load ptr, ptr %6, align 8
-  %65 = load i64, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %0, i64 168
-  %67 = load ptr, ptr %66, align 8
-  %68 = load ptr, ptr %30, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 48
-  %70 = load ptr, ptr %69, align 8
-  %71 = getelementptr inbounds i8, ptr %0, i64 192
-  %72 = load ptr, ptr %71, align 8
-  %73 = getelementptr inbounds i8, ptr %0, i64 1272
-  %74 = load ptr, ptr %73, align 8
-  %75 = inttoptr i64 %65 to ptr
+64:                                               ; preds = %63, %27
+  %65 = getelementptr inbounds i8, ptr %0, i64 296
+  %66 = load i64, ptr %65, align 8
+  %67 = icmp sgt i64 %66, 0
+  br i1 %67, label %68, label %69
+
+68:                                               ; preds = %64
+  tail call fastcc void @sample(ptr noundef nonnull %30) #10
+  br label %69
+
+69:                                               ; preds = %64, %68
+  %70 = load ptr, ptr %6, align 8
+  %71 = load i64, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %0, i64 168
+  %73 = load ptr, ptr %72, align 8
+  %74 = load ptr, ptr %31, align 8
+  %75 = getelementptr inbounds i8, ptr %74, i64 48
   %76 = load ptr, ptr %75, align 8
-  %77 = tail call i32 %76(ptr noundef %67, ptr noundef %70, ptr noundef %72, ptr noundef %74, ptr noundef %29) #11
-  %78 = zext i32 %77 to i64
-  %79 = and i64 %78, %24
-  %80 = icmp sgt i64 %9, 0
-  br i1 %80, label %81, label %95
+  %77 = getelementptr inbounds i8, ptr %0, i64 192
+  %78 = load ptr, ptr %77, align 8
+  %79 = getelementptr inbounds i8, ptr %0, i64 1272
+  %80 = load ptr, ptr %79, align 8
+  %81 = inttoptr i64 %71 to ptr
+  %82 = load ptr, ptr %81, align 8
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #11
+  %84 = zext i32 %83 to i64
+  %85 = and i64 %84, %24
+  %86 = icmp sgt i64 %9, 0
+  br i1 %86, label %87, label %101
 
-81:                                               ; preds = %63
-  %82 = getelementptr inbounds i8, ptr %0, i64 1368
-  br label %83
+87:                                               ; preds = %69
+  %88 = getelementptr inbounds i8, ptr %0, i64 1368
+  br label %89
 
-83:                                               ; preds = %81, %83
-  %84 = phi i64 [ 0, %81 ], [ %93, %83 ]
-  %85 = load ptr, ptr %82, align 8
-  %86 = load ptr, ptr %28, align 8
-  %87 = shl nsw i64 %84, 6
-  %88 = getelementptr inbounds i8, ptr %86, i64 %87
-  %89 = load <8 x i64>, ptr %88, align 8
-  %90 = getelementptr inbounds i8, ptr %85, i64 %87
-  %91 = load <8 x i64>, ptr %90, align 8
-  %92 = select <8 x i1> %22, <8 x i64> %89, <8 x i64> %91
-  store <8 x i64> %92, ptr %90, align 8
-  %93 = add nuw nsw i64 %84, 1
-  %94 = icmp eq i64 %93, %9
-  br i1 %94, label %95, label %83, !llvm.loop !211
+89:                                               ; preds = %87, %89
+  %90 = phi i64 [ 0, %87 ], [ %99, %89 ]
+  %91 = load ptr, ptr %88, align 8
+  %92 = load ptr, ptr %28, align 8
+  %93 = shl nsw i64 %90, 6
+  %94 = getelementptr inbounds i8, ptr %92, i64 %93
+  %95 = load <8 x i64>, ptr %94, align 8
+  %96 = getelementptr inbounds i8, ptr %91, i64 %93
+  %97 = load <8 x i64>, ptr %96, align 8
+  %98 = select <8 x i1> %22, <8 x i64> %95, <8 x i64> %97
+  store <8 x i64> %98, ptr %96, align 8
+  %99 = add nuw nsw i64 %90, 1
+  %100 = icmp eq i64 %99, %9
+  br i1 %100, label %101, label %89, !llvm.loop !212
 
-95:                                               ; preds = %83, %63, %4
-  %96 = phi i64 [ 0, %4 ], [ %79, %63 ], [ %79, %83 ]
-  %97 = getelementptr inbounds i8, ptr %0, i64 1368
-  %98 = shl i64 %9, 6
-  %99 = getelementptr inbounds i8, ptr %1, i64 16
-  %100 = getelementptr inbounds i8, ptr %1, i64 8
-  %101 = getelementptr inbounds i8, ptr %0, i64 168
-  %102 = getelementptr inbounds i8, ptr %0, i64 296
-  %103 = getelementptr inbounds i8, ptr %0, i64 144
-  %104 = getelementptr inbounds i8, ptr %0, i64 168
-  %105 = getelementptr inbounds i8, ptr %0, i64 192
-  %106 = getelementptr inbounds i8, ptr %0, i64 1272
-  br label %120
+101:                                              ; preds = %89, %69, %4
+  %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
+  %103 = getelementptr inbounds i8, ptr %0, i64 1368
+  %104 = shl i64 %9, 6
+  %105 = getelementptr inbounds i8, ptr %0, i64 144
+  %106 = getelementptr inbounds i8, ptr %1, i64 16
+  %107 = getelementptr inbounds i8, ptr %1, i64 8
+  %108 = getelementptr inbounds i8, ptr %0, i64 168
+  %109 = getelementptr inbounds i8, ptr %0, i64 296
+  %110 = getelementptr inbounds i8, ptr %0, i64 168
+  %111 = getelementptr inbounds i8, ptr %0, i64 192
+  %112 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %126
 
-107:                                              ; preds = %160
-  %108 = xor i64 %173, -1
-  %109 = and i64 %108, %2
-  %110 = trunc i64 %109 to i8
-  %111 = bitcast i8 %110 to <8 x i1>
-  %112 = sext <8 x i1> %111 to <8 x i64>
-  %113 = icmp sgt i64 %9, 0
-  br i1 %113, label %114, label %176
+113:                                              ; preds = %172
+  %114 = xor i64 %185, -1
+  %115 = and i64 %114, %2
+  %116 = trunc i64 %115 to i8
+  %117 = bitcast i8 %116 to <8 x i1>
+  %118 = sext <8 x i1> %117 to <8 x i64>
+  %119 = icmp sgt i64 %9, 0
+  br i1 %119, label %120, label %188
 
-114:                                              ; preds = %107
-  %115 = getelementptr inbounds i8, ptr %0, i64 1416
-  %116 = load ptr, ptr %115, align 8
-  %117 = getelementptr inbounds i8, ptr %0, i64 1368
-  %118 = load ptr, ptr %117, align 8
-  %119 = getelementptr inbounds i8, ptr %5, i64 64
-  br label %183
+120:                                              ; preds = %113
+  %121 = getelementptr inbounds i8, ptr %0, i64 1416
+  %122 = load ptr, ptr %121, align 8
+  %123 = getelementptr inbounds i8, ptr %0, i64 1368
+  %124 = load ptr, ptr %123, align 8
+  %125 = getelementptr inbounds i8, ptr %5, i64 64
+  br label %195
 
-120:                                              ; preds = %95, %160
-  %121 = phi i64 [ 1, %95 ], [ %174, %160 ]
-  %122 = phi i64 [ %96, %95 ], [ %173, %160 ]
-  %123 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %121
-  %124 = load double, ptr %123, align 8
-  %125 = load ptr, ptr %97, align 8
-  %126 = mul i64 %98, %121
-  %127 = getelementptr inbounds i8, ptr %125, i64 %126
-  %128 = load ptr, ptr %19, align 8
-  %129 = load <8 x double>, ptr %128, align 8
-  %130 = load ptr, ptr %99, align 8
-  %131 = getelementptr inbounds i8, ptr %130, i64 72
-  %132 = load ptr, ptr %131, align 8
-  %133 = load <8 x double>, ptr %132, align 8
-  %134 = insertelement <8 x double> poison, double %124, i64 0
-  %135 = shufflevector <8 x double> %134, <8 x double> poison, <8 x i32> zeroinitializer
-  %136 = getelementptr inbounds i8, ptr %130, i64 48
-  %137 = load ptr, ptr %136, align 8
-  %138 = getelementptr inbounds i8, ptr %130, i64 96
-  %139 = load ptr, ptr %138, align 8
-  store <8 x double> %135, ptr %139, align 8
-  %140 = load ptr, ptr %130, align 8
-  %141 = getelementptr inbounds i8, ptr %130, i64 192
-  %142 = load ptr, ptr %141, align 8
-  %143 = getelementptr inbounds i8, ptr %130, i64 8
-  %144 = load i64, ptr %143, align 8
-  %145 = load ptr, ptr %1, align 8
-  %146 = load ptr, ptr %145, align 8
-  %147 = getelementptr inbounds i8, ptr %146, i64 24
-  %148 = load i64, ptr %147, align 8
-  %149 = load ptr, ptr %138, align 8
-  %150 = load ptr, ptr %100, align 8
-  %151 = load ptr, ptr %150, align 8
-  %152 = getelementptr inbounds i8, ptr %151, i64 16
-  %153 = load i64, ptr %152, align 8
-  tail call fastcc void @nested(ptr noundef %137, ptr noundef %140, ptr noundef %142, i64 noundef %144, i64 noundef %148, ptr noundef %149, i64 noundef %153) #10
-  %154 = fmul <8 x double> %135, %133
-  %155 = fadd <8 x double> %129, %154
-  %156 = load ptr, ptr %101, align 8
-  store <8 x double> %155, ptr %156, align 8
-  %157 = load i64, ptr %102, align 8
-  %158 = icmp sgt i64 %157, 0
-  br i1 %158, label %159, label %160
+126:                                              ; preds = %101, %172
+  %127 = phi i64 [ 1, %101 ], [ %186, %172 ]
+  %128 = phi i64 [ %102, %101 ], [ %185, %172 ]
+  %129 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = load ptr, ptr %103, align 8
+  %132 = mul i64 %104, %127
+  %133 = getelementptr inbounds i8, ptr %131, i64 %132
+  %134 = load ptr, ptr %19, align 8
+  %135 = load <8 x double>, ptr %134, align 8
+  %136 = load ptr, ptr %106, align 8
+  %137 = getelementptr inbounds i8, ptr %136, i64 72
+  %138 = load ptr, ptr %137, align 8
+  %139 = load <8 x double>, ptr %138, align 8
+  %140 = insertelement <8 x double> poison, double %130, i64 0
+  %141 = shufflevector <8 x double> %140, <8 x double> poison, <8 x i32> zeroinitializer
+  %142 = getelementptr inbounds i8, ptr %136, i64 48
+  %143 = load ptr, ptr %142, align 8
+  %144 = getelementptr inbounds i8, ptr %136, i64 96
+  %145 = load ptr, ptr %144, align 8
+  store <8 x double> %141, ptr %145, align 8
+  %146 = load ptr, ptr %136, align 8
+  %147 = getelementptr inbounds i8, ptr %136, i64 192
+  %148 = load ptr, ptr %147, align 8
+  %149 = getelementptr inbounds i8, ptr %136, i64 8
+  %150 = load i64, ptr %149, align 8
+  %151 = load ptr, ptr %1, align 8
+  %152 = load ptr, ptr %151, align 8
+  %153 = getelementptr inbounds i8, ptr %152, i64 24
+  %154 = load i64, ptr %153, align 8
+  %155 = load ptr, ptr %144, align 8
+  %156 = load ptr, ptr %107, align 8
+  %157 = load ptr, ptr %156, align 8
+  %158 = getelementptr inbounds i8, ptr %157, i64 16
+  %159 = load i64, ptr %158, align 8
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #10
+  %160 = fmul <8 x double> %141, %139
+  %161 = fadd <8 x double> %135, %160
+  %162 = load ptr, ptr %108, align 8
+  store <8 x double> %161, ptr %162, align 8
+  %163 = load ptr, ptr %105, align 8
+  %164 = getelementptr inbounds i8, ptr %163, i64 40
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp eq i64 %165, 0
+  br i1 %166, label %168, label %167
 
-159:                                              ; preds = %120
-  tail call fastcc void @sample(ptr noundef nonnull %103) #10
-  br label %160
+167:                                              ; preds = %126
+  tail call fastcc void @settle(ptr noundef nonnull %105) #10
+  br label %168
 
-160:                                              ; preds = %120, %159
-  %161 = load ptr, ptr %6, align 8
-  %162 = load i64, ptr %161, align 8
-  %163 = load ptr, ptr %104, align 8
-  %164 = load ptr, ptr %99, align 8
-  %165 = getelementptr inbounds i8, ptr %164, i64 48
-  %166 = load ptr, ptr %165, align 8
-  %167 = load ptr, ptr %105, align 8
-  %168 = load ptr, ptr %106, align 8
-  %169 = inttoptr i64 %162 to ptr
-  %170 = load ptr, ptr %169, align 8
-  %171 = tail call i32 %170(ptr noundef %163, ptr noundef %166, ptr noundef %167, ptr noundef %168, ptr noundef %127) #11
-  %172 = zext i32 %171 to i64
-  %173 = or i64 %122, %172
-  %174 = add nuw nsw i64 %121, 1
-  %175 = icmp eq i64 %174, 5
-  br i1 %175, label %107, label %120, !llvm.loop !212
+168:                                              ; preds = %167, %126
+  %169 = load i64, ptr %109, align 8
+  %170 = icmp sgt i64 %169, 0
+  br i1 %170, label %171, label %172
 
-176:                                              ; preds = %304, %107
-  %177 = phi <8 x i64> [ %112, %107 ], [ %306, %304 ]
-  %178 = icmp sgt i64 %9, 0
-  br i1 %178, label %179, label %309
+171:                                              ; preds = %168
+  tail call fastcc void @sample(ptr noundef nonnull %105) #10
+  br label %172
 
-179:                                              ; preds = %176
-  %180 = getelementptr inbounds i8, ptr %0, i64 1368
-  %181 = shl i64 %9, 8
-  %182 = icmp slt <8 x i64> %177, zeroinitializer
-  br label %318
+172:                                              ; preds = %168, %171
+  %173 = load ptr, ptr %6, align 8
+  %174 = load i64, ptr %173, align 8
+  %175 = load ptr, ptr %110, align 8
+  %176 = load ptr, ptr %106, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 48
+  %178 = load ptr, ptr %177, align 8
+  %179 = load ptr, ptr %111, align 8
+  %180 = load ptr, ptr %112, align 8
+  %181 = inttoptr i64 %174 to ptr
+  %182 = load ptr, ptr %181, align 8
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #11
+  %184 = zext i32 %183 to i64
+  %185 = or i64 %128, %184
+  %186 = add nuw nsw i64 %127, 1
+  %187 = icmp eq i64 %186, 5
+  br i1 %187, label %113, label %126, !llvm.loop !213
 
-183:                                              ; preds = %114, %304
-  %184 = phi <8 x double> [ undef, %114 ], [ %218, %304 ]
-  %185 = phi <8 x double> [ undef, %114 ], [ %213, %304 ]
-  %186 = phi i64 [ 0, %114 ], [ %307, %304 ]
-  %187 = phi <8 x i64> [ %112, %114 ], [ %306, %304 ]
-  %188 = shl nsw i64 %186, 6
-  %189 = getelementptr inbounds i8, ptr %116, i64 %188
-  %190 = load <8 x double>, ptr %189, align 8
-  br label %196
+188:                                              ; preds = %316, %113
+  %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
+  %190 = icmp sgt i64 %9, 0
+  br i1 %190, label %191, label %321
 
-191:                                              ; preds = %222
-  %192 = getelementptr inbounds i64, ptr %15, i64 %186
-  %193 = load i64, ptr %192, align 8
-  %194 = and i64 %193, 1
-  %195 = icmp eq i64 %194, 0
-  br i1 %195, label %226, label %238
+191:                                              ; preds = %188
+  %192 = getelementptr inbounds i8, ptr %0, i64 1368
+  %193 = shl i64 %9, 8
+  %194 = icmp slt <8 x i64> %189, zeroinitializer
+  br label %330
 
-196:                                              ; preds = %183, %222
-  %197 = phi i64 [ 0, %183 ], [ %224, %222 ]
-  %198 = phi <8 x double> [ %184, %183 ], [ %218, %222 ]
-  %199 = phi <8 x double> [ %185, %183 ], [ %213, %222 ]
-  %200 = phi <8 x i64> [ %187, %183 ], [ %223, %222 ]
-  %201 = mul nuw nsw i64 %9, %197
-  %202 = add nuw nsw i64 %201, %186
-  %203 = shl nsw i64 %202, 6
-  %204 = getelementptr inbounds i8, ptr %118, i64 %203
-  %205 = load <8 x double>, ptr %204, align 8
-  %206 = fmul <8 x double> %190, %205
-  %207 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %197
-  store <8 x double> %206, ptr %207, align 64
-  %208 = icmp eq i64 %197, 0
-  br i1 %208, label %212, label %209
+195:                                              ; preds = %120, %316
+  %196 = phi <8 x double> [ undef, %120 ], [ %230, %316 ]
+  %197 = phi <8 x double> [ undef, %120 ], [ %225, %316 ]
+  %198 = phi i64 [ 0, %120 ], [ %319, %316 ]
+  %199 = phi <8 x i64> [ %118, %120 ], [ %318, %316 ]
+  %200 = shl nsw i64 %198, 6
+  %201 = getelementptr inbounds i8, ptr %122, i64 %200
+  %202 = load <8 x double>, ptr %201, align 8
+  br label %208
 
-209:                                              ; preds = %196
-  %210 = fcmp olt <8 x double> %199, %205
-  %211 = select <8 x i1> %210, <8 x double> %199, <8 x double> %205
-  br label %212
+203:                                              ; preds = %234
+  %204 = getelementptr inbounds i64, ptr %15, i64 %198
+  %205 = load i64, ptr %204, align 8
+  %206 = and i64 %205, 1
+  %207 = icmp eq i64 %206, 0
+  br i1 %207, label %238, label %250
 
-212:                                              ; preds = %196, %209
-  %213 = phi <8 x double> [ %205, %196 ], [ %211, %209 ]
-  br i1 %208, label %217, label %214
+208:                                              ; preds = %195, %234
+  %209 = phi i64 [ 0, %195 ], [ %236, %234 ]
+  %210 = phi <8 x double> [ %196, %195 ], [ %230, %234 ]
+  %211 = phi <8 x double> [ %197, %195 ], [ %225, %234 ]
+  %212 = phi <8 x i64> [ %199, %195 ], [ %235, %234 ]
+  %213 = mul nuw nsw i64 %9, %209
+  %214 = add nuw nsw i64 %213, %198
+  %215 = shl nsw i64 %214, 6
+  %216 = getelementptr inbounds i8, ptr %124, i64 %215
+  %217 = load <8 x double>, ptr %216, align 8
+  %218 = fmul <8 x double> %202, %217
+  %219 = getelementptr inbounds [5 x <8 x double>], ptr %5, i64 0, i64 %209
+  store <8 x double> %218, ptr %219, align 64
+  %220 = icmp eq i64 %209, 0
+  br i1 %220, label %224, label %221
 
-214:                                              ; preds = %212
-  %215 = fcmp ogt <8 x double> %198, %205
-  %216 = select <8 x i1> %215, <8 x double> %198, <8 x double> %205
-  br label %217
+221:                                              ; preds = %208
+  %222 = fcmp olt <8 x double> %211, %217
+  %223 = select <8 x i1> %222, <8 x double> %211, <8 x double> %217
+  br label %224
 
-217:                                              ; preds = %212, %214
-  %218 = phi <8 x double> [ %205, %212 ], [ %216, %214 ]
-  br i1 %208, label %222, label %219
+224:                                              ; preds = %208, %221
+  %225 = phi <8 x double> [ %217, %208 ], [ %223, %221 ]
+  br i1 %220, label %229, label %226
 
-219:                                              ; preds = %217
-  %220 = fcmp ogt <8 x double> %206, zeroinitializer
-  %221 = select <8 x i1> %220, <8 x i64> %200, <8 x i64> zeroinitializer
-  br label %222
+226:                                              ; preds = %224
+  %227 = fcmp ogt <8 x double> %210, %217
+  %228 = select <8 x i1> %227, <8 x double> %210, <8 x double> %217
+  br label %229
 
-222:                                              ; preds = %217, %219
-  %223 = phi <8 x i64> [ %221, %219 ], [ %200, %217 ]
-  %224 = add nuw nsw i64 %197, 1
-  %225 = icmp eq i64 %224, 5
-  br i1 %225, label %191, label %196, !llvm.loop !213
+229:                                              ; preds = %224, %226
+  %230 = phi <8 x double> [ %217, %224 ], [ %228, %226 ]
+  br i1 %220, label %234, label %231
 
-226:                                              ; preds = %191
-  %227 = fmul <8 x double> %213, %218
-  %228 = fcmp ogt <8 x double> %227, zeroinitializer
-  %229 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %213)
-  %230 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %218)
-  %231 = fcmp olt <8 x double> %229, %230
-  %232 = select <8 x i1> %231, <8 x double> %229, <8 x double> %230
-  %233 = fsub <8 x double> %218, %213
-  %234 = fmul <8 x double> %233, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %235 = fcmp ogt <8 x double> %232, %234
-  %236 = select <8 x i1> %235, <8 x i1> %228, <8 x i1> zeroinitializer
-  %237 = select <8 x i1> %236, <8 x i64> %223, <8 x i64> zeroinitializer
-  br label %238
+231:                                              ; preds = %229
+  %232 = fcmp ogt <8 x double> %218, zeroinitializer
+  %233 = select <8 x i1> %232, <8 x i64> %212, <8 x i64> zeroinitializer
+  br label %234
 
-238:                                              ; preds = %226, %191
-  %239 = phi <8 x i64> [ %223, %191 ], [ %237, %226 ]
-  %240 = load <8 x double>, ptr %119, align 64
-  %241 = load <8 x double>, ptr %5, align 64
-  %242 = fsub <8 x double> %240, %241
-  %243 = fdiv <8 x double> %242, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
-  br label %244
+234:                                              ; preds = %229, %231
+  %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
+  %236 = add nuw nsw i64 %209, 1
+  %237 = icmp eq i64 %236, 5
+  br i1 %237, label %203, label %208, !llvm.loop !214
 
-244:                                              ; preds = %238, %301
-  %245 = phi i64 [ 1, %238 ], [ %251, %301 ]
-  %246 = phi <8 x i64> [ zeroinitializer, %238 ], [ %302, %301 ]
-  %247 = phi <8 x double> [ %243, %238 ], [ %262, %301 ]
-  %248 = add nsw i64 %245, -1
-  %249 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %245
-  %250 = load double, ptr %249, align 8
-  %251 = add nuw nsw i64 %245, 1
-  %252 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %251
-  %253 = load double, ptr %252, align 8
-  %254 = getelementptr inbounds <8 x double>, ptr %5, i64 %251
-  %255 = load <8 x double>, ptr %254, align 64
-  %256 = getelementptr inbounds <8 x double>, ptr %5, i64 %245
-  %257 = load <8 x double>, ptr %256, align 64
-  %258 = fsub <8 x double> %255, %257
-  %259 = fsub double %253, %250
-  %260 = insertelement <8 x double> poison, double %259, i64 0
-  %261 = shufflevector <8 x double> %260, <8 x double> poison, <8 x i32> zeroinitializer
-  %262 = fdiv <8 x double> %258, %261
-  %263 = fcmp ogt <8 x double> %262, %247
-  %264 = getelementptr inbounds <8 x double>, ptr %5, i64 %248
-  %265 = load <8 x double>, ptr %264, align 64
-  %266 = fcmp ogt <8 x double> %265, zeroinitializer
-  %267 = and <8 x i1> %263, %266
-  %268 = bitcast <8 x i1> %267 to i8
-  %269 = icmp eq i8 %268, 0
-  br i1 %269, label %301, label %270
+238:                                              ; preds = %203
+  %239 = fmul <8 x double> %225, %230
+  %240 = fcmp ogt <8 x double> %239, zeroinitializer
+  %241 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %225)
+  %242 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %230)
+  %243 = fcmp olt <8 x double> %241, %242
+  %244 = select <8 x i1> %243, <8 x double> %241, <8 x double> %242
+  %245 = fsub <8 x double> %230, %225
+  %246 = fmul <8 x double> %245, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %247 = fcmp ogt <8 x double> %244, %246
+  %248 = select <8 x i1> %247, <8 x i1> %240, <8 x i1> zeroinitializer
+  %249 = select <8 x i1> %248, <8 x i64> %235, <8 x i64> zeroinitializer
+  br label %250
 
-270:                                              ; preds = %244
-  %271 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %248
-  %272 = load double, ptr %271, align 8
-  %273 = fsub <8 x double> %262, %247
-  %274 = fsub double %253, %272
-  %275 = insertelement <8 x double> poison, double %274, i64 0
-  %276 = shufflevector <8 x double> %275, <8 x double> poison, <8 x i32> zeroinitializer
-  %277 = fdiv <8 x double> %273, %276
-  %278 = fsub double %250, %272
-  %279 = insertelement <8 x double> poison, double %278, i64 0
-  %280 = shufflevector <8 x double> %279, <8 x double> poison, <8 x i32> zeroinitializer
-  %281 = fmul <8 x double> %280, %277
-  %282 = fadd <8 x double> %247, %281
-  %283 = insertelement <8 x double> poison, double %250, i64 0
-  %284 = shufflevector <8 x double> %283, <8 x double> poison, <8 x i32> zeroinitializer
-  %285 = fmul <8 x double> %282, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %286 = fdiv <8 x double> %285, %277
-  %287 = fsub <8 x double> %284, %286
-  %288 = icmp ugt i64 %245, 1
-  %289 = select i1 %288, double %272, double 0xBFCE3779B97F4A7C
-  %290 = icmp eq i64 %245, 3
-  %291 = select i1 %290, double 0x3FF4498517A7B356, double %253
-  %292 = insertelement <8 x double> poison, double %289, i64 0
-  %293 = shufflevector <8 x double> %292, <8 x double> poison, <8 x i32> zeroinitializer
-  %294 = fcmp oge <8 x double> %287, %293
-  %295 = insertelement <8 x double> poison, double %291, i64 0
+250:                                              ; preds = %238, %203
+  %251 = phi <8 x i64> [ %235, %203 ], [ %249, %238 ]
+  %252 = load <8 x double>, ptr %125, align 64
+  %253 = load <8 x double>, ptr %5, align 64
+  %254 = fsub <8 x double> %252, %253
+  %255 = fdiv <8 x double> %254, <double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C, double 0x3FCE3779B97F4A7C>
+  br label %256
+
+256:                                              ; preds = %250, %313
+  %257 = phi i64 [ 1, %250 ], [ %263, %313 ]
+  %258 = phi <8 x i64> [ zeroinitializer, %250 ], [ %314, %313 ]
+  %259 = phi <8 x double> [ %255, %250 ], [ %274, %313 ]
+  %260 = add nsw i64 %257, -1
+  %261 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %257
+  %262 = load double, ptr %261, align 8
+  %263 = add nuw nsw i64 %257, 1
+  %264 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds <8 x double>, ptr %5, i64 %263
+  %267 = load <8 x double>, ptr %266, align 64
+  %268 = getelementptr inbounds <8 x double>, ptr %5, i64 %257
+  %269 = load <8 x double>, ptr %268, align 64
+  %270 = fsub <8 x double> %267, %269
+  %271 = fsub double %265, %262
+  %272 = insertelement <8 x double> poison, double %271, i64 0
+  %273 = shufflevector <8 x double> %272, <8 x double> poison, <8 x i32> zeroinitializer
+  %274 = fdiv <8 x double> %270, %273
+  %275 = fcmp ogt <8 x double> %274, %259
+  %276 = getelementptr inbounds <8 x double>, ptr %5, i64 %260
+  %277 = load <8 x double>, ptr %276, align 64
+  %278 = fcmp ogt <8 x double> %277, zeroinitializer
+  %279 = and <8 x i1> %275, %278
+  %280 = bitcast <8 x i1> %279 to i8
+  %281 = icmp eq i8 %280, 0
+  br i1 %281, label %313, label %282
+
+282:                                              ; preds = %256
+  %283 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %260
+  %284 = load double, ptr %283, align 8
+  %285 = fsub <8 x double> %274, %259
+  %286 = fsub double %265, %284
+  %287 = insertelement <8 x double> poison, double %286, i64 0
+  %288 = shufflevector <8 x double> %287, <8 x double> poison, <8 x i32> zeroinitializer
+  %289 = fdiv <8 x double> %285, %288
+  %290 = fsub double %262, %284
+  %291 = insertelement <8 x double> poison, double %290, i64 0
+  %292 = shufflevector <8 x double> %291, <8 x double> poison, <8 x i32> zeroinitializer
+  %293 = fmul <8 x double> %292, %289
+  %294 = fadd <8 x double> %259, %293
+  %295 = insertelement <8 x double> poison, double %262, i64 0
   %296 = shufflevector <8 x double> %295, <8 x double> poison, <8 x i32> zeroinitializer
-  %297 = fcmp ole <8 x double> %287, %296
-  %298 = and <8 x i1> %297, %294
-  %299 = and <8 x i1> %298, %267
-  %300 = select <8 x i1> %299, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %246
-  br label %301
+  %297 = fmul <8 x double> %294, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %298 = fdiv <8 x double> %297, %289
+  %299 = fsub <8 x double> %296, %298
+  %300 = icmp ugt i64 %257, 1
+  %301 = select i1 %300, double %284, double 0xBFCE3779B97F4A7C
+  %302 = icmp eq i64 %257, 3
+  %303 = select i1 %302, double 0x3FF4498517A7B356, double %265
+  %304 = insertelement <8 x double> poison, double %301, i64 0
+  %305 = shufflevector <8 x double> %304, <8 x double> poison, <8 x i32> zeroinitializer
+  %306 = fcmp oge <8 x double> %299, %305
+  %307 = insertelement <8 x double> poison, double %303, i64 0
+  %308 = shufflevector <8 x double> %307, <8 x double> poison, <8 x i32> zeroinitializer
+  %309 = fcmp ole <8 x double> %299, %308
+  %310 = and <8 x i1> %309, %306
+  %311 = and <8 x i1> %310, %279
+  %312 = select <8 x i1> %311, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %258
+  br label %313
 
-301:                                              ; preds = %270, %244
-  %302 = phi <8 x i64> [ %300, %270 ], [ %246, %244 ]
-  %303 = icmp eq i64 %251, 4
-  br i1 %303, label %304, label %244, !llvm.loop !214
+313:                                              ; preds = %282, %256
+  %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
+  %315 = icmp eq i64 %263, 4
+  br i1 %315, label %316, label %256, !llvm.loop !215
 
-304:                                              ; preds = %301
-  %305 = xor <8 x i64> %302, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %306 = and <8 x i64> %239, %305
-  %307 = add nuw nsw i64 %186, 1
-  %308 = icmp eq i64 %307, %9
-  br i1 %308, label %176, label %183, !llvm.loop !215
+316:                                              ; preds = %313
+  %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %318 = and <8 x i64> %251, %317
+  %319 = add nuw nsw i64 %198, 1
+  %320 = icmp eq i64 %319, %9
+  br i1 %320, label %188, label %195, !llvm.loop !216
 
-309:                                              ; preds = %318, %176
-  %310 = load ptr, ptr %16, align 8
-  %311 = load <8 x i64>, ptr %3, align 8
-  %312 = load <8 x i64>, ptr %310, align 8
-  %313 = icmp slt <8 x i64> %177, zeroinitializer
-  %314 = select <8 x i1> %313, <8 x i64> %311, <8 x i64> %312
-  store <8 x i64> %314, ptr %310, align 8
-  %315 = icmp ne <8 x i64> %177, zeroinitializer
-  %316 = bitcast <8 x i1> %315 to i8
-  %317 = zext i8 %316 to i64
-  ret i64 %317
+321:                                              ; preds = %330, %188
+  %322 = load ptr, ptr %16, align 8
+  %323 = load <8 x i64>, ptr %3, align 8
+  %324 = load <8 x i64>, ptr %322, align 8
+  %325 = icmp slt <8 x i64> %189, zeroinitializer
+  %326 = select <8 x i1> %325, <8 x i64> %323, <8 x i64> %324
+  store <8 x i64> %326, ptr %322, align 8
+  %327 = icmp ne <8 x i64> %189, zeroinitializer
+  %328 = bitcast <8 x i1> %327 to i8
+  %329 = zext i8 %328 to i64
+  ret i64 %329
 
-318:                                              ; preds = %179, %318
-  %319 = phi i64 [ 0, %179 ], [ %329, %318 ]
-  %320 = load ptr, ptr %180, align 8
-  %321 = shl i64 %319, 6
-  %322 = getelementptr i8, ptr %320, i64 %181
-  %323 = getelementptr i8, ptr %322, i64 %321
-  %324 = load <8 x i64>, ptr %323, align 8
-  %325 = shl nsw i64 %319, 6
-  %326 = getelementptr inbounds i8, ptr %320, i64 %325
-  %327 = load <8 x i64>, ptr %326, align 8
-  %328 = select <8 x i1> %182, <8 x i64> %324, <8 x i64> %327
-  store <8 x i64> %328, ptr %326, align 8
-  %329 = add nuw nsw i64 %319, 1
-  %330 = icmp eq i64 %329, %9
-  br i1 %330, label %309, label %318, !llvm.loop !216
+330:                                              ; preds = %191, %330
+  %331 = phi i64 [ 0, %191 ], [ %341, %330 ]
+  %332 = load ptr, ptr %192, align 8
+  %333 = shl i64 %331, 6
+  %334 = getelementptr i8, ptr %332, i64 %193
+  %335 = getelementptr i8, ptr %334, i64 %333
+  %336 = load <8 x i64>, ptr %335, align 8
+  %337 = shl nsw i64 %331, 6
+  %338 = getelementptr inbounds i8, ptr %332, i64 %337
+  %339 = load <8 x i64>, ptr %338, align 8
+  %340 = select <8 x i1> %194, <8 x i64> %336, <8 x i64> %339
+  store <8 x i64> %340, ptr %338, align 8
+  %341 = add nuw nsw i64 %331, 1
+  %342 = icmp eq i64 %341, %9
+  br i1 %342, label %321, label %330, !llvm.loop !217
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
@@ -6221,7 +6378,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !217
+  br i1 %149, label %24, label %129, !llvm.loop !218
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -6243,7 +6400,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !218
+  br i1 %168, label %150, label %147, !llvm.loop !219
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -6280,7 +6437,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !219
+  br i1 %31, label %20, label %19, !llvm.loop !220
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -6294,7 +6451,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !220
+  br i1 %43, label %32, label %24, !llvm.loop !221
 }
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
@@ -6419,42 +6576,42 @@ attributes #11 = { nounwind }
 !103 = distinct !{!103, !4, !5}
 !104 = distinct !{!104, !4, !5}
 !105 = distinct !{!105, !4, !5}
-!106 = distinct !{!106, !4, !5, !63}
-!107 = distinct !{!107, !4, !5}
+!106 = distinct !{!106, !4, !5}
+!107 = distinct !{!107, !4, !5, !63}
 !108 = distinct !{!108, !4, !5}
 !109 = distinct !{!109, !4, !5}
 !110 = distinct !{!110, !4, !5}
 !111 = distinct !{!111, !4, !5}
 !112 = distinct !{!112, !4, !5}
 !113 = distinct !{!113, !4, !5}
-!114 = !{!115}
-!115 = distinct !{!115, !116, !"pair_item: argument 0"}
-!116 = distinct !{!116, !"pair_item"}
-!117 = !{!118}
-!118 = distinct !{!118, !119, !"pair_item: argument 0"}
-!119 = distinct !{!119, !"pair_item"}
-!120 = distinct !{!120, !4, !5}
-!121 = !{!122}
-!122 = distinct !{!122, !123, !"pair_item: argument 0"}
-!123 = distinct !{!123, !"pair_item"}
-!124 = distinct !{!124, !4, !5}
-!125 = !{!126}
-!126 = distinct !{!126, !127, !"pair_item: argument 0"}
-!127 = distinct !{!127, !"pair_item"}
-!128 = !{!129}
-!129 = distinct !{!129, !130, !"pair_item: argument 0"}
-!130 = distinct !{!130, !"pair_item"}
-!131 = distinct !{!131, !4, !5}
-!132 = !{!133}
-!133 = distinct !{!133, !134, !"pair_item: argument 0"}
-!134 = distinct !{!134, !"pair_item"}
-!135 = !{!136}
-!136 = distinct !{!136, !137, !"pair_item: argument 0"}
-!137 = distinct !{!137, !"pair_item"}
-!138 = !{!139}
-!139 = distinct !{!139, !140, !"pair_item: argument 0"}
-!140 = distinct !{!140, !"pair_item"}
-!141 = distinct !{!141, !4, !5}
+!114 = distinct !{!114, !4, !5}
+!115 = !{!116}
+!116 = distinct !{!116, !117, !"pair_item: argument 0"}
+!117 = distinct !{!117, !"pair_item"}
+!118 = !{!119}
+!119 = distinct !{!119, !120, !"pair_item: argument 0"}
+!120 = distinct !{!120, !"pair_item"}
+!121 = distinct !{!121, !4, !5}
+!122 = !{!123}
+!123 = distinct !{!123, !124, !"pair_item: argument 0"}
+!124 = distinct !{!124, !"pair_item"}
+!125 = distinct !{!125, !4, !5}
+!126 = !{!127}
+!127 = distinct !{!127, !128, !"pair_item: argument 0"}
+!128 = distinct !{!128, !"pair_item"}
+!129 = !{!130}
+!130 = distinct !{!130, !131, !"pair_item: argument 0"}
+!131 = distinct !{!131, !"pair_item"}
+!132 = distinct !{!132, !4, !5}
+!133 = !{!134}
+!134 = distinct !{!134, !135, !"pair_item: argument 0"}
+!135 = distinct !{!135, !"pair_item"}
+!136 = !{!137}
+!137 = distinct !{!137, !138, !"pair_item: argument 0"}
+!138 = distinct !{!138, !"pair_item"}
+!139 = !{!140}
+!140 = distinct !{!140, !141, !"pair_item: argument 0"}
+!141 = distinct !{!141, !"pair_item"}
 !142 = distinct !{!142, !4, !5}
 !143 = distinct !{!143, !4, !5}
 !144 = distinct !{!144, !4, !5}
@@ -6462,32 +6619,32 @@ attributes #11 = { nounwind }
 !146 = distinct !{!146, !4, !5}
 !147 = distinct !{!147, !4, !5}
 !148 = distinct !{!148, !4, !5}
-!149 = distinct !{!149, !4, !5, !63}
-!150 = !{!151}
-!151 = distinct !{!151, !152, !"pair_item: argument 0"}
-!152 = distinct !{!152, !"pair_item"}
-!153 = distinct !{!153, !4, !5}
-!154 = !{!155}
-!155 = distinct !{!155, !156, !"pair_item: argument 0"}
-!156 = distinct !{!156, !"pair_item"}
-!157 = !{!158}
-!158 = distinct !{!158, !159, !"pair_item: argument 0"}
-!159 = distinct !{!159, !"pair_item"}
-!160 = distinct !{!160, !4, !5}
-!161 = !{!162}
-!162 = distinct !{!162, !163, !"pair_item: argument 0"}
-!163 = distinct !{!163, !"pair_item"}
-!164 = !{!165}
-!165 = distinct !{!165, !166, !"pair_item: argument 0"}
-!166 = distinct !{!166, !"pair_item"}
-!167 = distinct !{!167, !4, !5}
-!168 = !{!169}
-!169 = distinct !{!169, !170, !"pair_item: argument 0"}
-!170 = distinct !{!170, !"pair_item"}
-!171 = !{!172}
-!172 = distinct !{!172, !173, !"pair_item: argument 0"}
-!173 = distinct !{!173, !"pair_item"}
-!174 = distinct !{!174, !4, !5}
+!149 = distinct !{!149, !4, !5}
+!150 = distinct !{!150, !4, !5, !63}
+!151 = !{!152}
+!152 = distinct !{!152, !153, !"pair_item: argument 0"}
+!153 = distinct !{!153, !"pair_item"}
+!154 = distinct !{!154, !4, !5}
+!155 = !{!156}
+!156 = distinct !{!156, !157, !"pair_item: argument 0"}
+!157 = distinct !{!157, !"pair_item"}
+!158 = !{!159}
+!159 = distinct !{!159, !160, !"pair_item: argument 0"}
+!160 = distinct !{!160, !"pair_item"}
+!161 = distinct !{!161, !4, !5}
+!162 = !{!163}
+!163 = distinct !{!163, !164, !"pair_item: argument 0"}
+!164 = distinct !{!164, !"pair_item"}
+!165 = !{!166}
+!166 = distinct !{!166, !167, !"pair_item: argument 0"}
+!167 = distinct !{!167, !"pair_item"}
+!168 = distinct !{!168, !4, !5}
+!169 = !{!170}
+!170 = distinct !{!170, !171, !"pair_item: argument 0"}
+!171 = distinct !{!171, !"pair_item"}
+!172 = !{!173}
+!173 = distinct !{!173, !174, !"pair_item: argument 0"}
+!174 = distinct !{!174, !"pair_item"}
 !175 = distinct !{!175, !4, !5}
 !176 = distinct !{!176, !4, !5}
 !177 = distinct !{!177, !4, !5}
@@ -6495,42 +6652,43 @@ attributes #11 = { nounwind }
 !179 = distinct !{!179, !4, !5}
 !180 = distinct !{!180, !4, !5}
 !181 = distinct !{!181, !4, !5}
-!182 = !{!183}
-!183 = distinct !{!183, !184, !"pair_item: argument 0"}
-!184 = distinct !{!184, !"pair_item"}
-!185 = !{!186}
-!186 = distinct !{!186, !187, !"pair_item: argument 0"}
-!187 = distinct !{!187, !"pair_item"}
-!188 = !{!189}
-!189 = distinct !{!189, !190, !"pair_item: argument 0"}
-!190 = distinct !{!190, !"pair_item"}
-!191 = distinct !{!191, !4, !5}
+!182 = distinct !{!182, !4, !5}
+!183 = !{!184}
+!184 = distinct !{!184, !185, !"pair_item: argument 0"}
+!185 = distinct !{!185, !"pair_item"}
+!186 = !{!187}
+!187 = distinct !{!187, !188, !"pair_item: argument 0"}
+!188 = distinct !{!188, !"pair_item"}
+!189 = !{!190}
+!190 = distinct !{!190, !191, !"pair_item: argument 0"}
+!191 = distinct !{!191, !"pair_item"}
 !192 = distinct !{!192, !4, !5}
 !193 = distinct !{!193, !4, !5}
-!194 = !{!195}
-!195 = distinct !{!195, !196, !"pair_item: argument 0"}
-!196 = distinct !{!196, !"pair_item"}
-!197 = !{!198}
-!198 = distinct !{!198, !199, !"pair_item: argument 0"}
-!199 = distinct !{!199, !"pair_item"}
-!200 = !{!201}
-!201 = distinct !{!201, !202, !"pair_item: argument 0"}
-!202 = distinct !{!202, !"pair_item"}
-!203 = distinct !{!203, !4, !5}
-!204 = !{!205}
-!205 = distinct !{!205, !206, !"pair_item: argument 0"}
-!206 = distinct !{!206, !"pair_item"}
-!207 = !{!208}
-!208 = distinct !{!208, !209, !"pair_item: argument 0"}
-!209 = distinct !{!209, !"pair_item"}
-!210 = distinct !{!210, !4, !5}
+!194 = distinct !{!194, !4, !5}
+!195 = !{!196}
+!196 = distinct !{!196, !197, !"pair_item: argument 0"}
+!197 = distinct !{!197, !"pair_item"}
+!198 = !{!199}
+!199 = distinct !{!199, !200, !"pair_item: argument 0"}
+!200 = distinct !{!200, !"pair_item"}
+!201 = !{!202}
+!202 = distinct !{!202, !203, !"pair_item: argument 0"}
+!203 = distinct !{!203, !"pair_item"}
+!204 = distinct !{!204, !4, !5}
+!205 = !{!206}
+!206 = distinct !{!206, !207, !"pair_item: argument 0"}
+!207 = distinct !{!207, !"pair_item"}
+!208 = !{!209}
+!209 = distinct !{!209, !210, !"pair_item: argument 0"}
+!210 = distinct !{!210, !"pair_item"}
 !211 = distinct !{!211, !4, !5}
 !212 = distinct !{!212, !4, !5}
 !213 = distinct !{!213, !4, !5}
 !214 = distinct !{!214, !4, !5}
 !215 = distinct !{!215, !4, !5}
 !216 = distinct !{!216, !4, !5}
-!217 = distinct !{!217, !4, !5, !63}
-!218 = distinct !{!218, !4, !5}
+!217 = distinct !{!217, !4, !5}
+!218 = distinct !{!218, !4, !5, !63}
 !219 = distinct !{!219, !4, !5}
 !220 = distinct !{!220, !4, !5}
+!221 = distinct !{!221, !4, !5}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -59,7 +59,8 @@ class DiscreteAdjoint:
 
     The calls are of the derivatives of the n states, and of the same inputs with n weights after
     r: the derivatives of Σ weight · rate by the states and by `further` other inputs, of which the
-    last `kept` are wanted stage by stage.
+    last `kept` are wanted stage by stage. The first call knows when the Kernel switches by time
+    alone, as in the steps that were taken.
     """
 
     def __init__(
@@ -78,7 +79,7 @@ class DiscreteAdjoint:
         self._work = Workspace(method, rates, n, np.zeros(1), (), Options())
         self.nodes = np.array(tableau_of(method).nodes)[: len(tableau_of(method).stages)]
         self._python = turned.kernel.addresses is None
-        self._problem = self._bound(turned)
+        self._problem = self._bound(replace(turned, switched=rates.switched))
 
     def _bound(self, call: KernelCall) -> Any:
         """Return the derivatives as the compiled loop reads them."""
@@ -155,7 +156,7 @@ class DiscreteAdjoint:
             after[:] = np.nan
         instants = times[:, None] + np.outer(sizes, self.nodes)
         # Steps end where inputs jump, with what these were before.
-        jumps, before = self._work.problem.jumps.T
+        jumps, before, _ = self._work.problem.jumps.T
         until = np.append(before, np.inf)[np.searchsorted(jumps, times, side="right")]
         instants = np.minimum(instants, until[:, None]).ravel()
         return Sweep(after, back.totals, instants, back.kept)

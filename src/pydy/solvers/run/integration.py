@@ -184,7 +184,8 @@ class Integration(Workspace):
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Take other times and other numbers for the same call, or return False."""
-        return self.call is not None and self.rebind(replace(self.call, p=p, r=r), times)
+        call = self.call
+        return call is not None and self.rebind(replace(call, p=p, r=r, switched=None), times)
 
     def begin(self, x0: np.ndarray) -> np.ndarray:
         """Project and check an initial state without integrating, and return it."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._kernel import Kernel
-from pydy.inputs import jumps_of
+from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import layout as at
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import stretches
@@ -256,6 +256,7 @@ def integrate_samples(
     controlled: int | None = None,
     beside: LanesBeside | None = None,
     jacobian: Kernel | None = None,
+    switched: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Integrate m samples, `LANES` at a time; an implicit method needs the `jacobian`.
 
@@ -264,7 +265,8 @@ def integrate_samples(
     sample lie side by side, and the next sample's follow. The error is controlled of all
     components, or of so many that come first. Motions may be held on constraints and watched for
     events, by what is `beside`; those that cannot begin are left out then, as not computed. Asked
-    now and then whether the work is `stopped`, True ends it with KeyboardInterrupt.
+    now and then whether the work is `stopped`, True ends it with KeyboardInterrupt. The rows of
+    `switched` say when the Kernel switches by time alone, in all samples alike.
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
@@ -292,7 +294,7 @@ def integrate_samples(
         seen=own.seen,
     )
     newton, further = ((), []) if jacobian is None else _newton(n, jacobian)
-    problem = _problem(kernel, sampled, controlled, [*own.prepared, *further])
+    problem = _problem(kernel, sampled, controlled, [*own.prepared, *further], switched)
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
     beside_rows = rows_of(own.alone), rows_of(own.watch), rows_of(own.held)
     table = table_of(*parts, *beside_rows, rows_of(newton))
@@ -369,14 +371,19 @@ def _problem(
     sampled: Sequence[tuple[np.ndarray, Any]],
     controlled: int = 0,
     further: Sequence[tuple[int, int]] = (),
+    switched: np.ndarray | None = None,
 ) -> LaneProblem:
     program, (place, c, prepared) = kernel.program, _bound(kernel)
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
     until = lined_up(LANES)
     until[:] = np.inf
+    jumps = jumps_of(sampled) if sampled else NO_JUMPS
+    if switched is not None:
+        jumps = merged_jumps([jumps, switched])
+    switches = 0 if switched is None else len(switched)
     return LaneProblem(
-        words=np.array([place, n, n, controlled, controlled, *inputs]),
+        words=np.array([place, n, n, controlled, controlled, switches, *inputs]),
         clock=lined_up(LANES),
         r=lined_up(LANES * max(1, program.num_specifieds)),
         p=lined_up(LANES * max(1, program.num_constants)),
@@ -386,6 +393,6 @@ def _problem(
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,
         cubics=cubics,
-        jumps=jumps_of(sampled) if sampled else NO_JUMPS,
+        jumps=jumps,
         until=until,
     )

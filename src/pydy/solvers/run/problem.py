@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -13,17 +14,19 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._backends.llvm.native import gates
 from pydy._checks import vector
+from pydy._errors import warn_user
 from pydy._forks import once
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
-from pydy.inputs import jumps_of
+from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers.layout import REFLECTED, Problem
+from pydy.solvers.options import Options
 from pydy.solvers.run import shipped
 from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-NO_JUMPS = np.zeros((0, 2))
+NO_JUMPS = np.zeros((0, 3))
 
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
@@ -150,15 +153,41 @@ class Callback:
         self._out[:] = found
 
 
+def switching(call: KernelCall, times: np.ndarray, options: Options) -> KernelCall:
+    """Return a call that knows when its Kernel switches by time alone, at times of a run.
+
+    A warning says if these times are too many, unless the steps are shorter than their distances.
+    """
+    found = call.switch_times(float(times[0]), float(times[-1]))
+    if found is None:
+        return call
+    longest = options.max_step if options.step is None else options.step
+    if found.unresolved * longest > abs(times[-1] - times[0]):
+        sign = 1.0 if call.kernel.negated is None else -1.0
+        warn_user(
+            f"A load or rate switches by time alone {found.unresolved} times or more from t = "
+            f"{sign * times[0]:.6g} to {sign * times[-1]:.6g}: too often for steps to end at each, "
+            "so that a step may pass over a pulse. Pass a `max_step` that is shorter than the "
+            "shortest pulse."
+        )
+    return replace(call, switched=found.rows)
+
+
+def jumps_in(call: KernelCall) -> np.ndarray:
+    """Return when the sampled inputs of a call jump, and when its Kernel switches, if known."""
+    jumps = jumps_of(call.sampled) if call.sampled else NO_JUMPS
+    return jumps if call.switched is None else merged_jumps([jumps, call.switched])
+
+
 def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Problem:
     """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
     sampled: Sequence[tuple[np.ndarray, Any]] = ()
-    r, jumps = np.zeros(1), NO_JUMPS
+    r, jumps, switched = np.zeros(1), NO_JUMPS, 0
     if call is not None and call.inputs is None:
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
-    if call is not None and call.sampled:
-        jumps = jumps_of(call.sampled)
-    words = np.array([called.place, n, blocks(n), n, blocks(n)])
+    if call is not None:
+        jumps, switched = jumps_in(call), 0 if call.switched is None else len(call.switched)
+    words = np.array([called.place, n, blocks(n), n, blocks(n), switched])
     until = np.array([np.inf])
     if isinstance(called, Callback):
         called.until = until

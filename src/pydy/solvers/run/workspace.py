@@ -38,8 +38,10 @@ from pydy.solvers.run.problem import (
     Bound,
     Callback,
     blocks,
+    jumps_in,
     lined_up,
     problem_of,
+    switching,
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
@@ -155,6 +157,8 @@ class Workspace:
         self._bound: list[Bound] = []
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
+        if self.call is not None and self.call.switched is None:
+            self.call = switching(self.call, times, options)
         self.problem = self._bind(f, args)
         beside = options.sensitivities
         if beside is not None and beside.leads(method == IMPLICIT):
@@ -229,6 +233,14 @@ class Workspace:
             or self.callbacks
         ):
             return False
+        if before.switched is not None:
+            if call.switched is None:
+                call = switching(call, times, self.options)
+            jumps, words = jumps_in(call), self.problem.words
+            if jumps.shape != self.problem.jumps.shape:
+                return False
+            self.problem.jumps[:] = jumps
+            words[at.SWITCHED] = 0 if call.switched is None else len(call.switched)
         for bound in self._bound:
             bound.take(call.p)
         self.problem.r[: len(call.r)] = call.r
@@ -432,13 +444,15 @@ class Workspace:
     def _acting(self, wanted: CompiledEvents) -> tuple[list[int], np.ndarray, np.ndarray]:
         """Return the arrays with which compiled code resets states; Python reads its log later.
 
-        A jump of samples may be what makes an event happen: then Python does it, as it does with
-        what stands beside the states.
+        A jump of samples, or a switch, may be what makes an event happen: then Python does it, as
+        it does with what stands beside the states.
         """
         call, resets, options = self.call, wanted.resets, self.options
         beside = options.constraints is not None or options.sensitivities is not None
         beside = beside or options.recorded not in (None, self.n)  # such as an integral
         if beside or self.callbacks or call is None or call.sampled or resets is None:
+            return [0, 0, 0], np.zeros(1), np.zeros(1)
+        if call.switched is not None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         if resets.addresses is None or wanted.rates.addresses is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
