@@ -12,9 +12,10 @@ import optima
 import zoo
 from ball import bouncing_ball
 from cases import system_of
+from pydy._simulation.integration import Leg
 from pydy.analysis import Trial
-from pydy.analysis.fit import estimate
-from pydy.analysis.residuals import autocorrelation
+from pydy.analysis.fits.residuals import autocorrelation
+from pydy.analysis.fits.search import estimate
 from pydy.contact import Contacts, Stick
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
@@ -380,15 +381,15 @@ def test_an_event_that_ends_a_trial_early_is_told():
 @pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
 def test_what_stops_a_fit_hands_over_the_best_estimates(oscillator, monkeypatch, stop):
     calls = []
-    simulate = type(oscillator).simulate
+    simulated = Leg.simulated
 
     def interrupted(self, **options):
         calls.append(1)
         if len(calls) > 4:
             raise stop
-        return simulate(self, **options)
+        return simulated(self, **options)
 
-    monkeypatch.setattr(type(oscillator), "simulate", interrupted)
+    monkeypatch.setattr(Leg, "simulated", interrupted)
     with pytest.raises(stop) as caught:
         oscillator.fit(["k0", "c0"], let_go(swing()))
     assert set(caught.value.values) == {"k0", "c0"}
@@ -678,13 +679,13 @@ def test_stiff_equations_are_fitted_with_an_implicit_method(oscillator, monkeypa
     oscillator.ode_solver = "radau"
     truth = oscillator.simulate(rtol=1e-10, atol=1e-10)
     oscillator.ode_solver, oscillator.constants["k0"] = solver, 4.1e3
-    simulate, used = System.simulate, []
+    simulated, used = Leg.simulated, []
 
     def watched(self, **options):
-        used.append(self.ode_solver.name)
-        return simulate(self, **options)
+        used.append(self.solver.name)
+        return simulated(self, **options)
 
-    monkeypatch.setattr(System, "simulate", watched)
+    monkeypatch.setattr(Leg, "simulated", watched)
     trial = Trial(oscillator.times, {"x0": truth["x0"]}, {"x0": 1.0}, noise=1e-3)
     result = oscillator.fit(["k0"], trial)
     np.testing.assert_allclose(result["k0"], 4e3, rtol=1e-6)
@@ -812,5 +813,5 @@ def test_a_step_to_a_motion_beyond_the_powers_of_floats_is_not_taken(oscillator)
 
     bounds = (np.array([-np.inf]), np.array([np.inf]))
     with np.errstate(all="raise"):
-        z, *_ = estimate(residuals, np.array([1.0]), bounds, ["k"], 50, told=False)
+        z, *_ = estimate(residuals, np.array([1.0]), bounds, ["k"], 50, warns=False)
     assert z == pytest.approx([1.5], abs=0.6)

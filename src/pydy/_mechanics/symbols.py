@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._graph.from_sympy import differentiated, is_unevaluated
 from pydy._names import written_out
@@ -93,3 +94,8 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
             stack.append((expr, True))
             stack.extend((a, False) for a in expr.args if id(a) not in done)
     return done[id(root)]
+
+
+def function_of_time(name: str) -> Any:
+    """Return a function of time, as coordinates and outputs are."""
+    return dynamicsymbols(name)

@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from pydy.analysis.adjoint import AdjointGradient
     from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
     from pydy.analysis.equilibria import Equilibrium
-    from pydy.analysis.fit import FitResult
+    from pydy.analysis.fits.result import FitResult
+    from pydy.analysis.fits.trial import Trial
     from pydy.analysis.linear import LinearModel
     from pydy.analysis.orbits import PeriodicOrbit
     from pydy.analysis.sweeps import Crossing, EigenvalueSweep
-    from pydy.analysis.trial import Trial
 
 __all__ = [
     "AdjointGradient",
@@ -36,11 +36,11 @@ _MODULES = {
     "EigenvalueSweep": "sweeps",
     "Equilibrium": "equilibria",
     "EquilibriumBranch": "continuation",
-    "FitResult": "fit",
+    "FitResult": "fits.result",
     "LinearModel": "linear",
     "PeriodicOrbit": "orbits",
     "SpecialPoint": "continuation",
-    "Trial": "trial",
+    "Trial": "fits.trial",
 }
 
 

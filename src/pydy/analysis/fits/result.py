@@ -1,28 +1,32 @@
-"""Parameters from measurements: the search, and the results of a fit.
+"""The result of a fit: estimates, how well the samples determine them, and residuals.
 
-`System.fit` returns a `FitResult`. The estimates minimise the sum of squares of the residuals, each
-divided by the standard deviation of its noise, with exact derivatives
-(`scipy.optimize.least_squares`).
+The estimates minimise the sum of squares of the residuals, each divided by the standard deviation
+of its noise. Their covariance follows from the derivatives of the residuals at the minimum.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
 
 from pydy._checks import number
-from pydy._errors import FitInterrupted, note_finished, warn_user
+from pydy._errors import warn_user
 from pydy._names import few, place_of, some, table_of
 from pydy._optional import require
 from pydy._rank import HALF, or_one
+from pydy._simulation.tuning import FIT
 from pydy.analysis.directions import direction_text
-from pydy.analysis.residuals import autocorrelation
-from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL, NAMED_IN_FIT
+from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
+from pydy.analysis.tuning import ABOVE_TOLERANCE, NAMED_IN_FIT
 from pydy.plot import rows_of_axes, typeset
+
+if TYPE_CHECKING:
+    from pydy.analysis.fits.problem import FitProblem
+    from pydy.analysis.fits.samples import Samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,113 +248,6 @@ class FitResult:
     __repr__ = __str__
 
 
-def estimate(
-    evaluate: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
-    start: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    names: Sequence[str],
-    most: int,
-    told: bool = True,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
-    """Minimise the sum of squares of residuals; `most` is the most evaluations.
-
-    `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be
-    computed. Return the estimates, both of these there, and what SciPy found. Ctrl-C is a
-    FitInterrupted that hands over the best estimates so far.
-
-    SciPy compares the gradient, and a step with the parameters, as they are: in kg/s² a spring of
-    atoms or of planets would end at once. So they are searched for in units of their sizes at the
-    start, and again where these have become others, by more than half of FITTED's digits.
-    """
-    known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
-    least, best = np.inf, start
-
-    def at(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        nonlocal least, best
-        key = z.tobytes()
-        if key not in known:
-            for old in known.keys() - {best.tobytes()}:
-                del known[old]
-            with np.errstate(**outer):  # a user's function keeps its warnings
-                values, slopes = evaluate(z)
-            far = np.abs(values).max(initial=0.0), np.abs(slopes).max(initial=0.0)
-            if max(far) > LARGEST_RESIDUAL:
-                if least == np.inf:
-                    raise ValueError(
-                        "The motion that the search begins with is too far from the samples, or "
-                        f"changes too fast with the parameters: {far[0]:.3g} and {far[1]:.3g}, in "
-                        "units of `noise`, of which floats hold no powers. Begin with other "
-                        "constants or initial conditions, or set `segments`."
-                    )
-                values = np.full_like(values, np.nan)  # no step of the search
-            known[key] = values, slopes
-            cost = float(values @ values)
-            if cost < least:
-                least, best = cost, z.copy()
-        return known[key]
-
-    z, left, again, outer = start, most, True, np.geterr()
-    try:
-        # A step may lead to residuals whose squares are infinite: it is not taken then.
-        with np.errstate(all="ignore"):
-            size, units = _sizes(*at(z), z)
-            while again:
-                found = _search(at, z, bounds, size, units, left)
-                z, left, before = found.x * units, left - found.nfev, np.append(units, size)
-                size, units = _sizes(*at(z), z)
-                change = np.abs(np.log2(before / np.append(units, size))).max()
-                again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
-            residuals, jacobian = at(z)
-    except (KeyboardInterrupt, MemoryError) as stop:
-        values = dict(zip(names, best.tolist(), strict=True))
-        if isinstance(stop, MemoryError):
-            note_finished(stop, "The best estimates so far are", values=values)
-            raise
-        raise FitInterrupted(
-            "The fit was interrupted. Its best estimates so far are in `values`.", values
-        ) from stop
-    if told and found.status == 0:
-        warn_user(
-            f"The fit did not converge in {most} evaluations; the estimates are the last ones. "
-            "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
-            "motions."
-        )
-    return z, residuals, jacobian, found
-
-
-def _sizes(
-    residuals: np.ndarray, jacobian: np.ndarray, z: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the size of residuals, and changes of parameters that change them as much."""
-    size = _power_of_two(np.linalg.norm(residuals), np.ones(()))
-    # Parameters may have no effect, and residuals may not be finite.
-    return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
-
-
-def _search(
-    at: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
-    z: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    size: np.ndarray,
-    units: np.ndarray,
-    most: int,
-) -> Any:
-    """Search by SciPy with residuals and parameters in units of their sizes."""
-    return scipy.optimize.least_squares(
-        lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
-        (bounds[0] / units, bounds[1] / units), x_scale="jac",
-        xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
-    )  # fmt: skip
-
-
-def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
-    """Return powers of two that are near sizes, or near others where these are none; else 1."""
-    for given in (otherwise, np.ones(())):
-        sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, given)
-    powers: np.ndarray = np.ldexp(1.0, np.frexp(sizes)[1])
-    return powers
-
-
 def covariance_of(
     jacobian: np.ndarray, values: np.ndarray, sizes: np.ndarray, names: Sequence[str], least: float
 ) -> tuple[np.ndarray, tuple[str, ...]]:
@@ -377,7 +274,7 @@ def covariance_of(
     return covariance * np.outer(sizes, sizes), tuple(texts)
 
 
-def held_by(
+def parameters_at_bounds(
     values: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], names: Sequence[str]
 ) -> tuple[str, ...]:
     """Return the parameters that lie at a bound."""
@@ -385,3 +282,104 @@ def held_by(
     size = np.maximum(np.abs(values), np.finfo(float).tiny)
     near = (values - low <= HALF * size) | (high - values <= HALF * size)
     return tuple(name for name, flag in zip(names, near, strict=True) if flag)
+
+
+@dataclass(frozen=True, eq=False)
+class Minimum:
+    """The least squares that a search ended at."""
+
+    z: np.ndarray  # the parameters, and what the search appended to them
+    values: np.ndarray  # (r,), residuals of the samples and priors, divided by their noise
+    jacobian: np.ndarray  # (r, k), by the parameters
+    residuals: list[dict[str, np.ndarray]]  # of each trial: sample minus model
+    sizes: np.ndarray  # (n,), how large each state becomes
+    tolerance: float  # of the motions
+    success: bool
+    message: str
+    evaluations: int
+    equations: int = 1  # how many were solved for a motion
+    white: bool = True  # whether residuals are white noise: the motion is not disturbed
+
+
+def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
+    """Return the result of a fit; warn of what it does not determine."""
+    names, k = tuple(problem.names), problem.count
+    z, values, residuals = minimum.z, minimum.values, minimum.residuals
+    degrees = problem.samples + len(problem.priors) - k
+    noise = float(np.sqrt(values @ values / degrees)) if degrees > 0 else np.nan
+    sizes = np.maximum(np.abs(z[:k]), problem.sizes(minimum.sizes))
+    # Motions are not more accurate than their tolerance, to which each equation is solved.
+    samples = [np.nan_to_num(d.values / d.noise).ravel() for d in problem.trials]
+    least = FIT * minimum.equations**0.5 * float(np.linalg.norm(np.concatenate(samples)))
+    covariance, undetermined = covariance_of(minimum.jacobian, z[:k], sizes, names, least)
+    if problem.noise_is_estimated:
+        covariance = covariance * noise**2
+    at_bounds = parameters_at_bounds(z[:k], (problem.limits[0][:k], problem.limits[1][:k]), names)
+    success = minimum.success
+    messages = [] if success else [f"The fit did not converge: {minimum.message}"]
+    messages += warn_of_estimates(undetermined, at_bounds)
+    if minimum.white and success and not at_bounds and degrees > 0:
+        scaled, errors = in_units_of_noise(problem.trials, residuals, max(minimum.tolerance, FIT))
+        if text := text_of_correlation(scaled, errors, not problem.noise_is_estimated):
+            messages.append(text)
+            warn_user(text)
+    shared = list(zip(problem.shared, z.tolist(), strict=False))
+    for what in ("constants", "states", "specifieds"):
+        estimates = {s: v for (kind, s), v in shared if kind == what}
+        problem.now.check_values(what, estimates, "The estimate of ")
+    return FitResult(
+        names=names,
+        estimates=z[:k].copy(),
+        covariance=covariance,
+        constants={s: v for (kind, s), v in shared if kind == "constants"},
+        initial_conditions={s: v for (kind, s), v in shared if kind == "states"},
+        undetermined=undetermined,
+        at_bounds=at_bounds,
+        residuals=residuals,
+        times=[d.times for d in problem.trials],
+        noise=noise,
+        degrees=degrees,
+        evaluations=minimum.evaluations,
+        success=success,
+        message=minimum.message,
+        measured=[dict(zip(d.names, d.values.T.copy(), strict=True)) for d in problem.trials],
+        labels=tuple(d.label for d in problem.trials),
+        warnings=tuple(messages),
+        noise_given=not problem.noise_is_estimated,
+    )
+
+
+def in_units_of_noise(
+    trials: Sequence[Samples], residuals: Sequence[dict[str, np.ndarray]], tolerance: float
+) -> tuple[list[dict[str, np.ndarray]], dict[str, float]]:
+    """Return residuals divided by their noise, and what errors of the motions are at most there.
+
+    The motions are computed to some `tolerance`.
+    """
+    least: dict[str, float] = {}
+    scaled: list[dict[str, np.ndarray]] = []
+    for d, table in zip(trials, residuals, strict=True):
+        noise = dict(zip(d.names, d.noise.T, strict=True))
+        scaled.append({name: column / noise[name] for name, column in table.items()})
+        for name, column in zip(d.names, (d.values / d.noise).T, strict=True):
+            size = ABOVE_TOLERANCE * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
+            least[name] = max(least.get(name, 0.0), float(size))
+    return scaled, least
+
+
+def warn_of_estimates(undetermined: Sequence[str], at_bounds: Sequence[str]) -> list[str]:
+    """Warn of estimates that the data do not determine or a bound does; return what was said."""
+    messages = []
+    if undetermined:
+        messages.append(
+            f"The data do not determine these relative changes of parameters: "
+            f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
+        )
+    if at_bounds:
+        messages.append(
+            f"The fit stopped at a bound of {some(at_bounds)}: the estimates there, and all "
+            "standard errors, are not those of a free fit."
+        )
+    for message in messages:
+        warn_user(message)
+    return messages

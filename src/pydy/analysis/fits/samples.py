@@ -1,13 +1,12 @@
-"""Measured motions as a user gives them, checked and normalised."""
+"""The samples of a Trial, checked and in order."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import sympy.physics.mechanics as me
 
 from pydy._assembly.definition import Definition
 from pydy._checks import (
@@ -19,17 +18,16 @@ from pydy._checks import (
     shown,
     text,
 )
-from pydy._errors import warn_user
-from pydy._mechanics.symbols import find_symbols
-from pydy._names import few, some, unique_names
+from pydy._mechanics.symbols import find_symbols, function_of_time
+from pydy._names import some, unique_names
 from pydy._simulation.definition import sort_out
-from pydy.analysis.trial import Trial, checked_noise, checked_samples, instants
-from pydy.analysis.tuning import ABOVE_TOLERANCE, LARGEST_RESIDUAL
+from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, instants
+from pydy.analysis.tuning import LARGEST_RESIDUAL
 
 
 @dataclass(frozen=True, eq=False)
-class Data:
-    """A trial as it was checked."""
+class Samples:
+    """The samples of a Trial."""
 
     trial: Trial
     label: str
@@ -42,8 +40,8 @@ class Data:
     unknown: list[Any]  # symbols of states
 
 
-def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[Any, Any]) -> Data:
-    """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
+def checked_trial(k: int, trial: Any, definition: Definition, outputs: dict[Any, Any]) -> Samples:
+    """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
     measurable = Places([*definition.states, *definition.outputs_symbols],
                         "states and outputs of the system")  # fmt: skip
@@ -59,7 +57,7 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
     times, begin = instants(trial, label)
     values = checked_samples(trial, label, times)
     measured = check_mapping(f"measured of {label}", trial.measured)
-    keys = [_key(key, label, definition, measurable, expressions) for key in measured]
+    keys = [_key(key, label, definition, measurable, outputs) for key in measured]
     refuse_twice(keys, f"measured of {label}")
     unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
@@ -77,11 +75,11 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
             f"units of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are beyond "
             "floats. Choose units in which they are smaller."
         )
-    return Data(trial, label, times, begin, keys, names, values, noise, unknown)
+    return Samples(trial, label, times, begin, keys, names, values, noise, unknown)
 
 
 def _key(
-    key: Any, label: str, definition: Definition, measurable: Places, expressions: dict[Any, Any]
+    key: Any, label: str, definition: Definition, measurable: Places, outputs: dict[Any, Any]
 ) -> Any:
     place = measurable.get(key, "measured")
     if place is not None:
@@ -97,9 +95,12 @@ def _key(
             "not one of the states, constants, specifieds and outputs of the system. Make the "
             "expression one of the `outputs`, and give the value there."
         )
-    if key not in expressions:
-        expressions[key] = me.dynamicsymbols(f"measured_{len(expressions)}")
-    return expressions[key]
+    for name, expression in outputs.items():
+        if expression == key:
+            return name
+    name = function_of_time(f"measured_{len(outputs)}")
+    outputs[name] = key
+    return name
 
 
 def _noise(
@@ -123,39 +124,3 @@ def _noise(
     for k, entry in enumerate(entries):
         noise[:, k] = checked_noise(entry, shape[0], label)
     return noise
-
-
-def in_units_of_noise(
-    data: Sequence[Data], residuals: Sequence[dict[str, np.ndarray]], tolerance: float
-) -> tuple[list[dict[str, np.ndarray]], dict[str, float]]:
-    """Return residuals divided by their noise, and what errors of the motions are at most there.
-
-    The motions are computed to some `tolerance`.
-    """
-    least: dict[str, float] = {}
-    scaled: list[dict[str, np.ndarray]] = []
-    for d, table in zip(data, residuals, strict=True):
-        noise = dict(zip(d.names, d.noise.T, strict=True))
-        scaled.append({name: column / noise[name] for name, column in table.items()})
-        for name, column in zip(d.names, (d.values / d.noise).T, strict=True):
-            size = ABOVE_TOLERANCE * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
-            least[name] = max(least.get(name, 0.0), float(size))
-    return scaled, least
-
-
-def warn_of_estimates(undetermined: Sequence[str], at_bounds: Sequence[str]) -> list[str]:
-    """Warn of estimates that the data do not determine or a bound does; return what was said."""
-    messages = []
-    if undetermined:
-        messages.append(
-            f"The data do not determine these relative changes of parameters: "
-            f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
-        )
-    if at_bounds:
-        messages.append(
-            f"The fit stopped at a bound of {some(at_bounds)}: the estimates there, and all "
-            "standard errors, are not those of a free fit."
-        )
-    for message in messages:
-        warn_user(message)
-    return messages

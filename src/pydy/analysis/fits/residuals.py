@@ -40,7 +40,7 @@ def autocorrelation(series: Sequence[np.ndarray]) -> tuple[float, float]:
     return r, r * count**0.5
 
 
-def told_of_correlation(
+def text_of_correlation(
     residuals: Sequence[dict[str, np.ndarray]], least: dict[str, float], known: bool
 ) -> str:
     """Return what to say of quantities whose neighbouring residuals are alike, or ''.

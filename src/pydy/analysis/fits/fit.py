@@ -1,0 +1,83 @@
+"""A fit from trials to its result; `System.fit` documents the arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import choice, flag, listed, whole
+from pydy.analysis.fits.problem import FitProblem, Model
+from pydy.analysis.fits.result import FitResult, result_of
+from pydy.analysis.fits.shooting import Shooting
+from pydy.analysis.fits.trial import Trial
+
+
+def fit(
+    model: Model,
+    parameters: Any,
+    trials: Any,
+    *,
+    bounds: Any,
+    priors: Any,
+    segments: int,
+    method: str,
+    mesh: Any,
+    process_noise: Any,
+    solver: Any,
+    most: int,
+    progress: bool,
+    options: dict[str, Any],
+) -> FitResult:
+    """Return the parameters with which a model's motions are nearest to the trials."""
+    alone = isinstance(trials, Trial | np.ndarray)
+    trials = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
+    if not trials:
+        raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
+    segments, most = whole(segments, "`segments`"), whole(most, "`most`")
+    collocation = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
+    only = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
+    _check_method(collocation, segments, only, options, model.contacts)
+    if isinstance(options.get("events"), Iterator):
+        options = {**options, "events": [*options["events"]]}
+    problem = FitProblem(model, parameters, trials, options.get("events"))
+    if collocation:
+        from pydy.analysis.fits.collocation import collocated
+
+        z = problem.read_known(problem.start, bounds, priors)
+        progress = flag(progress, "`progress`")
+        options = {"max_iter": min(most, 2**31 - 1), **options}
+        by = "ipopt" if solver is None else solver, options
+        return result_of(problem, collocated(problem, z, mesh, process_noise, by, progress))
+    shooting = Shooting(problem, segments, options)
+    z = problem.read_known(shooting.guess(), bounds, priors)
+    return result_of(problem, shooting.minimum(z, most, flag(progress, "`progress`")))
+
+
+def _check_method(
+    collocation: bool,
+    segments: int,
+    only: Mapping[str, Any],
+    options: Mapping[str, Any],
+    contacts: Any,
+) -> None:
+    """Refuse arguments of the other method; those of collocation `only` are None by default."""
+    if collocation and segments > 1:
+        raise ValueError(
+            "`segments` belongs to method='shooting'. With collocation, `mesh` is the number of "
+            "intervals."
+        )
+    if collocation and "events" in options:
+        raise ValueError(
+            "`events` need method='shooting': collocation takes the equations of motion alone."
+        )
+    if not collocation:
+        for name, value in only.items():
+            if value is not None:
+                raise ValueError(f"`{name}` needs method='collocation'.")
+    if contacts is not None and (collocation or segments > 1):
+        raise ValueError(
+            "`contacts` need method='shooting' with segments=1: collocation takes the "
+            "equations of motion alone, and segments would begin in any modes."
+        )

@@ -1,0 +1,119 @@
+"""Least squares with exact derivatives, in units in which all parameters count alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import scipy
+
+from pydy._errors import FitInterrupted, note_finished, warn_user
+from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL
+
+
+def estimate(
+    evaluate: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    start: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    names: Sequence[str],
+    most: int,
+    warns: bool = True,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
+    """Minimise the sum of squares of residuals; `most` is the most evaluations.
+
+    `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be
+    computed. Return the estimates, both of these there, and SciPy's result. Ctrl-C is a
+    FitInterrupted that hands over the best estimates so far.
+
+    SciPy compares the gradient, and a step with the parameters, as they are: in kg/s² a spring of
+    atoms or of planets would end at once. So they are searched for in units of their sizes at the
+    start, and again where these have become others, by more than half of FITTED's digits.
+    """
+    known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+    least, best = np.inf, start
+
+    def at(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        nonlocal least, best
+        key = z.tobytes()
+        if key not in known:
+            for old in known.keys() - {best.tobytes()}:
+                del known[old]
+            with np.errstate(**outer):  # a user's function keeps its warnings
+                values, slopes = evaluate(z)
+            far = np.abs(values).max(initial=0.0), np.abs(slopes).max(initial=0.0)
+            if max(far) > LARGEST_RESIDUAL:
+                if least == np.inf:
+                    raise ValueError(
+                        "The motion that the search begins with is too far from the samples, or "
+                        f"changes too fast with the parameters: {far[0]:.3g} and {far[1]:.3g}, in "
+                        "units of `noise`, of which floats hold no powers. Begin with other "
+                        "constants or initial conditions, or set `segments`."
+                    )
+                values = np.full_like(values, np.nan)  # no step of the search
+            known[key] = values, slopes
+            cost = float(values @ values)
+            if cost < least:
+                least, best = cost, z.copy()
+        return known[key]
+
+    z, left, again, outer = start, most, True, np.geterr()
+    try:
+        # A step may lead to residuals whose squares are infinite: it is not taken then.
+        with np.errstate(all="ignore"):
+            size, units = _sizes(*at(z), z)
+            while again:
+                found = _search(at, z, bounds, size, units, left)
+                z, left, before = found.x * units, left - found.nfev, np.append(units, size)
+                size, units = _sizes(*at(z), z)
+                change = np.abs(np.log2(before / np.append(units, size))).max()
+                again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
+            residuals, jacobian = at(z)
+    except (KeyboardInterrupt, MemoryError) as stop:
+        values = dict(zip(names, best.tolist(), strict=True))
+        if isinstance(stop, MemoryError):
+            note_finished(stop, "The best estimates so far are", values=values)
+            raise
+        raise FitInterrupted(
+            "The fit was interrupted. Its best estimates so far are in `values`.", values
+        ) from stop
+    if warns and found.status == 0:
+        warn_user(
+            f"The fit did not converge in {most} evaluations; the estimates are the last ones. "
+            "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
+            "motions."
+        )
+    return z, residuals, jacobian, found
+
+
+def _sizes(
+    residuals: np.ndarray, jacobian: np.ndarray, z: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the size of residuals, and changes of parameters that change them as much."""
+    size = _power_of_two(np.linalg.norm(residuals), np.ones(()))
+    # Parameters may have no effect, and residuals may not be finite.
+    return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
+
+
+def _search(
+    at: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    z: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    size: np.ndarray,
+    units: np.ndarray,
+    most: int,
+) -> Any:
+    """Search by SciPy with residuals and parameters in units of their sizes."""
+    return scipy.optimize.least_squares(
+        lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
+        (bounds[0] / units, bounds[1] / units), x_scale="jac",
+        xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
+    )  # fmt: skip
+
+
+def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
+    """Return powers of two that are near sizes, or near others where these are none; else 1."""
+    for given in (otherwise, np.ones(())):
+        sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, given)
+    powers: np.ndarray = np.ldexp(1.0, np.frexp(sizes)[1])
+    return powers

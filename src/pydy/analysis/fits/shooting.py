@@ -1,0 +1,284 @@
+"""Fits by shooting: residuals and their derivatives from simulations with sensitivities.
+
+A trial may be divided into segments, each with an initial state of its own. The gaps between them
+are further residuals, whose weights grow from search to search (multiple shooting).
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import flag
+from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._optional import progress_of
+from pydy._simulation.events_and_constraints import native_solver
+from pydy._simulation.integration import simulate
+from pydy._simulation.problem import Problem
+from pydy._simulation.scipy_solvers import SolveIvp, call_odeint, is_odeint
+from pydy._simulation.sensitivities import SensitivityRequest
+from pydy._simulation.tuning import FIT
+from pydy.analysis.fits.problem import FitProblem
+from pydy.analysis.fits.result import Minimum
+from pydy.analysis.fits.samples import Samples
+from pydy.analysis.fits.search import estimate
+from pydy.analysis.tuning import LEAST_SIZE
+from pydy.solvers.solver import SOLVERS
+from pydy.trajectory import Trajectory
+
+# Weights of the gaps between segments, in shares of a state's spread, from search to search.
+_WEIGHTS = (1e1, 1e3, 1e5)
+
+
+@dataclass(frozen=True)
+class _Segment:
+    """A part of a trial that is simulated at once: samples ``first <= k < last``."""
+
+    first: int
+    last: int
+    begin: float  # its time
+    end: float
+    column: int | None  # in z, of the states at its beginning; None for those of the trial
+
+
+class Shooting:
+    """The residuals of a fit as a function of z."""
+
+    def __init__(self, problem: FitProblem, segments: int, options: dict[str, Any]) -> None:
+        self.problem = problem
+        self.options = {"rtol": FIT, "atol": FIT, **options}
+        controlled = self.options.pop("control_sensitivities", False)
+        self.controlled = flag(controlled, "`control_sensitivities`")
+        self.chosen = "atol" not in options  # whether absolute tolerances follow the states' sizes
+        if problem.dependents:
+            self.options.setdefault("constraints", "project")
+        self.names = list(problem.names)  # of all of z
+        self.segments = [self._divided(d, segments) for d in problem.trials]
+        self.places = [problem.states.index(s) for s in problem.independent]
+        self.spread = np.ones(len(problem.independent))
+        n = len(problem.states)
+        self.largest, self.sizes = np.zeros(n), np.ones(n)
+        self.weight = 0.0  # of the gaps
+        self.is_gap = np.empty(0, dtype=bool)
+        self.solver = native_solver(problem.model.solver)
+        if self._is_stiff():
+            self.solver = SOLVERS["radau"]
+
+    def _divided(self, d: Samples, segments: int) -> list[_Segment]:
+        m = len(d.times)
+        edges = np.unique(np.linspace(0, m - 1, segments + 1).round().astype(int))
+        parts = []
+        for j, (a, b) in enumerate(pairwise(edges)):
+            column = None
+            if j:
+                column = len(self.names)
+                self.names += [
+                    f"{s} of {d.label} at {d.times[a]:g}" for s in self.problem.independent
+                ]
+            first = int(a) + 1 if j else 0
+            begin = float(d.times[a]) if j else d.start
+            parts.append(_Segment(first, int(b) + 1, begin, float(d.times[b]), column))
+        return parts or [_Segment(0, m, d.start, float(d.times[-1]), None)]
+
+    def _is_stiff(self) -> bool:
+        """Return whether a user's solver is SciPy's, and implicit, or odeint goes over to that.
+
+        Equations are stiff there: an explicit method takes as many steps as keep it stable,
+        whatever its tolerance.
+        """
+        solver, segment = self.problem.model.solver, self.segments[0][0]
+        times = self.problem.trials[0].times[segment.first : segment.last]
+        times = np.unique(np.append(segment.begin, times))
+        if isinstance(solver, SolveIvp):
+            return solver.method.__name__ in ("Radau", "BDF")
+        if not is_odeint(solver) or "events" in self.options or len(times) < 2:
+            return False
+        now, _, _ = self.problem.motion(self.problem.start, 0, times)
+
+        def rates(x: np.ndarray, t: float) -> np.ndarray:
+            row: np.ndarray = now.derivatives(np.array([t]), x[None])[0]
+            return row
+
+        with suppress(RuntimeError, SingularMatrixError):  # which the fit itself reports
+            _, info = call_odeint(rates, now.x, times, (), self.problem.states, {})
+            return bool(np.mean(info["mused"] == 2) > 0.5)  # odeint's method for stiff equations
+        return False
+
+    # -- simulations ------------------------------------------------------------------------------
+
+    def simulate(self, now: Problem, parameters: list[Any]) -> Trajectory:
+        """Simulate with sensitivities."""
+        request = SensitivityRequest(parameters, self.controlled)
+        motion = simulate(now, now.times, solver=self.solver, sensitivities=request, **self.options)
+        return motion.trajectory
+
+    def fly(self, z: np.ndarray, k: int, segment: _Segment) -> tuple[Trajectory, list[int], int]:
+        """Simulate a segment; return its motion, the columns, and the place of the first sample."""
+        d = self.problem.trials[k]
+        times = d.times[segment.first : segment.last]
+        skip = int(not len(times) or times[0] > segment.begin)
+        times = np.append(segment.begin, times) if skip else times
+        if len(times) < 2:
+            times = np.append(times, times)  # a single sample, where the segment begins
+        now, parameters, columns = self.problem.motion(z, k, times, segment.column)
+        motion = self.simulate(now, parameters)
+        self.largest = np.maximum(self.largest, np.abs(motion.states).max(axis=0))
+        if len(motion.times) < len(times):
+            raise ValueError(
+                f"An event ended {d.label} at t = {float(motion.times[-1])!r}, before the last of "
+                "its samples. Pass events that are not terminal, or leave out later samples."
+            )
+        return motion, columns, skip
+
+    def evaluate(self, z: np.ndarray, *, first: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """Return residuals and gaps of all trials, and their derivatives.
+
+        Where a search begins, at the `first` z, all must be finite.
+        """
+        values, slopes, gaps = [], [], []
+        for k, d in enumerate(self.problem.trials):
+            for j, segment in enumerate(self.segments[k]):
+                motion, columns, skip = self.fly(z, k, segment)
+                run = slice(skip, skip + segment.last - segment.first)
+                noise = d.noise[segment.first : segment.last]
+                model = np.stack([motion[key][run] for key in d.keys], axis=1)
+                there = np.isfinite(d.values[segment.first : segment.last])
+                J = np.zeros((*model.shape, len(z)))
+                with np.errstate(all="ignore"):  # what is not finite is no step of the search
+                    missed = (model - d.values[segment.first : segment.last]) / noise
+                    for q, key in enumerate(d.keys):
+                        J[:, q, columns] = motion.sensitivity[key][run] / noise[:, q, None]
+                sound = np.isfinite(missed) & np.isfinite(J).all(axis=2)
+                if first and (there & ~sound).any():
+                    at, q = np.argwhere(there & ~sound)[0].tolist()
+                    raise ValueError(
+                        f"`measured[{d.names[q]}]` of {d.label} has no finite value or "
+                        "derivatives in the motion that the search begins with: at t = "
+                        f"{d.times[segment.first + at]:g} it is {model[at, q]:g}. Begin with other "
+                        "constants or initial conditions, or measure another expression."
+                    )
+                values.append(missed[there])
+                slopes.append(J[there])
+                gaps.append(np.zeros(len(values[-1]), dtype=bool))
+                if j + 1 < len(self.segments[k]):
+                    ahead = self._states_of(self.segments[k][j + 1])
+                    scale = self.weight / self.spread
+                    G = np.zeros((len(self.places), len(z)))
+                    with np.errstate(all="ignore"):
+                        values.append((motion.states[-1][self.places] - z[ahead]) * scale)
+                        G[:, columns] = motion.sensitivity.values[-1][self.places] * scale[:, None]
+                    G[:, ahead] -= np.diag(scale)
+                    slopes.append(G)
+                    gaps.append(np.ones(len(G), dtype=bool))
+        self.is_gap = np.concatenate(gaps)
+        return np.concatenate(values), np.concatenate(slopes)
+
+    def _states_of(self, segment: _Segment) -> slice:
+        """Return the columns of the states at the beginning of a segment, but the first one."""
+        assert segment.column is not None
+        return slice(segment.column, segment.column + len(self.places))
+
+    def measure(self) -> bool:
+        """Set the sizes of the states and tolerances; return whether these became much tighter.
+
+        A state that is small beside the other coordinates, or the other speeds, may be nothing but
+        their rounding.
+        """
+        first = len(self.problem.now.definition.equations.coordinates)
+        for part in (slice(first), slice(first, None)):
+            largest = self.largest[part]
+            size = largest.max(initial=0.0)
+            least = min(1.0, LEAST_SIZE * size)
+            self.sizes[part] = np.maximum(largest, least) if size > 0.0 else 1.0
+        if self.chosen:
+            self.options["atol"] = FIT * np.minimum(self.sizes, 1.0)
+        return self.chosen and bool(self.sizes.min() < 0.1)  # those of the first runs are 1
+
+    # -- the search -------------------------------------------------------------------------------
+
+    def guess(self) -> np.ndarray:
+        """Return the first z: at segments the measured states, else the motion so far."""
+        problem = self.problem
+        z = np.append(problem.start, np.zeros(len(self.names) - problem.count))
+        starts = []
+        for k, d in enumerate(problem.trials):
+            for segment, following in pairwise(self.segments[k]):
+                try:
+                    end = self.fly(z, k, segment)[0].states[-1].copy()
+                except (IntegrationError, SingularMatrixError):
+                    end = np.zeros(len(problem.states))
+                for q, key in enumerate(d.keys):
+                    sample = d.values[segment.last - 1, q]
+                    if key in problem.states and np.isfinite(sample):
+                        end[problem.states.index(key)] = sample
+                z[self._states_of(following)] = end[self.places]
+                starts.append(end[self.places])
+        if starts:
+            self.measure()
+            least = 1e-2 * self.sizes[self.places]  # the scales at which segments join, at least
+            self.spread = np.maximum(np.std(starts, axis=0), least)
+        return z
+
+    def minimum(self, z: np.ndarray, most: int, progress: bool) -> Minimum:
+        """Return the least squares from z on, by at most so many evaluations."""
+        problem, count = self.problem, 0
+        size = problem.samples + (len(z) - problem.count)
+        # A search may try a gap that is negative at first, or a restitution above one.
+        contacts = problem.model.contacts
+        refused = () if contacts is None else (contacts.infeasible,)
+
+        def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            nonlocal count
+            count += 1
+            try:
+                values, slopes = self.evaluate(z, first=count == 1)
+                if count == 1 and self.measure():
+                    values, slopes = self.evaluate(z)
+            except (IntegrationError, SingularMatrixError, *refused):
+                if count == 1:
+                    raise
+                values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
+            with np.errstate(all="ignore"):
+                bar(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
+                return problem.with_priors(values, slopes, z)
+
+        weights = _WEIGHTS if len(z) > problem.count else (0.0,)
+        with progress_of(progress, " evaluations") as bar:
+            for self.weight in weights:
+                z, values, J, ended = estimate(
+                    evaluate, z, problem.limits, self.names, most, warns=self.weight == weights[-1]
+                )
+        values, J, residuals = self._without_gaps(values, J)
+        return Minimum(
+            z, values, J, residuals, self.sizes, float(np.max(self.options["rtol"])),
+            bool(ended.success), str(ended.message), count,
+        )  # fmt: skip
+
+    def _without_gaps(
+        self, values: np.ndarray, J: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, list[dict[str, np.ndarray]]]:
+        """Return residuals without gaps, derivatives by the parameters, and tables of residuals."""
+        k = self.problem.count
+        gap = np.append(self.is_gap, np.zeros(len(values) - len(self.is_gap), dtype=bool))
+        by_parameters = J[~gap, :k]
+        if gap.any():
+            # The states between segments follow from the parameters: their gaps stay closed.
+            follow = np.linalg.solve(J[gap, k:], -J[gap, :k])
+            by_parameters = by_parameters + J[~gap, k:] @ follow
+        residuals, start = [], 0
+        for d, segments in zip(self.problem.trials, self.segments, strict=True):
+            table = np.full(d.values.shape, np.nan)
+            for j, segment in enumerate(segments):
+                run = slice(segment.first, segment.last)
+                there = np.isfinite(d.values[run])
+                block = np.full(there.shape, np.nan)
+                count = int(there.sum())
+                block[there] = -values[start : start + count]
+                table[run] = block * d.noise[run]
+                start += count + (len(self.places) if j + 1 < len(segments) else 0)
+            residuals.append(dict(zip(d.names, table.T, strict=True)))
+        return values[~gap], by_parameters, residuals
