@@ -8,6 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy.analysis import Trial
 from pydy.control import OptimalControl
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
@@ -94,6 +95,32 @@ def test_integrate_raises_without_a_warning(solver):
         system.integrate()
 
 
+FITS = pytest.mark.parametrize(
+    "options", [{}, {"method": "collocation"}, {"method": "collocation", "mesh": 10}]
+)
+
+
+@FITS
+@pytest.mark.parametrize("unknown", [[], [X]])
+def test_fits_raise_without_a_warning_as_simulations_do(options, unknown):
+    system, times = on_a_circle(), np.linspace(0.0, 1.0, 11)
+    system.initial_conditions = {X: np.sin(0.3), Y: -np.cos(0.3)}
+    system.ode_solver = "dop853"
+    trial = Trial(times, {X: np.sin(0.3 * np.cos(np.sqrt(9.81) * times))}, unknown=unknown)
+    message = "cannot keep all constraints.* rate of the holonomic constraint 0: .* is "
+    with pytest.raises(IntegrationError, match=message):
+        system.fit([G], trial, **options)
+
+
+def test_a_collocated_fit_that_does_not_converge_is_told_first():
+    system, times = on_a_circle(), np.linspace(0.0, 1.0, 11)
+    system.initial_conditions = {X: np.sin(0.3), Y: -np.cos(0.3)}
+    trial = Trial(times, {X: np.sin(0.3 * np.cos(np.sqrt(9.81) * times))})
+    with pytest.warns(PyDyUserWarning) as told:
+        assert not system.fit([G], trial, method="collocation", most=1).success
+    assert str(told[0].message).startswith("The fit did not converge in 1 iterations")
+
+
 def test_the_constraint_itself_is_evaluated_in_silence():
     np.testing.assert_allclose(forgotten().evaluate_holonomic_constraints(), [0.0], atol=1e-15)
 
@@ -125,19 +152,37 @@ def test_a_constraint_that_the_kinematics_keep_is_not_missed():
     assert np.isfinite(system.evaluate_ode()).all()
 
 
-def test_what_only_these_constants_imply_is_not_missed():
+def on_a_line():
     """y = k x is kept by w = v where k is 1, and is not with another k."""
     N, P = me.ReferenceFrame("N"), me.Point("P")
     P.set_pos(me.Point("O"), X * N.x + Y * N.y)
     P.set_vel(N, V * N.x + W * N.y)
     method = Definition(
         N, [X, Y], [V, W], bodies=[me.Particle("p", P, M)], holonomic_constraints=[Y - K * X],
-        velocity_constraints=[W - V],
+        velocity_constraints=[W - V], loads=[(P, -L * X * N.x)],
     )  # fmt: skip
-    system = System(method, {K: 1.0, M: 1.0}, initial_conditions={X: 0.2, Y: 0.2})
+    return System(method, {K: 1.0, M: 1.0, L: 3.0}, initial_conditions={X: 0.2, Y: 0.2})
+
+
+@FITS
+def test_a_fit_of_what_only_these_constants_imply(options):
+    """A spring on one of two equal masses, 2 m x'' = −l x."""
+    times = np.linspace(0.0, 1.0, 11)
+    trial = Trial(times, {X: 0.2 * np.cos(np.sqrt(2.0) * times)})
+    system = on_a_line()
+    system.ode_solver = "dop853"
+    assert system.fit([L], trial, **options)[L] == pytest.approx(4.0, rel=1e-7)
+    system.constants[K] = 2.0
+    system.initial_conditions = {X: 0.2, Y: 0.4}
+    with pytest.raises(IntegrationError, match=r"cannot keep all .*: -k\*x\(t\) \+ y\(t\), is"):
+        system.fit([L], trial, **options)
+
+
+def test_what_only_these_constants_imply_is_not_missed():
+    system = on_a_line()
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         system.evaluate_ode()
-    system.constants = {K: 2.0, M: 1.0}
+    system.constants[K] = 2.0
     with pytest.warns(PyDyUserWarning, match=MISSING):
         system.evaluate_ode()

@@ -94,6 +94,9 @@ class Fitting(Setup):
             valid.
         MissingDependencyError
             The `solver` is not installed: ``pip install 'pydy[optimal]'``.
+        IntegrationError
+            The motion that the search begins with cannot be computed; or the velocity constraints
+            do not keep a holonomic one, whose derivative is missing.
         FitInterrupted
             The user pressed Ctrl-C; the exception contains the best estimates so far.
 

@@ -49,8 +49,9 @@ import numpy as np
 import scipy.sparse
 
 from pydy._assembly.specifieds import driven
-from pydy._errors import warn_user
+from pydy._errors import IntegrationError, warn_user
 from pydy._rank import HALF, or_one
+from pydy._simulation.constraint_drift import contradiction, rates
 from pydy.control.guess import Limit
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations
@@ -69,6 +70,8 @@ from pydy.control.tuning import (
     STEADY,
     STILL,
 )
+from pydy.solvers.constraint_drift import contradicted
+from pydy.solvers.outcome import LEFT_CONSTRAINTS
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,6 +201,8 @@ class Identification:
                     if solution.interrupted:
                         break
                     start = solution.z if solution.solved else start
+                if solution.solved:
+                    joined.check_constraints(solution)
                 found = self._found(joined, nlp, residuals, solution)
                 if not solution.solved or solution.interrupted:
                     return found
@@ -367,6 +372,36 @@ class _Joined:
         at, none = self.parameters[None], np.empty(0)
         return Piece(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
+    def check_constraints(self, solution: Solution) -> None:
+        """Refuse motions whose velocities do not keep a holonomic constraint.
+
+        Simulations leave that constraint. Collocation would return such a motion as the best one.
+        """
+        for e, made, places in zip(self.experiments, self.made, self.own, strict=True):
+            equations = e.now.definition.equations
+            if not equations.unimplied:
+                continue
+            states, _, numbers, duration = made.split(solution.z[places])
+            times = np.minimum(e.begin + made.places[0] * duration, e.times[-1])
+            order = np.argsort(times, kind="stable")
+            times, states = times[order], states.T[order]
+            at = e.now.at(times, states)
+            p, r = at.p.copy(), at.r.copy()
+            for k, value in zip(made.problem.free, numbers.tolist(), strict=True):
+                if k < len(p):
+                    p[k] = value
+                else:
+                    r[:, k - len(p)] = value
+            values = replace(at, p=p, r=r).values(rates)
+            # Where nothing moves, rates are rounding: terms count as on the whole motion.
+            values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
+            if not (wrong := contradicted(values)):
+                continue
+            k, t = wrong[0], float(times[wrong[0]])
+            status = f"cannot keep all constraints. {contradiction(equations, t, *wrong[1:])}"
+            info = {"code": LEFT_CONSTRAINTS, "status": status}
+            raise IntegrationError(f"`collocation` {status}", times, states, t, states[k], info)
+
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the disturbances' unknowns, and the function of their residuals."""
         places, factors = [np.empty(0, dtype=int)], [np.empty(0)]
@@ -402,7 +437,7 @@ class _Joined:
         p, free = self.parameters, self._free(nlp)
         W = np.zeros((self.size, len(p)))
         W[p] = np.eye(len(p))
-        if self._states_follow:
+        if self._states_follow and A.shape[0] == free.sum():
             W[free] = scipy.sparse.linalg.splu(A[:, free].tocsc()).solve(-A[:, p].toarray())
             return R @ W / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
         # In units of the largest residual, beside equations in units of their own.
