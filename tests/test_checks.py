@@ -5,11 +5,23 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._checks import choice, flag, listed, number, path_of, real_array, text, vector, whole
+from pydy._checks import (
+    choice,
+    flag,
+    listed,
+    number,
+    path_of,
+    real_array,
+    shown,
+    text,
+    vector,
+    whole,
+)
 from pydy.models import multi_mass_spring_damper
 
 MASKED = np.ma.array([1.0, 2.0], mask=[False, True])
@@ -100,6 +112,44 @@ def test_a_long_value_is_cut_in_the_message():
     with pytest.raises(ValueError, match="…") as info:
         number(list(range(500)), "`x`")
     assert len(str(info.value)) < 300
+
+
+TABLE = pd.DataFrame({"x": np.zeros(50), "y": np.zeros(50)})
+
+
+@pytest.mark.parametrize(
+    ("value", "description"),
+    [
+        (np.zeros(8), "array([0., 0., 0., 0., 0., 0., 0., 0.])"),
+        (np.zeros(101), "an array of the shape (101,)"),
+        (np.zeros((3, 3), dtype=complex), "an array of the shape (3, 3) and the dtype complex128"),
+        (np.ma.zeros(9), "a MaskedArray of the shape (9,)"),
+        (TABLE, "a DataFrame of the shape (50, 2)"),
+        (sm.eye(2), "Matrix([ [1, 0], [0, 1]])"),
+        ("a\n  b", r"'a\n  b'"),
+    ],
+)
+def test_what_fills_no_line_is_described_by_its_shape(value, description):
+    assert shown(value) == description
+
+
+def test_arrays_in_a_dictionary_are_cut():
+    text = shown({"x": np.linspace(0.0, 1.0, 101), "y": np.zeros((50, 50))})
+    assert len(text) <= 202  # with the mark of a cut
+    assert "\n" not in text
+    assert text.startswith("{'x': array([0.  , 0.01, ..., 0.99, 1.  ]")
+
+
+def test_an_array_in_place_of_a_symbol_is_described():
+    system = multi_mass_spring_damper()
+    system.times = np.linspace(0.0, 1.0, 11)
+    for call in (
+        lambda key: system.find_periodic_orbit(1.0, moving=[key]),
+        lambda key: system.linearize(inputs=[key]),
+        lambda key: system.simulate()[key],
+    ):
+        with pytest.raises((ValueError, KeyError), match=r"`an array of the shape \(50,\)`"):
+            call(np.linspace(0.0, 1.0, 50))
 
 
 def test_an_integer_that_python_does_not_print_is_refused_by_its_type():

@@ -20,6 +20,7 @@ from pydy._names import name_of, nearest, some, text_of, told_apart, written_out
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"
+_FEW = 8  # numbers of an array that a message shows
 _MOST = 2**27  # numbers that are copied where they are not in memory yet: a gibibyte
 _MOST_DIMENSIONS = 64  # of NumPy's arrays
 _BEYOND = 2**63  # integers of compiled code
@@ -81,14 +82,32 @@ def resolved(argument: str, keys: Iterable[Any], symbols: Iterable[Any], what: s
 
 
 def shown(value: Any) -> str:
-    """Return the repr of a value for a message, cut where it is long."""
+    """Return a value for a message, on one line: its repr, cut where it is long.
+
+    Arrays of more than a few numbers, and tables, are described by their shapes.
+    """
+    if isinstance(value, np.ndarray) and value.size > _FEW:
+        return _shaped(value)
     try:
-        text = repr(value)
+        with np.printoptions(threshold=_FEW, edgeitems=2):  # of arrays in dictionaries and lists
+            text = repr(value)
+        table = isinstance(getattr(value, "shape", None), tuple) and not hasattr(value, "is_Matrix")
+        if "\n" in text and table:
+            return _shaped(value)
+        text = " ".join(line.strip() for line in text.splitlines())
     except (TypeError, ValueError):  # an integer of more than 4300 digits, NaN times a vector
         text = f"a {type(value).__name__}"
     except RecursionError:
         text = f"a {type(value).__name__} that is nested too deeply"
     return text if len(text) <= 200 else f"{text[:200]} …"
+
+
+def _shaped(value: Any) -> str:
+    """Describe an array or a table."""
+    kind = "an array" if type(value) is np.ndarray else f"a {type(value).__name__}"
+    dtype = getattr(value, "dtype", _FLOAT)
+    of = "" if dtype == _FLOAT else f" and the dtype {dtype}"
+    return f"{kind} of the shape {tuple(value.shape)}{of}"
 
 
 def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
@@ -327,7 +346,9 @@ def text(value: Any, what: str, *, empty: bool = True) -> str:
 def instance(value: Any, kind: type, what: str, called: str = "") -> None:
     """Refuse a value that is not of a class, which errors may call something else."""
     if not isinstance(value, kind):
-        got = f"the {type(value).__name__} {shown(value)}"
+        kind_of, got = type(value).__name__, shown(value)
+        if not got.startswith((kind_of, "a ", "an ")):
+            got = f"the {kind_of} {got}"
         raise TypeError(f"{what} must be {called or f'a {kind.__name__}'}, got {got}.")
 
 
@@ -566,7 +587,7 @@ class Places:
         """Return the position of a symbol or name; errors tell apart symbols of one name."""
         place = self.get(key, argument)
         if place is None:
-            label = shown(key) if isinstance(key, (tuple, list)) else key
+            label = shown(key) if isinstance(key, (tuple, list)) else text_of(key)
             raise ValueError(
                 f"`{argument}` has the key `{label}`, which is not one of the {self.what}: "
                 f"{describe(self.symbols)}.{self.meant(key)}"

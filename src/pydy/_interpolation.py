@@ -460,6 +460,6 @@ class Continued:
         if not len(times) or ahead[0] < 0.0 or ahead[-1] <= 0.0 or ahead[-1] < ahead[0]:
             raise ValueError(
                 f"`t` must have times after the end of the motion, {leg.end!r}, and none before, "
-                f"got {times}."
+                f"got {shown(times)}."
             )
         return leg.go_on(times if times[0] == leg.end else np.append(leg.end, times))

@@ -21,10 +21,16 @@ def name_of(symbol: Any) -> str:
 
 def text_of(symbol: Any) -> str:
     """Return how a symbol prints; what users give in place of one may be nested too deeply."""
+    kind = type(symbol).__name__
     try:
-        return str(symbol)
+        text = str(symbol)
     except RecursionError:
-        return f"a {type(symbol).__name__} that is nested too deeply"
+        return f"a {kind} that is nested too deeply"
+    if "\n" not in text:
+        return text
+    shape = getattr(symbol, "shape", None)  # of an array, or of a table
+    label = "an array" if kind == "ndarray" else f"a {kind}"
+    return label if shape is None else f"{label} of the shape {shape}"
 
 
 def place_of(key: Any, names: Sequence[str], what: str) -> int:

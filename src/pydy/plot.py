@@ -21,7 +21,7 @@ import numpy as np
 from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
-from pydy._names import label_parts, latex_of, name_of, some
+from pydy._names import label_parts, latex_of, name_of, some, text_of
 from pydy._optional import require
 
 __all__ = [
@@ -173,7 +173,9 @@ def name_in(result: Any, key: Any) -> str:
     for name in (key if isinstance(key, str) else str(key), name_of(key)):
         if name in result.data_vars:
             return name
-    raise KeyError(f"`{key}` is not one of the dataset's variables: {some(result.data_vars)}.")
+    raise KeyError(
+        f"`{text_of(key)}` is not one of the dataset's variables: {some(result.data_vars)}."
+    )
 
 
 def samples_over_time(variable: Any) -> np.ndarray:

@@ -508,7 +508,13 @@ COLLOCATED = {"method": "collocation"}
         ([], bad(), {}, "at least one constant or state"),
         (["k0"], [], {}, "at least one pydy.analysis.Trial"),
         (["k0"], [3], {}, "must be pydy.analysis.Trial"),
-        (["k0"], swing(), {}, r"Trial\(times, {'q1': samples}\).* Got array"),
+        (bad(), ["k0"], {}, "`parameters` must be symbols .* got Trial of x0 .* second argument"),
+        ([bad()], ["k0"], {}, "`parameters` must be symbols or names, .* got .Trial of x0 at 101"),
+        (["k0"], {"x0": swing()}, {}, "must be pydy.analysis.Trial.* Got {'x0': array"),
+        (["k0"], bad(), {"bounds": {"k0": swing()}}, r"got an array of the shape \(101,\)\.$"),
+        (["k0"], bad(), {"priors": {"k0": swing()}}, r"got an array of the shape \(101,\)\.$"),
+        (["k0"], bad(), {"segments": bad()}, "`segments` must be .* got Trial of x0 at 101 times"),
+        (["k0"], swing(), {}, r"Trial\(times, {'q1': samples}\).* Got an array of the shape"),
         (["k0"], bad(measured={"bogus": swing()}), {}, "measured of trial 0` has the key `bogus`"),
         (["k0"], bad(measured={2 * K: swing()}), {}, r"`measured\[2\*k\]` .* holds `k`, but no"),
         (["k0"], bad(measured={F * K: swing()}), {}, r"holds `(k|f\(t\))`, but no argument"),
@@ -563,6 +569,27 @@ def test_what_does_not_fit_is_named(oscillator, parameters, trials, options, mes
 def test_a_trial_checks_what_it_is_given(given, message):
     with pytest.raises((ValueError, TypeError), match=message):
         bad(**given)
+
+
+def test_a_trial_prints_as_one_line():
+    assert repr(bad()) == "Trial of x0 at 101 times from 0.0 to 10.0"
+
+
+def test_a_motion_in_place_of_trials_is_named(oscillator):
+    oscillator.times = TIMES
+    motion = oscillator.simulate()
+    with pytest.raises(TypeError, match="Got Trajectory of x0, v0 at 101 times from"):
+        oscillator.fit(["k0"], motion)
+
+
+def test_events_may_come_from_an_iterator():
+    system, bounce = bouncing_ball(d=0.0)
+    heights = system.simulate(events=bounce)["q"]
+    system.constants = {"g": 9.6, "e": 0.78, "d": 0.0}
+    trial = Trial(system.times, {"q": heights})
+    for events in ([bounce], iter([bounce])):
+        found = system.fit(["e", "g"], trial, events=events)
+        np.testing.assert_allclose(found.estimates, [0.8, 9.81], rtol=1e-9)
 
 
 def test_unknown_states_may_come_from_an_iterator(oscillator):

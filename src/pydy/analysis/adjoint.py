@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._names import column_names, name_of, some, unique_names
+from pydy._names import column_names, name_of, some, text_of, unique_names
 from pydy._simulation.definition import read_term, refuse_descending
 from pydy._simulation.discontinuities import warn_of_jumps
 from pydy._simulation.events_and_constraints import native_solver
@@ -77,7 +77,7 @@ class AdjointGradient:
             start += count
         if parameter in self.names:  # one sample
             return float(self.values[self.names.index(parameter)])
-        raise KeyError(f"`{parameter}` is not one of the parameters: {some(self.names)}.")
+        raise KeyError(f"`{text_of(parameter)}` is not one of the parameters: {some(self.names)}.")
 
     def __getstate__(self) -> dict[str, Any]:
         return {**vars(self), "trajectory": self.trajectory, "_motion": None}

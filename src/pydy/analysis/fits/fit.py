@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import choice, flag, listed, whole
+from pydy._checks import choice, flag, listed, shown, whole
 from pydy.analysis.fits.problem import FitProblem, Model
 from pydy.analysis.fits.result import FitResult, result_of
 from pydy.analysis.fits.shooting import Shooting
@@ -31,10 +31,7 @@ def fit(
     options: dict[str, Any],
 ) -> FitResult:
     """Return the parameters with which a model's motions are nearest to the trials."""
-    alone = isinstance(trials, Trial | np.ndarray)
-    trials = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
-    if not trials:
-        raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
+    trials = _listed(parameters, trials)
     segments, most = whole(segments, "`segments`"), whole(most, "`most`")
     collocation = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
     only = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
@@ -53,6 +50,23 @@ def fit(
     shooting = Shooting(problem, segments, options)
     z = problem.read_known(shooting.guess(), bounds, priors)
     return result_of(problem, shooting.minimum(z, most, flag(progress, "`progress`")))
+
+
+def _listed(parameters: Any, trials: Any) -> list[Any]:
+    """Return the trials as a list; refuse them in the place of the parameters."""
+    several = isinstance(parameters, (list, tuple)) and len(parameters) > 0
+    first = parameters[0] if several else parameters
+    if isinstance(first, Trial):
+        raise TypeError(
+            f"`parameters` must be symbols or names, such as 'k', got {shown(parameters)}. Trials "
+            "are the second argument: system.fit(['k'], trials)."
+        )
+    # Those that are iterated over entries or names are refused as they are.
+    alone = isinstance(trials, (Trial, np.ndarray, Mapping, str)) or hasattr(trials, "times")
+    entries: list[Any] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
+    if not entries:
+        raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
+    return entries
 
 
 def _check_method(

@@ -17,10 +17,10 @@ from pydy._checks import (
     real_array,
     shown,
 )
-from pydy._names import text_of
+from pydy._names import some, text_of
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trial:
     """One measured motion.
 
@@ -90,6 +90,10 @@ class Trial:
         noise = self.noise.values() if isinstance(self.noise, Mapping) else [self.noise]
         for entry in noise if self.noise is not None else ():
             checked_noise(entry, len(times), label)
+
+    def __repr__(self) -> str:
+        times, names = np.ravel(self.times), some([text_of(key) for key in self.measured])
+        return f"Trial of {names} at {len(times)} times from {times[0]} to {times[-1]}"
 
 
 def instants(trial: Trial, label: str) -> tuple[np.ndarray, float]:
