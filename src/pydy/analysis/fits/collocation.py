@@ -16,7 +16,7 @@ from pydy._errors import (
 )
 from pydy._optional import progress_of
 from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.integration import Leg
+from pydy._simulation.integration import simulate
 from pydy._simulation.problem import Problem
 from pydy._simulation.tuning import FIT
 from pydy.analysis.fits.problem import FitProblem
@@ -137,7 +137,8 @@ def _guess(problem: FitProblem, k: int, now: Problem) -> np.ndarray:
         if problem.dependents:
             options["constraints"] = "project"
         try:
-            motion = Leg(now, native_solver(problem.model.solver), options).simulated()
+            solver = native_solver(problem.model.solver)
+            motion = simulate(now, now.times, solver=solver, **options)
             if np.isfinite(motion.states).all():
                 states = motion.states.copy()
         except (IntegrationError, SingularMatrixError):
