@@ -316,8 +316,8 @@ class Program:
 
     def __getstate__(self) -> dict[str, object]:
         state = dict(self.__dict__)
-        state.pop("operation_count", None)
-        state.pop("fallback", None)
+        for known in ("operation_count", "fallback", "without_fallbacks"):
+            state.pop(known, None)
         return state
 
 

@@ -14,14 +14,16 @@ import pytest
 
 import zoo
 from graphs import on_tape
-from pydy._backends.llvm import functions, jit
+from pydy._backends.llvm import functions, jit, sources
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.functions import CompleteCode
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import _repeats, leaves_out_fallbacks
 from pydy._backends.tuning import LARGE
+from pydy._graph.columns import Columns
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
+from pydy._graph.tangent import jacobian_tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
@@ -44,10 +46,36 @@ def complete_at_once(monkeypatch):
     return begin
 
 
-def rates_kernel(name):
+@pytest.fixture
+def without_any_fallbacks(monkeypatch):
+    """Leave out fallbacks however little of the code they are."""
+    monkeypatch.setattr(sources, "MOST_WITHOUT_FALLBACKS", 2.0)
+
+
+def rates_model(name):
     system = System(zoo.MODELS[name]().kane)
     system.generate_ode_function()
-    return system.model.compiled("rates")
+    return system.model
+
+
+def rates_kernel(name):
+    return rates_model(name).compiled("rates")
+
+
+def in_two_parts(assembly):
+    """Return the Jacobian of the rates by the states: whole vectors of columns, and a rest."""
+    n = assembly.sizes[0]
+    parts = [(0, n // 2), (n // 2, n)]
+    graph, nodes = assembly.simplified("rates")
+    return jacobian_tangent(graph, nodes, [("x", k) for k in range(n)], assembly.sizes, parts)
+
+
+def with_sensitivities(assembly, count=3):
+    """Return the rates and their derivatives along directions: of states and of constants."""
+    n, _, c = assembly.sizes
+    directions = tuple(("p", k // 2 % c) if k % 2 and c else None for k in range(count))
+    graph, nodes = assembly.simplified("rates")
+    return Columns(n, directions).tangent(graph, nodes, assembly.sizes, "rates")
 
 
 def sample(kernel, m=50):
@@ -70,6 +98,22 @@ def test_code_with_and_without_fallbacks_computes_the_same_bits(
     first = kernel.evaluate(*arguments)[0]
     complete_at_once()
     np.testing.assert_array_equal(rates_kernel(name).evaluate(*arguments)[0], first)
+
+
+@pytest.mark.parametrize("name", sorted(zoo.MODELS))
+def test_derivatives_with_and_without_fallbacks_are_the_same_bits(
+    name, nothing_cached, without_any_fallbacks, complete_at_once
+):
+    assembly = rates_model(name).assembly
+    made = [in_two_parts(assembly), with_sensitivities(assembly)]
+    backend = LLVMBackend()
+    kernels = [backend.compile(tangent) for tangent in made]
+    arguments = [sample(kernel, 9) for kernel in kernels]
+    pairs = [*zip(kernels, arguments, strict=True)]
+    first = [kernel.evaluate(*own)[0] for kernel, own in pairs]
+    complete_at_once()
+    for tangent, own, values in zip(made, arguments, first, strict=True):
+        np.testing.assert_array_equal(backend.compile(tangent).evaluate(*own)[0], values)
 
 
 def chain(mass=1.0):
@@ -97,6 +141,50 @@ def test_a_guard_that_is_not_sound_brings_the_code_with_fallbacks(nothing_cached
     np.testing.assert_allclose(rates, exact, rtol=1e-12)
     system.constants = chain().constants
     np.testing.assert_array_equal(system.evaluate_ode(x), first)
+
+
+@pytest.mark.parametrize("made_by", [in_two_parts, with_sensitivities])
+def test_derivatives_bring_the_code_with_fallbacks_and_its_constants(
+    made_by, nothing_cached, without_any_fallbacks
+):
+    system = chain()
+    system.generate_ode_function()
+    tangent = made_by(system.model.assembly)
+    kernel = LLVMBackend().compile(tangent)
+    t, x, r, p = sample(kernel, 3)
+    x, one = x / 4 + 0.3, np.empty(len(kernel.program.outputs))
+    p[:] = [*system.constants.values()]
+    first, failed = kernel.evaluate(t, x, r, p)
+    assert not failed.any()
+    assert kernel.at(x[0], t[0], r[0], p, one) == 0  # binds c without the fallbacks' constants
+    without, complete = kernel.addresses.copy(), CompleteCode.of(tangent)
+    assert complete._code is None
+    q = np.array([*chain(-1.2).constants.values()])
+    weak, failed = kernel.evaluate(t, x, r, q)
+    assert not failed.any()
+    assert (kernel.addresses != without).all()
+    exact = run(tangent.written_out(), t, x, r, q)[0]
+    np.testing.assert_allclose(weak, exact, rtol=1e-9, atol=1e-9 * np.abs(exact).max())
+    for constants, values in ((p, first), (q, weak), (p, first)):
+        assert kernel.at(x[0], t[0], r[0], constants, one) == 0
+        np.testing.assert_array_equal(one, values[0])
+        np.testing.assert_array_equal(kernel.evaluate(t, x, r, constants)[0], values)
+
+
+def test_an_implicit_run_goes_on_where_its_jacobian_needs_fallbacks(
+    nothing_cached, without_any_fallbacks, complete_at_once
+):
+    # The third mass becomes negative with the constants; the run is bound before.
+    systems = chain(), chain(-1.2)
+    for system in systems:
+        system.ode_solver = "radau"
+    before, motion = (system.integrate() for system in systems)
+    np.testing.assert_array_equal(systems[0].integrate(), before)
+    complete_at_once()
+    again = chain(), chain(-1.2)
+    for system, values in zip(again, (before, motion), strict=True):
+        system.ode_solver = "radau"
+        np.testing.assert_array_equal(system.integrate(), values)
 
 
 def test_a_prepared_run_and_a_gate_get_the_constants_that_fallbacks_need(

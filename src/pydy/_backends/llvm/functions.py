@@ -1,4 +1,4 @@
-"""The native functions of a Program, compiled when they are first called.
+"""The native functions of a Program or Tangent, compiled when they are first called.
 
 Compiled loops and gates read the addresses each time they call, so that other code can take the
 place of the first in the middle of a run.
@@ -74,8 +74,8 @@ class NativeFunctions:
 
 
 def _code(program: Program | Tangent) -> tuple[jit.Code, CompleteCode | None]:
-    """Return the code of a Program, and where it has no fallbacks, what stands in for them."""
-    if isinstance(program, Tangent) or not leaves_out_fallbacks(program):
+    """Return the code for one state, and where it has no fallbacks, what stands in for them."""
+    if not leaves_out_fallbacks(program):
         return jit.load(source_for_one_state(program), routines_of(program, 1)), None
     complete = CompleteCode.of(program)
     routines = routines_of(program, 1, fallbacks=False)
@@ -86,7 +86,7 @@ _KERNEL = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 5)
 
 
 class CompleteCode:
-    """The code of a Program with all its fallbacks, compiled when a guard is not sound.
+    """The code of a Program or Tangent with all fallbacks, compiled when a guard is not sound.
 
     Code without fallbacks calls it by the address of a Python function, once: then the complete
     code takes its place.
@@ -94,7 +94,7 @@ class CompleteCode:
 
     addresses: dict[str, int]
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program | Tangent) -> None:
         self._program = program
         self._lock = _forks.Lock()
         self._code: jit.Code | None = None
@@ -104,8 +104,8 @@ class CompleteCode:
         self.addresses = {COMPLETE: ctypes.cast(self._callback, ctypes.c_void_p).value or 0}
 
     @staticmethod
-    def of(program: Program) -> CompleteCode:
-        """Return the one of a Program: its code is shared, too."""
+    def of(program: Program | Tangent) -> CompleteCode:
+        """Return the one of a Program or Tangent: its code is shared, too."""
         with _COMPLETE_LOCK:
             known = _COMPLETE.get(program.digest)
             if known is None:

@@ -127,7 +127,7 @@ def _sizes(program: Program | Tangent, lanes: int) -> tuple[int, int, int, int, 
 
 def _size_of_c(program: Program | Tangent, lanes: int) -> int:
     """Return the size of the array c for each lane."""
-    if lanes == 1 and isinstance(program, Program) and leaves_out_fallbacks(program):
+    if lanes == 1 and leaves_out_fallbacks(program):
         return size_with_constants(program)
     return len(program.carried)
 

@@ -47,19 +47,18 @@ class _Text:
     @collector_paused()
     def __call__(self) -> str:
         if isinstance(self.program, Tangent):
-            return tangent_text(self.program, self.lanes)
+            return tangent_text(self.program, self.lanes, self.fallbacks)
         return kernel_text(self.program, self.lanes, self.width, self.fallbacks)
 
 
 def source_for_one_state(program: Program | Tangent) -> Source:
     """Return the code for one state, with all fallbacks."""
-    if isinstance(program, Tangent):
-        return _source(program, 1, 1)
     fallbacks = Fallbacks.ADDED if leaves_out_fallbacks(program) else Fallbacks.ALWAYS
-    return _source(program, 1, 1, fallbacks, loops=_repeats(program))
+    loops = isinstance(program, Program) and _repeats(program)
+    return _source(program, 1, 1, fallbacks, loops)
 
 
-def source_without_fallbacks(program: Program) -> Source:
+def source_without_fallbacks(program: Program | Tangent) -> Source:
     """Return the code for one state that leaves its fallbacks out."""
     name = f"kernel {program.digest} without fallbacks"
     return Source(name, _Text(program, 1, 1, Fallbacks.LEFT_OUT), ("kernel", "prepare"))
@@ -67,9 +66,9 @@ def source_without_fallbacks(program: Program) -> Source:
 
 def leaves_out_fallbacks(program: Program | Tangent) -> bool:
     """Whether code for one state is compiled without fallbacks at first: they are much of it."""
-    if isinstance(program, Tangent):
-        return False
-    return len(program.without_fallbacks) < MOST_WITHOUT_FALLBACKS * len(program.ops)
+    programs = [part for part, _ in pieces(program, 1)]
+    needed = sum(len(part.without_fallbacks) for part in programs)
+    return needed < MOST_WITHOUT_FALLBACKS * sum(len(part.ops) for part in programs)
 
 
 def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) -> jit.Code:

@@ -1,4 +1,4 @@
-"""The IR of a Program: the functions `prepare` and `kernel`, and `strided` for several states.
+"""The IR of a Program or Tangent: `prepare` and `kernel`, and `strided` for several states.
 
 There are no fast-math flags: NaN, infinity and the order of operations are kept, and fused
 multiply-adds are those that the IR spells out.
@@ -68,6 +68,8 @@ def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
     head = [*dict.fromkeys(declared)]
     if f"{MALLOC}(" in body:
         head.append(HEAP_DECLARATIONS)
+    if f"@{COMPLETE}(" in body:
+        head.append(f"declare i32 @{COMPLETE}(ptr, ptr, ptr, ptr, ptr)")
     # Sines and cosines are taken several at a time, in as many widths as they come.
     head += [
         sincos_declarations(width, kind)
@@ -130,23 +132,30 @@ def prepare_text(
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
-    complete = fallbacks is not Fallbacks.LEFT_OUT
-    e = Emitter(f, program, lanes, True, fallbacks=complete)
+    e = Emitter(f, program, lanes, True, fallbacks=fallbacks is not Fallbacks.LEFT_OUT)
     e.names.lie(layout)
     e.stage()
-    if fallbacks is not Fallbacks.ALWAYS:
-        if not complete:
-            with f.loop("0", str(program.num_constants)) as k:
-                place = f.let(f"add i64 {k}, {len(program.carried)}")
-                f.store("double", f.load("double", "%p", k), "%c", place)
-        f.store("double", literal(float(complete), 1), "%c", str(size_with_constants(program) - 1))
+    if not prefix:
+        _end_of_c(f, program, fallbacks)
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
     return f.text()
 
 
-def size_with_constants(program: Program) -> int:
+def _end_of_c(f: Function, program: Program | Tangent, fallbacks: Fallbacks) -> None:
+    """Write what the array c ends in, see `Fallbacks`."""
+    if fallbacks is Fallbacks.ALWAYS:
+        return
+    complete = fallbacks is Fallbacks.ADDED
+    if not complete:
+        with f.loop("0", str(program.num_constants)) as k:
+            place = f.let(f"add i64 {k}, {len(program.carried)}")
+            f.store("double", f.load("double", "%p", k), "%c", place)
+    f.store("double", literal(float(complete), 1), "%c", str(size_with_constants(program) - 1))
+
+
+def size_with_constants(program: Program | Tangent) -> int:
     """Return the size of the array c of code whose fallbacks may be added."""
     return len(program.carried) + program.num_constants + 1
 
@@ -195,44 +204,58 @@ def stage_text(
 ) -> str:
     """Return the function of the run stage; see `kernel_text`.
 
-    A function that others of the module call is told the layout of its arrays.
+    A function that others of the module call is told the layout of its arrays; without fallbacks it
+    returns -1 where a guard is not sound.
     """
     complete = fallbacks is not Fallbacks.LEFT_OUT
-    parameters = KERNEL
-    if fallbacks is not Fallbacks.ALWAYS:
-        parameters = KERNEL.replace("readonly %c", "%c")
-    f = Function(name, "i32", parameters, f"{'internal' if layout else ''}|nounwind")
-    if fallbacks is Fallbacks.ADDED:
-        _complete_constants(f, program)
+    if layout is None:
+        f = _kernel_function(program, fallbacks)
+    else:
+        f = Function(name, "i32", KERNEL, "internal|nounwind")
     e = Emitter(f, program, lanes, False, fallbacks=complete)
     e.solves.status = f.variable("i32", "0")
     e.names.lie(layout)
     e.stage()
     status = f.get("i32", e.solves.status)
-    if complete:
-        f.do(f"ret i32 {status}")
-    else:
-        f.do(f"br i1 {f.let(f'icmp slt i32 {status}, 0')}, label %unsound, label %sound, !prof !0")
-        f.label("%unsound")
-        arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
-        f.do(f"ret i32 {f.let(f'tail call i32 @{COMPLETE}({arguments})')}")
-        f.label("%sound")
-        f.do(f"ret i32 {status}")
+    if layout is None and not complete:
+        _check(f, status)
+    f.do(f"ret i32 {status}")
+    if layout is None and not complete:
+        _call_complete(f)
     f.label("%bail")
     f.do("ret i32 0")
-    declared = "" if complete else f"declare i32 @{COMPLETE}(ptr, ptr, ptr, ptr, ptr)\n"
-    return declared + f.text()
+    return f.text()
 
 
-def _complete_constants(f: Function, program: Program) -> None:
-    """Write the call of `prepare` where the array c lacks the constants for fallbacks."""
-    flag = f.load("double", "%c", str(size_with_constants(program) - 1))
-    f.do(f"br i1 {f.let(f'fcmp oeq double {flag}, 0.0')}, label %missing, label %there, !prof !0")
-    f.label("%missing")
-    p = f.at("%c", str(len(program.carried)))
-    f.do(f"call void @prepare(ptr {p}, ptr %c)")
-    f.do("br label %there")
-    f.label("%there")
+def _kernel_function(program: Program | Tangent, fallbacks: Fallbacks) -> Function:
+    """Return the beginning of `kernel`: constants for fallbacks are computed if c lacks them."""
+    if fallbacks is Fallbacks.ALWAYS:
+        return Function("kernel", "i32", KERNEL, "|nounwind")
+    f = Function("kernel", "i32", KERNEL.replace("readonly %c", "%c"), "|nounwind")
+    if fallbacks is Fallbacks.ADDED:
+        flag = f.load("double", "%c", str(size_with_constants(program) - 1))
+        missing = f.let(f"fcmp oeq double {flag}, 0.0")
+        f.do(f"br i1 {missing}, label %missing, label %there, !prof !0")
+        f.label("%missing")
+        p = f.at("%c", str(len(program.carried)))
+        f.do(f"call void @prepare(ptr {p}, ptr %c)")
+        f.do("br label %there")
+        f.label("%there")
+    return f
+
+
+def _check(f: Function, status: str) -> None:
+    """Write a branch to `_call_complete` where a guard is not sound."""
+    sound = f.name("sound")
+    f.do(f"br i1 {f.let(f'icmp slt i32 {status}, 0')}, label %unsound, label {sound}, !prof !0")
+    f.label(sound)
+
+
+def _call_complete(f: Function) -> None:
+    """Write the call of the code that has all fallbacks, with the same arguments."""
+    f.label("%unsound")
+    arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
+    f.do(f"ret i32 {f.let(f'tail call i32 @{COMPLETE}({arguments})')}")
 
 
 # The kernel with all fallbacks; the code without them is linked with its address.
@@ -353,9 +376,9 @@ def pieces(program: Program | Tangent, lanes: int) -> list[tuple[Program, int]]:
     return [*zip(programs, (own, *widths), strict=True)]
 
 
-def tangent_text(tangent: Tangent, lanes: int) -> str:
+def tangent_text(tangent: Tangent, lanes: int, fallbacks: Fallbacks = Fallbacks.ALWAYS) -> str:
     """Return the module of a Tangent, with the functions `kernel` and `prepare`."""
-    return _Text(tangent, lanes).module()
+    return _Text(tangent, lanes, fallbacks).module()
 
 
 class _Text:
@@ -370,10 +393,10 @@ class _Text:
     The array c holds the constants of the shared part, then those of each vector of columns.
     """
 
-    def __init__(self, tangent: Tangent, lanes: int) -> None:
-        self.tangent, self.lanes = tangent, lanes
+    def __init__(self, tangent: Tangent, lanes: int, fallbacks: Fallbacks) -> None:
+        self.tangent, self.lanes, self.fallbacks = tangent, lanes, fallbacks
         self.pieces = pieces(tangent, lanes)
-        self.kernel = Function("kernel", "i32", KERNEL, "|nounwind")
+        self.kernel = _kernel_function(tangent, fallbacks)
         self.prepare = Function("prepare", "void", PREPARE, "|nounwind")
         self.status = "0"
         self.functions: list[str] = []
@@ -393,6 +416,9 @@ class _Text:
         for part, (_, width) in zip(tangent.parts, self.pieces[1:], strict=True):
             self._part(part, width)
         f.do(f"ret i32 {self.status}")
+        if self.fallbacks is Fallbacks.LEFT_OUT:
+            _call_complete(f)
+        _end_of_c(self.prepare, tangent, self.fallbacks)
         self.prepare.do("ret void")
         texts = [f.text(), self.prepare.text(), *BRANCH_WEIGHTS, ""]
         declared = [
@@ -417,6 +443,8 @@ class _Text:
         f = self.kernel
         arguments = ", ".join(f"ptr {place}" for place in places)
         bad = f.let(f"call i32 @{name}({arguments})")
+        if self.fallbacks is Fallbacks.LEFT_OUT:
+            _check(f, bad)
         if self.lanes == 1:  # its lanes are columns
             bad = f.let(f"zext i1 {f.let(f'icmp ne i32 {bad}, 0')} to i32")
         self.status = f.let(f"or i32 {self.status}, {f.let(f'shl i32 {bad}, {lane}')}")
@@ -425,8 +453,8 @@ class _Text:
         (program, width), lanes, f = self.pieces[0], self.lanes, self.kernel
         layout = Layout(dict.fromkeys(("%x", "%r", "%p", "%out"), lanes))
         self.functions += [
-            prepare_text(program, width, "shared.", layout=layout),
-            stage_text(program, width, "shared", layout),
+            prepare_text(program, width, "shared.", layout, self.fallbacks),
+            stage_text(program, width, "shared", layout, self.fallbacks),
         ]
         self.values = f.slot(f"<{lanes} x double>", max(len(program.outputs), 1))
         for lane in range(0, lanes, width):
@@ -446,8 +474,8 @@ class _Text:
         spread = ["%r"] if single else ["%p", *([] if given else ["%x"])]
         layout = Layout(steps if single else {**steps, "%p": 1}, spread)
         self.functions += [
-            prepare_text(part.program, width, f"{name}.", layout=layout),
-            stage_text(part.program, width, name, layout),
+            prepare_text(part.program, width, f"{name}.", layout, self.fallbacks),
+            stage_text(part.program, width, name, layout, self.fallbacks),
         ]
         after, begin = tangent.values * lanes, tangent.shared.num_states * lanes
         starts = [*range(0, part.count, width if single else 1)]
