@@ -12,8 +12,8 @@ import optima
 import zoo
 from ball import bouncing_ball
 from cases import system_of
-from pydy._simulation.integration import Leg
 from pydy.analysis import Trial
+from pydy.analysis.fits import shooting
 from pydy.analysis.fits.residuals import autocorrelation
 from pydy.analysis.fits.search import estimate
 from pydy.contact import Contacts, Stick
@@ -381,15 +381,15 @@ def test_an_event_that_ends_a_trial_early_is_told():
 @pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
 def test_what_stops_a_fit_hands_over_the_best_estimates(oscillator, monkeypatch, stop):
     calls = []
-    simulated = Leg.simulated
+    simulate = shooting.simulate
 
-    def interrupted(self, **options):
+    def interrupted(*given, **options):
         calls.append(1)
         if len(calls) > 4:
             raise stop
-        return simulated(self, **options)
+        return simulate(*given, **options)
 
-    monkeypatch.setattr(Leg, "simulated", interrupted)
+    monkeypatch.setattr(shooting, "simulate", interrupted)
     with pytest.raises(stop) as caught:
         oscillator.fit(["k0", "c0"], let_go(swing()))
     assert set(caught.value.values) == {"k0", "c0"}
@@ -706,13 +706,13 @@ def test_stiff_equations_are_fitted_with_an_implicit_method(oscillator, monkeypa
     oscillator.ode_solver = "radau"
     truth = oscillator.simulate(rtol=1e-10, atol=1e-10)
     oscillator.ode_solver, oscillator.constants["k0"] = solver, 4.1e3
-    simulated, used = Leg.simulated, []
+    simulate, used = shooting.simulate, []
 
-    def watched(self, **options):
-        used.append(self.solver.name)
-        return simulated(self, **options)
+    def watched(*given, solver, **options):
+        used.append(solver.name)
+        return simulate(*given, solver=solver, **options)
 
-    monkeypatch.setattr(Leg, "simulated", watched)
+    monkeypatch.setattr(shooting, "simulate", watched)
     trial = Trial(oscillator.times, {"x0": truth["x0"]}, {"x0": 1.0}, noise=1e-3)
     result = oscillator.fit(["k0"], trial)
     np.testing.assert_allclose(result["k0"], 4e3, rtol=1e-6)
