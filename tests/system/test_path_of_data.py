@@ -140,11 +140,11 @@ def construct():
     ("make", "functions", "files"),
     [
         (construct, 655, 55),
-        (integrate, 27, 12),
-        (simulate, 97, 24),
-        (with_contacts, 133, 29),
-        (ensemble, 89, 24),
-        (stiff_ensemble, 93, 24),
+        (integrate, 30, 14),
+        (simulate, 104, 28),
+        (with_contacts, 143, 33),
+        (ensemble, 91, 24),
+        (stiff_ensemble, 95, 24),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -271,16 +271,20 @@ def _acts(now: Problem, places: Sequence[int], t: float) -> bool:
     return not is_zero(found["slopes"], found["bounds"]).all()
 
 
-def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray:
+def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray | None:
     """Return rows of when inputs of a right-hand side jump, or it switches by time alone.
 
-    The rows are as those of `pydy._graph.time_switches.SwitchTimes`.
+    None if it never does, whatever the times and numbers. The rows are as those of
+    `pydy._graph.time_switches.SwitchTimes`.
     """
     call: KernelCall | None = f.native(args)
     if call is None:
-        return np.zeros((0, 3))
+        return None
     start, end = sorted((float(times[0]), float(times[-1])))
-    switched, sampled = call.switch_times(start, end), jumps_of(call.sampled)
+    switched = call.switch_times(start, end)
+    if switched is None and not call.sampled:
+        return None
+    sampled = jumps_of(call.sampled)
     return sampled if switched is None else merged_jumps([sampled, switched.rows])
 
 

@@ -194,7 +194,9 @@ def call_solver(
             f, x0, options = sensitivities.augment(problem, ready.model, times, solver, options)
         args = problem.plan.values.copy() if problem.plan.constant else problem.plan, problem.p
         if isinstance(solver, SolveIvp) or is_odeint(solver):
-            return _call_scipy(problem, times, solver, given, options, (f, x0, args), checked)
+            return _call_scipy(
+                problem, ready, times, solver, given, options, (f, x0, args), checked
+            )
         return _call_users(times, solver, options, (f, x0, args))
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
@@ -250,6 +252,7 @@ def _call_native(
 
 def _call_scipy(
     problem: Problem,
+    ready: PreparedIntegration,
     times: np.ndarray,
     solver: Any,
     given: dict[str, Any],
@@ -259,7 +262,9 @@ def _call_scipy(
 ) -> SolverResult:
     """Call odeint or solve_ivp, and record where they evaluate if judges need to know."""
     (f, x0, args), evaluated, odeint = called, None, is_odeint(solver)
-    jumps = jumps_by_time(f, args, times)
+    jumps = None if ready.never_jumps else jumps_by_time(f, args, times)
+    ready.never_jumps = jumps is None
+    jumps = np.zeros((0, 3)) if jumps is None else jumps
     if len(jumps) or (odeint and problem.judges_assumptions):
         f = evaluated = EvaluationRecorder(f, jumps)
     if odeint and checked:

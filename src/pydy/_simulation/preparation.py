@@ -49,6 +49,7 @@ class PreparedIntegration:
         self.constrained = definition.equations.constrained
         # whether the motion is brought back onto the constraints
         self.enforced = given.get("constraints") is not None
+        self.never_jumps = False  # whether inputs and loads are known not to jump by time alone
         self.span = 0.0  # of the times of the latest call
         self.start_judged = False  # whether impulses of the inputs were looked for
         self.model, self.options = self._prepared(definition, model)
